@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A file that appears under its name only when it is complete.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+// Owns NAME.part beside NAME. commit() renames it; without commit the destructor removes it.
+// Invariant: NAME itself is either untouched or whole.
+class AtomicFile {
+ public:
+  // Throws Error (input) when the folder is missing or cannot be written, or NAME is a folder.
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  // Where to write until commit().
+  const std::filesystem::path& part() const { return part_; }
+  const std::filesystem::path& target() const { return target_; }
+  // Moves the finished file to its name. Throws Error (environment) when that fails.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path part_;
+  bool committed_ = false;
+};
+
+// Writes a whole small file atomically. Throws Error as AtomicFile does, or (environment) when the
+// disk is full.
+void write_file(const std::filesystem::path& target, std::string_view content);
+
+// Reads a whole file. Throws Error (input) when it is missing, a folder, or unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "base/stage_clock.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace polhode {
+
+std::set<int> thread_ids() {
+  std::set<int> ids;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task", failed)) {
+    ids.insert(std::stoi(entry.path().filename().string()));
+  }
+  return ids;
+}
+
+double cpu_seconds_of(const std::set<int>& threads) {
+  double total = 0.0;
+  for (const int id : threads) {
+    // first number of schedstat: time on a processor in nanoseconds
+    std::ifstream file("/proc/self/task/" + std::to_string(id) + "/schedstat");
+    double nanoseconds = 0.0;
+    if (file >> nanoseconds) total += 1e-9 * nanoseconds;
+  }
+  return total;
+}
+
+}  // namespace polhode

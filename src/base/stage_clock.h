@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Wall and processor time of the stages of a run, for the report.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+#include <set>
+
+namespace polhode {
+
+// Time spent in one stage. cpu counts the thread that ran it, plus helper threads added later.
+struct StageTime {
+  double wall_s = 0.0;
+  double cpu_s = 0.0;
+};
+
+// Adds the time of its own scope to a StageTime.
+class StageTimer {
+ public:
+  explicit StageTimer(StageTime& stage)
+      : stage_(stage), wall_(Clock::now()), cpu_(thread_cpu_seconds()) {}
+  ~StageTimer() {
+    stage_.wall_s += std::chrono::duration<double>(Clock::now() - wall_).count();
+    stage_.cpu_s += thread_cpu_seconds() - cpu_;
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double thread_cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  StageTime& stage_;
+  Clock::time_point wall_;
+  double cpu_;
+};
+
+// The ids of the threads this process has now. What a library call starts (rasteriser, encoder) is
+// the difference of the sets before and after it.
+std::set<int> thread_ids();
+
+// Processor seconds used so far by those of the threads that still live.
+double cpu_seconds_of(const std::set<int>& threads);
+
+}  // namespace polhode

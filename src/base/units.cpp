@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "base/units.h"
+
+namespace polhode {
+namespace {
+
+// clang-format off
+constexpr UnitSuffix kSuffixes[] = {
+    {Unit::none,             "",            1.0,          ""},
+    {Unit::length,           "",            1.0,          "m"},
+    {Unit::length,           "_mm",         1e-3,         "mm"},
+    {Unit::length,           "_cm",         1e-2,         "cm"},
+    {Unit::length,           "_km",         1e3,          "km"},
+    {Unit::mass,             "",            1.0,          "kg"},
+    {Unit::mass,             "_g",          1e-3,         "g"},
+    {Unit::time,             "",            1.0,          "s"},
+    {Unit::time,             "_ms",         1e-3,         "ms"},
+    {Unit::time,             "_min",        60.0,         "min"},
+    {Unit::time,             "_h",          3600.0,       "h"},
+    {Unit::time,             "_d",          86400.0,      "d"},
+    {Unit::angle,            "",            1.0,          "rad"},
+    {Unit::angle,            "_deg",        kPi / 180.0,  "deg"},
+    {Unit::angular_velocity, "",            1.0,          "rad/s"},
+    {Unit::angular_velocity, "_deg_per_s",  kPi / 180.0,  "deg/s"},
+    {Unit::angular_velocity, "_rpm",        kPi / 30.0,   "rev/min"},
+    {Unit::angular_momentum, "",            1.0,          "kg m^2/s"},
+    {Unit::inertia,          "",            1.0,          "kg m^2"},
+    {Unit::inertia,          "_g_cm2",      1e-7,         "g cm^2"},
+    {Unit::density,          "",            1.0,          "kg/m^3"},
+    {Unit::density,          "_g_per_cm3",  1e3,          "g/cm^3"},
+    {Unit::velocity,         "",            1.0,          "m/s"},
+    {Unit::acceleration,     "",            1.0,          "m/s^2"},
+};
+// clang-format on
+
+}  // namespace
+
+std::vector<UnitSuffix> suffixes_of(Unit unit) {
+  std::vector<UnitSuffix> found;
+  for (const UnitSuffix& row : kSuffixes) {
+    if (row.unit == unit) found.push_back(row);
+  }
+  return found;
+}
+
+std::string si_symbol(Unit unit) {
+  return suffixes_of(unit).front().symbol;
+}
+
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The units a scene file may use. Inside the program everything is SI and radians; a key with a
+// suffix from this table ("radius_cm", "zxz_deg") is converted once, when it is read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+enum class Unit {
+  none,
+  length,             // m
+  mass,               // kg
+  time,               // s
+  angle,              // rad
+  angular_velocity,   // rad/s
+  angular_momentum,   // kg m^2/s
+  inertia,            // kg m^2
+  density,            // kg/m^3
+  velocity,           // m/s
+  acceleration,       // m/s^2
+};
+
+struct UnitSuffix {
+  Unit unit;
+  const char* suffix;   // appended to the key; "" is the SI unit itself
+  double factor;        // value in SI = value in the file * factor
+  const char* symbol;   // for messages and the schema
+};
+
+// Every suffix a quantity of this unit may carry, the SI one first.
+std::vector<UnitSuffix> suffixes_of(Unit unit);
+
+// "kg m^2", "" for plain numbers.
+std::string si_symbol(Unit unit);
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace polhode

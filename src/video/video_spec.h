@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The [video] table of a scene, and how films are encoded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+
+namespace polhode {
+
+// Frames per second as an exact ratio, e.g. 60/1 or 30000/1001.
+struct FrameRate {
+  int numerator = 60;
+  int denominator = 1;
+
+  double value() const { return static_cast<double>(numerator) / denominator; }
+  friend bool operator==(const FrameRate&, const FrameRate&) = default;
+};
+
+// "60", "29.97" is refused in favour of "30000/1001". Throws Error (input).
+FrameRate parse_frame_rate(const std::string& text);
+
+struct PictureSize {
+  int width = 1920;    // pixels
+  int height = 1080;   // pixels
+
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+inline constexpr int kSmallestSide = 16;     // pixels
+inline constexpr int kLargestSide = 16384;   // pixels; what GL and H.264 level limits leave
+
+// "1920x1080". Throws Error (input) when it is not of that form or out of bounds.
+PictureSize parse_picture_size(const std::string& text);
+
+// H.264 settings. Threads are pinned because x264's output depends on their number.
+struct EncoderSettings {
+  std::string preset = "veryfast";   // x264 preset
+  int crf = 18;                      // constant rate factor, 1 (best) to 51; 0 is never used
+  int threads = 2;                   // encoder threads
+};
+
+// The x264 presets that may be asked for, fastest first.
+const std::vector<std::string>& encoder_presets();
+
+// The [video] table.
+struct VideoSpec {
+  PictureSize size;
+  FrameRate fps;
+  double time_scale = 1.0;           // seconds of motion per second of film
+};
+
+template <class Visitor>
+void fields(Visitor& v, VideoSpec& s) {
+  v.field("size", s.size, Doc{"picture size, \"1920x1080\" or [1920, 1080]"});
+  v.field("fps", s.fps, Doc{"frames per second: a whole number or an exact ratio \"30000/1001\""});
+  v.field("time_scale", s.time_scale,
+          Doc{"seconds of motion per second of film; 0.1 is ten times slow motion", Unit::none,
+              kPositive});
+}
+
+}  // namespace polhode
