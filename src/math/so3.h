@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Rotations: exponential map, Euler angles, distance.
+#pragma once
+
+#include "math/notation.h"
+
+namespace polhode {
+
+// The rotation by |v| radians about v. Exact to round-off for every |v|, zero included.
+Quat exp_rotation(const Vec3& v);
+
+// Angle in radians, 0..pi, of the rotation that takes one attitude into the other. Keeps its digits
+// for tiny angles (uses the vector part, not acos of the scalar part).
+double rotation_angle_between(const Quat& a, const Quat& b);
+
+// zxz Euler angles (phi, theta, psi) in radians, 0 <= theta <= pi; at the poles psi = 0.
+Vec3 zxz_angles(const Quat& q);
+Quat from_zxz_angles(const Vec3& angles);
+
+// Angular velocity in body axes from the rates of the zxz angles
+// (Landau and Lifshitz, Mechanics, eq. 35.1, whose third line is the figure axis here too).
+Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
+
+// R = Rz(c) Ry(b) Rx(a): turn about x, then y, then z of the fixed axes, radians.
+Mat3 from_xyz_turns(const Vec3& turns);
+
+// q scaled to unit length; used after steps that leave the sphere.
+Quat normalized(const Quat& q);
+
+}  // namespace polhode

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The [motion] and [numerics] tables of a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "math/notation.h"
+
+namespace polhode {
+
+// Attitude at t = 0; one of the two, or neither for R_SB = 1.
+struct AttitudeSpec {
+  std::optional<Vec3> zxz;                    // Euler angles (phi, theta, psi), rad
+  std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), body to space; scaled to unit length
+};
+
+// Angular velocity at t = 0; one of these, or none for a body at rest.
+struct SpinSpec {
+  std::optional<Vec3> body;           // rad/s in body axes
+  std::optional<Vec3> space;          // rad/s in space axes
+  std::optional<Vec3> momentum_body;  // angular momentum in body axes, kg m^2/s
+  std::optional<Vec3> rates;          // (phi', theta', psi') of the zxz angles, rad/s
+};
+
+struct MotionSpec {
+  std::string hold = "free";          // "free", or "pivot": one point of the body is fixed
+  std::optional<Vec3> gravity;        // m/s^2 in space; absent: none when free, standard on a pivot
+  double duration = 10.0;             // s
+  AttitudeSpec attitude;
+  SpinSpec spin;
+  Vec3 position = Vec3::Zero();       // of the centre of mass (free) at t = 0, m
+  Vec3 velocity = Vec3::Zero();       // of the centre of mass (free) at t = 0, m/s
+};
+
+// How exact the attitude must be over the whole film: radians, or pixels of the finished picture.
+struct Accuracy {
+  double value = 0.1;
+  bool pixels = true;
+};
+
+// "0.1px" or a number of radians. Throws Error (input).
+Accuracy parse_accuracy(const std::string& text);
+
+struct NumericsSpec {
+  std::string model = "auto";         // a name from `list models`
+  std::string method = "auto";        // a name from `list methods`
+  std::optional<double> step;         // s, fixed-step methods
+  std::optional<double> tolerance;    // per step, adaptive methods
+  Accuracy accuracy;
+};
+
+// Names for docs, the schema and strict reading, "auto" first.
+std::vector<std::string> model_names();
+std::vector<std::string> method_names();
+
+template <class Visitor>
+void fields(Visitor& v, AttitudeSpec& s) {
+  v.at_most_one_of({"zxz", "quaternion"});
+  v.field("zxz", s.zxz, Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
+  v.field("quaternion", s.quaternion, Doc{"w, x, y, z of the rotation from body to space"});
+}
+
+template <class Visitor>
+void fields(Visitor& v, SpinSpec& s) {
+  v.at_most_one_of({"body", "space", "momentum_body", "rates"});
+  v.field("body", s.body, Doc{"angular velocity in body axes", Unit::angular_velocity});
+  v.field("space", s.space, Doc{"angular velocity in space axes", Unit::angular_velocity});
+  v.field("momentum_body", s.momentum_body,
+          Doc{"angular momentum in body axes", Unit::angular_momentum});
+  v.field("rates", s.rates, Doc{"rates of the zxz angles phi, theta, psi", Unit::angular_velocity});
+}
+
+template <class Visitor>
+void fields(Visitor& v, MotionSpec& s) {
+  v.field("hold", s.hold, Doc{"what holds the body", Unit::none, kAny, {"free", "pivot"}});
+  v.field("gravity", s.gravity, Doc{"acceleration of gravity in space axes", Unit::acceleration});
+  v.field("duration", s.duration, Doc{"length of the motion", Unit::time, kPositive});
+  v.field("attitude", s.attitude, Doc{"attitude at the start"});
+  v.field("spin", s.spin, Doc{"angular velocity at the start"});
+  v.field("position", s.position, Doc{"centre of mass at the start, free bodies", Unit::length});
+  v.field("velocity", s.velocity, Doc{"velocity of the centre of mass at the start, free bodies",
+                                      Unit::velocity});
+}
+
+template <class Visitor>
+void fields(Visitor& v, NumericsSpec& s) {
+  v.field("model", s.model, Doc{"how the motion is found", Unit::none, kAny, model_names()});
+  v.field("method", s.method, Doc{"integrator", Unit::none, kAny, method_names()});
+  v.field("step", s.step, Doc{"step of fixed-step methods", Unit::time, kPositive});
+  v.field("tolerance", s.tolerance, Doc{"local error per step of adaptive methods", Unit::none, kPositive});
+  v.field("accuracy", s.accuracy,
+          Doc{"attitude error over the whole film: radians, or \"0.1px\" of the picture"});
+}
+
+}  // namespace polhode

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A scene file as values: what every later stage starts from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "frame/view_spec.h"
+#include "model/body_spec.h"
+#include "motion/motion_spec.h"
+#include "video/video_spec.h"
+
+namespace polhode {
+
+struct Scene {
+  int format = 1;          // version of the scene format; only 1 is known
+  std::string title;
+  BodySpec body;
+  MotionSpec motion;
+  NumericsSpec numerics;
+  CameraSpec camera;
+  ShowSpec show;
+  VideoSpec video;
+  ThemeSpec theme;         // shares the [video] table
+  std::string file;        // where it was read from, for messages
+};
+
+template <class Visitor>
+void fields(Visitor& v, Scene& s) {
+  v.field("format", s.format, Doc{"version of the scene format", Unit::none, Range{1, 1}});
+  v.field("title", s.title, Doc{"what the scene shows"});
+  v.required("body", s.body, Doc{"how mass is distributed"});
+  v.field("motion", s.motion, Doc{"how the body is held and started"});
+  v.field("numerics", s.numerics, Doc{"how the motion is found; leave it out"});
+  v.field("camera", s.camera, Doc{"where the picture is taken from"});
+  v.field("show", s.show, Doc{"what is drawn"});
+  v.merged("video", s.video, s.theme, Doc{"size, rate and colours of the picture"});
+}
+
+// Reads a scene. Throws Error (input) with file, line and key for everything that is wrong in it.
+Scene load_scene(const std::filesystem::path& file);
+// The same for text in memory; `name` stands for the file in messages.
+Scene parse_scene(std::string_view text, const std::string& name);
+
+// Hash of the scene's meaning: comments, order and units do not matter, every value does.
+std::string scene_hash(const Scene& scene);
+
+}  // namespace polhode
