@@ -38,12 +38,8 @@ void for_covered(const Image& image, const std::function<void(const Vec2&, doubl
 // A straight-sided tip has a width that falls linearly to zero and a middle that moves linearly:
 // both lines, fitted between `from` and `to` pixels behind the expected tip, meet at the tip that
 // was drawn.
-Vec2 find_tip(const Image& image,
-              const Vec2& expected,
-              const Vec2& backwards,
-              double from,
-              double to,
-              bool binary) {
+Vec2 find_tip(
+    const Image& image, const Vec2& expected, const Vec2& backwards, double from, double to) {
   const Vec2 back = backwards.normalized();
   const Vec2 across(-back.y(), back.x());
   const int bins = static_cast<int>((to - from) / 2.0);
