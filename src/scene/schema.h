@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// Draft 2020-12. Every key, every unit suffix, allowed names, ranges, which keys exclude each other.
+// Draft 2020-12. Every key, every unit suffix, allowed names, ranges, which keys exclude each
+// other.
 nlohmann::ordered_json scene_schema();
 
 }  // namespace polhode
