@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -28,7 +28,8 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)), part_(part
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
     throw input_error("the folder '{}' does not exist; create it or choose another output",
-                      folder.string()).at({target_.string(), 0, {}});
+                      folder.string())
+        .at({target_.string(), 0, {}});
   }
   if (fs::is_directory(target_, ignored)) {
     throw input_error("is a folder; give a file name").at({target_.string(), 0, {}});
@@ -74,17 +75,25 @@ void write_file(const fs::path& target, std::string_view content) {
   file.commit();
 }
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, std::size_t most) {
+  const Place place{path.string(), 0, {}};
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw input_error("no such file").at({path.string(), 0, {}});
-  if (fs::is_directory(path, ignored)) {
-    throw input_error("is a folder; give a file").at({path.string(), 0, {}});
-  }
+  if (!fs::exists(path, ignored)) throw input_error("no such file").at(place);
+  if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream content;
-  content << in.rdbuf();
-  if (!in) throw input_error("cannot be read").at({path.string(), 0, {}});
-  return content.str();
+  if (!in) throw input_error("cannot be read ({})", std::strerror(errno)).at(place);
+
+  // block by block, to stop at the limit
+  std::string content;
+  std::array<char, 65536> block{};
+  while (in.read(block.data(), block.size()), in.gcount() > 0) {
+    content.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (content.size() > most) {
+      throw input_error("holds more than {} bytes; is this the right file?", most).at(place);
+    }
+  }
+  if (in.bad()) throw input_error("cannot be read").at(place);
+  return content;
 }
 
 }  // namespace polhode

@@ -2,6 +2,8 @@
 // A file that appears under its name only when it is complete.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -34,7 +36,8 @@ class AtomicFile {
 // disk is full.
 void write_file(const std::filesystem::path& target, std::string_view content);
 
-// Reads a whole file. Throws Error (input) when it is missing, a folder, or unreadable.
-std::string read_file(const std::filesystem::path& path);
+// Reads a whole file. Throws Error (input) when it is missing, a folder, unreadable, or holds more
+// than `most` bytes (of which no more than that are read, so an endless device is refused too).
+std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
 }  // namespace polhode

@@ -3,7 +3,9 @@
 //
 //   template <class Visitor> void fields(Visitor& v, BodySpec& spec);
 //
-// that calls v.field(key, member, doc, ...) for each key. Reading, printing, the JSON Schema and the
+// that calls v.field(key, member, doc) or v.required(key, member, doc) for each key,
+// v.exactly_one_of({keys}) or v.at_most_one_of({keys}) for keys that exclude each other, and
+// v.merged(key, spec, spec, doc) for two specs that share one table. Reading, printing, the JSON Schema and the
 // errors for unknown keys are visitors of that one list (scene/), so they cannot disagree.
 #pragma once
 
@@ -33,6 +35,7 @@ struct Doc {
   Unit unit = Unit::none;                 // which suffixes the key may carry
   Range range = kAny;                     // for numbers
   std::vector<std::string> choices = {};  // for names: the only ones allowed (empty: any text)
+  bool color = false;                     // for text: must be "#rrggbb"
 };
 
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/units.h"
 
+#include <cmath>
+
 namespace polhode {
 namespace {
 
@@ -41,6 +43,13 @@ std::vector<UnitSuffix> suffixes_of(Unit unit) {
     if (row.unit == unit) found.push_back(row);
   }
   return found;
+}
+
+double to_si(double value, const UnitSuffix& suffix) {
+  // 1e-3 has no exact double, 1000 has: the quotient is rounded once, the product twice
+  const double inverse = std::round(1.0 / suffix.factor);
+  const bool decimal = suffix.factor < 1.0 && std::abs(inverse * suffix.factor - 1.0) < 1e-12;
+  return decimal ? value / inverse : value * suffix.factor;
 }
 
 std::string si_symbol(Unit unit) {

@@ -32,6 +32,10 @@ struct UnitSuffix {
 // Every suffix a quantity of this unit may carry, the SI one first.
 std::vector<UnitSuffix> suffixes_of(Unit unit);
 
+// A value of the file in SI. Decimal prefixes divide by a whole number, so that 35 cm is 0.35 m to the
+// last bit.
+double to_si(double value, const UnitSuffix& suffix);
+
 // "kg m^2", "" for plain numbers.
 std::string si_symbol(Unit unit);
 

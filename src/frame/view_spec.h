@@ -65,7 +65,7 @@ void fields(Visitor& v, ShowSpec& s) {
 template <class Visitor>
 void fields(Visitor& v, ThemeSpec& s) {
   v.field("theme", s.theme, Doc{"colours", Unit::none, kAny, theme_names()});
-  v.field("background", s.background, Doc{"background colour, \"#rrggbb\""});
+  v.field("background", s.background, Doc{.text = "background colour, \"#rrggbb\"", .color = true});
 }
 
 }  // namespace polhode

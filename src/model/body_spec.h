@@ -56,7 +56,7 @@ std::vector<std::string> solid_names();
 
 template <class Visitor>
 void fields(Visitor& v, SolidSpec& s) {
-  v.field("kind", s.kind, Doc{"the solid's shape", Unit::none, kAny, solid_names()});
+  v.required("kind", s.kind, Doc{"the solid's shape", Unit::none, kAny, solid_names()});
   v.field("mass", s.mass, Doc{"mass; this or density", Unit::mass, kPositive});
   v.field("density", s.density, Doc{"density; this or mass", Unit::density, kPositive});
   v.field("size", s.size, Doc{"edges of a box along x, y, z", Unit::length, kPositive});
@@ -69,7 +69,7 @@ void fields(Visitor& v, SolidSpec& s) {
   v.field("profile", s.profile, Doc{"points (radius, z) of a lathe's outline", Unit::length});
   v.field("at", s.at, Doc{"where the solid's own origin is in the body", Unit::length});
   v.field("turn", s.turn, Doc{"turns about the body's x, then y, then z axis", Unit::angle});
-  v.field("color", s.color, Doc{"colour when drawn, \"#rrggbb\""});
+  v.field("color", s.color, Doc{.text = "colour when drawn, \"#rrggbb\"", .color = true});
 }
 
 template <class Visitor>

@@ -14,7 +14,7 @@
 namespace polhode {
 
 struct Scene {
-  int format = 1;          // version of the scene format; only 1 is known
+  int format = 1;  // version of the scene format; only 1 is known
   std::string title;
   BodySpec body;
   MotionSpec motion;
@@ -22,8 +22,8 @@ struct Scene {
   CameraSpec camera;
   ShowSpec show;
   VideoSpec video;
-  ThemeSpec theme;         // shares the [video] table
-  std::string file;        // where it was read from, for messages
+  ThemeSpec theme;   // shares the [video] table
+  std::string file;  // where it was read from, for messages
 };
 
 template <class Visitor>

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "scene/canonical.h"
+
+#include <optional>
+#include <vector>
+
+#include "base/hash.h"
+#include "scene/keys.h"
+#include "scene/to_json.h"
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The visitor that prints a spec as a JSON object.
+class Canonical {
+ public:
+  template <class T>
+  void field(const char* name, T& member, const Doc&) {
+    put(name, member);
+  }
+  template <class T>
+  void required(const char* name, T& member, const Doc&) {
+    put(name, member);
+  }
+  template <class A, class B>
+  void merged(const char* name, A& a, B& b, const Doc&) {
+    Canonical both;
+    fields(both, a);
+    fields(both, b);
+    json_[name] = both.json_;
+  }
+  void exactly_one_of(const std::vector<std::string>&) {}
+  void at_most_one_of(const std::vector<std::string>&) {}
+
+  const Json& json() const { return json_; }
+
+ private:
+  template <class T>
+  static Json printed(T& value) {
+    if constexpr (IsSpec<T>) {
+      Canonical inside;
+      fields(inside, value);
+      return inside.json_;
+    } else {
+      return to_json_value(value);
+    }
+  }
+  template <class T>
+  static Json printed(std::vector<T>& list) {
+    Json json = Json::array();
+    for (T& element : list)
+      json.push_back(printed(element));
+    return json;
+  }
+
+  template <class T>
+  void put(const char* name, T& value) {
+    json_[name] = printed(value);
+  }
+  template <class T>
+  void put(const char* name, std::optional<T>& value) {
+    if (value) json_[name] = printed(*value);
+  }
+  template <class T>
+  void put(const char* name, std::vector<T>& list) {
+    if (!list.empty()) json_[name] = printed(list);
+  }
+
+  Json json_ = Json::object();
+};
+
+}  // namespace
+
+nlohmann::ordered_json scene_to_json(const Scene& scene) {
+  // visitors may write, so they get a copy
+  Scene copy = scene;
+  Canonical canonical;
+  fields(canonical, copy);
+  return canonical.json();
+}
+
+std::string scene_hash(const Scene& scene) {
+  return content_hash(scene_to_json(scene).dump());
+}
+
+}  // namespace polhode

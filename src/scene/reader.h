@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The visitor that fills a spec from a TOML table. Strict: what no field list names is an error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/keys.h"
+#include "scene/values.h"
+
+namespace polhode {
+
+// Throws Error (input) for the first unknown key of the table, for two spellings of one key, for
+// keys that exclude each other, and for missing ones. `root` is the whole scene's list, for hints.
+void check_keys(const toml::table& table,
+                const Place& place,
+                const KeyList& keys,
+                const KeyList& root);
+
+// The value of a key, in whichever unit it is spelled; nothing when the key is absent.
+std::optional<Found> find_key(const toml::table& table,
+                              const Place& place,
+                              const std::string& name,
+                              const Doc& doc);
+
+// Fills specs from one table whose keys were checked.
+class Reader {
+ public:
+  // `place` is the table's own; the table and `root` must outlive the reader.
+  Reader(const toml::table& table, const Place& place, const KeyList& root)
+      : table_(table), place_(place), root_(root) {}
+
+  template <class T>
+  void field(const char* name, T& member, const Doc& doc) {
+    if (const std::optional<Found> found = find_key(table_, place_, name, doc)) {
+      read(*found, doc, member);
+    }
+  }
+  template <class T>
+  void required(const char* name, T& member, const Doc& doc) {
+    field(name, member, doc);
+  }
+  template <class A, class B>
+  void merged(const char* name, A& a, B& b, const Doc& doc) {
+    if (const std::optional<Found> found = find_key(table_, place_, name, doc)) {
+      read_tables(*found, a, b);
+    }
+  }
+  // check_keys has looked at these
+  void exactly_one_of(const std::vector<std::string>&) {}
+  void at_most_one_of(const std::vector<std::string>&) {}
+
+  // Reads one table into all of the specs, checking its keys against all of their lists.
+  template <class... Specs>
+  void read_tables(const Found& found, Specs&... specs) {
+    const toml::table* table = found.node.as_table();
+    if (table == nullptr) refuse_type(found, "a table");
+    check_keys(*table, found.place, keys_of<Specs...>(), root_);
+    Reader inside(*table, found.place, root_);
+    (fields(inside, specs), ...);
+  }
+
+ private:
+  template <class T>
+  void read(const Found& found, const Doc& doc, T& member) {
+    if constexpr (IsSpec<T>) {
+      read_tables(found, member);
+    } else {
+      read_value(found, doc, member);
+    }
+  }
+  template <class T>
+  void read(const Found& found, const Doc& doc, std::optional<T>& member) {
+    read(found, doc, member.emplace());
+  }
+  template <class Spec>
+  requires IsSpec<Spec>
+  void read(const Found& found, const Doc&, std::vector<Spec>& member) {
+    const toml::array& array = array_of(found, 0, "a list of tables, such as [{ ... }, { ... }]");
+    member.resize(array.size());
+    for (std::size_t i = 0; i < array.size(); ++i)
+      read_tables(element_of(found, array, i), member[i]);
+  }
+
+  const toml::table& table_;
+  Place place_;
+  const KeyList& root_;
+};
+
+}  // namespace polhode

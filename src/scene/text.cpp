@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "scene/text.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace polhode {
+namespace {
+
+int line_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
+bool is_continuation(std::string_view text, std::size_t i) {
+  return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
+}
+
+// how many bytes the UTF-8 character at i takes; 0 when it is none (Unicode 15, table 3-7)
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return static_cast<unsigned char>(text[k]);
+  };
+  const unsigned char lead = byte(i);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead < 0xc2   ? 0
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if (!is_continuation(text, i + k)) return 0;
+  }
+  // no overlong forms, no surrogates, nothing beyond U+10FFFF
+  if (lead == 0xe0 && byte(i + 1) < 0xa0) return 0;
+  if (lead == 0xed && byte(i + 1) >= 0xa0) return 0;
+  if (lead == 0xf0 && byte(i + 1) < 0x90) return 0;
+  if (lead == 0xf4 && byte(i + 1) >= 0x90) return 0;
+  return length;
+}
+
+void refuse_other_encodings(std::string_view text, const std::string& name) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) {
+      throw input_error("byte 0x{:02x} is not UTF-8; save the scene as UTF-8 text",
+                        static_cast<unsigned char>(text[i]))
+          .at({name, line_of(text, i), {}});
+    }
+    i += length;
+  }
+}
+
+// the offset behind the string that starts at i; the end of the text when it is never closed
+std::size_t skip_string(std::string_view text, std::size_t i) {
+  const char quote = text[i];
+  const std::string three(3, quote);
+  const bool multi_line = text.substr(i, 3) == three;
+  i += multi_line ? 3 : 1;
+  for (; i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (multi_line && text.substr(i, 3) == three) {
+      return i + 3;
+    } else if (!multi_line && (text[i] == quote || text[i] == '\n')) {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+// a tree that is too deep would be parsed, but overflow the stack when it is destroyed
+void refuse_deep_nesting(std::string_view text, const std::string& name) {
+  int brackets = 0;
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      i = skip_string(text, i);
+      continue;
+    }
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    // dots count within one key; every other punctuation ends it
+    if (c == '[' || c == '{') ++brackets;
+    if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
+    if (c == '.') ++dots;
+    if (std::string_view("[]{}=,\n").find(c) != std::string_view::npos) dots = 0;
+    if (brackets > kDeepestNesting || dots > kDeepestNesting) {
+      throw input_error("nested deeper than {} levels; no scene needs that", kDeepestNesting)
+          .at({name, line_of(text, i), {}});
+    }
+    ++i;
+  }
+}
+
+// toml++ says "Error while parsing string: encountered end-of-file"
+std::string short_message(std::string_view description) {
+  constexpr std::string_view kPrefix = "Error while parsing ";
+  if (description.substr(0, kPrefix.size()) == kPrefix) description.remove_prefix(kPrefix.size());
+  return cut(description, 200);
+}
+
+}  // namespace
+
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && is_continuation(text, most))
+    --most;
+  return std::string(text.substr(0, most)) + "...";
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw input_error("is empty; a scene needs at least a [body] table").at({name, 0, {}});
+  }
+  if (text.size() > kLargestScene) {
+    throw input_error("holds more than {} bytes; is this a scene?", kLargestScene)
+        .at({name, 0, {}});
+  }
+  refuse_other_encodings(text, name);
+  refuse_deep_nesting(text, name);
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& fault) {
+    throw input_error("not valid TOML: {}", short_message(fault.description()))
+        .at({name, static_cast<int>(fault.source().begin.line), {}});
+  }
+}
+
+}  // namespace polhode

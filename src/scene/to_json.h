@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Single values as JSON, in the form that a scene file takes too; numbers in SI.
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "math/notation.h"
+#include "motion/motion_spec.h"
+#include "video/video_spec.h"
+
+namespace polhode {
+
+// minus zero means zero, and must hash like it
+inline nlohmann::ordered_json to_json_value(double value) {
+  return value == 0.0 ? 0.0 : value;
+}
+inline nlohmann::ordered_json to_json_value(int value) {
+  return value;
+}
+inline nlohmann::ordered_json to_json_value(bool value) {
+  return value;
+}
+inline nlohmann::ordered_json to_json_value(const std::string& value) {
+  return value;
+}
+
+// vectors as lists of numbers
+template <int N>
+nlohmann::ordered_json to_json_value(const Eigen::Matrix<double, N, 1>& value) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const double component : value)
+    list.push_back(to_json_value(component));
+  return list;
+}
+
+// matrices as lists of rows
+inline nlohmann::ordered_json to_json_value(const Mat3& value) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (int i = 0; i < 3; ++i)
+    rows.push_back(to_json_value(Vec3(value.row(i).transpose())));
+  return rows;
+}
+
+inline nlohmann::ordered_json to_json_value(const PictureSize& value) {
+  return nlohmann::ordered_json::array({value.width, value.height});
+}
+
+inline nlohmann::ordered_json to_json_value(const FrameRate& value) {
+  if (value.denominator == 1) return value.numerator;
+  return fmt::format("{}/{}", value.numerator, value.denominator);
+}
+
+inline nlohmann::ordered_json to_json_value(const Accuracy& value) {
+  if (!value.pixels) return value.value;
+  return fmt::format("{}px", value.value);
+}
+
+}  // namespace polhode

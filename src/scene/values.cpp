@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "scene/values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/color.h"
+#include "base/nearest.h"
+#include "scene/text.h"
+
+namespace polhode {
+namespace {
+
+// what the user wrote, for messages
+std::string described(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array: {
+      const std::size_t size = node.as_array()->size();
+      return size == 0 ? "an empty list" : fmt::format("a list of {}", size);
+    }
+    case toml::node_type::string:
+      return fmt::format("the text \"{}\"", cut(node.as_string()->get()));
+    case toml::node_type::integer:
+      return fmt::format("the number {}", node.as_integer()->get());
+    case toml::node_type::floating_point:
+      return fmt::format("the number {}", node.as_floating_point()->get());
+    case toml::node_type::boolean:
+      return node.as_boolean()->get() ? "true" : "false";
+    default:
+      return "a date or time";
+  }
+}
+
+// the bounds hold in SI, the message speaks in the unit that the user wrote
+void check_range(const Found& found, const Range& range, double written, double si) {
+  const auto bound = [&](double value) {
+    return fmt::format("{:.6g}", value / found.unit.factor);
+  };
+  if (range.low == range.high && si != range.low) {
+    refuse(found, fmt::format("must be {}, got {}", bound(range.low), written));
+  }
+  if (range.low_open && !(si > range.low)) {
+    refuse(found, fmt::format("must be greater than {}, got {}", bound(range.low), written));
+  }
+  if (si < range.low) {
+    refuse(found, fmt::format("must be at least {}, got {}", bound(range.low), written));
+  }
+  if (si > range.high) {
+    refuse(found, fmt::format("must be at most {}, got {}", bound(range.high), written));
+  }
+}
+
+double number(const Found& found, const Doc& doc, const std::string& wanted) {
+  double written = 0.0;
+  if (const auto* integer = found.node.as_integer()) {
+    written = static_cast<double>(integer->get());
+  } else if (const auto* floating = found.node.as_floating_point()) {
+    written = floating->get();
+  } else {
+    refuse_type(found, wanted);
+  }
+  if (!std::isfinite(written))
+    refuse(found, fmt::format("must be a finite number, got {}", written));
+  const double si = to_si(written, found.unit);
+  if (!std::isfinite(si)) refuse(found, fmt::format("is too large, got {}", written));
+  check_range(found, doc.range, written, si);
+  return si;
+}
+
+template <class Vector>
+void read_vector(const Found& found, const Doc& doc, const std::string& wanted, Vector& value) {
+  const auto size = static_cast<std::size_t>(value.size());
+  const toml::array& array = array_of(found, size, wanted);
+  for (std::size_t i = 0; i < size; ++i) {
+    value[static_cast<Eigen::Index>(i)] =
+        number(element_of(found, array, i), doc, "a number, such as 1.5");
+  }
+}
+
+// the exact ratio that a decimal frame rate stands for: 29.97 is 30000/1001, 12.5 is 25/2
+std::string exact_ratio(double rate) {
+  if (!(rate >= 0.001 && rate <= 1e6)) return "60";
+  if (rate == std::round(rate)) return fmt::format("{}", rate);
+  // the television rates are thousandths below a whole number
+  const double whole = std::round(rate * 1.001);
+  if (std::abs(whole / 1.001 - rate) < 0.005) {
+    return fmt::format("\"{}/1001\"", static_cast<int>(whole) * 1000);
+  }
+  for (int denominator = 2; denominator <= 1000; ++denominator) {
+    const double numerator = std::round(rate * denominator);
+    if (std::abs(numerator / denominator - rate) > 1e-9 * rate) continue;
+    return fmt::format("\"{}/{}\"", static_cast<int>(numerator), denominator);
+  }
+  return "\"30000/1001\"";
+}
+
+}  // namespace
+
+void refuse(const Found& found, const std::string& message) {
+  throw Error(Fault::input, message, found.place);
+}
+
+void refuse_type(const Found& found, const std::string& wanted) {
+  refuse(found, fmt::format("must be {}; found {}", wanted, described(found.node)));
+}
+
+const toml::array& array_of(const Found& found, std::size_t length, const std::string& wanted) {
+  const toml::array* array = found.node.as_array();
+  if (array == nullptr || array->empty()) refuse_type(found, wanted);
+  if (length != 0 && array->size() != length) refuse_type(found, wanted);
+  return *array;
+}
+
+Found element_of(const Found& found, const toml::array& array, std::size_t i) {
+  const toml::node& node = array[i];
+  Place place = found.place;
+  place.line = static_cast<int>(node.source().begin.line);
+  place.key += fmt::format("[{}]", i);
+  return {node, place, found.unit};
+}
+
+void read_value(const Found& found, const Doc&, bool& value) {
+  if (!found.node.is_boolean()) refuse_type(found, "true or false");
+  value = found.node.as_boolean()->get();
+}
+
+void read_value(const Found& found, const Doc& doc, int& value) {
+  if (!found.node.is_integer()) refuse_type(found, "a whole number, such as 1");
+  const double wide = number(found, doc, "a whole number, such as 1");
+  if (std::abs(wide) > std::numeric_limits<int>::max()) {
+    refuse(found, fmt::format("is too large, got {}", found.node.as_integer()->get()));
+  }
+  value = static_cast<int>(wide);
+}
+
+void read_value(const Found& found, const Doc& doc, double& value) {
+  value = number(found, doc, "a number, such as 1.5");
+}
+
+void read_value(const Found& found, const Doc& doc, std::string& value) {
+  const std::string example =
+      doc.choices.empty() ? doc.color ? "#ff8800" : "a title" : doc.choices.front();
+  if (!found.node.is_string()) refuse_type(found, fmt::format("text, such as \"{}\"", example));
+  value = found.node.as_string()->get();
+  if (!doc.choices.empty() &&
+      std::find(doc.choices.begin(), doc.choices.end(), value) == doc.choices.end()) {
+    refuse(found, fmt::format("'{}' is not known{}", cut(value), suggestion(value, doc.choices)));
+  }
+  if (!doc.color) return;
+  try {
+    parse_color(value);
+  } catch (const Error& fault) {
+    throw fault.at(found.place);
+  }
+}
+
+void read_value(const Found& found, const Doc& doc, Vec2& value) {
+  read_vector(found, doc, "a list of two numbers, such as [0.1, 0.2]", value);
+}
+
+void read_value(const Found& found, const Doc& doc, Vec3& value) {
+  read_vector(found, doc, "a list of three numbers, such as [1, 0, 0.5]", value);
+}
+
+void read_value(const Found& found, const Doc& doc, Eigen::Vector4d& value) {
+  read_vector(found, doc, "a list of four numbers, such as [1, 0, 0, 0]", value);
+  if (value == Eigen::Vector4d::Zero()) refuse(found, "must not be zero in all four numbers");
+}
+
+void read_value(const Found& found, const Doc& doc, Mat3& value) {
+  const std::string wanted =
+      "three rows of three numbers, such as [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  const toml::array& rows = array_of(found, 3, wanted);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vec3 row;
+    read_value(element_of(found, rows, i), doc, row);
+    value.row(static_cast<Eigen::Index>(i)) = row.transpose();
+  }
+}
+
+void read_value(const Found& found, const Doc& doc, std::vector<Vec2>& value) {
+  const toml::array& points = array_of(found, 0, "a list of points, such as [[0, 0], [0.1, 0.2]]");
+  value.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    read_value(element_of(found, points, i), doc, value[i]);
+}
+
+void read_value(const Found& found, const Doc&, PictureSize& value) {
+  const std::string wanted = "a picture size, such as \"1920x1080\" or [1920, 1080]";
+  if (const auto* text = found.node.as_string()) {
+    try {
+      value = parse_picture_size(text->get());
+    } catch (const Error& fault) {
+      throw fault.at(found.place);
+    }
+    return;
+  }
+  const toml::array& sides = array_of(found, 2, wanted);
+  const Doc side{.text = "", .range = Range{kSmallestSide, kLargestSide}};
+  read_value(element_of(found, sides, 0), side, value.width);
+  read_value(element_of(found, sides, 1), side, value.height);
+}
+
+void read_value(const Found& found, const Doc&, FrameRate& value) {
+  std::string text;
+  if (const auto* integer = found.node.as_integer()) {
+    text = fmt::format("{}", integer->get());
+  } else if (const auto* ratio = found.node.as_string()) {
+    text = ratio->get();
+  } else if (const auto* rate = found.node.as_floating_point()) {
+    refuse(found,
+           fmt::format(
+               "must be exact; write {} instead of {}", exact_ratio(rate->get()), rate->get()));
+  } else {
+    refuse_type(found, "a whole number, such as 60, or an exact ratio, such as \"30000/1001\"");
+  }
+  try {
+    value = parse_frame_rate(text);
+  } catch (const Error& fault) {
+    throw fault.at(found.place);
+  }
+}
+
+void read_value(const Found& found, const Doc&, Accuracy& value) {
+  if (const auto* text = found.node.as_string()) {
+    try {
+      value = parse_accuracy(text->get());
+    } catch (const Error& fault) {
+      throw fault.at(found.place);
+    }
+    return;
+  }
+  const Doc radians{.text = "", .range = kPositive};
+  value = {number(found, radians, "radians, such as 1e-6, or pixels, such as \"0.1px\""), false};
+}
+
+}  // namespace polhode
