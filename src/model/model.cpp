@@ -60,6 +60,12 @@ void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::str
     throw input_error("two moments {} are zero: such a body has no attitude", where)
         .at({{}, 0, key});
   }
+  // all mass on a line: about any point of it the other two moments are equal
+  if (zeros == 1 && 2.0 * largest > moments.sum() * (1.0 + 1e-9)) {
+    throw input_error("a moment {} is zero, so the other two must be equal: all mass is on a line",
+                      where)
+        .at({{}, 0, key});
+  }
   const std::string wrong = impossible_moments(moments);
   if (!wrong.empty() && !spec.mathematical) {
     throw input_error(
@@ -180,11 +186,14 @@ Model make_model(const BodySpec& spec, bool on_pivot, const Vec3& gravity_S) {
     model.inverse_moments[i] = model.moments[i] > 0.0 ? 1.0 / model.moments[i] : 0.0;
   }
 
-  // gravity turns only a body that is held away from its centre of mass
+  // gravity turns only a body that is held away from its centre of mass, by more than round-off
   const double g = gravity_S.norm();
   if (g > 0.0) model.up_S = -gravity_S / g;
-  if (on_pivot) {
-    model.chi_P = model.R_BP.transpose() * (model.body.mass * g * (model.body.center - spec.pivot));
+  const Vec3 arm = model.body.center - spec.pivot;
+  const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
+  const double noise = 1e-14 * (model.body.center.norm() + spec.pivot.norm() + gyration);
+  if (on_pivot && arm.norm() > noise) {
+    model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   }
   return model;
 }

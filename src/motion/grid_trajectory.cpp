@@ -125,6 +125,11 @@ Integration integrate_adaptive(const StepperInfo& method,
                                double duration,
                                double tolerance) {
   CHECK(method.adaptive && tolerance > 0.0);
+  if (tolerance < kLeastTolerance) {
+    throw input_error("a tolerance of {} is below the round-off of a step; ask for at least {}",
+                      tolerance,
+                      kLeastTolerance);
+  }
   const double scale = momentum_scale(model, start);
   auto grid = std::make_shared<GridTrajectory>(method, model, scale);
   const std::unique_ptr<Stepper> stepper = method.make(model, scale);

@@ -27,6 +27,9 @@ struct Integration {
 // The most steps of one integration; more is an input error that says so.
 inline constexpr long kMostSteps = 50'000'000;
 
+// The least tolerance of an adaptive method: relative, the round-off of one step.
+inline constexpr double kLeastTolerance = 1e-16;
+
 // Fixed steps h from 0 to duration. Between grid times the answer is one partial step from the grid
 // time before: as exact as the method, and on the unit sphere. Memory is bounded: every k-th state
 // is kept and at() walks fewer than k steps. Throws Error (check failed) with the time when a step
@@ -34,7 +37,8 @@ inline constexpr long kMostSteps = 50'000'000;
 Integration integrate_fixed(
     const StepperInfo& method, const Model& model, const State& start, double duration, double h);
 
-// Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error).
+// Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error). Throws
+// Error (input) for a tolerance below kLeastTolerance.
 Integration integrate_adaptive(const StepperInfo& method,
                                const Model& model,
                                const State& start,

@@ -125,13 +125,21 @@ Integration refine(const StepperInfo& method,
   }
 }
 
+const StepperInfo& method_row(const std::string& name) {
+  try {
+    return find_stepper(name);
+  } catch (const Error& error) {
+    throw error.at({{}, 0, "numerics.method"});
+  }
+}
+
 Integration integrate(const Model& model,
                       const State& start,
                       const MotionSpec& motion,
                       const NumericsSpec& numerics,
                       SimulationReport& report) {
   const bool automatic = numerics.method == "auto";
-  const StepperInfo& method = find_stepper(automatic ? "dopri5" : numerics.method);
+  const StepperInfo& method = method_row(automatic ? "dopri5" : numerics.method);
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
   if (method.adaptive && numerics.step) {
@@ -151,7 +159,11 @@ Integration integrate(const Model& model,
   }
   report.step = numerics.step;
   report.tolerance = numerics.tolerance;
-  return run(method, model, start, motion.duration, *given);
+  try {
+    return run(method, model, start, motion.duration, *given);
+  } catch (const Error& error) {
+    throw error.at({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"});
+  }
 }
 
 }  // namespace

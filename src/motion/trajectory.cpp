@@ -32,9 +32,9 @@ DriftWatch::DriftWatch(const Model& model, const State& start)
 void DriftWatch::look_at(const State& s) {
   const double energy = std::abs(rotation_energy(model_, s) - energy_) / energy_scale_;
   const double momentum = (conserved_momentum(model_, s) - momentum_).norm() / momentum_scale_;
-  // written so that a NaN is kept, not lost
-  if (!(energy <= worst_.energy)) worst_.energy = energy;
-  if (!(momentum <= worst_.momentum)) worst_.momentum = momentum;
+  // a NaN, once seen, is kept: nothing is greater than it
+  if (energy > worst_.energy || std::isnan(energy)) worst_.energy = energy;
+  if (momentum > worst_.momentum || std::isnan(momentum)) worst_.momentum = momentum;
 }
 
 }  // namespace polhode
