@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "frame/theme.h"
 
-#include <cctype>
-#include <string_view>
+#include <array>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "base/nearest.h"
 
 namespace polhode {
-namespace {
-
-constexpr int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-}  // namespace
 
 glm::vec3 color_from_hex(const std::string& text) {
-  bool good = text.size() == 7 && text[0] == '#';
-  glm::vec3 color(0.0f);
-  for (std::size_t i = 0; good && i < 3; ++i) {
-    const int high = hex_digit(text[1 + 2 * i]);
-    const int low = hex_digit(text[2 + 2 * i]);
-    good = high >= 0 && low >= 0;
-    color[static_cast<int>(i)] = static_cast<float>(16 * high + low) / 255.0f;
-  }
-  if (!good) throw input_error("'{}' is no colour; write \"#rrggbb\"", text);
-  return color;
+  const std::array<std::uint8_t, 3> bytes = parse_color(text);
+  return glm::vec3(bytes[0], bytes[1], bytes[2]) / 255.0f;
 }
 
 const std::vector<Theme>& themes() {
