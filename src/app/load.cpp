@@ -25,7 +25,7 @@ double positive(const char* option, double value) {
 double accuracy_in_radians(const Scene& scene, const Model& model) {
   const Accuracy& accuracy = scene.numerics.accuracy;
   if (!accuracy.pixels) return accuracy.value;
-  constexpr int kCoarse = 16;   // segments: enough to measure how far the body reaches
+  constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
   const double radius =
       body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
   return attitude_tolerance(scene.camera, accuracy.value, radius, frame_size(scene));

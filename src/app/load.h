@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/error.h"
 #include "base/stage_clock.h"
 #include "frame/compose.h"
 #include "model/model.h"

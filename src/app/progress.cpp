@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -17,8 +16,9 @@ ProgressKind parse_progress(const std::string& text) {
   if (text == "bar") return ProgressKind::bar;
   if (text == "json") return ProgressKind::json;
   if (text == "none") return ProgressKind::none;
-  throw input_error("no progress is called '{}'{}", text,
-                    suggestion(text, {"auto", "bar", "json", "none"})).at({{}, 0, "--progress"});
+  throw input_error(
+      "no progress is called '{}'{}", text, suggestion(text, {"auto", "bar", "json", "none"}))
+      .at({{}, 0, "--progress"});
 }
 
 Progress::Progress(ProgressKind kind, int frames)
@@ -46,14 +46,26 @@ void Progress::print(int done, double seconds) const {
   const double rate = seconds > 0.0 ? done / seconds : 0.0;
   const double left = rate > 0.0 ? (frames_ - done) / rate : 0.0;
   if (kind_ == ProgressKind::json) {
-    fmt::print(stderr, "{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
-               done, frames_, rate, left);
+    fmt::print(stderr,
+               "{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
+               done,
+               frames_,
+               rate,
+               left);
     return;
   }
   constexpr int kCells = 30;
   const int full = frames_ > 0 ? kCells * done / frames_ : kCells;
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ", "", full, "",
-             kCells - full, done, frames_, rate, left);
+  fmt::print(stderr,
+             "\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ",
+             "",
+             full,
+             "",
+             kCells - full,
+             done,
+             frames_,
+             rate,
+             left);
   std::fflush(stderr);
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/render_film.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "app/report.h"
+#include "app/version.h"
 #include "base/atomic_file.h"
 #include "base/interrupt.h"
 #include "base/nearest.h"
@@ -33,15 +33,17 @@ const Quality& find_quality(const std::string& name) {
 
 // Times of the frames: index i is shown at from + i * step of the motion, in [from, to).
 struct FrameTimes {
-  double from = 0.0;   // s of the motion
+  double from = 0.0;  // s of the motion
   double to = 0.0;
-  double step = 0.0;   // s of the motion per frame
+  double step = 0.0;  // s of the motion per frame
   int count = 1;
 
   double at(int index) const { return from + index * step; }
 };
 
-double time_option(const char* option, const std::optional<double>& value, double fallback,
+double time_option(const char* option,
+                   const std::optional<double>& value,
+                   double fallback,
                    double duration) {
   const double t = value.value_or(fallback);
   if (std::isfinite(t) && t >= 0.0 && t <= duration) return t;
@@ -67,8 +69,10 @@ FrameTimes frame_times(const RenderJob& job, const Scene& scene, bool still) {
   times.step = scene.video.time_scale / scene.video.fps.value();
   const double count = std::ceil((times.to - times.from) / times.step - 1e-9);
   if (count > kMostFrames) {
-    throw input_error("the film would have {:.3g} frames; take a shorter piece or a larger "
-                      "video.time_scale", count);
+    throw input_error(
+        "the film would have {:.3g} frames; take a shorter piece or a larger "
+        "video.time_scale",
+        count);
   }
   times.count = std::max(1, static_cast<int>(count));
   return times;
@@ -85,8 +89,11 @@ bool is_still(const RenderJob& job, const std::string& output) {
          (ends_with(output, ".png") && output.find('%') == std::string::npos);
 }
 
-SinkJob sink_job(const RenderJob& job, const Scene& scene, const Quality& quality,
-                 const std::string& output, bool still) {
+SinkJob sink_job(const RenderJob& job,
+                 const Scene& scene,
+                 const Quality& quality,
+                 const std::string& output,
+                 bool still) {
   SinkJob sink;
   sink.output = output;
   sink.width = scene.video.size.width;
@@ -159,16 +166,22 @@ void render_film(const RenderJob& job) {
   // simulate
   const Solved solved = solve(scene);
   const Composer composer = with_place(scene, [&] {
-    return Composer(solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme,
+    return Composer(solved.simulation.motion,
+                    scene.body,
+                    scene.camera,
+                    scene.show,
+                    scene.theme,
                     frame_size(scene));
   });
 
   // open the drawing side; the threads that start here are the rasteriser's
   const std::set<int> threads_before = thread_ids();
   const std::unique_ptr<Context> context = open_context(job.backend);
-  Renderer renderer(*context, {scene.video.size.width, scene.video.size.height, 4, job.transparent});
+  Renderer renderer(*context,
+                    {scene.video.size.width, scene.video.size.height, 4, job.transparent});
   std::set<int> rasteriser = thread_ids();
-  for (const int id : threads_before) rasteriser.erase(id);
+  for (const int id : threads_before)
+    rasteriser.erase(id);
 
   // compose and draw here, convert and encode behind the queue
   StageTime compose_time;
@@ -184,10 +197,21 @@ void render_film(const RenderJob& job) {
 
   // report
   if (report_file == nullptr) return;
-  FilmFacts facts{output,          times.count,           times.from,      times.to,
-                  job.transparent, sink_settings.encoder, renderer.info(), {}};
-  facts.times = {solved.simulate_time,     compose_time,          renderer.times().draw,
-                 renderer.times().read_back, sink->times().convert, sink->times().encode, {}};
+  FilmFacts facts{output,
+                  times.count,
+                  times.from,
+                  times.to,
+                  job.transparent,
+                  sink_settings.encoder,
+                  renderer.info(),
+                  {}};
+  facts.times = {solved.simulate_time,
+                 compose_time,
+                 renderer.times().draw,
+                 renderer.times().read_back,
+                 sink->times().convert,
+                 sink->times().encode,
+                 {}};
   facts.times.draw.cpu_s += cpu_seconds_of(rasteriser);
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

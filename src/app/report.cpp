@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/version.h"
 #include "scene/canonical.h"
 #include "video/film_sink.h"
 
@@ -23,8 +24,8 @@ nlohmann::ordered_json maybe(const std::optional<double>& value) {
 nlohmann::ordered_json versions() {
   return {{"polhode", program_version()},
           {"compiler", __VERSION__},
-          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                EIGEN_MINOR_VERSION)},
+          {"eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"ffmpeg", libav_version()}};
 }
 

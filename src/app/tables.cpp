@@ -31,7 +31,8 @@ std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths;
   for (const Row& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
   }
   std::string text;
   for (const Row& row : rows) {
@@ -52,22 +53,27 @@ std::string list_methods() {
     if (m.keeps_momentum_norm) kept.emplace_back("|L|");
     if (m.keeps_momentum_space) kept.emplace_back("L");
     if (kept.empty()) kept.emplace_back("-");
-    rows.push_back({m.name, std::to_string(m.order), m.adaptive ? "adaptive" : "fixed",
-                    fmt::format("{}", fmt::join(kept, " ")), m.source});
+    rows.push_back({m.name,
+                    std::to_string(m.order),
+                    m.adaptive ? "adaptive" : "fixed",
+                    fmt::format("{}", fmt::join(kept, " ")),
+                    m.source});
   }
   return aligned(rows);
 }
 
 std::string list_models() {
   std::vector<Row> rows = {{"name", "what it takes"}};
-  for (const MotionModel& model : motion_models()) rows.push_back({model.name, model.doc});
+  for (const MotionModel& model : motion_models())
+    rows.push_back({model.name, model.doc});
   return aligned(rows);
 }
 
 std::string list_shapes() {
   std::vector<Row> rows = {{"name", "needs", "may have", "what it is"}};
   for (const SolidKind& kind : solid_kinds()) {
-    rows.push_back({kind.name, fmt::format("{}", fmt::join(kind.needs, " ")),
+    rows.push_back({kind.name,
+                    fmt::format("{}", fmt::join(kind.needs, " ")),
                     kind.takes.empty() ? "-" : fmt::format("{}", fmt::join(kind.takes, " ")),
                     kind.doc});
   }
@@ -85,7 +91,8 @@ std::string list_formats() {
 // the scenes of the folder `scenes` here, or of the source tree
 std::string list_scenes() {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::is_directory("scenes") ? fs::path("scenes") : fs::path(POLHODE_SCENES);
+  const fs::path folder =
+      fs::is_directory("scenes") ? fs::path("scenes") : fs::path(POLHODE_SCENES);
   std::error_code failed;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, failed)) {
@@ -94,7 +101,8 @@ std::string list_scenes() {
   if (files.empty()) throw input_error("no scenes here and none in {}", folder.string());
   std::sort(files.begin(), files.end());
   std::vector<Row> rows = {{"file", "title"}};
-  for (const fs::path& file : files) rows.push_back({file.string(), load_scene(file).title});
+  for (const fs::path& file : files)
+    rows.push_back({file.string(), load_scene(file).title});
   return aligned(rows);
 }
 
@@ -114,8 +122,10 @@ std::string examine_backend(const Backend& backend, bool& works) {
     const std::unique_ptr<Context> context = backend.open();
     const Renderer renderer(*context, {64, 64, 4, false});
     works = true;
-    return fmt::format("ok, {}, OpenGL {}, {} samples", renderer.info().gl_renderer,
-                       renderer.info().gl_version, renderer.info().samples);
+    return fmt::format("ok, {}, OpenGL {}, {} samples",
+                       renderer.info().gl_renderer,
+                       renderer.info().gl_version,
+                       renderer.info().samples);
   } catch (const Error& error) {
     return fmt::format("missing: {}", error.what());
   }
@@ -125,7 +135,8 @@ std::string examine_backend(const Backend& backend, bool& works) {
 
 std::vector<std::string> list_names() {
   std::vector<std::string> names;
-  for (const Listing& listing : kListings) names.emplace_back(listing.name);
+  for (const Listing& listing : kListings)
+    names.emplace_back(listing.name);
   return names;
 }
 
@@ -143,15 +154,18 @@ std::string schema_text() {
 Diagnosis examine() {
   std::vector<Row> rows;
   bool draws = false;
-  for (const auto& [key, value] : versions().items()) {
+  const nlohmann::ordered_json all = versions();
+  for (const auto& [key, value] : all.items()) {
     rows.push_back({key, value.get<std::string>()});
   }
   for (const Backend& backend : backends()) {
     rows.push_back({"back end " + backend.name, examine_backend(backend, draws)});
   }
   const bool encodes = has_encoder("libx264");
-  rows.push_back({"encoder libx264", encodes ? "ok" : "missing: install FFmpeg with x264 "
-                                                      "(Debian: libavcodec-extra or libavcodec59)"});
+  rows.push_back({"encoder libx264",
+                  encodes ? "ok"
+                          : "missing: install FFmpeg with x264 "
+                            "(Debian: libavcodec-extra or libavcodec59)"});
   rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});
   return {aligned(rows), draws && encodes};
 }

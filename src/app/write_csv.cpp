@@ -14,9 +14,21 @@ constexpr const char* kHeader = "t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy\n"
 constexpr double kMostRows = 1e7;
 
 void append_row(std::string& text, const Sample& s) {
-  const double row[] = {s.t,      s.q_SB.w(),   s.q_SB.x(),     s.q_SB.y(),     s.q_SB.z(),
-                        s.w_B[0], s.w_B[1],     s.w_B[2],       s.L_S[0],       s.L_S[1],
-                        s.L_S[2], s.center_S[0], s.center_S[1], s.center_S[2], s.energy};
+  const double row[] = {s.t,
+                        s.q_SB.w(),
+                        s.q_SB.x(),
+                        s.q_SB.y(),
+                        s.q_SB.z(),
+                        s.w_B[0],
+                        s.w_B[1],
+                        s.w_B[2],
+                        s.L_S[0],
+                        s.L_S[1],
+                        s.L_S[2],
+                        s.center_S[0],
+                        s.center_S[1],
+                        s.center_S[2],
+                        s.energy};
   const char* separator = "";
   for (const double value : row) {
     // adding zero turns -0 into 0
