@@ -22,7 +22,7 @@ struct BadScene {
 };
 
 const BadScene kBadScenes[] = {
-    {"syntax", "duration = 1", "duration = = 1", ":6:", "not TOML"},
+    {"syntax", "duration = 1", "duration = = 1", ":6:", "not valid TOML"},
     {"unknown_key", "mass = 1.0", "mas = 1.0", ":4: body.solid.mas:", "did you mean 'mass'?"},
     {"unknown_table", "[motion]", "[motoin]", ":5: motoin:", "did you mean 'motion'?"},
     {"wrong_type",
@@ -31,7 +31,7 @@ const BadScene kBadScenes[] = {
      ":6: motion.duration:",
      "must be a number"},
     {"not_a_number", "duration = 1", "duration = nan", ":6: motion.duration:", "finite"},
-    {"infinity", "body = [1, 0, 3]", "body = [1, 0, inf]", ":8: motion.spin.body:", "finite"},
+    {"infinity", "body = [1, 0, 3]", "body = [1, 0, inf]", ":8: motion.spin.body[2]:", "finite"},
     {"negative_mass", "mass = 1.0", "mass = -1.0", ":4: body.solid.mass:", "greater than 0"},
     {"zero_duration", "duration = 1", "duration = 0", ":6: motion.duration:", "greater than 0"},
     {"odd_size", "128x72", "127x72", "", "even"},
@@ -44,7 +44,7 @@ const BadScene kBadScenes[] = {
     {"negative_moment",
      "solid = { kind = \"ellipsoid\", semi_axes = [0.1, 0.1, 0.2], mass = 1.0 }",
      "moments = [1, -1, 1]",
-     ":4: body.moments:",
+     ":4: body.moments[1]:",
      "0"},
     {"unknown_method",
      "[video]",
@@ -54,7 +54,7 @@ const BadScene kBadScenes[] = {
     {"unknown_solid", "ellipsoid", "elipsoid", ":4: body.solid.kind:", "did you mean 'ellipsoid'?"},
     {"missing_dimension", "semi_axes = [0.1, 0.1, 0.2], ", "", ":4: body.solid:", "semi_axes"},
     {"wrong_dimension", "semi_axes", "radius = 1, semi_axes", ":4: body.solid.radius:", "it takes"},
-    {"two_bodies", "[motion]", "moments = [1, 1, 1]\n[motion]", ": body:", "exactly one of"},
+    {"two_bodies", "[motion]", "moments = [1, 1, 1]\n[motion]", ":5: body:", "exactly one of"},
     {"unknown_format", "format = 1", "format = 2", ":1: format:", "1"},
     {"closed_form_missing",
      "body = [1, 0, 3] }",
@@ -123,7 +123,7 @@ const BadCall kBadCalls[] = {
     {"", 2, "subcommand"},
     {"list methds", 2, "did you mean 'methods'?"},
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
-    {"simulate SCENE -o DIR/a.csv --method explicit_euler", 2, "accuracy"},
+    {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
 };
 

@@ -2,6 +2,7 @@
 // The real binary from scene to product.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "image/png.h"
@@ -19,8 +20,8 @@ using testing::write_text;
 class GoodRun : public ::testing::Test {
  protected:
   GoodRun() { write_text(folder_ / "scene.toml", testing::kSmallScene); }
-  std::string scene() const { return "'" + (folder_ / "scene.toml") + "'"; }
-  std::string out(const std::string& name) const { return " -o '" + (folder_ / name) + "'"; }
+  std::string scene() const { return fmt::format("'{}'", folder_ / "scene.toml"); }
+  std::string out(const std::string& name) const { return fmt::format(" -o '{}'", folder_ / name); }
 
   TemporaryFolder folder_;
 };

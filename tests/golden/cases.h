@@ -2,6 +2,7 @@
 // The golden pictures: which scenes at which times, drawn small.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ struct Case {
   std::string scene;  // scenes/SCENE.toml
   double time;        // s
 };
+
+// how a failing test names its case
+inline void PrintTo(const Case& one, std::ostream* out) {
+  *out << one.name;
+}
 
 inline const std::vector<Case>& cases() {
   static const std::vector<Case> list = {
