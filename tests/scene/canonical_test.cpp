@@ -146,8 +146,8 @@ TEST(SceneHash, sees_every_value) {
         "position = [0, 0, 1]",
         "velocity = [0, 0, 1]"}},
       {"numerics",
-       {"model = \"rigid_body\"",
-        "method = \"rk4\"",
+       {"model = \"" + model_names().back() + "\"",
+        "method = \"" + method_names().back() + "\"",
         "step = 0.1",
         "tolerance = 0.1",
         "accuracy = 0.1",
@@ -171,7 +171,7 @@ TEST(SceneHash, sees_every_value) {
         "fps = 30",
         "fps = \"30000/1001\"",
         "time_scale = 2",
-        "theme = \"light\"",
+        "theme = \"" + theme_names().back() + "\"",
         "background = \"#000000\""}}};
   for (const auto& [table, keys] : tables) {
     for (const std::string& key : keys)
