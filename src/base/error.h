@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one exception of the program: what a user can mend, where it is, and the exit code it ends in.
+// The one exception of the program: what a user can mend, where it is, and the exit code it ends
+// in.
 #pragma once
 
 #include <stdexcept>
@@ -12,10 +13,10 @@ namespace polhode {
 
 // Why a run cannot go on. The value is the exit code of the process.
 enum class Fault {
-  check_failed = 1,    // a check said no: pictures differ, a motion turned to NaN
-  input = 2,           // bad scene, bad option, bad usage
-  environment = 3,     // no GL, no encoder, disk full
-  interrupted = 130,   // SIGINT or SIGTERM
+  check_failed = 1,   // a check said no: pictures differ, a motion turned to NaN
+  input = 2,          // bad scene, bad option, bad usage
+  environment = 3,    // no GL, no encoder, disk full
+  interrupted = 130,  // SIGINT or SIGTERM
 };
 
 // Where in the user's text the fault lies; every part may be missing.

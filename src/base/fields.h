@@ -5,8 +5,9 @@
 //
 // that calls v.field(key, member, doc) or v.required(key, member, doc) for each key,
 // v.exactly_one_of({keys}) or v.at_most_one_of({keys}) for keys that exclude each other, and
-// v.merged(key, spec, spec, doc) for two specs that share one table. Reading, printing, the JSON Schema and the
-// errors for unknown keys are visitors of that one list (scene/), so they cannot disagree.
+// v.merged(key, spec, spec, doc) for two specs that share one table. Reading, printing, the JSON
+// Schema and the errors for unknown keys are visitors of that one list (scene/), so they cannot
+// disagree.
 #pragma once
 
 #include <limits>
@@ -22,7 +23,7 @@ namespace polhode {
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;   // true: strictly greater than low
+  bool low_open = false;  // true: strictly greater than low
 };
 
 inline constexpr Range kAny{};

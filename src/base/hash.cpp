@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/hash.h"
 
-#include <fmt/format.h>
 #include <xxhash.h>
+
+#include <fmt/format.h>
 
 namespace polhode {
 

@@ -4,7 +4,8 @@
 
 namespace polhode {
 
-// Installs the handlers; ignores SIGPIPE and SIGXFSZ so that writes fail with an error code instead.
+// Installs the handlers; ignores SIGPIPE and SIGXFSZ so that writes fail with an error code
+// instead.
 void watch_for_interrupt();
 
 // Throws Error (interrupted) once a signal has come.

@@ -45,6 +45,14 @@ std::vector<UnitSuffix> suffixes_of(Unit unit) {
   return found;
 }
 
+std::vector<std::string> all_suffixes() {
+  std::vector<std::string> found;
+  for (const UnitSuffix& row : kSuffixes) {
+    if (*row.suffix != '\0') found.emplace_back(row.suffix);
+  }
+  return found;
+}
+
 double to_si(double value, const UnitSuffix& suffix) {
   // 1e-3 has no exact double, 1000 has: the quotient is rounded once, the product twice
   const double inverse = std::round(1.0 / suffix.factor);

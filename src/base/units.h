@@ -10,30 +10,33 @@ namespace polhode {
 
 enum class Unit {
   none,
-  length,             // m
-  mass,               // kg
-  time,               // s
-  angle,              // rad
-  angular_velocity,   // rad/s
-  angular_momentum,   // kg m^2/s
-  inertia,            // kg m^2
-  density,            // kg/m^3
-  velocity,           // m/s
-  acceleration,       // m/s^2
+  length,            // m
+  mass,              // kg
+  time,              // s
+  angle,             // rad
+  angular_velocity,  // rad/s
+  angular_momentum,  // kg m^2/s
+  inertia,           // kg m^2
+  density,           // kg/m^3
+  velocity,          // m/s
+  acceleration,      // m/s^2
 };
 
 struct UnitSuffix {
   Unit unit;
-  const char* suffix;   // appended to the key; "" is the SI unit itself
-  double factor;        // value in SI = value in the file * factor
-  const char* symbol;   // for messages and the schema
+  const char* suffix;  // appended to the key; "" is the SI unit itself
+  double factor;       // value in SI = value in the file * factor
+  const char* symbol;  // for messages and the schema
 };
 
 // Every suffix a quantity of this unit may carry, the SI one first.
 std::vector<UnitSuffix> suffixes_of(Unit unit);
 
-// A value of the file in SI. Decimal prefixes divide by a whole number, so that 35 cm is 0.35 m to the
-// last bit.
+// Every suffix there is, "" left out.
+std::vector<std::string> all_suffixes();
+
+// A value of the file in SI. Decimal prefixes divide by a whole number, so that 35 cm is 0.35 m to
+// the last bit.
 double to_si(double value, const UnitSuffix& suffix);
 
 // "kg m^2", "" for plain numbers.

@@ -8,9 +8,9 @@ namespace polhode {
 
 // Differences are per channel value (R, G, B, A), in levels of 0..255.
 struct Difference {
-  int largest = 0;                // greatest absolute difference
-  double mean = 0.0;              // mean absolute difference
-  double fraction_over = 0.0;     // share of pixels with some channel over the threshold
+  int largest = 0;             // greatest absolute difference
+  double mean = 0.0;           // mean absolute difference
+  double fraction_over = 0.0;  // share of pixels with some channel over the threshold
 };
 
 // Both pictures must have the same size; throws Error (input) otherwise.

@@ -12,20 +12,24 @@ namespace polhode {
 // 8-bit RGBA, rows from top to bottom, no padding between rows, straight (not premultiplied) alpha,
 // sRGB-encoded colour (BT.709 primaries). pixels.size() == 4 * width * height.
 struct Image {
-  int width = 0;    // pixels
-  int height = 0;   // pixels
+  int width = 0;   // pixels
+  int height = 0;  // pixels
   std::vector<std::uint8_t> pixels;
 
   Image() = default;
   Image(int w, int h)
-      : width(w), height(h), pixels(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+      : width(w),
+        height(h),
+        pixels(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
   // The four bytes of the pixel in column x, row y.
   const std::uint8_t* at(int x, int y) const {
     return pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                 static_cast<std::size_t>(x));
   }
-  std::uint8_t* at(int x, int y) { return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y)); }
+  std::uint8_t* at(int x, int y) {
+    return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
+  }
 };
 
 }  // namespace polhode

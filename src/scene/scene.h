@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -22,8 +23,10 @@ struct Scene {
   CameraSpec camera;
   ShowSpec show;
   VideoSpec video;
-  ThemeSpec theme;   // shares the [video] table
-  std::string file;  // where it was read from, for messages
+  ThemeSpec theme;  // shares the [video] table
+
+  std::string file;                  // where it was read from, for messages
+  std::map<std::string, int> lines;  // of each key in it, by dotted path, unit suffixes left out
 };
 
 template <class Visitor>
@@ -43,6 +46,10 @@ void fields(Visitor& v, Scene& s) {
 Scene load_scene(const std::filesystem::path& file);
 // The same for text in memory; `name` stands for the file in messages.
 Scene parse_scene(std::string_view text, const std::string& name);
+
+// The line of a key such as "body.parts[1].radius", or of the nearest table around it that is in
+// the file; 0 if there is none. For errors that are found after reading.
+int line_of(const Scene& scene, const std::string& key);
 
 // Hash of the scene's meaning: comments, order and units do not matter, every value does.
 std::string scene_hash(const Scene& scene);

@@ -14,21 +14,21 @@ namespace polhode {
 
 // What a sink must know before the first frame.
 struct SinkJob {
-  std::string output;          // as the user gave it; "clip.mp4", "still.png", "f_%05d.png", "hash:F"
-  int width = 0;               // pixels
-  int height = 0;              // pixels
-  FrameRate fps;               // exact
-  EncoderSettings encoder;     // for films
-  bool transparent = false;    // keep alpha; a sink that cannot refuses (Error, input)
-  bool still = false;          // exactly one frame will come
-  std::string title;           // container metadata
-  std::string comment;         // container metadata
+  std::string output;        // as the user gave it; "clip.mp4", "still.png", "f_%05d.png", "hash:F"
+  int width = 0;             // pixels
+  int height = 0;            // pixels
+  FrameRate fps;             // exact
+  EncoderSettings encoder;   // for films
+  bool transparent = false;  // keep alpha; a sink that cannot refuses (Error, input)
+  bool still = false;        // exactly one frame will come
+  std::string title;         // container metadata
+  std::string comment;       // container metadata
 };
 
 // Times of the sink's own stages.
 struct SinkTimes {
-  StageTime convert;   // RGBA to the encoder's pixel format
-  StageTime encode;    // encoding, muxing, writing
+  StageTime convert;  // RGBA to the encoder's pixel format
+  StageTime encode;   // encoding, muxing, writing
 };
 
 // Takes frames in order. The output exists under its name only after finish(); a sink that is
@@ -43,10 +43,10 @@ class FrameSink {
 
 // One row per kind of output: how it is recognised and made.
 struct SinkKind {
-  std::string name;      // "mp4"
-  std::string ending;    // ".mp4"; empty when recognised otherwise
-  std::string doc;       // one phrase for `list formats`
-  bool alpha = false;    // can keep transparency
+  std::string name;    // "mp4"
+  std::string ending;  // ".mp4"; empty when recognised otherwise
+  std::string doc;     // one phrase for `list formats`
+  bool alpha = false;  // can keep transparency
   bool (*accepts)(const SinkJob&);
   std::unique_ptr<FrameSink> (*make)(const SinkJob&);
 };
@@ -54,8 +54,8 @@ struct SinkKind {
 // All kinds, in the order in which they are tried.
 const std::vector<SinkKind>& sink_kinds();
 
-// The sink for job.output. Throws Error (input) for an unknown ending (naming the nearest), odd film
-// sizes, a folder that cannot be written; (environment) for a missing encoder.
+// The sink for job.output. Throws Error (input) for an unknown ending (naming the nearest), odd
+// film sizes, a folder that cannot be written; (environment) for a missing encoder.
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job);
 
 }  // namespace polhode

@@ -22,23 +22,23 @@ struct FrameRate {
 FrameRate parse_frame_rate(const std::string& text);
 
 struct PictureSize {
-  int width = 1920;    // pixels
-  int height = 1080;   // pixels
+  int width = 1920;   // pixels
+  int height = 1080;  // pixels
 
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-inline constexpr int kSmallestSide = 16;     // pixels
-inline constexpr int kLargestSide = 16384;   // pixels; what GL and H.264 level limits leave
+inline constexpr int kSmallestSide = 16;    // pixels
+inline constexpr int kLargestSide = 16384;  // pixels; what GL and H.264 level limits leave
 
 // "1920x1080". Throws Error (input) when it is not of that form or out of bounds.
 PictureSize parse_picture_size(const std::string& text);
 
 // H.264 settings. Threads are pinned because x264's output depends on their number.
 struct EncoderSettings {
-  std::string preset = "veryfast";   // x264 preset
-  int crf = 18;                      // constant rate factor, 1 (best) to 51; 0 is never used
-  int threads = 2;                   // encoder threads
+  std::string preset = "veryfast";  // x264 preset
+  int crf = 18;                     // constant rate factor, 1 (best) to 51; 0 is never used
+  int threads = 2;                  // encoder threads
 };
 
 // The x264 presets that may be asked for, fastest first.
@@ -48,15 +48,17 @@ const std::vector<std::string>& encoder_presets();
 struct VideoSpec {
   PictureSize size;
   FrameRate fps;
-  double time_scale = 1.0;           // seconds of motion per second of film
+  double time_scale = 1.0;  // seconds of motion per second of film
 };
 
 template <class Visitor>
 void fields(Visitor& v, VideoSpec& s) {
   v.field("size", s.size, Doc{"picture size, \"1920x1080\" or [1920, 1080]"});
   v.field("fps", s.fps, Doc{"frames per second: a whole number or an exact ratio \"30000/1001\""});
-  v.field("time_scale", s.time_scale,
-          Doc{"seconds of motion per second of film; 0.1 is ten times slow motion", Unit::none,
+  v.field("time_scale",
+          s.time_scale,
+          Doc{"seconds of motion per second of film; 0.1 is ten times slow motion",
+              Unit::none,
               kPositive});
 }
 

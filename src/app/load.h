@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The first steps that every command shares: scene file, options that override it, model, motion.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "base/stage_clock.h"
+#include "frame/compose.h"
+#include "model/model.h"
+#include "motion/simulate.h"
+#include "scene/scene.h"
+
+namespace polhode {
+
+// What the command line may say instead of the scene; absent: the scene's word holds.
+struct Overrides {
+  std::optional<std::string> method;
+  std::optional<double> step;              // s
+  std::optional<double> tolerance;
+  std::optional<std::string> accuracy;     // "0.1px" or radians
+  std::optional<std::string> size;         // "1920x1080"
+  std::optional<std::string> fps;          // "60" or "30000/1001"
+};
+
+// A scene, checked, with its model and its motion.
+struct Solved {
+  Scene scene;
+  Model model;
+  Simulation simulation;
+  StageTime simulate_time;
+};
+
+// Scene with the overrides applied. Throws Error (input) with file, line and key, or the option.
+Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
+
+// Finds the motion. Errors name the place in the scene file.
+Solved solve(const Scene& scene);
+
+// Runs `work`; an Error without a file gets the scene's, and the line of its key.
+template <class Work>
+auto with_place(const Scene& scene, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (error.place().key.empty()) throw;
+    throw error.at({scene.file, line_of(scene, error.place().key), {}});
+  }
+}
+
+inline FrameSize frame_size(const Scene& scene) {
+  return {scene.video.size.width, scene.video.size.height};
+}
+
+}  // namespace polhode

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "app/progress.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/nearest.h"
+
+namespace polhode {
+
+ProgressKind parse_progress(const std::string& text) {
+  if (text == "auto") return ProgressKind::automatic;
+  if (text == "bar") return ProgressKind::bar;
+  if (text == "json") return ProgressKind::json;
+  if (text == "none") return ProgressKind::none;
+  throw input_error(
+      "no progress is called '{}'{}", text, suggestion(text, {"auto", "bar", "json", "none"}))
+      .at({{}, 0, "--progress"});
+}
+
+Progress::Progress(ProgressKind kind, int frames)
+    : kind_(kind), frames_(frames), start_(Clock::now()), last_(start_) {
+  if (kind_ == ProgressKind::automatic) {
+    kind_ = isatty(STDERR_FILENO) != 0 ? ProgressKind::bar : ProgressKind::none;
+  }
+}
+
+Progress::~Progress() {
+  // leave the terminal on a line of its own
+  if (drawn_ && kind_ == ProgressKind::bar) std::fputc('\n', stderr);
+}
+
+void Progress::show(int done) {
+  if (kind_ == ProgressKind::none) return;
+  const Clock::time_point now = Clock::now();
+  if (done < frames_ && now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  drawn_ = true;
+  print(done, std::chrono::duration<double>(now - start_).count());
+}
+
+void Progress::print(int done, double seconds) const {
+  const double rate = seconds > 0.0 ? done / seconds : 0.0;
+  const double left = rate > 0.0 ? (frames_ - done) / rate : 0.0;
+  if (kind_ == ProgressKind::json) {
+    fmt::print(stderr,
+               "{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
+               done,
+               frames_,
+               rate,
+               left);
+    return;
+  }
+  constexpr int kCells = 30;
+  const int full = frames_ > 0 ? kCells * done / frames_ : kCells;
+  fmt::print(stderr,
+             "\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ",
+             "",
+             full,
+             "",
+             kCells - full,
+             done,
+             frames_,
+             rate,
+             left);
+  std::fflush(stderr);
+}
+
+}  // namespace polhode

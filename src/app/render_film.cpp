@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "app/render_film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "app/report.h"
+#include "app/version.h"
+#include "base/atomic_file.h"
+#include "base/interrupt.h"
+#include "base/nearest.h"
+#include "frame/compose.h"
+#include "render/renderer.h"
+#include "video/pipeline.h"
+
+namespace polhode {
+namespace {
+
+const Quality& find_quality(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Quality& row : qualities()) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
+  }
+  throw input_error("no quality is called '{}'{}", name, suggestion(name, names))
+      .at({{}, 0, "--quality"});
+}
+
+// Times of the frames: index i is shown at from + i * step of the motion, in [from, to).
+struct FrameTimes {
+  double from = 0.0;  // s of the motion
+  double to = 0.0;
+  double step = 0.0;  // s of the motion per frame
+  int count = 1;
+
+  double at(int index) const { return from + index * step; }
+};
+
+double time_option(const char* option,
+                   const std::optional<double>& value,
+                   double fallback,
+                   double duration) {
+  const double t = value.value_or(fallback);
+  if (std::isfinite(t) && t >= 0.0 && t <= duration) return t;
+  throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, t)
+      .at({{}, 0, option});
+}
+
+FrameTimes frame_times(const RenderJob& job, const Scene& scene, bool still) {
+  constexpr double kMostFrames = 1e7;
+  const double duration = scene.motion.duration;
+  FrameTimes times;
+  times.from = time_option("--from", job.from, 0.0, duration);
+  times.to = time_option("--to", job.to, duration, duration);
+  if (still) {
+    times.from = time_option("--still", job.still, times.from, duration);
+    times.to = times.from;
+    return times;
+  }
+  if (times.to <= times.from) {
+    throw input_error("must be later than --from ({} s), got {}", times.from, times.to)
+        .at({{}, 0, "--to"});
+  }
+  times.step = scene.video.time_scale / scene.video.fps.value();
+  const double count = std::ceil((times.to - times.from) / times.step - 1e-9);
+  if (count > kMostFrames) {
+    throw input_error(
+        "the film would have {:.3g} frames; take a shorter piece or a larger "
+        "video.time_scale",
+        count);
+  }
+  times.count = std::max(1, static_cast<int>(count));
+  return times;
+}
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// a .png without a number in its name is one picture
+bool is_still(const RenderJob& job, const std::string& output) {
+  return job.still.has_value() ||
+         (ends_with(output, ".png") && output.find('%') == std::string::npos);
+}
+
+SinkJob sink_job(const RenderJob& job,
+                 const Scene& scene,
+                 const Quality& quality,
+                 const std::string& output,
+                 bool still) {
+  SinkJob sink;
+  sink.output = output;
+  sink.width = scene.video.size.width;
+  sink.height = scene.video.size.height;
+  sink.fps = scene.video.fps;
+  sink.encoder.preset = job.preset.value_or(quality.preset);
+  sink.encoder.crf = job.crf.value_or(quality.crf);
+  sink.transparent = job.transparent;
+  sink.still = still;
+  sink.title = scene.title;
+  sink.comment = fmt::format("polhode {}, scene {}", program_version(), scene_hash(scene));
+  if (job.preset) {
+    const std::vector<std::string>& presets = encoder_presets();
+    if (std::find(presets.begin(), presets.end(), *job.preset) == presets.end()) {
+      throw input_error("no preset is called '{}'{}", *job.preset, suggestion(*job.preset, presets))
+          .at({{}, 0, "--preset"});
+    }
+  }
+  if (sink.encoder.crf < 1 || sink.encoder.crf > 51) {
+    throw input_error("must be 1 (best) to 51, got {}", sink.encoder.crf).at({{}, 0, "--crf"});
+  }
+  return sink;
+}
+
+Scene shrunk(Scene scene, int factor) {
+  // even sides stay even
+  PictureSize& size = scene.video.size;
+  if (factor > 1) {
+    size.width = std::max(kSmallestSide, size.width / (2 * factor) * 2);
+    size.height = std::max(kSmallestSide, size.height / (2 * factor) * 2);
+  }
+  return scene;
+}
+
+double process_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+}  // namespace
+
+const std::vector<Quality>& qualities() {
+  static const std::vector<Quality> table = {
+      {"draft", "half size, fast", 2, "ultrafast", 26},
+      {"lecture", "for projection", 1, "veryfast", 18},
+      {"archive", "for keeping, slow", 1, "slow", 12},
+  };
+  return table;
+}
+
+void render_film(const RenderJob& job) {
+  const auto wall_start = std::chrono::steady_clock::now();
+  const Quality& quality = find_quality(job.quality);
+
+  // load and check everything that can be checked before work begins
+  const Scene scene = shrunk(load_with_overrides(job.scene, job.overrides), quality.shrink);
+  const std::string output =
+      job.output.empty() ? "output/" + job.scene.stem().string() + ".mp4" : job.output;
+  const bool still = is_still(job, output);
+  const FrameTimes times = frame_times(job, scene, still);
+  const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
+  std::unique_ptr<AtomicFile> report_file;
+  if (!job.report.empty()) report_file = std::make_unique<AtomicFile>(job.report);
+  const std::unique_ptr<FrameSink> sink = make_sink(sink_settings);
+
+  // simulate
+  const Solved solved = solve(scene);
+  const Composer composer = with_place(scene, [&] {
+    return Composer(solved.simulation.motion,
+                    scene.body,
+                    scene.camera,
+                    scene.show,
+                    scene.theme,
+                    frame_size(scene));
+  });
+
+  // open the drawing side; the threads that start here are the rasteriser's
+  const std::set<int> threads_before = thread_ids();
+  const std::unique_ptr<Context> context = open_context(job.backend);
+  Renderer renderer(*context,
+                    {scene.video.size.width, scene.video.size.height, 4, job.transparent});
+  std::set<int> rasteriser = thread_ids();
+  for (const int id : threads_before)
+    rasteriser.erase(id);
+
+  // compose and draw here, convert and encode behind the queue
+  StageTime compose_time;
+  Progress progress(job.progress, times.count);
+  const auto produce = [&](int index, Image& image) {
+    const DrawList list = [&] {
+      const StageTimer timer(compose_time);
+      return composer.at(times.at(index));
+    }();
+    renderer.draw(list, image);
+  };
+  run_pipeline(times.count, produce, *sink, [&](int done) { progress.show(done); });
+
+  // report
+  if (report_file == nullptr) return;
+  FilmFacts facts{output,
+                  times.count,
+                  times.from,
+                  times.to,
+                  job.transparent,
+                  sink_settings.encoder,
+                  renderer.info(),
+                  {}};
+  facts.times = {solved.simulate_time,
+                 compose_time,
+                 renderer.times().draw,
+                 renderer.times().read_back,
+                 sink->times().convert,
+                 sink->times().encode,
+                 {}};
+  facts.times.draw.cpu_s += cpu_seconds_of(rasteriser);
+  facts.times.total.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  facts.times.total.cpu_s = process_cpu_seconds();
+  report_file.reset();
+  write_file(job.report, film_report(solved, facts).dump(2) + "\n");
+}
+
+}  // namespace polhode

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "app/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/version.h"
+#include "scene/canonical.h"
+#include "video/film_sink.h"
+
+namespace polhode {
+namespace {
+
+nlohmann::ordered_json stage(const StageTime& time) {
+  return {{"wall_s", time.wall_s}, {"cpu_s", time.cpu_s}};
+}
+
+// absent numbers are null, so that every report has every key
+nlohmann::ordered_json maybe(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+nlohmann::ordered_json versions() {
+  return {{"polhode", program_version()},
+          {"compiler", __VERSION__},
+          {"eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"ffmpeg", libav_version()}};
+}
+
+nlohmann::ordered_json motion_report(const SimulationReport& report) {
+  return {{"model", report.model},
+          {"model_reason", report.model_reason},
+          {"method", report.method},
+          {"method_reason", report.method_reason},
+          {"step_s", maybe(report.step)},
+          {"tolerance", maybe(report.tolerance)},
+          {"steps", report.record.steps},
+          {"rejected_steps", report.record.rejected},
+          {"evaluations", report.record.evaluations},
+          {"accuracy_rad", report.accuracy_rad},
+          {"error_estimate_rad", maybe(report.error_estimate_rad)},
+          {"energy_drift", report.record.drift.energy},
+          {"momentum_drift", report.record.drift.momentum}};
+}
+
+nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts) {
+  nlohmann::ordered_json report;
+  report["output"] = facts.output;
+  report["scene_file"] = solved.scene.file;
+  report["title"] = solved.scene.title;
+  report["scene_hash"] = scene_hash(solved.scene);
+  report["versions"] = versions();
+  report["backend"] = facts.renderer.backend;
+  report["gl_renderer"] = facts.renderer.gl_renderer;
+  report["gl_version"] = facts.renderer.gl_version;
+  report["samples"] = facts.renderer.samples;
+  report.update(motion_report(solved.simulation.report));
+  const VideoSpec& video = solved.scene.video;
+  report["frames"] = facts.frames;
+  report["width"] = video.size.width;
+  report["height"] = video.size.height;
+  report["fps"] = fmt::format("{}/{}", video.fps.numerator, video.fps.denominator);
+  report["from_s"] = facts.from_s;
+  report["to_s"] = facts.to_s;
+  report["transparent"] = facts.transparent;
+  report["encoder"] = {{"preset", facts.encoder.preset},
+                       {"crf", facts.encoder.crf},
+                       {"threads", facts.encoder.threads}};
+  report["stages"] = {{"simulate", stage(facts.times.simulate)},
+                      {"compose", stage(facts.times.compose)},
+                      {"draw", stage(facts.times.draw)},
+                      {"read_back", stage(facts.times.read_back)},
+                      {"convert", stage(facts.times.convert)},
+                      {"encode", stage(facts.times.encode)}};
+  report["total"] = stage(facts.times.total);
+  report["scene"] = scene_to_json(solved.scene);
+  return report;
+}
+
+}  // namespace polhode

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The JSON report of a run: what was made, from what, how, how exact and how fast.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/load.h"
+#include "render/renderer.h"
+#include "video/frame_sink.h"
+
+namespace polhode {
+
+// Times of every stage of a film.
+struct FilmTimes {
+  StageTime simulate;
+  StageTime compose;
+  StageTime draw;
+  StageTime read_back;
+  StageTime convert;
+  StageTime encode;
+  StageTime total;   // cpu: the whole process
+};
+
+// What was written.
+struct FilmFacts {
+  std::string output;
+  int frames = 0;
+  double from_s = 0.0;
+  double to_s = 0.0;
+  bool transparent = false;
+  EncoderSettings encoder;
+  RendererInfo renderer;
+  FilmTimes times;
+};
+
+// Keys: see docs/render.md.
+nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts);
+
+// How the motion was found; part of every report.
+nlohmann::ordered_json motion_report(const SimulationReport& report);
+
+// Versions of the program and of the libraries that pixels and bytes depend on.
+nlohmann::ordered_json versions();
+
+}  // namespace polhode

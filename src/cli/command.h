@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The table of commands. Each is one file that turns options into a job and runs it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace polhode {
+
+// What a command does once the line is parsed; returns the exit code.
+using Action = std::function<int()>;
+
+struct Command {
+  const char* name;
+  const char* doc;
+  // Adds the options to the subcommand and returns what to run after parsing.
+  Action (*define)(CLI::App& command);
+};
+
+const std::vector<Command>& commands();
+
+Action define_render(CLI::App& command);
+Action define_simulate(CLI::App& command);
+Action define_list(CLI::App& command);
+Action define_schema(CLI::App& command);
+Action define_doctor(CLI::App& command);
+
+}  // namespace polhode

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The program: options to a job, a job to an exit code, every error to one line.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/version.h"
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "base/nearest.h"
+#include "cli/command.h"
+
+namespace polhode {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table = {
+      {"render", "make a film or a picture of a scene", define_render},
+      {"simulate", "write the motion of a scene as a table (CSV)", define_simulate},
+      {"list", "list methods, models, shapes, scenes or formats", define_list},
+      {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
+      {"doctor", "tell what works here and what is missing", define_doctor},
+  };
+  return table;
+}
+
+namespace {
+
+int fail(const Error& error) {
+  fmt::print(stderr, "polhode: {}\n", error.what());
+  return static_cast<int>(error.fault());
+}
+
+// a mistyped command gets the nearest one; CLI11 only says that it was unexpected
+void refuse_unknown_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const Command& command : commands()) {
+    if (std::strcmp(command.name, argv[1]) == 0) return;
+    names.emplace_back(command.name);
+  }
+  throw input_error("no command is called '{}'{}", argv[1], suggestion(argv[1], names));
+}
+
+// a mistyped option gets the nearest one of its command
+Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
+  std::string text = error.what();
+  const CLI::App* command = &app;
+  for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    for (int i = 1; i < argc; ++i) {
+      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+      if (word.rfind("--", 0) != 0) continue;
+      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+      return input_error("{} has no option {}{}", command->get_name(), word,
+                         suggestion(word, known));
+    }
+  }
+  return input_error("{}; `polhode {}--help` tells more", text,
+                     command == &app ? "" : command->get_name() + " ");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
+  app.set_version_flag("--version", program_version());
+  bool verbose = false;
+  app.add_flag("-v,--verbose", verbose, "tell more on stderr");
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.footer("Exit codes: 0 done, 1 a check said no, 2 bad input, 3 the environment failed, "
+             "130 interrupted.\n`polhode COMMAND --help` tells the options of a command.");
+
+  std::vector<std::pair<CLI::App*, Action>> actions;
+  for (const Command& command : commands()) {
+    CLI::App* sub = app.add_subcommand(command.name, command.doc);
+    actions.emplace_back(sub, command.define(*sub));
+  }
+  refuse_unknown_command(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);   // --help, --version
+  } catch (const CLI::ParseError& error) {
+    throw explain(error, app, argc, argv);
+  }
+  start_log(verbose);
+  for (const auto& [sub, action] : actions) {
+    if (sub->parsed()) return action();
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace polhode
+
+int main(int argc, char** argv) {
+  using polhode::Error;
+  using polhode::Fault;
+  polhode::watch_for_interrupt();
+  try {
+    return polhode::run(argc, argv);
+  } catch (const Error& error) {
+    return polhode::fail(error);
+  } catch (const std::bad_alloc&) {
+    return polhode::fail(Error(Fault::environment, "out of memory"));
+  } catch (const std::exception& error) {
+    return polhode::fail(Error(Fault::environment, std::string("unexpected: ") + error.what()));
+  }
+}

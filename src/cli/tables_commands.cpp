@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/tables.h"
+#include "base/error.h"
+#include "cli/command.h"
+
+namespace polhode {
+
+Action define_list(CLI::App& command) {
+  auto what = std::make_shared<std::string>();
+  command.add_option("what", *what, fmt::format("{}", fmt::join(list_names(), ", ")))
+      ->required()->type_name("TABLE");
+  return [what] {
+    fmt::print("{}", list_table(*what));
+    return 0;
+  };
+}
+
+Action define_schema(CLI::App&) {
+  return [] {
+    fmt::print("{}", schema_text());
+    return 0;
+  };
+}
+
+Action define_doctor(CLI::App&) {
+  return [] {
+    const Diagnosis diagnosis = examine();
+    fmt::print("{}", diagnosis.text);
+    return diagnosis.healthy ? 0 : static_cast<int>(Fault::environment);
+  };
+}
+
+}  // namespace polhode

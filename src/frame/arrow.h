@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Vectors as arrows whose tip is exactly at the end of the vector.
+#pragma once
+
+#include <vector>
+
+#include "frame/draw_list.h"
+#include "math/notation.h"
+
+namespace polhode {
+
+// The unit pieces that every arrow shares.
+struct ArrowMeshes {
+  MeshPtr shaft;  // unit cylinder
+  MeshPtr head;   // unit cone
+};
+ArrowMeshes arrow_meshes(int segments);
+
+// Sizes in metres. A vector shorter than the head gets a smaller head, never a shifted tip.
+struct ArrowShape {
+  double shaft_radius = 0.01;
+  double head_radius = 0.03;
+  double head_length = 0.09;
+};
+
+// Adds the arrow from `from` to `tip` (space, m); nothing for a vector of no length.
+void add_arrow(std::vector<DrawItem>& items,
+               const ArrowMeshes& meshes,
+               const Vec3& from,
+               const Vec3& tip,
+               const ArrowShape& shape,
+               const Material& material);
+
+}  // namespace polhode

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "frame/body_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "math/so3.h"
+#include "model/solids.h"
+
+namespace polhode {
+namespace {
+
+// what is thin in mechanics still has to be seen
+constexpr double kThinDisc = 0.03;   // thickness over radius
+constexpr double kThinRing = 0.025;  // tube over radius
+constexpr double kThinRod = 0.012;   // radius over length
+constexpr double kFlattest = 0.05;   // least over largest semi-axis of a drawn ellipsoid
+
+std::vector<Vec2> upwards(std::vector<Vec2> profile) {
+  // an outline drawn downwards encloses a negative volume and is turned round
+  double volume = 0.0;
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    const double sum = profile[i].x() + profile[i + 1].x();
+    volume +=
+        (sum * sum - profile[i].x() * profile[i + 1].x()) * (profile[i + 1].y() - profile[i].y());
+  }
+  if (volume < 0.0) std::reverse(profile.begin(), profile.end());
+
+  // both ends are closed to the axis
+  profile.insert(profile.begin(), Vec2(0, profile.front().y()));
+  profile.emplace_back(0, profile.back().y());
+  return profile;
+}
+
+Mesh cylinder_mesh(double radius, double height, int segments) {
+  const double z = 0.5 * height;
+  return revolved({{0, -z}, {radius, -z}, {radius, z}, {0, z}}, segments);
+}
+
+// half-width of the strip that shows the spin, from how far the mesh reaches from its z axis
+float mark_width_of(const Mesh& mesh) {
+  constexpr float kShare = 0.13f;
+  float reach = 0.0f;
+  for (const Vertex& v : mesh.vertices) {
+    reach = std::max(reach, std::hypot(v.position.x, v.position.y));
+  }
+  return kShare * reach;
+}
+
+LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, const Theme& theme) {
+  Material material;
+  material.color = color;
+  material.mark_color = theme.mark;
+  material.mark_width = mark_width_of(mesh);
+  return {std::make_shared<const Mesh>(std::move(mesh)), place, material};
+}
+
+LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments) {
+  Placement place = Placement::Identity();
+  place.linear() = from_xyz_turns(solid.turn);
+  place.translation() = solid.at;
+  return painted(solid_mesh(solid, segments),
+                 place,
+                 solid.color ? color_from_hex(*solid.color) : theme.body,
+                 theme);
+}
+
+// the homogeneous ellipsoid with these mass properties: a1^2 = 5 (I2 + I3 - I1) / (2 m)
+LookPart inertia_ellipsoid(const Model& model, const Theme& theme, int segments) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(model.body.tensor);
+  const bool diagonal = Mat3(model.body.tensor.diagonal().asDiagonal()) == model.body.tensor;
+  const Vec3 moments = diagonal ? Vec3(model.body.tensor.diagonal()) : solver.eigenvalues();
+  Vec3 axes;
+  for (int i = 0; i < 3; ++i) {
+    const double square =
+        2.5 * (moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i]) / model.body.mass;
+    axes[i] = std::sqrt(std::max(square, 0.0));
+  }
+  // a moment set that no body has, or a flat one, still gets some thickness
+  axes = axes.cwiseMax(kFlattest * axes.maxCoeff());
+
+  Placement place = Placement::Identity();
+  place.translation() = model.body.center;
+  if (!diagonal) {
+    Mat3 R = solver.eigenvectors();
+    if (R.determinant() < 0.0) R.col(0) = -R.col(0);
+    place.linear() = R;
+  }
+  return painted(scaled(unit_sphere(segments), axes), place, theme.body, theme);
+}
+
+// balls, and thin rods from the centre of mass to them
+std::vector<LookPart> points_look(const BodySpec& spec,
+                                  const Model& model,
+                                  const Theme& theme,
+                                  int segments) {
+  double reach = 0.0;
+  double heaviest = 0.0;
+  for (const PointSpec& point : spec.points) {
+    reach = std::max(reach, (point.at - model.body.center).norm());
+    heaviest = std::max(heaviest, point.m);
+  }
+  std::vector<LookPart> look;
+  for (const PointSpec& point : spec.points) {
+    const Vec3 arm = point.at - model.body.center;
+    const double radius = 0.13 * reach * std::cbrt(point.m / heaviest);
+    Placement ball = Placement::Identity();
+    ball.translation() = point.at;
+    look.push_back(painted(
+        scaled(unit_sphere(segments / 2), Vec3::Constant(radius)), ball, theme.body, theme));
+    if (arm.norm() < radius) continue;
+    Placement rod = Placement::Identity();
+    rod.translation() = model.body.center;
+    rod.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), arm).toRotationMatrix();
+    const Vec3 thin(0.025 * reach, 0.025 * reach, arm.norm());
+    look.push_back(painted(scaled(unit_cylinder(segments / 3), thin), rod, theme.stand, theme));
+    look.back().material.mark_width = 0.0f;
+  }
+  return look;
+}
+
+}  // namespace
+
+Mesh solid_mesh(const SolidSpec& s, int segments) {
+  if (s.kind == "box") return box(*s.size);
+  if (s.kind == "sphere") return scaled(unit_sphere(segments), Vec3::Constant(*s.radius));
+  if (s.kind == "ellipsoid") return scaled(unit_sphere(segments), *s.semi_axes);
+  if (s.kind == "cylinder") return cylinder_mesh(*s.radius, *s.height, segments);
+  if (s.kind == "cone") {
+    return revolved({{0, 0}, {*s.radius, *s.height}, {0, *s.height}}, segments);
+  }
+  if (s.kind == "disc") {
+    const double thickness = std::max(s.thickness.value_or(0.0), kThinDisc * *s.radius);
+    return cylinder_mesh(*s.radius, thickness, segments);
+  }
+  if (s.kind == "ring") {
+    return torus(*s.radius, std::max(s.tube.value_or(0.0), kThinRing * *s.radius), segments);
+  }
+  if (s.kind == "rod") {
+    const double radius = std::max(s.radius.value_or(0.0), kThinRod * *s.length);
+    return cylinder_mesh(radius, *s.length, segments);
+  }
+  CHECK(s.kind == "lathe");
+  return revolved(upwards(s.profile), segments);
+}
+
+std::vector<LookPart> body_look(const BodySpec& spec,
+                                const Model& model,
+                                const Theme& theme,
+                                int segments) {
+  if (spec.look) {
+    check_dimensions(*spec.look, "body.look");
+    if (spec.look->mass || spec.look->density) {
+      throw input_error("a look has no mass; the mass is given by the other keys of [body]")
+          .at({{}, 0, spec.look->mass ? "body.look.mass" : "body.look.density"});
+    }
+    return {solid_part(*spec.look, theme, segments)};
+  }
+  if (!spec.points.empty()) return points_look(spec, model, theme, segments);
+  if (spec.solid) return {solid_part(*spec.solid, theme, segments)};
+  if (spec.parts.empty()) return {inertia_ellipsoid(model, theme, segments)};
+  std::vector<LookPart> look;
+  for (const SolidSpec& part : spec.parts)
+    look.push_back(solid_part(part, theme, segments));
+  return look;
+}
+
+std::vector<Vec3> points_of(const std::vector<LookPart>& look) {
+  std::vector<Vec3> points;
+  for (const LookPart& part : look) {
+    for (const Vertex& vertex : part.mesh->vertices) {
+      points.push_back(part.body_from_mesh * to_eigen(vertex.position));
+    }
+  }
+  return points;
+}
+
+}  // namespace polhode

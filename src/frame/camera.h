@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The camera: a pinhole with a vertical field of view, and the one that frames a set of points.
+#pragma once
+
+#include <vector>
+
+#include "frame/draw_list.h"
+#include "frame/view_spec.h"
+#include "math/notation.h"
+
+namespace polhode {
+
+struct FrameSize {
+  int width = 1920;   // pixels
+  int height = 1080;  // pixels
+};
+
+// Immutable. Space is z-up in pictures: the picture's upward direction is that of +Z.
+class Camera {
+ public:
+  // eye and target in m, fov the vertical field of view in rad; near and far clip planes are set so
+  // that the ball (center, radius) is inside.
+  Camera(const Vec3& eye,
+         const Vec3& target,
+         double fov,
+         FrameSize size,
+         const Vec3& center,
+         double radius);
+
+  // Pixel coordinates of a point in front of the camera: x to the right, y down, (0, 0) the upper
+  // left corner of the upper left pixel.
+  Vec2 project(const Vec3& point_S) const;
+  // Pixels per metre, across the line of sight, at the depth of the point.
+  double pixels_per_metre(const Vec3& point_S) const;
+  const Vec3& eye() const { return eye_; }
+  View view() const;
+
+ private:
+  Vec3 eye_;
+  Mat3 R_CS_;  // rows: right, up, back
+  FrameSize size_;
+  double focal_px_;
+  Eigen::Matrix4d clip_from_world_;
+};
+
+// The nearest camera with this line of sight that keeps every point inside the frame less a margin
+// (a fraction of the frame on each side). direction: from the scene towards the camera.
+Camera framing_camera(const std::vector<Vec3>& points,
+                      const Vec3& direction,
+                      double fov,
+                      FrameSize size,
+                      double margin);
+
+}  // namespace polhode

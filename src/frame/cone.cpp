@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "frame/cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frame/to_glm.h"
+
+namespace polhode {
+namespace {
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Mat3 turned_to(const Vec3& axis) {
+  return Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+}
+
+DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {
+  // the unit shell has radius = height; a nearly flat cone keeps a sliver of height for its normals
+  const double across = cone.slant * std::sin(cone.half_angle);
+  const double along = std::max(cone.slant * std::cos(cone.half_angle), 1e-3 * cone.slant);
+  Placement place = Placement::Identity();
+  place.translation() = cone.apex;
+  place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
+  return {meshes.shell, to_glm(place.matrix()), cone.material, faces};
+}
+
+DrawItem rim_item(const ConeMeshes& meshes, const Cone& cone) {
+  const double across = cone.slant * std::sin(cone.half_angle);
+  Placement place = Placement::Identity();
+  place.translation() = cone.apex + cone.axis * cone.slant * std::cos(cone.half_angle);
+  place.linear() =
+      turned_to(cone.axis) * Vec3(across, across, cone.rim_radius / kRimTube).asDiagonal();
+  Material solid = cone.material;
+  solid.alpha = 1.0f;
+  return {meshes.rim, to_glm(place.matrix()), solid, Faces::front};
+}
+
+// is `inner` inside `outer`, touching allowed?
+bool nested(const Cone& inner, const Cone& outer) {
+  return inner.half_angle < outer.half_angle &&
+         angle_between(inner.axis, outer.axis) <= outer.half_angle - inner.half_angle + 1e-6;
+}
+
+// of two separated cones: is `a` on the far side of the plane between them?
+bool farther(const Cone& a, const Cone& b, const Vec3& eye) {
+  // the plane holds the apex, the direction between the nearest generators, and is square to the
+  // plane of the axes
+  const Vec3 normal_of_axes = a.axis.cross(b.axis);
+  const double apart = angle_between(a.axis, b.axis);
+  const double gap = apart - a.half_angle - b.half_angle;
+  const double from_a = a.half_angle + 0.5 * gap;
+  const Vec3 between = Eigen::AngleAxisd(from_a, normal_of_axes.normalized()) * a.axis;
+  const Vec3 towards_b = normal_of_axes.normalized().cross(between);
+  return towards_b.dot(eye - a.apex) > 0.0;
+}
+
+}  // namespace
+
+ConeMeshes cone_meshes(int segments) {
+  return {std::make_shared<const Mesh>(unit_cone_shell(segments)),
+          std::make_shared<const Mesh>(torus(1.0, kRimTube, segments))};
+}
+
+void add_cones(DrawList& list,
+               const ConeMeshes& meshes,
+               const std::vector<Cone>& cones,
+               const Vec3& eye) {
+  for (const Cone& cone : cones)
+    list.opaque.push_back(rim_item(meshes, cone));
+
+  // insert each shell around or beside those that are already in order
+  std::vector<DrawItem> order;
+  std::vector<const Cone*> placed;
+  for (const Cone& cone : cones) {
+    const DrawItem back = shell_item(meshes, cone, Faces::back);
+    const DrawItem front = shell_item(meshes, cone, Faces::front);
+    const bool is_outer = std::any_of(
+        placed.begin(), placed.end(), [&](const Cone* other) { return nested(*other, cone); });
+    const bool is_inner = std::any_of(
+        placed.begin(), placed.end(), [&](const Cone* other) { return nested(cone, *other); });
+    const bool is_far =
+        !is_outer && !is_inner && !placed.empty() && farther(cone, *placed.back(), eye);
+    if (is_outer) {
+      order.insert(order.begin(), back);
+      order.push_back(front);
+    } else if (is_inner) {
+      order.insert(order.end() - 1, {back, front});
+    } else if (is_far) {
+      order.insert(order.begin(), {back, front});
+    } else {
+      order.insert(order.end(), {back, front});
+    }
+    placed.push_back(&cone);
+  }
+  list.translucent.insert(list.translucent.end(), order.begin(), order.end());
+}
+
+}  // namespace polhode

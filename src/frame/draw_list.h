@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Everything one picture consists of, as a value: what render/ draws and nothing else.
+#pragma once
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "frame/mesh.h"
+
+namespace polhode {
+
+// Colours are sRGB-encoded, 0..1.
+struct Material {
+  glm::vec3 color{0.8f};
+  float alpha = 1.0f;          // under 1: translucent, and listed in DrawList::translucent
+  float gloss = 0.3f;          // strength of the highlight
+  glm::vec3 mark_color{0.0f};  // of the mark that shows the spin
+  float mark_width = 0.0f;     // half-width of the strip x > 0, |y| < width in mesh units; 0 = none
+};
+
+// Which faces are drawn.
+enum class Faces { front, back, both };
+
+struct DrawItem {
+  MeshPtr mesh;
+  glm::mat4 world_from_mesh{1.0f};
+  Material material;
+  Faces faces = Faces::front;
+};
+
+// Where it is seen from.
+struct View {
+  glm::mat4 clip_from_world{1.0f};  // OpenGL clip space, y up
+  glm::vec3 eye{0.0f};              // m
+  glm::vec3 key_light{0.0f};        // unit vector towards the main light
+  glm::vec3 fill_light{0.0f};       // unit vector towards the weaker one
+};
+
+struct DrawList {
+  View view;
+  glm::vec3 background{0.0f};         // sRGB-encoded, 0..1
+  std::vector<DrawItem> opaque;       // any order
+  std::vector<DrawItem> translucent;  // back to front, drawn after the opaque ones
+};
+
+}  // namespace polhode

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "frame/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace polhode {
+namespace {
+
+// unit normal of an outline edge, to the right of its direction: outwards
+Vec2 edge_normal(const Vec2& from, const Vec2& to) {
+  const Vec2 edge = to - from;
+  return Vec2(edge.y(), -edge.x()).normalized();
+}
+
+// the normal at one end of an edge: shared with the neighbour where the surface is smooth
+Vec2 shaded_normal(const Vec2& own, const Vec2* neighbour) {
+  if (neighbour == nullptr || own.dot(*neighbour) < std::cos(kCreaseAngle)) return own;
+  return (own + *neighbour).normalized();
+}
+
+std::vector<Vec2> arc(double radius, double center_r, double from, double to, int pieces) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = from + (to - from) * i / pieces;
+    points.emplace_back(center_r + radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return points;
+}
+
+}  // namespace
+
+int circle_segments(double radius_px) {
+  constexpr double kSagitta = 0.25;  // pixels
+  constexpr int kFewest = 16;
+  if (radius_px <= kSagitta) return kFewest;
+  const int needed = static_cast<int>(std::ceil(kPi / std::acos(1.0 - kSagitta / radius_px)));
+  return std::max(kFewest, needed);
+}
+
+Mesh revolved(const std::vector<Vec2>& outline, int segments) {
+  Mesh mesh;
+  std::vector<Vec2> points;
+  for (const Vec2& p : outline) {
+    if (points.empty() || (p - points.back()).norm() > 0.0) points.push_back(p);
+  }
+  const bool closed = points.size() > 2 && (points.front() - points.back()).norm() == 0.0;
+  std::vector<Vec2> normals;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    normals.push_back(edge_normal(points[i], points[i + 1]));
+  }
+
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vec2* before = i > 0 ? &normals[i - 1] : closed ? &normals.back() : nullptr;
+    const Vec2* after = i + 1 < normals.size() ? &normals[i + 1]
+                        : closed               ? &normals.front()
+                                               : nullptr;
+    const Vec2 n[2] = {shaded_normal(normals[i], before), shaded_normal(normals[i], after)};
+    const Vec2 p[2] = {points[i], points[i + 1]};
+
+    // a band of quads; those that touch the axis are triangles
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int k = 0; k <= segments; ++k) {
+      const double angle = 2.0 * kPi * (k % segments) / segments;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle);
+      for (int end = 0; end < 2; ++end) {
+        mesh.vertices.push_back({glm::vec3(p[end].x() * c, p[end].x() * s, p[end].y()),
+                                 glm::vec3(n[end].x() * c, n[end].x() * s, n[end].y())});
+      }
+    }
+    for (int k = 0; k < segments; ++k) {
+      const std::uint32_t a = first + 2 * static_cast<std::uint32_t>(k);
+      if (p[0].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1});
+      if (p[1].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {a + 1, a + 2, a + 3});
+    }
+  }
+  return mesh;
+}
+
+Mesh unit_sphere(int segments) {
+  std::vector<Vec2> outline = arc(1.0, 0.0, -kPi / 2, kPi / 2, std::max(8, segments / 2));
+  outline.front() = Vec2(0, -1);
+  outline.back() = Vec2(0, 1);
+  return revolved(outline, segments);
+}
+
+Mesh unit_cylinder(int segments) {
+  return revolved({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, segments);
+}
+
+Mesh unit_cone(int segments) {
+  return revolved({{0, 0}, {1, 0}, {0, 1}}, segments);
+}
+
+Mesh torus(double radius, double tube, int segments) {
+  std::vector<Vec2> outline = arc(tube, radius, 0.0, 2.0 * kPi, std::max(12, segments / 4));
+  outline.back() = outline.front();
+  return revolved(outline, segments);
+}
+
+Mesh unit_cone_shell(int segments) {
+  return revolved({{0, 0}, {1, 1}}, segments);
+}
+
+Mesh box(const Vec3& size) {
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      // u x v points outwards
+      const Vec3 n = side * Vec3::Unit(axis);
+      const Vec3 u = Vec3::Unit((axis + 1) % 3);
+      const Vec3 v = n.cross(u);
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+        const Vec3 p = 0.5 * size.cwiseProduct(n + a * u + b * v);
+        mesh.vertices.push_back({glm::vec3(p.x(), p.y(), p.z()), glm::vec3(n.x(), n.y(), n.z())});
+      }
+      mesh.indices.insert(mesh.indices.end(),
+                          {first, first + 1, first + 2, first, first + 2, first + 3});
+    }
+  }
+  return mesh;
+}
+
+Mesh scaled(const Mesh& mesh, const Vec3& factors) {
+  const glm::vec3 f(factors.x(), factors.y(), factors.z());
+  Mesh out = mesh;
+  for (Vertex& vertex : out.vertices) {
+    vertex.position *= f;
+    vertex.normal = glm::normalize(vertex.normal / f);
+  }
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "model/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "model/solids.h"
+
+namespace polhode {
+namespace {
+
+// the tensor as the user gave it, from either key
+Mat3 given_tensor(const BodySpec& spec) {
+  if (spec.moments) return spec.moments->asDiagonal();
+  const Mat3& tensor = *spec.tensor;
+  if ((tensor - tensor.transpose()).cwiseAbs().maxCoeff() > 1e-9 * tensor.cwiseAbs().maxCoeff()) {
+    throw input_error("must be symmetric").at({{}, 0, "body.tensor"});
+  }
+  return 0.5 * (tensor + tensor.transpose());
+}
+
+const char* tensor_key(const BodySpec& spec) {
+  return spec.moments ? "body.moments" : "body.tensor";
+}
+
+// right-handed principal frame; the axes given are kept when they already are principal
+void find_principal_frame(const Mat3& tensor, Mat3& R_BP, Vec3& moments) {
+  Mat3 off_diagonal = tensor;
+  off_diagonal.diagonal().setZero();
+  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-14 * tensor.cwiseAbs().maxCoeff()) {
+    R_BP = Mat3::Identity();
+    moments = tensor.diagonal();
+    return;
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor);
+  moments = solver.eigenvalues();
+  R_BP = solver.eigenvectors();
+  if (R_BP.determinant() < 0.0) R_BP.col(0) = -R_BP.col(0);
+}
+
+void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::string& where) {
+  const std::string key = spec.moments ? "body.moments" : spec.tensor ? "body.tensor" : "body";
+  const double largest = moments.maxCoeff();
+  if (moments.minCoeff() < -1e-12 * largest || largest <= 0.0) {
+    throw input_error("moments of inertia ({}, {}, {}) kg m^2 {} must not be negative or all zero",
+                      moments[0],
+                      moments[1],
+                      moments[2],
+                      where)
+        .at({{}, 0, key});
+  }
+  int zeros = 0;
+  for (int i = 0; i < 3; ++i)
+    zeros += moments[i] <= 1e-12 * largest ? 1 : 0;
+  if (zeros > 1) {
+    throw input_error("two moments {} are zero: such a body has no attitude", where)
+        .at({{}, 0, key});
+  }
+  // all mass on a line: about any point of it the other two moments are equal
+  if (zeros == 1 && 2.0 * largest > moments.sum() * (1.0 + 1e-9)) {
+    throw input_error("a moment {} is zero, so the other two must be equal: all mass is on a line",
+                      where)
+        .at({{}, 0, key});
+  }
+  const std::string wrong = impossible_moments(moments);
+  if (!wrong.empty() && !spec.mathematical) {
+    throw input_error(
+        "no body has these moments {}: {}; set body.mathematical = true to allow them",
+        where,
+        wrong)
+        .at({{}, 0, key});
+  }
+}
+
+}  // namespace
+
+std::string TopKind::name() const {
+  static constexpr const char* kNames[] = {
+      "spherical", "symmetric prolate", "symmetric oblate", "asymmetric"};
+  std::string text = kNames[static_cast<int>(shape)];
+  if (planar) text += " planar";
+  if (rotator) text += " rotator";
+  return text;
+}
+
+std::string impossible_moments(const Vec3& moments) {
+  for (int i = 0; i < 3; ++i) {
+    const double others = moments[(i + 1) % 3] + moments[(i + 2) % 3];
+    if (moments[i] > others * (1.0 + 1e-9)) {
+      return fmt::format("{} is greater than the sum of the other two, {}", moments[i], others);
+    }
+  }
+  return {};
+}
+
+TopKind classify(const Vec3& moments) {
+  TopKind kind;
+  const double largest = moments.maxCoeff();
+  const auto equal = [&](int i, int j) {
+    return std::abs(moments[i] - moments[j]) <= kEqualMoments * largest;
+  };
+  kind.rotator = moments.minCoeff() <= kEqualMoments * largest;
+  kind.planar =
+      !kind.rotator && std::abs(2.0 * largest - moments.sum()) <= 4.0 * kEqualMoments * largest;
+  if (equal(0, 1) && equal(1, 2)) {
+    kind.shape = TopKind::Shape::spherical;
+    return kind;
+  }
+  for (int axis = 2; axis >= 0; --axis) {
+    const int other = (axis + 1) % 3;
+    if (!equal(other, (axis + 2) % 3)) continue;
+    kind.axis = axis;
+    kind.shape = moments[axis] < moments[other] ? TopKind::Shape::prolate : TopKind::Shape::oblate;
+    return kind;
+  }
+  return kind;
+}
+
+MassProperties mass_properties(const BodySpec& spec) {
+  const bool by_tensor = spec.moments || spec.tensor;
+  if (!by_tensor && (spec.mass || spec.center_of_mass)) {
+    throw input_error("goes with moments or tensor only; solids, parts and points have their own")
+        .at({{}, 0, spec.mass ? "body.mass" : "body.center_of_mass"});
+  }
+  if (!by_tensor && spec.about != "center") {
+    throw input_error("goes with moments or tensor only").at({{}, 0, "body.about"});
+  }
+
+  // points, a solid, or parts carry everything
+  if (!spec.points.empty()) {
+    std::vector<PointMass> points;
+    for (const PointSpec& point : spec.points)
+      points.push_back({point.m, point.at});
+    return of_points(points);
+  }
+  if (spec.solid) return mass_properties(*spec.solid, "body.solid");
+  if (!spec.parts.empty()) {
+    std::vector<MassProperties> parts;
+    for (std::size_t i = 0; i < spec.parts.size(); ++i) {
+      parts.push_back(mass_properties(spec.parts[i], fmt::format("body.parts[{}]", i)));
+    }
+    return composed(parts);
+  }
+
+  // a tensor about the pivot is carried back to the centre of mass
+  MassProperties body{
+      spec.mass.value_or(1.0), spec.center_of_mass.value_or(Vec3::Zero()), given_tensor(spec)};
+  if (spec.about == "pivot") {
+    body.tensor -= steiner_tensor(body.mass, body.center - spec.pivot);
+    const Vec3 left = Eigen::SelfAdjointEigenSolver<Mat3>(body.tensor).eigenvalues();
+    if (!spec.mathematical && left.minCoeff() < -1e-9 * given_tensor(spec).trace()) {
+      throw input_error(
+          "about the pivot they are too small for the mass ({} kg) and its distance "
+          "from the pivot ({} m)",
+          body.mass,
+          (body.center - spec.pivot).norm())
+          .at({{}, 0, tensor_key(spec)});
+    }
+  }
+  return body;
+}
+
+Model make_model(const BodySpec& spec, bool on_pivot, const Vec3& gravity_S) {
+  Model model;
+  model.body = mass_properties(spec);
+  model.on_pivot = on_pivot;
+  model.pivot_B = spec.pivot;
+  model.gravity_S = gravity_S;
+
+  // principal frame about the point the body turns about; a tensor given about that very point is
+  // used as it stands, so that no digit is lost by moving it there and back
+  const bool as_given = on_pivot && spec.about == "pivot";
+  const Mat3 tensor = as_given   ? given_tensor(spec)
+                      : on_pivot ? tensor_about(model.body, spec.pivot)
+                                 : model.body.tensor;
+  find_principal_frame(tensor, model.R_BP, model.moments);
+  refuse_impossible(model.moments, spec, on_pivot ? "about the pivot" : "about the centre of mass");
+  model.kind = classify(model.moments);
+  const double least = kEqualMoments * model.moments.maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    if (model.moments[i] <= least) model.moments[i] = 0.0;
+    model.inverse_moments[i] = model.moments[i] > 0.0 ? 1.0 / model.moments[i] : 0.0;
+  }
+
+  // gravity turns only a body that is held away from its centre of mass, by more than round-off
+  const double g = gravity_S.norm();
+  if (g > 0.0) model.up_S = -gravity_S / g;
+  const Vec3 arm = model.body.center - spec.pivot;
+  const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
+  const double noise = 1e-14 * (model.body.center.norm() + spec.pivot.norm() + gyration);
+  if (on_pivot && arm.norm() > noise) {
+    model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
+  }
+  return model;
+}
+
+double rotation_energy(const Model& m, const State& s) {
+  return 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q));
+}
+
+}  // namespace polhode

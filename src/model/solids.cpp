@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "model/solids.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "base/units.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+MassProperties centered(const Vec3& moments) {
+  return {1.0, Vec3::Zero(), moments.asDiagonal()};
+}
+
+MassProperties box(const SolidSpec& s) {
+  const Vec3 q = s.size->cwiseProduct(*s.size) / 12.0;
+  return centered({q.y() + q.z(), q.x() + q.z(), q.x() + q.y()});
+}
+
+MassProperties ellipsoid_with(const Vec3& semi_axes) {
+  const Vec3 q = semi_axes.cwiseProduct(semi_axes) / 5.0;
+  return centered({q.y() + q.z(), q.x() + q.z(), q.x() + q.y()});
+}
+
+// also disc (thin: height 0) and rod (thin: radius 0)
+MassProperties cylinder_with(double radius, double height) {
+  const double across = radius * radius / 4.0 + height * height / 12.0;
+  return centered({across, across, radius * radius / 2.0});
+}
+
+// apex at the origin, base at z = height
+MassProperties cone(const SolidSpec& s) {
+  const double r2 = *s.radius * *s.radius;
+  const double h = *s.height;
+  const double across = 3.0 * (r2 / 20.0 + h * h / 80.0);
+  return {1.0, Vec3(0, 0, 0.75 * h), Vec3(across, across, 0.3 * r2).asDiagonal()};
+}
+
+// a torus about z: distance R from the axis to the tube's centre, tube radius a
+MassProperties ring(const SolidSpec& s) {
+  const double R2 = *s.radius * *s.radius;
+  const double a2 = std::pow(s.tube.value_or(0.0), 2);
+  const double across = R2 / 2.0 + 5.0 * a2 / 8.0;
+  return centered({across, across, R2 + 0.75 * a2});
+}
+
+// Integrals over the polygon between the outline and the axis; exact, because three Gauss points
+// integrate the quartics along each edge exactly.
+struct LatheIntegrals {
+  double r2 = 0, r2z = 0, r2zz = 0, r4 = 0;  // of r^2, r^2 z, r^2 z^2, r^4 over z
+};
+
+LatheIntegrals integrate(const std::vector<Vec2>& profile) {
+  const double offset = std::sqrt(0.15);
+  const double nodes[] = {0.5 - offset, 0.5, 0.5 + offset};
+  const double weights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  LatheIntegrals sum;
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    const Vec2 edge = profile[i + 1] - profile[i];
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 p = profile[i] + nodes[k] * edge;
+      const double r2dz = weights[k] * p.x() * p.x() * edge.y();
+      sum.r2 += r2dz;
+      sum.r2z += r2dz * p.y();
+      sum.r2zz += r2dz * p.y() * p.y();
+      sum.r4 += r2dz * p.x() * p.x();
+    }
+  }
+  return sum;
+}
+
+double lathe_volume(const SolidSpec& s) {
+  return kPi * std::abs(integrate(s.profile).r2);
+}
+
+// the same quotients serve an outline drawn upwards or downwards: the signs cancel
+MassProperties lathe(const SolidSpec& s) {
+  const LatheIntegrals sum = integrate(s.profile);
+  const double z = sum.r2z / sum.r2;
+  const double across = (sum.r4 / 4.0 + sum.r2zz) / sum.r2 - z * z;
+  return {1.0, Vec3(0, 0, z), Vec3(across, across, sum.r4 / (2.0 * sum.r2)).asDiagonal()};
+}
+
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// do the open segments ab and cd cross at an inner point?
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double side_c = cross(b - a, c - a);
+  const double side_d = cross(b - a, d - a);
+  const double side_a = cross(d - c, a - c);
+  const double side_b = cross(d - c, b - c);
+  return side_c * side_d < 0.0 && side_a * side_b < 0.0;
+}
+
+void check_profile(const std::vector<Vec2>& profile, const Place& place) {
+  if (profile.size() < 2 || profile.size() > 2000) {
+    throw input_error("needs 2 to 2000 points (radius, z), found {}", profile.size()).at(place);
+  }
+  for (const Vec2& p : profile) {
+    if (p.x() < 0.0) throw input_error("radius must not be negative, got {}", p.x()).at(place);
+  }
+
+  // the outline closed through the axis must not cross itself
+  std::vector<Vec2> outline = profile;
+  outline.insert(outline.begin(), Vec2(0, profile.front().y()));
+  outline.push_back(Vec2(0, profile.back().y()));
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+    for (std::size_t j = i + 2; j + 1 < outline.size(); ++j) {
+      if (segments_cross(outline[i], outline[i + 1], outline[j], outline[j + 1])) {
+        throw input_error(
+            "the outline crosses itself near ({}, {})", outline[i + 1].x(), outline[i + 1].y())
+            .at(place);
+      }
+    }
+  }
+  double highest = 0.0;
+  for (const Vec2& p : profile)
+    highest = std::max(highest, p.cwiseAbs().maxCoeff());
+  if (std::abs(integrate(profile).r2) <= 1e-12 * highest * highest * highest) {
+    throw input_error("the outline encloses no volume; points are (radius, z)").at(place);
+  }
+}
+
+double cylinder_volume(const SolidSpec& s) {
+  return kPi * *s.radius * *s.radius * *s.height;
+}
+
+// the names of the dimensions that were given
+std::vector<std::string> given_dimensions(const SolidSpec& s) {
+  std::vector<std::string> names;
+  if (s.size) names.emplace_back("size");
+  if (s.semi_axes) names.emplace_back("semi_axes");
+  if (s.radius) names.emplace_back("radius");
+  if (s.height) names.emplace_back("height");
+  if (s.length) names.emplace_back("length");
+  if (s.thickness) names.emplace_back("thickness");
+  if (s.tube) names.emplace_back("tube");
+  if (!s.profile.empty()) names.emplace_back("profile");
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+const SolidKind& kind_of(const SolidSpec& solid, const std::string& path) {
+  for (const SolidKind& kind : solid_kinds()) {
+    if (kind.name == solid.kind) return kind;
+  }
+  throw input_error("no solid is called '{}'{}", solid.kind, suggestion(solid.kind, solid_names()))
+      .at({{}, 0, path + ".kind"});
+}
+
+}  // namespace
+
+const std::vector<SolidKind>& solid_kinds() {
+  static const std::vector<SolidKind> kinds = {
+      {"box",
+       "edges along x, y, z; origin at its centre",
+       {"size"},
+       {},
+       [](const SolidSpec& s) { return s.size->prod(); },
+       box},
+      {"sphere",
+       "origin at its centre",
+       {"radius"},
+       {},
+       [](const SolidSpec& s) { return 4.0 / 3.0 * kPi * std::pow(*s.radius, 3); },
+       [](const SolidSpec& s) {
+         return ellipsoid_with(Vec3::Constant(*s.radius));
+       }},
+      {"ellipsoid",
+       "semi-axes along x, y, z; origin at its centre",
+       {"semi_axes"},
+       {},
+       [](const SolidSpec& s) { return 4.0 / 3.0 * kPi * s.semi_axes->prod(); },
+       [](const SolidSpec& s) {
+         return ellipsoid_with(*s.semi_axes);
+       }},
+      {"cylinder",
+       "about z; origin at its centre",
+       {"radius", "height"},
+       {},
+       cylinder_volume,
+       [](const SolidSpec& s) {
+         return cylinder_with(*s.radius, *s.height);
+       }},
+      {"cone",
+       "about z, apex at the origin, base at z = height",
+       {"radius", "height"},
+       {},
+       [](const SolidSpec& s) { return cylinder_volume(s) / 3.0; },
+       cone},
+      {"disc",
+       "about z, thin unless it has a thickness; origin at its centre",
+       {"radius"},
+       {"thickness"},
+       [](const SolidSpec& s) { return kPi * *s.radius * *s.radius * s.thickness.value_or(0.0); },
+       [](const SolidSpec& s) {
+         return cylinder_with(*s.radius, s.thickness.value_or(0.0));
+       }},
+      {"ring",
+       "hoop about z, a torus when it has a tube; origin at its centre",
+       {"radius"},
+       {"tube"},
+       [](const SolidSpec& s) {
+         return 2.0 * kPi * kPi * *s.radius * std::pow(s.tube.value_or(0.0), 2);
+       },
+       ring},
+      {"rod",
+       "along z, thin unless it has a radius; origin at its centre",
+       {"length"},
+       {"radius"},
+       [](const SolidSpec& s) { return kPi * std::pow(s.radius.value_or(0.0), 2) * *s.length; },
+       [](const SolidSpec& s) {
+         return cylinder_with(s.radius.value_or(0.0), *s.length);
+       }},
+      {"lathe",
+       "solid of revolution about z of the outline `profile`",
+       {"profile"},
+       {},
+       lathe_volume,
+       lathe},
+  };
+  return kinds;
+}
+
+std::vector<std::string> solid_names() {
+  std::vector<std::string> names;
+  for (const SolidKind& kind : solid_kinds())
+    names.push_back(kind.name);
+  return names;
+}
+
+void check_dimensions(const SolidSpec& solid, const std::string& path) {
+  const SolidKind& kind = kind_of(solid, path);
+  const std::vector<std::string> given = given_dimensions(solid);
+  for (const std::string& name : kind.needs) {
+    if (!contains(given, name)) {
+      throw input_error("a {} needs '{}'", kind.name, name).at({{}, 0, path});
+    }
+  }
+  for (const std::string& name : given) {
+    if (contains(kind.needs, name) || contains(kind.takes, name)) continue;
+    std::vector<std::string> known = kind.needs;
+    known.insert(known.end(), kind.takes.begin(), kind.takes.end());
+    throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
+        .at({{}, 0, path + "." + name});
+  }
+
+  // a dimension that may be zero is one of the optional ones
+  if (contains(kind.needs, "radius") && *solid.radius <= 0.0) {
+    throw input_error("must be greater than 0, got {}", *solid.radius)
+        .at({{}, 0, path + ".radius"});
+  }
+  if (solid.tube && solid.radius && *solid.tube > *solid.radius) {
+    throw input_error("the tube ({} m) must not be thicker than the ring's radius ({} m)",
+                      *solid.tube,
+                      *solid.radius)
+        .at({{}, 0, path + ".tube"});
+  }
+  if (!solid.profile.empty()) check_profile(solid.profile, {{}, 0, path + ".profile"});
+}
+
+MassProperties mass_properties(const SolidSpec& solid, const std::string& path) {
+  check_dimensions(solid, path);
+  const SolidKind& kind = kind_of(solid, path);
+  if (solid.mass.has_value() == solid.density.has_value()) {
+    throw input_error("give a {} exactly one of mass and density", kind.name).at({{}, 0, path});
+  }
+  const double volume = kind.volume(solid);
+  if (solid.density && volume <= 0.0) {
+    throw input_error("a thin {} has no volume; give its mass", kind.name)
+        .at({{}, 0, path + ".density"});
+  }
+  const double mass = solid.mass ? *solid.mass : *solid.density * volume;
+  MassProperties own = kind.per_mass(solid);
+  own.mass = mass;
+  own.tensor *= mass;
+  return moved(own, from_xyz_turns(solid.turn), solid.at);
+}
+
+}  // namespace polhode

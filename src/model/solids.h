@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The table of homogeneous solids: which dimensions each takes, and its mass properties.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/body_spec.h"
+#include "model/mass_properties.h"
+
+namespace polhode {
+
+// One row per solid. To add a solid: a row here and a mesh in frame/solid_mesh.cpp.
+struct SolidKind {
+  std::string name;
+  std::string doc;                     // shape, origin and axis, one phrase
+  std::vector<std::string> needs;      // dimensions that must be given
+  std::vector<std::string> takes;      // dimensions that may be given
+  double (*volume)(const SolidSpec&);  // m^3; 0 for a thin solid, which then needs a mass
+  // Per kilogram, about its own centre: .mass is 1, .center in the solid's own frame (m),
+  // .tensor in m^2.
+  MassProperties (*per_mass)(const SolidSpec&);
+};
+
+const std::vector<SolidKind>& solid_kinds();
+
+// Throws Error (input) with key `path`.NAME when a dimension is missing, does not belong to the
+// kind, or is impossible (a lathe outline that crosses itself, say).
+void check_dimensions(const SolidSpec& solid, const std::string& path);
+
+// Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error
+// (input) as check_dimensions does, and when not exactly one of mass and density is given.
+MassProperties mass_properties(const SolidSpec& solid, const std::string& path);
+
+}  // namespace polhode

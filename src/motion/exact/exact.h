@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Closed-form rotations behind the Trajectory interface.
+#pragma once
+
+#include <memory>
+
+#include "motion/trajectory.h"
+
+namespace polhode {
+
+// Free spherical top: omega is constant. Needs model.kind spherical and chi = 0.
+std::unique_ptr<Trajectory> exact_spherical(const Model& model, const State& start);
+
+// Free symmetric top, and the free rotator as its limit. Needs a symmetric model and chi = 0.
+// With the symmetry axis as the third, y(t) = Rz(-beta t) y0 and
+// q(t) = q0 o exp(t y0 / (2 I1)) o exp(beta t e3 / 2), beta = (1/I3 - 1/I1) y3: precession about L
+// at |L|/I1 (Landau and Lifshitz, Mechanics, eq. 33.2), the rest of the spin about the own axis.
+std::unique_ptr<Trajectory> exact_symmetric(const Model& model, const State& start);
+
+}  // namespace polhode

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "motion/motion.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;  // m/s^2, the defined standard value
+
+Quat start_attitude_SB(const AttitudeSpec& spec) {
+  if (spec.zxz) return from_zxz_angles(*spec.zxz);
+  if (spec.quaternion) {
+    const Eigen::Vector4d& q = *spec.quaternion;
+    return normalized(Quat(q[0], q[1], q[2], q[3]));
+  }
+  return Quat::Identity();
+}
+
+// a rotator has no momentum along its line of mass, so a spin about it means nothing
+void refuse_spin_about_line(const Model& model, const Vec3& vector_P) {
+  for (int i = 0; i < 3; ++i) {
+    if (model.moments[i] > 0.0 || std::abs(vector_P[i]) <= 1e-12 * vector_P.norm()) continue;
+    throw input_error(
+        "all mass lies on a line (a rotator): a spin about that line has no meaning; "
+        "leave out the component along it")
+        .at({{}, 0, "motion.spin"});
+  }
+}
+
+}  // namespace
+
+Motion::Motion(const Model& model,
+               std::shared_ptr<const Trajectory> trajectory,
+               const MotionSpec& spec)
+    : model_(model),
+      trajectory_(std::move(trajectory)),
+      q_PB_(Quat(model.R_BP).conjugate()),
+      position_(spec.position),
+      velocity_(spec.velocity),
+      duration_(spec.duration) {}
+
+Sample Motion::at(double t) const {
+  const State s = trajectory_->at(t);
+  const Vec3 w_P = angular_velocity(model_, s.y);
+  Sample sample;
+  sample.t = t;
+  sample.q_SB = s.q * q_PB_;
+  sample.w_B = model_.R_BP * w_P;
+  sample.w_S = s.q * w_P;
+  sample.L_S = momentum_in_space(s);
+  sample.energy = rotation_energy(model_, s);
+  if (model_.on_pivot) {
+    // the fixed point is the origin of space
+    sample.center_S = sample.q_SB * (model_.body.center - model_.pivot_B);
+    return sample;
+  }
+
+  // the centre of mass of a free body is on a parabola
+  const Vec3 v = velocity_ + t * model_.gravity_S;
+  sample.center_S = position_ + t * velocity_ + 0.5 * t * t * model_.gravity_S;
+  sample.reference_S = sample.center_S;
+  sample.energy +=
+      model_.body.mass * (0.5 * v.squaredNorm() - model_.gravity_S.dot(sample.center_S));
+  return sample;
+}
+
+Vec3 gravity_of(const MotionSpec& spec) {
+  if (spec.gravity) return *spec.gravity;
+  return spec.hold == "pivot" ? Vec3(0, 0, -kStandardGravity) : Vec3(Vec3::Zero());
+}
+
+State start_state(const Model& model, const MotionSpec& spec) {
+  const Quat q_SB = start_attitude_SB(spec.attitude);
+  const Mat3 R_PB = model.R_BP.transpose();
+  State start;
+  start.q = q_SB * Quat(model.R_BP);
+  if (spec.spin.momentum_body) {
+    start.y = R_PB * *spec.spin.momentum_body;
+    refuse_spin_about_line(model, start.y);
+    return start;
+  }
+
+  Vec3 w_B = Vec3::Zero();
+  if (spec.spin.body) w_B = *spec.spin.body;
+  if (spec.spin.space) w_B = q_SB.conjugate() * *spec.spin.space;
+  if (spec.spin.rates) {
+    const Vec3 angles = spec.attitude.zxz.value_or(zxz_angles(q_SB));
+    w_B = body_rate_from_zxz_rates(angles, *spec.spin.rates);
+  }
+  const Vec3 w_P = R_PB * w_B;
+  refuse_spin_about_line(model, w_P);
+  start.y = model.moments.cwiseProduct(w_P);
+  return start;
+}
+
+}  // namespace polhode

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A whole motion: rotation and place of the body at any time. What every picture is made from.
+#pragma once
+
+#include <memory>
+
+#include "motion/motion_spec.h"
+#include "motion/trajectory.h"
+
+namespace polhode {
+
+// All quantities of one moment. Letters of frames: math/notation.h.
+struct Sample {
+  double t = 0.0;                   // s
+  Quat q_SB = Quat::Identity();     // attitude, body to space
+  Vec3 w_B = Vec3::Zero();          // angular velocity in body axes, rad/s
+  Vec3 w_S = Vec3::Zero();          // the same in space axes
+  Vec3 L_S = Vec3::Zero();          // angular momentum about the reference point, kg m^2/s
+  Vec3 center_S = Vec3::Zero();     // centre of mass, m
+  Vec3 reference_S = Vec3::Zero();  // fixed point or centre of mass, m
+  double energy = 0.0;              // kinetic (rotation and translation) + potential, J
+};
+
+// Immutable; at() may be called from any thread.
+class Motion {
+ public:
+  Motion(const Model& model, std::shared_ptr<const Trajectory> trajectory, const MotionSpec& spec);
+
+  Sample at(double t) const;
+  const Model& model() const { return model_; }
+  double duration() const { return duration_; }
+
+ private:
+  Model model_;
+  std::shared_ptr<const Trajectory> trajectory_;
+  Quat q_PB_;
+  Vec3 position_;  // of the centre of mass at t = 0, free bodies, m
+  Vec3 velocity_;  // m/s
+  double duration_;
+};
+
+// Gravity of a [motion] table, defaults resolved: none for a free body, standard on a pivot.
+Vec3 gravity_of(const MotionSpec& spec);
+
+// Attitude and momentum at t = 0. Throws Error (input): a rotator spun about its own axis.
+State start_state(const Model& model, const MotionSpec& spec);
+
+}  // namespace polhode

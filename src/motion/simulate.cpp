@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "motion/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "math/so3.h"
+#include "motion/exact/exact.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kSamplesCompared = 257;  // times at which two runs are held against each other
+constexpr long kMostStepsRefined = 4'000'000;
+
+std::string why_not_spherical(const Model& model) {
+  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
+  if (model.kind.shape == TopKind::Shape::spherical) return {};
+  return "the three moments are not equal (" + model.kind.name() + ")";
+}
+
+std::string why_not_symmetric(const Model& model) {
+  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
+  if (model.kind.symmetric()) return {};
+  return "no two moments are equal, or all three are (" + model.kind.name() + ")";
+}
+
+const MotionModel& find_model(const std::string& name) {
+  for (const MotionModel& row : motion_models()) {
+    if (row.name == name) return row;
+  }
+  throw input_error("no model is called '{}'{}", name, suggestion(name, model_names()))
+      .at({{}, 0, "numerics.model"});
+}
+
+// the least model that takes the scene, or the one asked for
+const MotionModel& choose_model(const Model& model,
+                                const NumericsSpec& numerics,
+                                std::string& reason) {
+  if (numerics.model != "auto") {
+    const MotionModel& asked = find_model(numerics.model);
+    const std::string wrong = asked.why_not(model);
+    if (!wrong.empty()) {
+      throw input_error("model '{}' cannot take this scene: {}", asked.name, wrong)
+          .at({{}, 0, "numerics.model"});
+    }
+    reason = "asked for";
+    return asked;
+  }
+  const bool wants_stepper = numerics.method != "auto" && numerics.method != "exact";
+  for (const MotionModel& row : motion_models()) {
+    if (wants_stepper && row.closed_form) continue;
+    if (!row.why_not(model).empty()) continue;
+    if (wants_stepper) {
+      reason = "method " + numerics.method + " integrates the equations of motion";
+    } else if (row.closed_form) {
+      reason = model.kind.name() + " body without torque: closed form";
+    } else {
+      reason = "no closed form in this version for a " + model.kind.name() + " body" +
+               (model.chi_P.squaredNorm() > 0.0 ? " with gravity on a pivot" : " that is free");
+    }
+    return row;
+  }
+  throw Error(Fault::input, "no model takes this scene");
+}
+
+// largest attitude difference of two trajectories over the motion, rad
+double difference(const Trajectory& a, const Trajectory& b, double duration) {
+  double largest = 0.0;
+  for (int i = 0; i < kSamplesCompared; ++i) {
+    const double t = duration * i / (kSamplesCompared - 1);
+    largest = std::max(largest, rotation_angle_between(a.at(t).q, b.at(t).q));
+  }
+  return largest;
+}
+
+// one integration with a given fineness: the step of fixed-step methods, the tolerance of adaptive
+// ones
+Integration run(const StepperInfo& method,
+                const Model& model,
+                const State& start,
+                double duration,
+                double fineness) {
+  return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness)
+                         : integrate_fixed(method, model, start, duration, fineness);
+}
+
+// refines until two runs agree within the accuracy; the finer one is the answer
+Integration refine(const StepperInfo& method,
+                   const Model& model,
+                   const State& start,
+                   double duration,
+                   SimulationReport& report) {
+  const double least_moment =
+      (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
+  const double rate = angular_velocity(model, start.y).norm() +
+                      std::sqrt(model.chi_P.norm() / least_moment) + 1.0 / duration;
+  const double factor = method.adaptive ? 1.0 / 32.0 : 0.5;
+  double fineness = method.adaptive ? 0.01 * report.accuracy_rad : std::min(0.1 / rate, duration);
+  Integration coarse = run(method, model, start, duration, fineness);
+  while (true) {
+    fineness *= factor;
+    const bool too_fine =
+        method.adaptive ? fineness < 1e-15 : duration / fineness > kMostStepsRefined;
+    if (too_fine) {
+      throw input_error(
+          "{} cannot reach an attitude accuracy of {:.3g} rad over {} s in reasonable "
+          "work; give a step or tolerance yourself, a looser accuracy, or another method",
+          method.name,
+          report.accuracy_rad,
+          duration)
+          .at({{}, 0, "numerics.method"});
+    }
+    Integration fine = run(method, model, start, duration, fineness);
+    const double apart = difference(*coarse.trajectory, *fine.trajectory, duration);
+    if (apart <= report.accuracy_rad) {
+      (method.adaptive ? report.tolerance : report.step) = fineness;
+      report.error_estimate_rad = apart;
+      return fine;
+    }
+    coarse = std::move(fine);
+  }
+}
+
+const StepperInfo& method_row(const std::string& name) {
+  try {
+    return find_stepper(name);
+  } catch (const Error& error) {
+    throw error.at({{}, 0, "numerics.method"});
+  }
+}
+
+Integration integrate(const Model& model,
+                      const State& start,
+                      const MotionSpec& motion,
+                      const NumericsSpec& numerics,
+                      SimulationReport& report) {
+  const bool automatic = numerics.method == "auto";
+  const StepperInfo& method = method_row(automatic ? "dopri5" : numerics.method);
+  report.method = method.name;
+  report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
+  if (method.adaptive && numerics.step) {
+    throw input_error("{} chooses its own steps; give a tolerance instead", method.name)
+        .at({{}, 0, "numerics.step"});
+  }
+  if (!method.adaptive && numerics.tolerance) {
+    throw input_error("{} has fixed steps; give a step instead", method.name)
+        .at({{}, 0, "numerics.tolerance"});
+  }
+  const std::optional<double> given = method.adaptive ? numerics.tolerance : numerics.step;
+  if (!given) {
+    Integration found = refine(method, model, start, motion.duration, report);
+    report.method_reason +=
+        fmt::format("; refined until two runs agree within {:.3g} rad", report.accuracy_rad);
+    return found;
+  }
+  report.step = numerics.step;
+  report.tolerance = numerics.tolerance;
+  try {
+    return run(method, model, start, motion.duration, *given);
+  } catch (const Error& error) {
+    throw error.at({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"});
+  }
+}
+
+}  // namespace
+
+const std::vector<MotionModel>& motion_models() {
+  static const std::vector<MotionModel> models = {
+      {"spherical",
+       "free body with three equal moments, closed form",
+       true,
+       why_not_spherical,
+       exact_spherical},
+      {"symmetric",
+       "free body with two equal moments, closed form",
+       true,
+       why_not_symmetric,
+       exact_symmetric},
+      {"ode",
+       "any body, equations of motion integrated",
+       false,
+       [](const Model&) { return std::string(); },
+       nullptr},
+  };
+  return models;
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names = {"auto"};
+  for (const MotionModel& row : motion_models())
+    names.push_back(row.name);
+  return names;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names = {"auto", "exact"};
+  for (const StepperInfo& row : stepper_table())
+    names.push_back(row.name);
+  return names;
+}
+
+Simulation simulate(const Model& model,
+                    const MotionSpec& motion,
+                    const NumericsSpec& numerics,
+                    double accuracy_rad) {
+  const State start = start_state(model, motion);
+  SimulationReport report;
+  report.accuracy_rad = accuracy_rad;
+  const MotionModel& chosen = choose_model(model, numerics, report.model_reason);
+  report.model = chosen.name;
+  if (!chosen.closed_form) {
+    if (numerics.method == "exact") {
+      throw input_error("there is no closed form for this scene ({}); use method = \"auto\"",
+                        report.model_reason)
+          .at({{}, 0, "numerics.method"});
+    }
+    Integration found = integrate(model, start, motion, numerics, report);
+    report.record = found.record;
+    return {Motion(model, found.trajectory, motion), report};
+  }
+
+  // a closed form takes no stepper and no step
+  if (numerics.method != "auto" && numerics.method != "exact") {
+    throw input_error("model '{}' is a closed form and takes no method; use model = \"ode\"",
+                      chosen.name)
+        .at({{}, 0, "numerics.method"});
+  }
+  report.method = "exact";
+  report.method_reason = "closed form";
+  std::shared_ptr<const Trajectory> trajectory = chosen.make(model, start);
+  DriftWatch drift(model, start);
+  for (int i = 0; i < kSamplesCompared; ++i) {
+    drift.look_at(trajectory->at(motion.duration * i / (kSamplesCompared - 1)));
+  }
+  report.record.drift = drift.worst();
+  return {Motion(model, trajectory, motion), report};
+}
+
+Accuracy parse_accuracy(const std::string& text) {
+  // a number, with "px" behind it when it counts pixels of the finished picture
+  const bool pixels = text.size() > 2 && text.substr(text.size() - 2) == "px";
+  const std::string number = pixels ? text.substr(0, text.size() - 2) : text;
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  if (number.empty() || *end != '\0' || !std::isfinite(value) || value <= 0.0) {
+    throw input_error("'{}' is no accuracy; give radians (1e-6) or pixels (\"0.1px\")", text);
+  }
+  return {value, pixels};
+}
+
+}  // namespace polhode

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// From a model and a start to a motion: picks the least that answers, and says why.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/grid_trajectory.h"
+#include "motion/motion.h"
+
+namespace polhode {
+
+// A way to find the motion. To add one: a row in motion_models(), ordered from least to most.
+struct MotionModel {
+  std::string name;
+  std::string doc;
+  bool closed_form = false;
+  // "" when it can take the scene, else the reason why not
+  std::string (*why_not)(const Model& model);
+  // closed forms only
+  std::unique_ptr<Trajectory> (*make)(const Model& model, const State& start);
+};
+
+const std::vector<MotionModel>& motion_models();
+
+// How a motion was found, for the report.
+struct SimulationReport {
+  std::string model;
+  std::string model_reason;
+  std::string method;  // "exact" for a closed form
+  std::string method_reason;
+  std::optional<double> step;  // s
+  std::optional<double> tolerance;
+  double accuracy_rad = 0.0;                 // what was asked for
+  std::optional<double> error_estimate_rad;  // attitude, against a finer run; absent: not estimated
+  IntegrationRecord record;
+};
+
+struct Simulation {
+  Motion motion;
+  SimulationReport report;
+};
+
+// accuracy_rad: attitude error allowed over the whole motion, used when the scene fixes neither
+// step nor tolerance: the method is then refined until two runs agree within it. Throws Error
+// (input): a model that cannot take the scene, a method that cannot reach the accuracy; (check
+// failed) when the motion turns to NaN or a step has no solution.
+Simulation simulate(const Model& model,
+                    const MotionSpec& motion,
+                    const NumericsSpec& numerics,
+                    double accuracy_rad);
+
+}  // namespace polhode

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// One-step methods for dy/dt = y x w + gamma x chi, dq/dt = q o (0, w)/2, and the table of them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace polhode {
+
+// A method applied to one model. Steps of any length and sign; nothing is kept between steps but
+// the count of work, so a step is a function of the state.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  // Advances s from t by h. Throws Error (check failed) when an implicit solve finds no solution.
+  virtual void step(double t, double h, State& s) = 0;
+  // The same for an adaptive method; returns an estimate of the local error: the larger of
+  // |error of q| and |error of y| / momentum_scale.
+  virtual double step_with_error(double t, double h, State& s);
+  // Evaluations of the right-hand side so far.
+  long evaluations() const { return evaluations_; }
+
+ protected:
+  long evaluations_ = 0;
+};
+
+// One row per method. To add one: its file in motion/steppers/, and a row in stepper.cpp. Help,
+// names and the test kit derive from this table.
+struct StepperInfo {
+  std::string name;
+  int order = 0;
+  bool adaptive = false;
+  bool keeps_energy = false;          // to round-off, whatever the step
+  bool keeps_momentum_norm = false;   // |y| of a free body
+  bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
+  bool reversible = false;            // a step back undoes a step, to round-off
+  std::string source;                 // where it comes from
+  // momentum_scale: a typical |y|, kg m^2/s, for the error norm
+  std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale);
+};
+
+const std::vector<StepperInfo>& stepper_table();
+
+// The row of that name. Throws Error (input) naming the nearest one.
+const StepperInfo& find_stepper(const std::string& name);
+
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A rotation as a function of time: the interface that exact solutions and integrations share.
+#pragma once
+
+#include <memory>
+
+#include "model/model.h"
+
+namespace polhode {
+
+// Immutable; at() may be called from any thread, for any t in [0, duration], in any order.
+class Trajectory {
+ public:
+  virtual ~Trajectory() = default;
+  virtual State at(double t) const = 0;
+};
+
+// Largest deviations from the start of what mechanics conserves, relative; over the whole motion.
+struct Drift {
+  double energy = 0.0;    // of |kinetic energy at the start| + |chi|
+  double momentum = 0.0;  // of |L|: the vector L (free) or its vertical part (pivot)
+};
+
+// Keeps the largest drift of the states it is shown.
+class DriftWatch {
+ public:
+  DriftWatch(const Model& model, const State& start);
+  void look_at(const State& s);
+  const Drift& worst() const { return worst_; }
+
+ private:
+  Model model_;
+  double energy_;
+  Vec3 momentum_;
+  double energy_scale_;
+  double momentum_scale_;
+  Drift worst_;
+};
+
+}  // namespace polhode

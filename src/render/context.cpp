@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "render/context.h"
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/nearest.h"
+
+namespace polhode {
+
+const std::vector<Backend>& backends() {
+  static const std::vector<Backend> table = {
+      {"osmesa", "Mesa's off-screen library (libOSMesa)", open_osmesa},
+      {"egl", "EGL on the surfaceless platform (libEGL)", open_egl},
+  };
+  return table;
+}
+
+std::vector<std::string> backend_names() {
+  std::vector<std::string> names = {"auto"};
+  for (const Backend& backend : backends())
+    names.push_back(backend.name);
+  return names;
+}
+
+std::unique_ptr<Context> open_context(const std::string& name) {
+  std::string reasons;
+  for (const Backend& backend : backends()) {
+    if (name == backend.name) return backend.open();
+    if (name != "auto") continue;
+    try {
+      return backend.open();
+    } catch (const Error& error) {
+      spdlog::info("back end {}: {}", backend.name, error.what());
+      reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", backend.name, error.what());
+    }
+  }
+  if (name != "auto") {
+    throw input_error("no back end is called '{}'{}", name, suggestion(name, backend_names()));
+  }
+  throw environment_error(
+      "no OpenGL without a window here: {} (Debian: libosmesa6, or libegl1 with "
+      "libgl1-mesa-dri)",
+      reasons);
+}
+
+}  // namespace polhode

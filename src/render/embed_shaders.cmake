@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ file that holds the text of every file in FILES under its own name.
+set(text "// Made by src/render/embed_shaders.cmake; the sources are in shaders/.\n")
+string(APPEND text "#include \"render/gl_objects.h\"\n\nnamespace polhode {\n\n")
+string(APPEND text "const std::map<std::string, std::string>& embedded_shaders() {\n")
+string(APPEND text "  static const std::map<std::string, std::string> files = {\n")
+foreach(file IN LISTS FILES)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" source)
+  string(APPEND text "      {\"${name}\", R\"glsl(${source})glsl\"},\n")
+endforeach()
+string(APPEND text "  };\n  return files;\n}\n\n}  // namespace polhode\n")
+file(WRITE "${OUTPUT}" "${text}")

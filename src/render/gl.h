@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The OpenGL functions that are used, loaded through a Context. Types come from Khronos' header;
+// one line here adds a function.
+#pragma once
+
+#include <GL/glcorearb.h>
+
+#include "render/context.h"
+
+namespace polhode {
+
+// clang-format off
+#define POLHODE_GL_FUNCTIONS(X)                                                                    \
+  X(PFNGLATTACHSHADERPROC, AttachShader)                                                           \
+  X(PFNGLBINDBUFFERPROC, BindBuffer)                                                               \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                     \
+  X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                   \
+  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                     \
+  X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                 \
+  X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                     \
+  X(PFNGLBUFFERDATAPROC, BufferData)                                                               \
+  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                       \
+  X(PFNGLCLEARPROC, Clear)                                                                         \
+  X(PFNGLCLEARCOLORPROC, ClearColor)                                                               \
+  X(PFNGLCOMPILESHADERPROC, CompileShader)                                                         \
+  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                         \
+  X(PFNGLCREATESHADERPROC, CreateShader)                                                           \
+  X(PFNGLCULLFACEPROC, CullFace)                                                                   \
+  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                         \
+  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                               \
+  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                         \
+  X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                                             \
+  X(PFNGLDELETESHADERPROC, DeleteShader)                                                           \
+  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                               \
+  X(PFNGLDEPTHMASKPROC, DepthMask)                                                                 \
+  X(PFNGLDISABLEPROC, Disable)                                                                     \
+  X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                           \
+  X(PFNGLENABLEPROC, Enable)                                                                       \
+  X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                     \
+  X(PFNGLFINISHPROC, Finish)                                                                       \
+  X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                     \
+  X(PFNGLFRONTFACEPROC, FrontFace)                                                                 \
+  X(PFNGLGENBUFFERSPROC, GenBuffers)                                                               \
+  X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                     \
+  X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                                   \
+  X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                     \
+  X(PFNGLGETERRORPROC, GetError)                                                                   \
+  X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                             \
+  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                 \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                           \
+  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                   \
+  X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                             \
+  X(PFNGLGETSTRINGPROC, GetString)                                                                 \
+  X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                               \
+  X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                             \
+  X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                             \
+  X(PFNGLREADPIXELSPROC, ReadPixels)                                                               \
+  X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                       \
+  X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                           \
+  X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                 \
+  X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                               \
+  X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                                                   \
+  X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                   \
+  X(PFNGLUSEPROGRAMPROC, UseProgram)                                                               \
+  X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                             \
+  X(PFNGLVIEWPORTPROC, Viewport)
+// clang-format on
+
+// gl.Clear(...), gl.Enable(...): the functions of one context.
+struct Gl {
+#define POLHODE_GL_MEMBER(type, name) type name = nullptr;
+  POLHODE_GL_FUNCTIONS(POLHODE_GL_MEMBER)
+#undef POLHODE_GL_MEMBER
+
+  // Throws Error (environment) when a function is missing.
+  explicit Gl(const Context& context);
+};
+
+}  // namespace polhode

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/error.h"
+#include "render/gl_objects.h"
+
+namespace polhode {
+namespace {
+
+int integer(const Gl& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+int samples_to_use(const Gl& gl, int wanted) {
+  return std::min(wanted, integer(gl, GL_MAX_SAMPLES));
+}
+
+const RenderSettings& fitting(const Gl& gl, const RenderSettings& settings) {
+  const int most = integer(gl, GL_MAX_RENDERBUFFER_SIZE);
+  if (settings.width > most || settings.height > most) {
+    throw input_error("a picture of {}x{} is larger than OpenGL draws here ({} pixels a side)",
+                      settings.width,
+                      settings.height,
+                      most);
+  }
+  return settings;
+}
+
+// premultiplied colour, as blending leaves it, to the straight alpha of Image
+void unpremultiply(Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const int alpha = image.pixels[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int value = (image.pixels[i + c] * 255 + alpha / 2) / alpha;
+      image.pixels[i + c] = static_cast<std::uint8_t>(std::min(value, 255));
+    }
+  }
+}
+
+}  // namespace
+
+class Renderer::Implementation {
+ public:
+  Implementation(const Context& context, const RenderSettings& settings)
+      : gl_(context),
+        settings_(fitting(gl_, settings)),
+        samples_(samples_to_use(gl_, settings.samples)),
+        program_(gl_, "scene.vert", "scene.frag"),
+        drawn_(gl_, settings.width, settings.height, samples_, true),
+        resolved_(gl_, settings.width, settings.height, 0, false),
+        u_(program_) {
+    info_.backend = context.backend();
+    info_.gl_renderer = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+    info_.gl_version = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+    info_.samples = samples_;
+  }
+
+  void draw(const DrawList& list, Image& image) {
+    {
+      const StageTimer timer(times_.draw);
+      begin(list);
+      for (const DrawItem& item : list.opaque)
+        draw_item(item);
+
+      // translucent shells come back to front and leave the depth of what is behind them
+      gl_.Enable(GL_BLEND);
+      gl_.DepthMask(GL_FALSE);
+      for (const DrawItem& item : list.translucent)
+        draw_item(item);
+      gl_.DepthMask(GL_TRUE);
+      gl_.Disable(GL_BLEND);
+      gl_.Finish();
+    }
+    const StageTimer timer(times_.read_back);
+    read_back(image);
+    refuse_errors();
+    forget_unused_meshes();
+  }
+
+  const RendererInfo& info() const { return info_; }
+  const RenderTimes& times() const { return times_; }
+
+ private:
+  // the uniforms of scene.vert and scene.frag
+  struct Uniforms {
+    explicit Uniforms(const Program& p)
+        : clip_from_world(p.uniform("u_clip_from_world")),
+          world_from_mesh(p.uniform("u_world_from_mesh")),
+          normal_from_mesh(p.uniform("u_normal_from_mesh")),
+          eye(p.uniform("u_eye")),
+          key_light(p.uniform("u_key_light")),
+          fill_light(p.uniform("u_fill_light")),
+          color(p.uniform("u_color")),
+          alpha(p.uniform("u_alpha")),
+          gloss(p.uniform("u_gloss")),
+          mark_color(p.uniform("u_mark_color")),
+          mark_width(p.uniform("u_mark_width")) {}
+    GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
+        alpha, gloss, mark_color, mark_width;
+  };
+
+  struct Uploaded {
+    MeshPtr keep;  // the address is the key, so the mesh must live
+    std::unique_ptr<GpuMesh> gpu;
+    bool used = true;
+  };
+
+  void begin(const DrawList& list) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+    gl_.Viewport(0, 0, settings_.width, settings_.height);
+    const float alpha = settings_.transparent ? 0.0f : 1.0f;
+    const glm::vec3 ground = list.background * alpha;
+    gl_.ClearColor(ground.r, ground.g, ground.b, alpha);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.Enable(GL_CULL_FACE);
+    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+    // the picture is drawn upside down, so that rows are read back from top to bottom; that turns
+    // every triangle round
+    gl_.FrontFace(GL_CW);
+    glm::mat4 flip(1.0f);
+    flip[1][1] = -1.0f;
+    program_.use();
+    const glm::mat4 clip = flip * list.view.clip_from_world;
+    gl_.UniformMatrix4fv(u_.clip_from_world, 1, GL_FALSE, glm::value_ptr(clip));
+    gl_.Uniform3fv(u_.eye, 1, glm::value_ptr(list.view.eye));
+    gl_.Uniform3fv(u_.key_light, 1, glm::value_ptr(list.view.key_light));
+    gl_.Uniform3fv(u_.fill_light, 1, glm::value_ptr(list.view.fill_light));
+  }
+
+  void draw_item(const DrawItem& item) {
+    const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(item.world_from_mesh)));
+    gl_.UniformMatrix4fv(u_.world_from_mesh, 1, GL_FALSE, glm::value_ptr(item.world_from_mesh));
+    gl_.UniformMatrix3fv(u_.normal_from_mesh, 1, GL_FALSE, glm::value_ptr(normals));
+    const Material& material = item.material;
+    gl_.Uniform3fv(u_.color, 1, glm::value_ptr(material.color));
+    gl_.Uniform1f(u_.alpha, material.alpha);
+    gl_.Uniform1f(u_.gloss, material.gloss);
+    gl_.Uniform3fv(u_.mark_color, 1, glm::value_ptr(material.mark_color));
+    gl_.Uniform1f(u_.mark_width, material.mark_width);
+    if (item.faces == Faces::both) {
+      gl_.Disable(GL_CULL_FACE);
+    } else {
+      gl_.Enable(GL_CULL_FACE);
+      gl_.CullFace(item.faces == Faces::front ? GL_BACK : GL_FRONT);
+    }
+    uploaded(item.mesh).draw();
+  }
+
+  const GpuMesh& uploaded(const MeshPtr& mesh) {
+    Uploaded& entry = meshes_[mesh.get()];
+    if (entry.gpu == nullptr) entry = {mesh, std::make_unique<GpuMesh>(gl_, *mesh), true};
+    entry.used = true;
+    return *entry.gpu;
+  }
+
+  void forget_unused_meshes() {
+    for (auto entry = meshes_.begin(); entry != meshes_.end();) {
+      if (!std::exchange(entry->second.used, false)) {
+        entry = meshes_.erase(entry);
+      } else {
+        ++entry;
+      }
+    }
+  }
+
+  void read_back(Image& image) {
+    const int w = settings_.width;
+    const int h = settings_.height;
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+    gl_.BlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    if (image.width != w || image.height != h) image = Image(w, h);
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl_.ReadPixels(0, 0, w, h, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    if (settings_.transparent) unpremultiply(image);
+  }
+
+  void refuse_errors() const {
+    const GLenum error = gl_.GetError();
+    if (error != GL_NO_ERROR) throw environment_error("OpenGL error 0x{:04x} while drawing", error);
+  }
+
+  Gl gl_;
+  RenderSettings settings_;
+  int samples_;
+  Program program_;
+  Framebuffer drawn_;
+  Framebuffer resolved_;
+  Uniforms u_;
+  std::unordered_map<const Mesh*, Uploaded> meshes_;
+  RendererInfo info_;
+  RenderTimes times_;
+};
+
+Renderer::Renderer(const Context& context, const RenderSettings& settings)
+    : implementation_(std::make_unique<Implementation>(context, settings)) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const DrawList& list, Image& image) {
+  implementation_->draw(list, image);
+}
+
+const RendererInfo& Renderer::info() const {
+  return implementation_->info();
+}
+
+const RenderTimes& Renderer::times() const {
+  return implementation_->times();
+}
+
+}  // namespace polhode

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Draws a DrawList into an Image.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/stage_clock.h"
+#include "frame/draw_list.h"
+#include "image/image.h"
+#include "render/context.h"
+
+namespace polhode {
+
+// What draws, for reports.
+struct RendererInfo {
+  std::string backend;      // "osmesa"
+  std::string gl_renderer;  // as OpenGL names it
+  std::string gl_version;
+  int samples = 0;  // per pixel
+};
+
+struct RenderTimes {
+  StageTime draw;       // until the samples are in the framebuffer
+  StageTime read_back;  // resolving samples and copying pixels
+};
+
+struct RenderSettings {
+  int width = 1920;          // pixels
+  int height = 1080;         // pixels
+  int samples = 4;           // wanted per pixel; fewer where the driver has fewer
+  bool transparent = false;  // the background has alpha 0
+};
+
+// Owns a context's objects; used on the thread that opened the context, which must outlive it.
+class Renderer {
+ public:
+  // Throws Error (environment) when OpenGL cannot do what is needed, (input) for a picture larger
+  // than it can draw.
+  Renderer(const Context& context, const RenderSettings& settings);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  // Draws into `image`, which gets the right size. The same list gives the same pixels.
+  void draw(const DrawList& list, Image& image);
+
+  const RendererInfo& info() const;
+  const RenderTimes& times() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "video/plain_sinks.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/hash.h"
+
+namespace polhode {
+namespace {
+
+class HashSink final : public FrameSink {
+ public:
+  explicit HashSink(const SinkJob& job) : file_(job.output) {}
+
+  void push(const Image& frame) override {
+    const StageTimer timer(times_.encode);
+    lines_ += fmt::format("{} {}x{} {}\n",
+                          index_++,
+                          frame.width,
+                          frame.height,
+                          content_hash(frame.pixels.data(), frame.pixels.size()));
+  }
+  void finish() override { write_file(file_.target(), lines_); }
+  SinkTimes times() const override { return times_; }
+
+ private:
+  AtomicFile file_;  // claims the name before work begins
+  std::string lines_;
+  int index_ = 0;
+  SinkTimes times_;
+};
+
+class NullSink final : public FrameSink {
+ public:
+  void push(const Image&) override {}
+  void finish() override {}
+  SinkTimes times() const override { return {}; }
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_hash_sink(const SinkJob& job) {
+  return std::make_unique<HashSink>(job);
+}
+
+std::unique_ptr<FrameSink> make_null_sink(const SinkJob&) {
+  return std::make_unique<NullSink>();
+}
+
+}  // namespace polhode

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "video/png_sink.h"
+
+#include <filesystem>
+#include <regex>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "image/png.h"
+
+namespace polhode {
+namespace {
+
+class PngSink final : public FrameSink {
+ public:
+  explicit PngSink(const SinkJob& job) : file_(job.output), with_alpha_(job.transparent) {
+    if (!job.still) {
+      throw input_error(
+          "one picture needs --still T; a sequence needs a numbered name such as "
+          "name_%05d.png")
+          .at({job.output, 0, {}});
+    }
+  }
+
+  void push(const Image& frame) override {
+    const StageTimer timer(times_.encode);
+    frame_ = frame;
+  }
+  void finish() override {
+    const StageTimer timer(times_.encode);
+    write_png(file_.target(), frame_, with_alpha_);
+  }
+  SinkTimes times() const override { return times_; }
+
+ private:
+  AtomicFile file_;  // claims the name before work begins
+  bool with_alpha_;
+  Image frame_;
+  SinkTimes times_;
+};
+
+class PngSequenceSink final : public FrameSink {
+ public:
+  explicit PngSequenceSink(const SinkJob& job)
+      : name_(parse_numbered_name(job.output)), with_alpha_(job.transparent) {
+    // tells an unwritable folder before any frame is drawn
+    const AtomicFile probe(name_.of(0));
+  }
+  ~PngSequenceSink() override {
+    if (finished_) return;
+    std::error_code ignored;
+    for (int i = 0; i < count_; ++i)
+      std::filesystem::remove(name_.of(i), ignored);
+  }
+  PngSequenceSink(const PngSequenceSink&) = delete;
+  PngSequenceSink& operator=(const PngSequenceSink&) = delete;
+
+  void push(const Image& frame) override {
+    const StageTimer timer(times_.encode);
+    write_png(name_.of(count_), frame, with_alpha_);
+    ++count_;
+  }
+  void finish() override { finished_ = true; }
+  SinkTimes times() const override { return times_; }
+
+ private:
+  NumberedName name_;
+  bool with_alpha_;
+  int count_ = 0;
+  bool finished_ = false;
+  SinkTimes times_;
+};
+
+}  // namespace
+
+std::string NumberedName::of(int index) const {
+  return fmt::format("{}{:0{}d}{}", before, index, width, after);
+}
+
+NumberedName parse_numbered_name(const std::string& pattern) {
+  // never handed to printf: the name is somebody's text
+  static const std::regex form("([^%]*)%(0([1-9]))?d([^%]*)");
+  std::smatch parts;
+  if (!std::regex_match(pattern, parts, form)) {
+    throw input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
+        .at({pattern, 0, {}});
+  }
+  return {parts[1], parts[4], parts[3].matched ? std::stoi(parts[3]) : 0};
+}
+
+std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job) {
+  return std::make_unique<PngSink>(job);
+}
+
+std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job) {
+  return std::make_unique<PngSequenceSink>(job);
+}
+
+}  // namespace polhode

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "video/video_spec.h"
+
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "base/error.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kMostFramesPerSecond = 1000;
+
+// the whole text as a whole number of at most 9 digits
+std::optional<int> whole(const std::string& text) {
+  int value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size() || text.empty() ||
+      text.size() > 9) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+// what a decimal rate most likely means: a whole number, or one of television's over 1001
+std::string exact_rate(double decimal) {
+  const double rounded = std::round(decimal);
+  if (std::abs(decimal - rounded) < 1e-9) return fmt::format("{:.0f}", rounded);
+  const double over = std::round(decimal * 1.001);
+  if (std::abs(decimal - over / 1.001) < 0.005) return fmt::format("{:.0f}/1001", over * 1000);
+  return fmt::format("{:.0f}/1000", decimal * 1000);
+}
+
+}  // namespace
+
+FrameRate parse_frame_rate(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const std::optional<int> above = whole(text.substr(0, slash));
+  const std::optional<int> below =
+      slash == std::string::npos ? std::optional(1) : whole(text.substr(slash + 1));
+  if (!above || !below) {
+    double decimal = 0.0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), decimal);
+    if (failed == std::errc() && end == text.data() + text.size() && decimal > 0.0 &&
+        decimal < kMostFramesPerSecond) {
+      throw input_error(
+          "frame rates are exact: write \"{}\" instead of {}", exact_rate(decimal), text);
+    }
+    throw input_error("'{}' is no frame rate; write 60 or \"30000/1001\"", text.substr(0, 40));
+  }
+  if (*above <= 0 || *below <= 0 || *above < *below ||
+      static_cast<double>(*above) / *below > kMostFramesPerSecond) {
+    throw input_error("must be 1 to {} frames per second, got {}", kMostFramesPerSecond, text);
+  }
+  const int common = std::gcd(*above, *below);
+  return {*above / common, *below / common};
+}
+
+PictureSize parse_picture_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const std::optional<int> width = whole(text.substr(0, cross));
+  const std::optional<int> height =
+      cross == std::string::npos ? std::nullopt : whole(text.substr(cross + 1));
+  if (!width || !height) {
+    throw input_error("'{}' is no picture size; write \"1920x1080\"", text.substr(0, 40));
+  }
+  for (const int side : {*width, *height}) {
+    if (side >= kSmallestSide && side <= kLargestSide) continue;
+    throw input_error("sides must be {} to {} pixels, got {}", kSmallestSide, kLargestSide, text);
+  }
+  return {*width, *height};
+}
+
+const std::vector<std::string>& encoder_presets() {
+  static const std::vector<std::string> names = {"ultrafast",
+                                                 "superfast",
+                                                 "veryfast",
+                                                 "faster",
+                                                 "fast",
+                                                 "medium",
+                                                 "slow",
+                                                 "slower",
+                                                 "veryslow"};
+  return names;
+}
+
+}  // namespace polhode

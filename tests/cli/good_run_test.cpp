@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The real binary from scene to product.
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "image/png.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using testing::Ran;
+using testing::read_text;
+using testing::run_polhode;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+class GoodRun : public ::testing::Test {
+ protected:
+  GoodRun() { write_text(folder_ / "scene.toml", testing::kSmallScene); }
+  std::string scene() const { return "'" + (folder_ / "scene.toml") + "'"; }
+  std::string out(const std::string& name) const { return " -o '" + (folder_ / name) + "'"; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(GoodRun, FilmWithReport) {
+  const Ran ran =
+      run_polhode("render " + scene() + out("a.mp4") + " --report '" + (folder_ / "r.json") + "'");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(folder_.entries(), 3);
+  const auto report = nlohmann::json::parse(read_text(folder_ / "r.json"));
+  EXPECT_EQ(report["frames"], 10);
+  EXPECT_EQ(report["model"], "symmetric");
+  EXPECT_EQ(report["method"], "exact");
+  EXPECT_LT(report["energy_drift"].get<double>(), 1e-14);
+  EXPECT_LT(report["momentum_drift"].get<double>(), 1e-14);
+  EXPECT_EQ(report["fps"], "10/1");
+  EXPECT_EQ(report["scene_hash"].get<std::string>().size(), 32u);
+  EXPECT_FALSE(report["gl_renderer"].get<std::string>().empty());
+  EXPECT_FALSE(report["model_reason"].get<std::string>().empty());
+  for (const char* stage : {"simulate", "compose", "draw", "read_back", "convert", "encode"}) {
+    EXPECT_GE(report["stages"][stage]["wall_s"].get<double>(), 0.0) << stage;
+    EXPECT_GE(report["stages"][stage]["cpu_s"].get<double>(), 0.0) << stage;
+  }
+  EXPECT_GT(report["stages"]["draw"]["cpu_s"].get<double>(), 0.0);
+}
+
+TEST_F(GoodRun, StillIsTheFrameOfTheFilm) {
+  ASSERT_EQ(run_polhode("render " + scene() + out("still.png") + " --still 0.5").code, 0);
+  ASSERT_EQ(run_polhode("render " + scene() + out("f_%03d.png")).code, 0);
+  EXPECT_EQ(read_png(folder_ / "still.png").pixels, read_png(folder_ / "f_005.png").pixels);
+  EXPECT_EQ(folder_.entries(), 1 + 1 + 10);
+}
+
+TEST_F(GoodRun, TransparentStillKeepsAlpha) {
+  ASSERT_EQ(run_polhode("render " + scene() + out("still.png") + " --still 0.5 --transparent").code,
+            0);
+  EXPECT_EQ(read_png(folder_ / "still.png").at(0, 0)[3], 0);
+}
+
+TEST_F(GoodRun, HashesAreTheSameOnBothBackEndsAndTwice) {
+  ASSERT_EQ(run_polhode("render " + scene() + out("a.hash") + " --backend osmesa").code, 0);
+  ASSERT_EQ(run_polhode("render " + scene() + out("b.hash") + " --backend egl").code, 0);
+  EXPECT_EQ(read_text(folder_ / "a.hash"), read_text(folder_ / "b.hash"));
+}
+
+TEST_F(GoodRun, TableOfTheMotion) {
+  const Ran ran = run_polhode("simulate " + scene() + " -o - --rate 4");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy");
+  int rows = 0;
+  std::vector<double> first;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    std::vector<double> row;
+    while (std::getline(cells, cell, ','))
+      row.push_back(std::stod(cell));
+    ASSERT_EQ(row.size(), 15u);
+    EXPECT_EQ(row[0], rows * 0.25);
+    if (rows == 0) first = row;
+    // omega in body axes at the start is the scene's; L in space and the energy never change
+    if (rows == 0) {
+      EXPECT_NEAR(row[5], 1.0, 1e-14);
+      EXPECT_NEAR(row[7], 3.0, 1e-14);
+    }
+    for (const std::size_t i : {8u, 9u, 10u, 14u})
+      EXPECT_NEAR(row[i], first[i], 1e-14 * (1 + std::abs(first[i])));
+    EXPECT_NEAR(std::hypot(std::hypot(row[1], row[2]), std::hypot(row[3], row[4])), 1.0, 1e-14);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 5);
+}
+
+TEST_F(GoodRun, EveryHelpReadsAndEveryListLists) {
+  for (const char* arguments : {"--help",
+                                "render --help",
+                                "simulate --help",
+                                "list --help",
+                                "schema --help",
+                                "doctor --help",
+                                "--version",
+                                "list methods",
+                                "list models",
+                                "list shapes",
+                                "list scenes",
+                                "list formats",
+                                "schema",
+                                "doctor"}) {
+    const Ran ran = run_polhode(arguments);
+    EXPECT_EQ(ran.code, 0) << arguments << ran.err;
+    EXPECT_GT(ran.out.size(), 4u) << arguments;
+    EXPECT_EQ(ran.err, "") << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

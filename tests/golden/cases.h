@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The golden pictures: which scenes at which times, drawn small.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/render_film.h"
+
+namespace polhode::golden {
+
+struct Case {
+  std::string name;   // tests/golden/NAME.png
+  std::string scene;  // scenes/SCENE.toml
+  double time;        // s
+};
+
+inline const std::vector<Case>& cases() {
+  static const std::vector<Case> list = {
+      {"free_symmetric_top", "free_symmetric_top", 1.25},
+      {"free_symmetric_top_oblate", "free_symmetric_top_oblate", 3.0},
+      {"spherical_top", "spherical_top", 0.7},
+      {"feynman_plate", "feynman_plate", 0.4},
+      {"t_handle", "t_handle", 2.0},
+      {"bicycle_wheel", "bicycle_wheel", 1.0},
+      {"heavy_top", "heavy_top", 0.3},
+  };
+  return list;
+}
+
+inline void render(const Case& one, const std::string& output) {
+  RenderJob job;
+  job.scene = POLHODE_SOURCE_DIR "/scenes/" + one.scene + ".toml";
+  job.output = output;
+  job.overrides.size = "320x180";
+  job.still = one.time;
+  render_film(job);
+}
+
+inline std::string reference(const Case& one) {
+  return POLHODE_SOURCE_DIR "/tests/golden/" + one.name + ".png";
+}
+
+// A verdict of three numbers. Drawing is the same everywhere but for low bits of square roots and
+// interpolation on other processors and Mesa versions: up to 3 levels (FACTS of other projects and
+// of Mesa), and edge samples that fall to the other side: a quarter of an edge pixel's contrast.
+inline constexpr int kThreshold = 3;         // levels of 255 that are no difference
+inline constexpr double kFraction = 0.0005;  // of the pixels may differ by more ...
+inline constexpr int kLimit = 70;            // ... but none by more than a quarter of full contrast
+
+}  // namespace polhode::golden

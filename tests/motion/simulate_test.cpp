@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "motion/simulate.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/residual.h"
+#include "support/taylor_oracle.h"
+#include "support/tops.h"
+
+namespace polhode {
+namespace {
+
+using namespace test;
+
+MotionSpec spinning(double duration) {
+  MotionSpec spec;
+  spec.duration = duration;
+  spec.spin.body = Vec3(1.0, 0.3, 3.0);
+  return spec;
+}
+
+NumericsSpec by(const std::string& model, const std::string& method) {
+  NumericsSpec numerics;
+  numerics.model = model;
+  numerics.method = method;
+  return numerics;
+}
+
+double largest_difference(const Motion& a, const Motion& b) {
+  double worst = 0.0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = a.duration() * i / 1000;
+    worst = std::max(worst, rotation_angle_between(a.at(t).q_SB, b.at(t).q_SB));
+  }
+  return worst;
+}
+
+TEST(ModelChoice, TakesTheLeastThatAnswers) {
+  const auto chosen = [](const Model& model) {
+    return simulate(model, spinning(1.0), {}, 1e-6).report.model;
+  };
+  EXPECT_EQ(chosen(free_body({1, 1, 1})), "spherical");
+  EXPECT_EQ(chosen(free_body({1, 1, 1.8})), "symmetric");
+  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1})), "ode");
+}
+
+TEST(ModelChoice, SaysWhy) {
+  const Model top = free_body({1, 1, 1.8});
+  const SimulationReport exact = simulate(top, spinning(1.0), {}, 1e-6).report;
+  EXPECT_EQ(exact.method, "exact");
+  EXPECT_NE(exact.model_reason.find("symmetric oblate"), std::string::npos);
+  EXPECT_FALSE(exact.step.has_value());
+  EXPECT_LE(exact.record.drift.energy, 1e-14);
+
+  const SimulationReport asked = simulate(top, spinning(1.0), by("auto", "rk4"), 1e-6).report;
+  EXPECT_EQ(asked.model, "ode");
+  EXPECT_EQ(asked.method, "rk4");
+  EXPECT_TRUE(asked.step.has_value());
+  EXPECT_EQ(asked.accuracy_rad, 1e-6);
+}
+
+TEST(ModelErrors, NameTheKey) {
+  const Model asymmetric = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
+  const Model top = free_body({1, 1, 1.8});
+  const auto run = [](const Model& model, const NumericsSpec& numerics) {
+    return [&model, numerics] {
+      simulate(model, spinning(1.0), numerics, 1e-6);
+    };
+  };
+  expect_input_error(run(top, by("symetric", "auto")), "numerics.model", "symmetric");
+  expect_input_error(run(top, by("spherical", "auto")), "numerics.model", "not equal");
+  expect_input_error(run(asymmetric, by("symmetric", "auto")), "numerics.model", "gravity");
+  expect_input_error(run(asymmetric, by("auto", "exact")), "numerics.method", "no closed form");
+  expect_input_error(run(top, by("symmetric", "rk4")), "numerics.method", "takes no method");
+  expect_input_error(run(top, by("ode", "rk5")), "numerics.method", "rk4");
+
+  NumericsSpec stepped = by("ode", "dopri5");
+  stepped.step = 0.01;
+  expect_input_error(run(top, stepped), "numerics.step", "tolerance instead");
+  NumericsSpec tolerant = by("ode", "rk4");
+  tolerant.tolerance = 1e-6;
+  expect_input_error(run(top, tolerant), "numerics.tolerance", "step instead");
+
+  NumericsSpec tiny = by("ode", "rk4");
+  tiny.step = 1e-12;
+  expect_input_error(run(top, tiny), "numerics.step", "at most");
+  expect_input_error([&] { simulate(top, spinning(100.0), by("ode", "explicit_euler"), 1e-9); },
+                     "numerics.method",
+                     "cannot reach");
+}
+
+// the accuracy that a run claims, against the closed form of a symmetric top
+struct Claim {
+  const char* method;
+  double accuracy;
+};
+void PrintTo(const Claim& claim, std::ostream* out) {
+  *out << claim.method << claim.accuracy;
+}
+class Refinement : public testing::TestWithParam<Claim> {};
+INSTANTIATE_TEST_SUITE_P(Methods,
+                         Refinement,
+                         testing::Values(Claim{"auto", 1e-3},
+                                         Claim{"auto", 1e-6},
+                                         Claim{"auto", 1e-9},
+                                         Claim{"rk4", 1e-3},
+                                         Claim{"rk4", 1e-8},
+                                         Claim{"implicit_midpoint", 1e-3},
+                                         Claim{"implicit_midpoint", 1e-4},
+                                         Claim{"explicit_euler", 1e-2}),
+                         [](const auto& claim) {
+                           return fmt::format("{}_{}_digits",
+                                              claim.param.method,
+                                              std::lround(-std::log10(claim.param.accuracy)));
+                         });
+
+TEST_P(Refinement, MeetsTheAccuracyItClaims) {
+  const auto [method, accuracy] = GetParam();
+  for (const Vec3& moments : {Vec3(1, 1, 1.8), Vec3(1, 1, 0.2), Vec3(1.7, 1, 1)}) {
+    const Model top = free_body(moments);
+    const Simulation exact = simulate(top, spinning(10.0), {}, accuracy);
+    const Simulation found = simulate(top, spinning(10.0), by("ode", method), accuracy);
+    const double error = largest_difference(found.motion, exact.motion);
+    expect_residual(fmt::format("{} asked for {:g}", method, accuracy), error, accuracy);
+    ASSERT_TRUE(found.report.error_estimate_rad.has_value());
+    EXPECT_LE(*found.report.error_estimate_rad, accuracy);
+    EXPECT_LE(error, 1.5 * *found.report.error_estimate_rad);
+    // and not absurdly finer than asked for
+    EXPECT_GE(error, 1e-5 * accuracy);
+  }
+}
+
+TEST(Simulate, AnAskedForStepIsTaken) {
+  NumericsSpec numerics = by("ode", "rk4");
+  numerics.step = 0.01;
+  const SimulationReport report =
+      simulate(free_body({1, 1, 1.8}), spinning(1.0), numerics, 1e-6).report;
+  EXPECT_EQ(report.record.steps, 100);
+  EXPECT_EQ(report.step, 0.01);
+  EXPECT_FALSE(report.error_estimate_rad.has_value());
+}
+
+TEST(ParseAccuracy, RadiansAndPixels) {
+  EXPECT_EQ(parse_accuracy("0.1px").value, 0.1);
+  EXPECT_TRUE(parse_accuracy("0.1px").pixels);
+  EXPECT_EQ(parse_accuracy("1e-6").value, 1e-6);
+  EXPECT_FALSE(parse_accuracy("1e-6").pixels);
+  for (const char* wrong : {"", "px", "0", "-1", "0px", "nan", "inf", "1 rad", "0.1pxx", "1e999"}) {
+    expect_input_error([&] { parse_accuracy(wrong); }, "", "no accuracy");
+  }
+}
+
+TEST(Names, StartWithAutoAndCoverTheTables) {
+  EXPECT_EQ(model_names().size(), motion_models().size() + 1);
+  EXPECT_EQ(model_names().front(), "auto");
+  EXPECT_EQ(model_names().back(), "ode");
+  EXPECT_EQ(method_names().size(), stepper_table().size() + 2);
+  EXPECT_EQ(method_names().front(), "auto");
+}
+
+}  // namespace
+}  // namespace polhode

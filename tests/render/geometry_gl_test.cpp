@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Pictures against projected geometry: what is computed by Camera::project is found in the pixels.
+// Coverage is read from the alpha channel of transparent pictures, so shading plays no part.
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "frame/compose.h"
+#include "frame/to_glm.h"
+#include "render/renderer.h"
+#include "support/motions.h"
+
+namespace polhode {
+namespace {
+
+constexpr FrameSize kSize{640, 480};
+
+Image draw(const DrawList& list, const std::string& backend = "osmesa") {
+  const std::unique_ptr<Context> context = open_context(backend);
+  Renderer renderer(*context, {kSize.width, kSize.height, 4, true});
+  Image image;
+  renderer.draw(list, image);
+  return image;
+}
+
+// calls f(pixel centre, coverage 0..1) for every pixel that something covers
+void for_covered(const Image& image, const std::function<void(const Vec2&, double)>& f) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double alpha = image.at(x, y)[3] / 255.0;
+      if (alpha > 0.0) f(Vec2(x + 0.5, y + 0.5), alpha);
+    }
+  }
+}
+
+// A straight-sided tip has a width that falls linearly to zero and a middle that moves linearly:
+// both lines, fitted between `from` and `to` pixels behind the expected tip, meet at the tip that
+// was drawn.
+Vec2 find_tip(
+    const Image& image, const Vec2& expected, const Vec2& backwards, double from, double to) {
+  const Vec2 back = backwards.normalized();
+  const Vec2 across(-back.y(), back.x());
+  const int bins = static_cast<int>((to - from) / 2.0);
+  std::vector<double> width(static_cast<std::size_t>(bins)), middle(width.size());
+  for_covered(image, [&](const Vec2& p, double alpha) {
+    const double s = (p - expected).dot(back);
+    const int bin = static_cast<int>(std::floor((s - from) / 2.0));
+    if (bin < 0 || bin >= bins) return;
+    width[static_cast<std::size_t>(bin)] += alpha / 2.0;
+    middle[static_cast<std::size_t>(bin)] += alpha / 2.0 * (p - expected).dot(across);
+  });
+  double n = 0, s1 = 0, s2 = 0, w1 = 0, ws = 0, m1 = 0, ms = 0;
+  for (int i = 0; i < bins; ++i) {
+    const double s = from + 2.0 * i + 1.0;
+    const double w = width[static_cast<std::size_t>(i)];
+    const double m = middle[static_cast<std::size_t>(i)] / w;
+    n += 1, s1 += s, s2 += s * s, w1 += w, ws += w * s, m1 += m, ms += m * s;
+  }
+  const double det = n * s2 - s1 * s1;
+  const double slope = (n * ws - s1 * w1) / det;
+  const double tip_s = -(w1 - slope * s1) / n / slope;
+  const double middle_slope = (n * ms - s1 * m1) / det;
+  const double tip_across = (m1 - middle_slope * s1) / n + middle_slope * tip_s;
+  return expected + tip_s * back + tip_across * across;
+}
+
+Camera test_camera() {
+  return {Vec3(4, 1, 1.5), Vec3(0, 0, 0), 0.6, kSize, Vec3::Zero(), 1.5};
+}
+
+class ArrowTip : public ::testing::TestWithParam<Vec3> {};
+
+TEST_P(ArrowTip, IsWithinHalfAPixelOfTheVectorsEnd) {
+  const Camera camera = test_camera();
+  DrawList list;
+  list.view = camera.view();
+  const ArrowShape shape{0.03, 0.12, 0.5};
+  add_arrow(list.opaque, arrow_meshes(96), Vec3::Zero(), GetParam(), shape, Material{});
+  const Image image = draw(list);
+
+  const Vec2 tip = camera.project(GetParam());
+  const Vec3 neck = GetParam() * (1.0 - shape.head_length / GetParam().norm());
+  const Vec2 back = camera.project(neck) - tip;
+  const Vec2 found = find_tip(image, tip, back, 0.25 * back.norm(), 0.75 * back.norm());
+  EXPECT_LT((found - tip).norm(), 0.5)
+      << "found " << found.transpose() << ", tip " << tip.transpose();
+}
+INSTANTIATE_TEST_SUITE_P(Directions,
+                         ArrowTip,
+                         ::testing::Values(Vec3(0, 0, 1),
+                                           Vec3(0, 1, 0),
+                                           Vec3(0, -1, -0.4),
+                                           Vec3(0.4, 0.7, 0.6),
+                                           Vec3(-0.5, -0.6, 0.8)));
+
+// the same check must fail for an arrow that ends elsewhere: a net that catches
+TEST(ArrowTip, AShiftOfOnePixelIsSeen) {
+  const Camera camera = test_camera();
+  const Vec3 end(0, 0, 1);
+  DrawList list;
+  list.view = camera.view();
+  const double metre_per_pixel = 1.0 / camera.pixels_per_metre(end);
+  add_arrow(list.opaque,
+            arrow_meshes(96),
+            Vec3::Zero(),
+            end + Vec3(0, 0, metre_per_pixel),
+            {0.03, 0.12, 0.5},
+            Material{});
+  const Vec2 tip = camera.project(end);
+  const Vec2 back = camera.project(0.5 * end) - tip;
+  const Vec2 found = find_tip(draw(list), tip, back, 0.25 * back.norm(), 0.75 * back.norm());
+  EXPECT_GT((found - tip).norm(), 0.5);
+}
+
+Cone test_cone() {
+  return {Vec3(0.05, 0.1, -0.6), Vec3(0.1, 0.2, 1).normalized(), 0.5, 1.3, 0.006, Material{}};
+}
+
+TEST(ConePicture, ApexIsWithinHalfAPixel) {
+  const Camera camera = test_camera();
+  const Cone cone = test_cone();  // opaque, so that alpha is coverage
+  DrawList list;
+  list.view = camera.view();
+  add_cones(list, cone_meshes(128), {cone}, camera.eye());
+  list.opaque.clear();  // the shell alone
+  const Vec2 apex = camera.project(cone.apex);
+  const Vec2 along = camera.project(cone.apex + 0.5 * cone.axis) - apex;
+  const Vec2 found = find_tip(draw(list), apex, along, 0.3 * along.norm(), along.norm());
+  EXPECT_LT((found - apex).norm(), 0.5);
+}
+
+TEST(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
+  const Camera camera = test_camera();
+  const Cone cone = test_cone();
+  DrawList list;
+  list.view = camera.view();
+  add_cones(list, cone_meshes(128), {cone}, camera.eye());
+  list.translucent.clear();  // the rim alone
+  const Image image = draw(list);
+
+  const Mat3 R = Quat::FromTwoVectors(Vec3::UnitZ(), cone.axis).toRotationMatrix();
+  const auto rim = [&](double angle) {
+    const double across = std::sin(cone.half_angle);
+    return camera.project(cone.apex + cone.slant * (R * Vec3(across * std::cos(angle),
+                                                             across * std::sin(angle),
+                                                             std::cos(cone.half_angle))));
+  };
+  int checked = 0;
+  for (double angle = 0.1; angle < 2 * kPi; angle += 0.35) {
+    // the middle of the tube's width around this point of the rim
+    const Vec2 point = rim(angle);
+    const Vec2 tangent = (rim(angle + 1e-4) - rim(angle - 1e-4)).normalized();
+    const Vec2 normal(-tangent.y(), tangent.x());
+    double weight = 0.0;
+    double sum = 0.0;
+    for_covered(image, [&](const Vec2& p, double alpha) {
+      if (std::abs((p - point).dot(tangent)) > 4.0 || std::abs((p - point).dot(normal)) > 6.0)
+        return;
+      weight += alpha;
+      sum += alpha * (p - point).dot(normal);
+    });
+    ASSERT_GT(weight, 1.0);
+    EXPECT_LT(std::abs(sum / weight), 0.5) << "at angle " << angle;
+    ++checked;
+  }
+  EXPECT_GE(checked, 15);
+}
+
+// a ball covers the ellipse that the pinhole projection of a sphere is: area and centre
+TEST(BodyPicture, BallHasItsProjectedAreaAndCentre) {
+  const double radius = 0.5;
+  const double distance = 4.0;
+  const double fov = 0.6;
+  const Camera camera(Vec3(distance, 0, 0), Vec3::Zero(), fov, kSize, Vec3::Zero(), radius);
+  SolidSpec ball;
+  ball.kind = "sphere";
+  ball.radius = radius;
+  DrawList list;
+  list.view = camera.view();
+  list.opaque.push_back({std::make_shared<const Mesh>(solid_mesh(ball, 256)), glm::mat4(1.0f), {}});
+  double area = 0.0;
+  Vec2 centre = Vec2::Zero();
+  for_covered(draw(list), [&](const Vec2& p, double alpha) {
+    area += alpha;
+    centre += alpha * p;
+  });
+  const double focal = 0.5 * kSize.height / std::tan(0.5 * fov);
+  const double radius_px = focal * radius / std::sqrt(distance * distance - radius * radius);
+  EXPECT_NEAR(area, kPi * radius_px * radius_px, 0.002 * area);
+  EXPECT_NEAR((centre / area - Vec2(320, 240)).norm(), 0.0, 0.05);
+}
+
+// a whole scene: the tips that the composer promises are where its arrows end
+TEST(ScenePicture, TipsOfOmegaAndMomentum) {
+  for (const bool momentum : {true, false}) {
+    ShowSpec show;
+    show.body = show.axes = show.space_axes = show.space_cone = show.body_cone = false;
+    show.omega = !momentum;
+    show.momentum = momentum;
+    const BodySpec body = testing::prolate_body();
+    const Motion motion = testing::moving(body, testing::wobbling());
+    const Composer composer(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
+    for (const double t : {0.0, 1.3, 2.9}) {
+      const Sample s = motion.at(t);
+      const Vec3 end = momentum ? composer.momentum_tip(s) : composer.omega_tip(s);
+      const Vec2 tip = composer.camera().project(end);
+      const Vec2 back =
+          composer.camera().project(end - 0.17 * composer.scale().body * end.normalized()) - tip;
+      const Vec2 found =
+          find_tip(draw(composer.at(t)), tip, back, 0.25 * back.norm(), 0.75 * back.norm());
+      EXPECT_LT((found - tip).norm(), 0.5) << t;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "frame/compose.h"
+#include "render/renderer.h"
+#include "support/motions.h"
+
+namespace polhode {
+namespace {
+
+constexpr FrameSize kSize{320, 180};
+
+DrawList example(double t) {
+  const BodySpec body = testing::prolate_body();
+  return Composer(testing::moving(body, testing::wobbling()),
+                  body,
+                  CameraSpec{},
+                  ShowSpec{},
+                  ThemeSpec{},
+                  kSize)
+      .at(t);
+}
+
+Image draw(const DrawList& list, const std::string& backend, bool transparent = false) {
+  const std::unique_ptr<Context> context = open_context(backend);
+  Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent});
+  Image image;
+  renderer.draw(list, image);
+  return image;
+}
+
+TEST(Renderer, BothBackEndsGiveTheSameBytes) {
+  EXPECT_EQ(draw(example(0.4), "osmesa").pixels, draw(example(0.4), "egl").pixels);
+}
+
+TEST(Renderer, OrderOfFramesDoesNotMatter) {
+  const std::unique_ptr<Context> context = open_context("auto");
+  Renderer renderer(*context, {kSize.width, kSize.height, 4, false});
+  Image first;
+  Image other;
+  Image again;
+  renderer.draw(example(0.4), first);
+  renderer.draw(example(3.1), other);
+  renderer.draw(example(0.4), again);
+  EXPECT_EQ(first.pixels, again.pixels);
+  EXPECT_NE(first.pixels, other.pixels);
+}
+
+TEST(Renderer, CornersAreTheBackground) {
+  DrawList list = example(0.4);
+  list.background = glm::vec3(16, 32, 200) / 255.0f;
+  const Image image = draw(list, "auto");
+  for (const auto& [x, y] : {std::pair{0, 0}, {319, 0}, {0, 179}, {319, 179}}) {
+    EXPECT_EQ(image.at(x, y)[0], 16);
+    EXPECT_EQ(image.at(x, y)[1], 32);
+    EXPECT_EQ(image.at(x, y)[2], 200);
+    EXPECT_EQ(image.at(x, y)[3], 255);
+  }
+}
+
+// a transparent picture laid over the background is the opaque picture
+TEST(Renderer, TransparentPictureCompositesToTheOpaqueOne) {
+  const DrawList list = example(0.4);
+  const Image opaque = draw(list, "auto");
+  const Image clear = draw(list, "auto", true);
+  EXPECT_EQ(clear.at(0, 0)[3], 0);
+  int worst = 0;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const double alpha = clear.at(x, y)[3] / 255.0;
+      for (int c = 0; c < 3; ++c) {
+        const double over = clear.at(x, y)[c] * alpha + 255.0 * list.background[c] * (1.0 - alpha);
+        worst = std::max(worst, static_cast<int>(std::abs(over - opaque.at(x, y)[c])));
+      }
+    }
+  }
+  EXPECT_LE(worst, 2);
+}
+
+// the mark shows the spin: the same solid half a turn later is another picture
+TEST(Renderer, MarkTellsHalfATurn) {
+  BodySpec body = testing::ellipsoid_body({0.1, 0.1, 0.1});
+  MotionSpec motion;
+  motion.spin.body = Vec3(0, 0, 3.14159265358979);
+  motion.duration = 2.0;
+  ShowSpec show;
+  show.omega = show.momentum = show.space_axes = false;
+  const Composer composer(
+      testing::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Image now = draw(composer.at(0.0), "auto");
+  const Image half = draw(composer.at(1.0), "auto");
+  const Image full = draw(composer.at(2.0), "auto");
+  int differs_half = 0;
+  int differs_full = 0;
+  for (std::size_t i = 0; i < now.pixels.size(); ++i) {
+    differs_half += std::abs(now.pixels[i] - half.pixels[i]) > 12 ? 1 : 0;
+    differs_full += std::abs(now.pixels[i] - full.pixels[i]) > 12 ? 1 : 0;
+  }
+  EXPECT_GT(differs_half, 2000);
+  EXPECT_LT(differs_full, 20);
+}
+
+// edges are smooth: a slanted edge has several levels between inside and outside
+TEST(Renderer, EdgesAreMultisampled) {
+  const std::unique_ptr<Context> context = open_context("auto");
+  const Renderer renderer(*context, {64, 64, 4, false});
+  EXPECT_EQ(renderer.info().samples, 4);
+  const Image image = draw(example(0.4), "auto", true);
+  int partial = 0;
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+    partial += image.pixels[i] > 40 && image.pixels[i] < 70 ? 1 : 0;
+  }
+  EXPECT_GT(partial, 20) << "pixels a quarter covered";
+}
+
+TEST(Renderer, AbsurdSizeIsAnInputError) {
+  const std::unique_ptr<Context> context = open_context("auto");
+  try {
+    const Renderer renderer(*context, {200000, 16, 4, false});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+  }
+}
+
+TEST(OpenContext, UnknownBackEndNamesTheNearest) {
+  try {
+    open_context("osmessa");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_NE(std::string(error.what()).find("'osmesa'"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace polhode
