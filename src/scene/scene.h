@@ -42,6 +42,7 @@ void fields(Visitor& v, Scene& s) {
 }
 
 // Reads a scene. Throws Error (input) with file, line and key for everything that is wrong in it.
+// Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
 // The same for text in memory; `name` stands for the file in messages.
 Scene parse_scene(std::string_view text, const std::string& name);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "base/atomic_file.h"
+
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include "base/error.h"
+#include "base/interrupt.h"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own for each test.
+class AtomicFileTest : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / ("polhode_atomic_" + std::to_string(getpid()));
+  const fs::path target_ = folder_ / "out.txt";
+};
+
+TEST_F(AtomicFileTest, appears_whole_on_commit) {
+  {
+    AtomicFile file(target_);
+    std::ofstream(file.part()) << "new";
+    EXPECT_FALSE(fs::exists(target_));
+    file.commit();
+  }
+  EXPECT_EQ(read_file(target_), "new");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(AtomicFileTest, leaves_nothing_when_abandoned) {
+  {
+    AtomicFile file(target_);
+    std::ofstream(file.part()) << "new";
+  }
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+TEST_F(AtomicFileTest, leaves_the_old_file_when_abandoned) {
+  write_file(target_, "old");
+  {
+    AtomicFile file(target_);
+    std::ofstream(file.part()) << "new";
+  }
+  EXPECT_EQ(read_file(target_), "old");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(AtomicFileTest, replaces_the_old_file_on_commit) {
+  write_file(target_, "old");
+  write_file(target_, std::string("n\0w", 3));
+  EXPECT_EQ(read_file(target_), std::string("n\0w", 3));
+}
+
+// the input error of opening a target, "" when there is none
+std::string error_of(const fs::path& target) {
+  try {
+    AtomicFile file(target);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_EQ(error.place().file, target.string());
+    return error.message();
+  }
+  return "";
+}
+
+TEST_F(AtomicFileTest, refuses_a_missing_folder) {
+  EXPECT_NE(error_of(folder_ / "none" / "out.txt").find("does not exist"), std::string::npos);
+}
+
+TEST_F(AtomicFileTest, refuses_a_folder_as_target) {
+  EXPECT_EQ(error_of(folder_), "is a folder; give a file name");
+  EXPECT_TRUE(fs::is_directory(folder_));
+}
+
+TEST_F(AtomicFileTest, refuses_an_unwritable_folder) {
+  // root may write everywhere but where the kernel itself says no
+  if (geteuid() == 0) {
+    EXPECT_NE(error_of("/proc/out.txt").find("cannot write here"), std::string::npos);
+    return;
+  }
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_NE(error_of(target_).find("cannot write here"), std::string::npos);
+}
+
+TEST_F(AtomicFileTest, reading_stops_at_the_limit) {
+  write_file(target_, "12345");
+  EXPECT_EQ(read_file(target_, 5), "12345");
+  EXPECT_THROW(read_file(target_, 4), Error);
+  EXPECT_THROW(read_file("/dev/zero", 1000000), Error);
+}
+
+// the exit code of a child that runs `work`; -1 when it ended otherwise
+template <class Work>
+int exit_code_of_child(Work work) {
+  const pid_t child = fork();
+  if (child == 0) _exit(work());
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(AtomicFileTest, a_full_disk_leaves_nothing) {
+  // a limit on the size of files stands for the full disk
+  const int code = exit_code_of_child([&] {
+    watch_for_interrupt();
+    const rlimit limit{1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_file(target_, std::string(100000, 'x'));
+    } catch (const Error& error) {
+      return static_cast<int>(error.fault());
+    }
+    return 0;
+  });
+  EXPECT_EQ(code, static_cast<int>(Fault::environment));
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+TEST(Interrupt, a_signal_becomes_an_error) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const int code = exit_code_of_child([&] {
+      watch_for_interrupt();
+      try {
+        stop_if_interrupted();
+      } catch (...) {
+        return 1;
+      }
+      raise(signal);
+      try {
+        stop_if_interrupted();
+      } catch (const Error& error) {
+        return static_cast<int>(error.fault());
+      }
+      return 0;
+    });
+    EXPECT_EQ(code, 130);
+  }
+}
+
+TEST(Interrupt, a_second_signal_ends_the_process) {
+  const int code = exit_code_of_child([] {
+    watch_for_interrupt();
+    raise(SIGINT);
+    raise(SIGINT);
+    return 0;
+  });
+  EXPECT_EQ(code, -1);
+}
+
+}  // namespace
+}  // namespace polhode

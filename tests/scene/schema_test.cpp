@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "scene/schema.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/canonical.h"
+#include "scene/scene_texts.h"
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(Schema, has_every_spelling_with_its_unit) {
+  const Json solid = scene_schema()["properties"]["body"]["properties"]["solid"];
+  EXPECT_EQ(solid["properties"]["radius"]["description"], "radius (m)");
+  EXPECT_EQ(solid["properties"]["radius_cm"]["description"], "radius (cm)");
+  EXPECT_EQ(solid["additionalProperties"], false);
+  EXPECT_EQ(solid["required"], Json::array({"kind"}));
+}
+
+TEST(Schema, converts_ranges_to_the_unit_of_the_key) {
+  const Json camera = scene_schema()["properties"]["camera"]["properties"];
+  EXPECT_EQ(camera["fov"]["maximum"], 2.6);
+  EXPECT_NEAR(camera["fov_deg"]["maximum"].get<double>(), 148.969, 1e-3);
+}
+
+TEST(Schema, shares_the_video_table) {
+  const Json video = scene_schema()["properties"]["video"]["properties"];
+  EXPECT_TRUE(video.contains("fps"));
+  EXPECT_TRUE(video.contains("theme"));
+}
+
+// check_schema.py runs this test alone and judges what it writes with an independent validator
+TEST(Schema, is_written_for_the_validator) {
+  const char* file = std::getenv("POLHODE_SCHEMA_CASES");
+  if (file == nullptr) GTEST_SKIP() << "only for check_schema.py";
+  Json cases{{"schema", scene_schema()}, {"good", Json::array()}, {"bad", Json::array()}};
+  for (const SceneText& good : good_scenes()) {
+    const Json canonical = scene_to_json(parse_scene(good.text, "t"));
+    cases["good"].push_back({{"name", good.name}, {"text", good.text}, {"canonical", canonical}});
+  }
+  for (const BadSceneText& bad : bad_scenes()) {
+    if (bad.schema_too) cases["bad"].push_back({{"name", bad.name}, {"text", bad.text}});
+  }
+  std::ofstream(file) << cases.dump(1);
+}
+
+}  // namespace
+}  // namespace polhode
