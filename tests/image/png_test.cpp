@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "image/png.h"
+
+#include <filesystem>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/compare.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+Image noise(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  Image image(width, height);
+  for (std::uint8_t& value : image.pixels)
+    value = static_cast<std::uint8_t>(random() & 255);
+  return image;
+}
+
+TEST(Png, KeepsEveryByteWithAlpha) {
+  const testing::TemporaryFolder folder;
+  const Image image = noise(37, 23, 1);
+  write_png(folder / "a.png", image, true);
+  const Image back = read_png(folder / "a.png");
+  EXPECT_EQ(back.width, 37);
+  EXPECT_EQ(back.height, 23);
+  EXPECT_EQ(back.pixels, image.pixels);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {
+  const testing::TemporaryFolder folder;
+  const Image image = noise(20, 10, 2);
+  write_png(folder / "a.png", image, false);
+  const Image back = read_png(folder / "a.png");
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    EXPECT_EQ(back.pixels[i], i % 4 == 3 ? 255 : image.pixels[i]);
+  }
+}
+
+TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
+  const testing::TemporaryFolder folder;
+  testing::write_text(folder / "a.png", "not a picture");
+  const std::string whole = [&] {
+    write_png(folder / "b.png", noise(20, 10, 3), true);
+    return testing::read_text(folder / "b.png");
+  }();
+  testing::write_text(folder / "cut.png", whole.substr(0, whole.size() / 2));
+  for (const char* name : {"a.png", "cut.png", "missing.png"}) {
+    try {
+      read_png(folder / name);
+      FAIL() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos);
+    }
+  }
+}
+
+TEST(Png, AnUnwritablePlaceLeavesNothing) {
+  const testing::TemporaryFolder folder;
+  EXPECT_THROW(write_png(folder / "nowhere/a.png", noise(4, 4, 4), true), Error);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Compare, FindsTheOnePixelThatDiffers) {
+  const Image a = noise(16, 8, 5);
+  Image b = a;
+  EXPECT_EQ(compare(a, b, 0).largest, 0);
+  EXPECT_EQ(compare(a, b, 0).fraction_over, 0.0);
+  b.at(3, 4)[1] = static_cast<std::uint8_t>(b.at(3, 4)[1] ^ 0x40);
+  const Difference difference = compare(a, b, 10);
+  EXPECT_EQ(difference.largest, 0x40);
+  EXPECT_DOUBLE_EQ(difference.fraction_over, 1.0 / (16 * 8));
+  EXPECT_DOUBLE_EQ(difference.mean, 64.0 / (16 * 8 * 4));
+  EXPECT_EQ(compare(a, b, 64).fraction_over, 0.0) << "the threshold itself is allowed";
+  EXPECT_EQ(difference_picture(a, b, 2).at(3, 4)[1], 128);
+  EXPECT_EQ(difference_picture(a, b, 2).at(2, 4)[1], 0);
+}
+
+TEST(Compare, DifferentSizesCannotBeCompared) {
+  EXPECT_THROW(compare(noise(4, 4, 1), noise(4, 5, 1), 0), Error);
+}
+
+}  // namespace
+}  // namespace polhode

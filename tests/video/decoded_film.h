@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Reads a film back through libav, as a player would.
+#pragma once
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libswscale/swscale.h>
+}
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+
+namespace polhode::testing {
+
+struct DecodedFilm {
+  AVRational time_base{};
+  AVRational avg_frame_rate{};
+  AVRational r_frame_rate{};
+  std::int64_t start_time = 0;
+  std::int64_t duration = 0;  // in time_base
+  int profile = 0;
+  int pixel_format = 0;
+  int range = 0;
+  int matrix = 0;
+  int primaries = 0;
+  int transfer = 0;
+  std::string title;
+  std::vector<std::int64_t> pts;  // in time_base, in order of display
+  std::vector<bool> key;
+  std::vector<Image> frames;  // full-range RGBA through BT.709
+};
+
+inline Image to_rgba(const AVFrame& frame) {
+  SwsContext* sws = sws_getContext(frame.width,
+                                   frame.height,
+                                   static_cast<AVPixelFormat>(frame.format),
+                                   frame.width,
+                                   frame.height,
+                                   AV_PIX_FMT_RGBA,
+                                   SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_BILINEAR,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr);
+  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  sws_setColorspaceDetails(sws, bt709, 0, bt709, 1, 0, 1 << 16, 1 << 16);
+  Image image(frame.width, frame.height);
+  std::uint8_t* rows[] = {image.pixels.data()};
+  const int strides[] = {4 * frame.width};
+  sws_scale(sws, frame.data, frame.linesize, 0, frame.height, rows, strides);
+  sws_freeContext(sws);
+  return image;
+}
+
+inline DecodedFilm decode(const std::string& file) {
+  DecodedFilm film;
+  AVFormatContext* format = nullptr;
+  EXPECT_EQ(avformat_open_input(&format, file.c_str(), nullptr, nullptr), 0) << file;
+  if (format == nullptr) return film;
+  avformat_find_stream_info(format, nullptr);
+  const AVStream* stream = format->streams[0];
+  film.time_base = stream->time_base;
+  film.avg_frame_rate = stream->avg_frame_rate;
+  film.r_frame_rate = stream->r_frame_rate;
+  film.start_time = stream->start_time;
+  film.duration = stream->duration;
+  film.profile = stream->codecpar->profile;
+  film.pixel_format = stream->codecpar->format;
+  film.range = stream->codecpar->color_range;
+  film.matrix = stream->codecpar->color_space;
+  film.primaries = stream->codecpar->color_primaries;
+  film.transfer = stream->codecpar->color_trc;
+  const AVDictionaryEntry* title = av_dict_get(format->metadata, "title", nullptr, 0);
+  if (title != nullptr) film.title = title->value;
+
+  AVCodecContext* decoder =
+      avcodec_alloc_context3(avcodec_find_decoder(stream->codecpar->codec_id));
+  avcodec_parameters_to_context(decoder, stream->codecpar);
+  avcodec_open2(decoder, nullptr, nullptr);
+  AVPacket* packet = av_packet_alloc();
+  AVFrame* frame = av_frame_alloc();
+  bool more = true;
+  while (more) {
+    more = av_read_frame(format, packet) == 0;
+    avcodec_send_packet(decoder, more ? packet : nullptr);
+    av_packet_unref(packet);
+    while (avcodec_receive_frame(decoder, frame) == 0) {
+      film.pts.push_back(frame->pts);
+      film.key.push_back(frame->key_frame != 0);
+      film.frames.push_back(to_rgba(*frame));
+    }
+  }
+  av_frame_free(&frame);
+  av_packet_free(&packet);
+  avcodec_free_context(&decoder);
+  avformat_close_input(&format);
+  return film;
+}
+
+}  // namespace polhode::testing

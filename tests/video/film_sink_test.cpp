@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Films, decoded again.
+#include "video/film_sink.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/error.h"
+#include "support/run.h"
+#include "video/decoded_film.h"
+
+namespace polhode {
+namespace {
+
+using testing::decode;
+using testing::DecodedFilm;
+using testing::TemporaryFolder;
+
+SinkJob job_for(const std::string& output, FrameRate fps = {60, 1}) {
+  SinkJob job;
+  job.output = output;
+  job.width = 64;
+  job.height = 48;
+  job.fps = fps;
+  job.encoder.preset = "veryfast";
+  job.title = "Title \"with\" <marks> & umlauts ü";
+  return job;
+}
+
+Image flat(const SinkJob& job, int r, int g, int b) {
+  Image image(job.width, job.height);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    image.pixels[i] = static_cast<std::uint8_t>(r);
+    image.pixels[i + 1] = static_cast<std::uint8_t>(g);
+    image.pixels[i + 2] = static_cast<std::uint8_t>(b);
+    image.pixels[i + 3] = 255;
+  }
+  return image;
+}
+
+// a white square that walks over grey
+Image moving(const SinkJob& job, int index) {
+  Image image = flat(job, 90, 100, 110);
+  for (int y = 10; y < 20; ++y) {
+    for (int x = 0; x < 10; ++x)
+      std::fill_n(image.at((x + index) % job.width, y), 3, std::uint8_t{255});
+  }
+  return image;
+}
+
+DecodedFilm film_of(const SinkJob& job, int frames) {
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  for (int i = 0; i < frames; ++i)
+    sink->push(moving(job, i));
+  sink->finish();
+  return decode(job.output);
+}
+
+class FrameRates : public ::testing::TestWithParam<FrameRate> {};
+
+TEST_P(FrameRates, CountTimestampsAndRateAreExact) {
+  const TemporaryFolder folder;
+  const FrameRate fps = GetParam();
+  for (const int frames : {1, 2, 61}) {
+    const DecodedFilm film = film_of(job_for(folder / "a.mp4", fps), frames);
+    ASSERT_EQ(film.pts.size(), static_cast<std::size_t>(frames));
+    EXPECT_EQ(film.start_time, 0);
+    const AVRational exact{fps.numerator, fps.denominator};
+    EXPECT_EQ(av_cmp_q(film.avg_frame_rate, exact), 0);
+    if (frames > 2) {
+      EXPECT_EQ(av_cmp_q(film.r_frame_rate, exact), 0);
+    }
+    // frame k is shown at exactly k / fps, and the film lasts exactly frames / fps
+    const AVRational frame_time{fps.denominator, fps.numerator};
+    for (int k = 0; k < frames; ++k) {
+      EXPECT_EQ(av_compare_ts(film.pts[static_cast<std::size_t>(k)], film.time_base, k, frame_time),
+                0)
+          << k;
+    }
+    EXPECT_EQ(av_compare_ts(film.duration, film.time_base, frames, frame_time), 0);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Rates,
+                         FrameRates,
+                         ::testing::Values(FrameRate{60, 1},
+                                           FrameRate{30000, 1001},
+                                           FrameRate{25, 1},
+                                           FrameRate{24000, 1001}));
+
+TEST(Film, IsTaggedForEveryPlayer) {
+  const TemporaryFolder folder;
+  const DecodedFilm film = film_of(job_for(folder / "a.mp4"), 5);
+  EXPECT_EQ(film.profile, FF_PROFILE_H264_HIGH);
+  EXPECT_EQ(film.pixel_format, AV_PIX_FMT_YUV420P);
+  EXPECT_EQ(film.range, AVCOL_RANGE_MPEG);
+  EXPECT_EQ(film.matrix, AVCOL_SPC_BT709);
+  EXPECT_EQ(film.primaries, AVCOL_PRI_BT709);
+  EXPECT_EQ(film.transfer, AVCOL_TRC_BT709);
+  EXPECT_EQ(film.title, "Title \"with\" <marks> & umlauts ü");
+}
+
+// the boxes of the file, in order: the index comes before the data
+TEST(Film, IndexIsInFront) {
+  const TemporaryFolder folder;
+  film_of(job_for(folder / "a.mp4"), 5);
+  const std::string bytes = testing::read_text(folder / "a.mp4");
+  std::vector<std::string> boxes;
+  for (std::size_t at = 0; at + 8 <= bytes.size();) {
+    std::size_t size = 0;
+    for (int i = 0; i < 4; ++i)
+      size = size << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+    boxes.push_back(bytes.substr(at + 4, 4));
+    ASSERT_GE(size, 8u);
+    at += size;
+  }
+  const auto moov = std::find(boxes.begin(), boxes.end(), "moov");
+  const auto mdat = std::find(boxes.begin(), boxes.end(), "mdat");
+  ASSERT_NE(moov, boxes.end());
+  ASSERT_NE(mdat, boxes.end());
+  EXPECT_LT(moov, mdat);
+  EXPECT_EQ(boxes.front(), "ftyp");
+}
+
+TEST(Film, HasAKeyframeAtLeastEverySecond) {
+  const TemporaryFolder folder;
+  const DecodedFilm film = film_of(job_for(folder / "a.mp4", {24, 1}), 80);
+  ASSERT_TRUE(film.key[0]);
+  int since = 0;
+  for (const bool key : film.key) {
+    since = key ? 0 : since + 1;
+    EXPECT_LT(since, 24);
+  }
+}
+
+struct Color {
+  int r, g, b;
+};
+class Colors : public ::testing::TestWithParam<Color> {};
+
+TEST_P(Colors, ComeBackWithinTwoLevels) {
+  const TemporaryFolder folder;
+  const SinkJob job = job_for(folder / "a.mp4");
+  const auto [r, g, b] = GetParam();
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  for (int i = 0; i < 3; ++i)
+    sink->push(flat(job, r, g, b));
+  sink->finish();
+  const DecodedFilm film = decode(job.output);
+  ASSERT_EQ(film.frames.size(), 3u);
+  for (const auto& [x, y] : {std::pair{0, 0}, {63, 0}, {0, 47}, {63, 47}, {32, 24}}) {
+    const std::uint8_t* pixel = film.frames[1].at(x, y);
+    EXPECT_NEAR(pixel[0], r, 2);
+    EXPECT_NEAR(pixel[1], g, 2);
+    EXPECT_NEAR(pixel[2], b, 2);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Flat,
+                         Colors,
+                         ::testing::Values(Color{0, 0, 0},
+                                           Color{255, 255, 255},
+                                           Color{255, 0, 0},
+                                           Color{0, 255, 0},
+                                           Color{0, 0, 255},
+                                           Color{128, 128, 128},
+                                           Color{16, 20, 28},
+                                           Color{240, 165, 30},
+                                           Color{92, 184, 238}));
+
+TEST(Film, SameFramesGiveTheSameFilm) {
+  const TemporaryFolder folder;
+  film_of(job_for(folder / "a.mp4"), 40);
+  film_of(job_for(folder / "b.mp4"), 40);
+  EXPECT_EQ(testing::read_text(folder / "a.mp4"), testing::read_text(folder / "b.mp4"));
+}
+
+TEST(Film, EncoderTimesAreCounted) {
+  const TemporaryFolder folder;
+  const SinkJob job = job_for(folder / "a.mp4");
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  for (int i = 0; i < 60; ++i)
+    sink->push(moving(job, i));
+  sink->finish();
+  EXPECT_GT(sink->times().encode.wall_s, 0.0);
+  EXPECT_GT(sink->times().encode.cpu_s, 0.0);
+  EXPECT_GT(sink->times().convert.cpu_s, 0.0);
+}
+
+TEST(Film, AbandonedLeavesNothingAndKeepsTheOldOne) {
+  const TemporaryFolder folder;
+  testing::write_text(folder / "a.mp4", "an older film");
+  {
+    const SinkJob job = job_for(folder / "a.mp4");
+    const std::unique_ptr<FrameSink> sink = make_sink(job);
+    for (int i = 0; i < 20; ++i)
+      sink->push(moving(job, i));
+  }
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(testing::read_text(folder / "a.mp4"), "an older film");
+}
+
+TEST(Film, WhatItCannotDoIsSaid) {
+  const TemporaryFolder folder;
+  const auto message = [](const SinkJob& job) -> std::string {
+    try {
+      make_sink(job);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      return error.what();
+    }
+    return "";
+  };
+  SinkJob odd = job_for(folder / "a.mp4");
+  odd.width = 63;
+  EXPECT_NE(message(odd).find("64x48"), std::string::npos);
+  SinkJob clear = job_for(folder / "a.mp4");
+  clear.transparent = true;
+  EXPECT_NE(message(clear).find("png"), std::string::npos);
+  SinkJob still = job_for(folder / "a.mp4");
+  still.still = true;
+  EXPECT_NE(message(still).find(".png"), std::string::npos);
+  EXPECT_NE(message(job_for(folder / "a.mp5")).find("'.mp4'"), std::string::npos);
+  EXPECT_NE(message(job_for(folder / "film")).find(".mp4"), std::string::npos);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+}  // namespace
+}  // namespace polhode
