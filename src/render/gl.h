@@ -56,6 +56,7 @@ namespace polhode {
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                             \
   X(PFNGLREADPIXELSPROC, ReadPixels)                                                               \
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                       \
+  X(PFNGLSCISSORPROC, Scissor)                                                                     \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                           \
   X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                 \
   X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                               \

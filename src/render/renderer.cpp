@@ -2,9 +2,13 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -33,6 +37,41 @@ const RenderSettings& fitting(const Gl& gl, const RenderSettings& settings) {
                       most);
   }
   return settings;
+}
+
+// A rectangle of pixels, rows from the top; empty when it holds none.
+struct Region {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  bool empty() const { return left >= right || top >= bottom; }
+  int width() const { return right - left; }
+  int height() const { return bottom - top; }
+};
+
+Region united(const Region& a, const Region& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.left, b.left),
+          std::min(a.top, b.top),
+          std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+// the corners of the box around a mesh, in its own coordinates
+std::array<glm::vec3, 8> box_corners(const Mesh& mesh) {
+  glm::vec3 low(mesh.vertices.front().position);
+  glm::vec3 high(low);
+  for (const Vertex& vertex : mesh.vertices) {
+    low = glm::min(low, vertex.position);
+    high = glm::max(high, vertex.position);
+  }
+  std::array<glm::vec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i] = {(i & 1) != 0 ? high.x : low.x,
+                  (i & 2) != 0 ? high.y : low.y,
+                  (i & 4) != 0 ? high.z : low.z};
+  }
+  return corners;
 }
 
 // premultiplied colour, as blending leaves it, to the straight alpha of Image
@@ -68,6 +107,7 @@ class Renderer::Implementation {
   void draw(const DrawList& list, Image& image) {
     {
       const StageTimer timer(times_.draw);
+      choose_region(list);
       begin(list);
       for (const DrawItem& item : list.opaque)
         draw_item(item);
@@ -112,12 +152,53 @@ class Renderer::Implementation {
   struct Uploaded {
     MeshPtr keep;  // the address is the key, so the mesh must live
     std::unique_ptr<GpuMesh> gpu;
+    std::array<glm::vec3, 8> corners;
     bool used = true;
   };
+
+  Region whole() const { return {0, 0, settings_.width, settings_.height}; }
+
+  // the pixels that the items may cover
+  Region covered(const DrawList& list) {
+    const glm::vec2 size(settings_.width, settings_.height);
+    glm::vec2 low(size);
+    glm::vec2 high(0.0f);
+    for (const std::vector<DrawItem>* items : {&list.opaque, &list.translucent}) {
+      for (const DrawItem& item : *items) {
+        const glm::mat4 clip_from_mesh = list.view.clip_from_world * item.world_from_mesh;
+        for (const glm::vec3& corner : uploaded(item.mesh).corners) {
+          const glm::vec4 clip = clip_from_mesh * glm::vec4(corner, 1.0f);
+          if (clip.w <= 0.0f) return whole();  // behind the eye: no rectangle
+          const glm::vec2 pixel = (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
+          low = glm::min(low, pixel);
+          high = glm::max(high, pixel);
+        }
+      }
+    }
+    // a pixel more on each side for rounding
+    low = glm::clamp(low - 1.0f, glm::vec2(0.0f), size);
+    high = glm::clamp(high + 1.0f, glm::vec2(0.0f), size);
+    return {static_cast<int>(low.x),
+            static_cast<int>(low.y),
+            static_cast<int>(std::ceil(high.x)),
+            static_cast<int>(std::ceil(high.y))};
+  }
+
+  // only what this frame or the one before covers is cleared, drawn and resolved; the rest of both
+  // framebuffers is background already
+  void choose_region(const DrawList& list) {
+    const Region now = covered(list);
+    const bool same_ground = last_background_ && *last_background_ == list.background;
+    region_ = same_ground ? united(now, last_covered_) : whole();
+    last_covered_ = now;
+    last_background_ = list.background;
+  }
 
   void begin(const DrawList& list) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
     gl_.Viewport(0, 0, settings_.width, settings_.height);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(region_.left, region_.top, region_.width(), region_.height());
     const float alpha = settings_.transparent ? 0.0f : 1.0f;
     const glm::vec3 ground = list.background * alpha;
     gl_.ClearColor(ground.r, ground.g, ground.b, alpha);
@@ -155,14 +236,16 @@ class Renderer::Implementation {
       gl_.Enable(GL_CULL_FACE);
       gl_.CullFace(item.faces == Faces::front ? GL_BACK : GL_FRONT);
     }
-    uploaded(item.mesh).draw();
+    uploaded(item.mesh).gpu->draw();
   }
 
-  const GpuMesh& uploaded(const MeshPtr& mesh) {
+  const Uploaded& uploaded(const MeshPtr& mesh) {
     Uploaded& entry = meshes_[mesh.get()];
-    if (entry.gpu == nullptr) entry = {mesh, std::make_unique<GpuMesh>(gl_, *mesh), true};
+    if (entry.gpu == nullptr) {
+      entry = {mesh, std::make_unique<GpuMesh>(gl_, *mesh), box_corners(*mesh), true};
+    }
     entry.used = true;
-    return *entry.gpu;
+    return entry;
   }
 
   void forget_unused_meshes() {
@@ -180,7 +263,9 @@ class Renderer::Implementation {
     const int h = settings_.height;
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    gl_.BlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const auto& [left, top, right, bottom] = region_;
+    gl_.BlitFramebuffer(
+        left, top, right, bottom, left, top, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
     if (image.width != w || image.height != h) image = Image(w, h);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -201,6 +286,9 @@ class Renderer::Implementation {
   Framebuffer resolved_;
   Uniforms u_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;
+  Region region_;        // of the frame being drawn
+  Region last_covered_;  // by the items of the frame before
+  std::optional<glm::vec3> last_background_;
   RendererInfo info_;
   RenderTimes times_;
 };

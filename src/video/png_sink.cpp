@@ -2,7 +2,6 @@
 #include "video/png_sink.h"
 
 #include <filesystem>
-#include <regex>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -83,13 +82,17 @@ std::string NumberedName::of(int index) const {
 
 NumberedName parse_numbered_name(const std::string& pattern) {
   // never handed to printf: the name is somebody's text
-  static const std::regex form("([^%]*)%(0([1-9]))?d([^%]*)");
-  std::smatch parts;
-  if (!std::regex_match(pattern, parts, form)) {
-    throw input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
-        .at({pattern, 0, {}});
-  }
-  return {parts[1], parts[4], parts[3].matched ? std::stoi(parts[3]) : 0};
+  const Error wrong = input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
+                          .at({pattern, 0, {}});
+  const std::size_t percent = pattern.find('%');
+  if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos) throw wrong;
+
+  // %d, or %0 and one digit and d
+  const std::string rest = pattern.substr(percent + 1);
+  const bool padded = rest.size() >= 3 && rest[0] == '0' && rest[1] >= '1' && rest[1] <= '9';
+  const std::size_t letter = padded ? 2 : 0;
+  if (rest.size() <= letter || rest[letter] != 'd') throw wrong;
+  return {pattern.substr(0, percent), rest.substr(letter + 1), padded ? rest[1] - '0' : 0};
 }
 
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job) {

@@ -47,6 +47,29 @@ TEST(Renderer, OrderOfFramesDoesNotMatter) {
   EXPECT_NE(first.pixels, other.pixels);
 }
 
+// only what changes is redrawn: a renderer in the middle of a film draws what a fresh one would
+TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
+  for (const bool transparent : {false, true}) {
+    // a film, then another background, then nothing but background
+    std::vector<DrawList> lists;
+    for (double t = 0.0; t < 4.0; t += 0.41) lists.push_back(example(t));
+    lists.push_back(example(1.0));
+    lists.back().background = glm::vec3(0.5f);
+    lists.push_back({});
+    lists.back().background = glm::vec3(0.5f);
+    std::vector<Image> alone;
+    for (const DrawList& list : lists) alone.push_back(draw(list, "auto", transparent));
+
+    const std::unique_ptr<Context> context = open_context("auto");
+    Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent});
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      Image image;
+      renderer.draw(lists[i], image);
+      ASSERT_TRUE(image.pixels == alone[i].pixels) << i;
+    }
+  }
+}
+
 TEST(Renderer, CornersAreTheBackground) {
   DrawList list = example(0.4);
   list.background = glm::vec3(16, 32, 200) / 255.0f;

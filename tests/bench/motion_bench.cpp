@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a step and an evaluation cost. A timing is a benchmark, never a test.
+#include <benchmark/benchmark.h>
+
+#include "motion/exact/exact.h"
+#include "support/motions.h"
+
+namespace polhode {
+namespace {
+
+// one step of each method on the free asymmetric body I = (1, 2, 3), omega = (0.3, 1, 0.2)
+void step(benchmark::State& run, const StepperInfo& method) {
+  BodySpec body;
+  body.moments = Vec3(1, 2, 3);
+  const Model model = make_model(body, false, Vec3::Zero());
+  State state;
+  state.y = Vec3(0.3, 2.0, 0.6);
+  const std::unique_ptr<Stepper> stepper = method.make(model, state.y.norm());
+  for (auto _ : run) {
+    stepper->step(0.0, 0.01, state);
+    benchmark::DoNotOptimize(state);
+  }
+}
+
+// one random-access evaluation of the closed form of a symmetric top
+void exact_evaluation(benchmark::State& run) {
+  const MotionSpec spec = testing::wobbling();
+  const Model model = make_model(testing::prolate_body(), false, Vec3::Zero());
+  const std::unique_ptr<Trajectory> exact = exact_symmetric(model, start_state(model, spec));
+  double t = 0.0;
+  for (auto _ : run) {
+    t += 0.37;
+    benchmark::DoNotOptimize(exact->at(t));
+  }
+}
+BENCHMARK(exact_evaluation);
+
+}  // namespace
+}  // namespace polhode
+
+int main(int argc, char** argv) {
+  for (const polhode::StepperInfo& method : polhode::stepper_table()) {
+    benchmark::RegisterBenchmark(("step/" + method.name).c_str(),
+                                 [&method](benchmark::State& run) { polhode::step(run, method); });
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
