@@ -25,8 +25,10 @@ void gather(const std::string& spelling,
   if (contains(list.all_spellings(), spelling)) found.push_back(title_of(path));
   for (const Key& key : list.keys) {
     if (!key.inside) continue;
-    const std::string name = key.many ? key.name + "[]" : key.name;
-    gather(spelling, *key.inside, path.empty() ? name : path + "." + name, found);
+    std::string inside = path;
+    if (!path.empty()) inside += '.';
+    inside += key.many ? key.name + "[]" : key.name;
+    gather(spelling, *key.inside, inside, found);
   }
 }
 

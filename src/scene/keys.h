@@ -50,13 +50,13 @@ struct Key {
 template <class T>
 struct Held {
   using type = T;
-  static constexpr bool many = false;
+  static constexpr bool kMany = false;
 };
 template <class T>
 struct Held<std::optional<T>> : Held<T> {};
 template <class T>
 struct Held<std::vector<T>> : Held<T> {
-  static constexpr bool many = true;
+  static constexpr bool kMany = true;
 };
 
 class KeyLister;
@@ -96,7 +96,7 @@ class KeyLister {
  private:
   template <class T>
   void add(const char* name, const Doc& doc, bool required) {
-    Key key{name, doc, required, Held<T>::many, std::nullopt};
+    Key key{name, doc, required, Held<T>::kMany, std::nullopt};
     if constexpr (IsSpec<typename Held<T>::type>) {
       typename Held<T>::type spec;
       KeyLister inside;

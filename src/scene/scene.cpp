@@ -26,6 +26,8 @@ void record_lines(const toml::node& node,
                   std::map<std::string, int>& lines) {
   if (const toml::array* array = node.as_array()) {
     for (std::size_t i = 0; i < array->size(); ++i) {
+      // single numbers stand on the line of their list; a mesh of them would fill the memory
+      if (array->get(i)->is_value()) continue;
       const std::string inside = fmt::format("{}[{}]", path, i);
       lines.emplace(inside, static_cast<int>(array->get(i)->source().begin.line));
       record_lines(*array->get(i), inside, lines);

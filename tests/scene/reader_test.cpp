@@ -113,6 +113,24 @@ TEST(Reader, takes_sizes_rates_and_accuracies_in_each_form) {
   EXPECT_TRUE(pixels.numerics.accuracy.pixels);
 }
 
+TEST(LineOf, finds_the_key_or_what_is_around_it) {
+  const Scene scene = read(
+      "[body]\n\nparts = [\n{ kind = \"rod\", length = 1 },\n{ kind = \"rod\", radius_cm = 1 "
+      "},\n]\n"
+      "[motion.attitude]\nzxz_deg = [0,\n0, 0]\n");
+  EXPECT_EQ(line_of(scene, "body"), 1);
+  EXPECT_EQ(line_of(scene, "body.parts"), 3);
+  EXPECT_EQ(line_of(scene, "body.parts[1]"), 5);
+  EXPECT_EQ(line_of(scene, "body.parts[1].radius"), 5);
+  EXPECT_EQ(line_of(scene, "body.parts[0].radius"), 4);
+  EXPECT_EQ(line_of(scene, "body.parts[7].radius"), 3);
+  EXPECT_EQ(line_of(scene, "body.mass"), 1);
+  EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), 8);
+  EXPECT_EQ(line_of(scene, "motion.attitude.zxz[1]"), 8);
+  EXPECT_EQ(line_of(scene, "video.fps"), 0);
+  EXPECT_EQ(line_of(scene, ""), 0);
+}
+
 TEST(Reader, cuts_what_is_absurdly_long) {
   const std::string key(100000, 'k');
   const std::string value(100000, 'v');
