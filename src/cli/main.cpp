@@ -49,22 +49,24 @@ void refuse_unknown_command(int argc, char** argv) {
 Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   std::string text = error.what();
   const CLI::App* command = &app;
-  for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
+  for (const CLI::App* chosen : app.get_subcommands())
+    command = chosen;
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::vector<std::string> known;
     for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : option->get_lnames())
+        known.push_back("--" + name);
     }
     for (int i = 1; i < argc; ++i) {
       const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
       if (word.rfind("--", 0) != 0) continue;
       if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-      return input_error("{} has no option {}{}", command->get_name(), word,
-                         suggestion(word, known));
+      return input_error(
+          "{} has no option {}{}", command->get_name(), word, suggestion(word, known));
     }
   }
-  return input_error("{}; `polhode {}--help` tells more", text,
-                     command == &app ? "" : command->get_name() + " ");
+  return input_error(
+      "{}; `polhode {}--help` tells more", text, command == &app ? "" : command->get_name() + " ");
 }
 
 int run(int argc, char** argv) {
@@ -74,8 +76,9 @@ int run(int argc, char** argv) {
   app.add_flag("-v,--verbose", verbose, "tell more on stderr");
   app.require_subcommand(1);
   app.fallthrough();
-  app.footer("Exit codes: 0 done, 1 a check said no, 2 bad input, 3 the environment failed, "
-             "130 interrupted.\n`polhode COMMAND --help` tells the options of a command.");
+  app.footer(
+      "Exit codes: 0 done, 1 a check said no, 2 bad input, 3 the environment failed, "
+      "130 interrupted.\n`polhode COMMAND --help` tells the options of a command.");
 
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const Command& command : commands()) {
@@ -86,7 +89,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
-    return app.exit(request);   // --help, --version
+    return app.exit(request);  // --help, --version
   } catch (const CLI::ParseError& error) {
     throw explain(error, app, argc, argv);
   }

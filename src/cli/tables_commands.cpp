@@ -13,7 +13,8 @@ namespace polhode {
 Action define_list(CLI::App& command) {
   auto what = std::make_shared<std::string>();
   command.add_option("what", *what, fmt::format("{}", fmt::join(list_names(), ", ")))
-      ->required()->type_name("TABLE");
+      ->required()
+      ->type_name("TABLE");
   return [what] {
     fmt::print("{}", list_table(*what));
     return 0;

@@ -82,10 +82,12 @@ std::string NumberedName::of(int index) const {
 
 NumberedName parse_numbered_name(const std::string& pattern) {
   // never handed to printf: the name is somebody's text
-  const Error wrong = input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
-                          .at({pattern, 0, {}});
+  const Error wrong =
+      input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
+          .at({pattern, 0, {}});
   const std::size_t percent = pattern.find('%');
-  if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos) throw wrong;
+  if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos)
+    throw wrong;
 
   // %d, or %0 and one digit and d
   const std::string rest = pattern.substr(percent + 1);

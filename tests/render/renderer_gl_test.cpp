@@ -52,13 +52,15 @@ TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
   for (const bool transparent : {false, true}) {
     // a film, then another background, then nothing but background
     std::vector<DrawList> lists;
-    for (double t = 0.0; t < 4.0; t += 0.41) lists.push_back(example(t));
+    for (double t = 0.0; t < 4.0; t += 0.41)
+      lists.push_back(example(t));
     lists.push_back(example(1.0));
     lists.back().background = glm::vec3(0.5f);
     lists.push_back({});
     lists.back().background = glm::vec3(0.5f);
     std::vector<Image> alone;
-    for (const DrawList& list : lists) alone.push_back(draw(list, "auto", transparent));
+    for (const DrawList& list : lists)
+      alone.push_back(draw(list, "auto", transparent));
 
     const std::unique_ptr<Context> context = open_context("auto");
     Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent});

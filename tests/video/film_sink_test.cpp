@@ -171,7 +171,8 @@ TEST(Film, SameFramesGiveTheSamePictures) {
   const TemporaryFolder folder;
   const DecodedFilm first = film_of(job_for(folder / "a.mp4"), 40);
   const DecodedFilm second = film_of(job_for(folder / "b.mp4"), 40);
-  for (std::size_t i = 0; i < 40; ++i) EXPECT_EQ(first.frames[i].pixels, second.frames[i].pixels);
+  for (std::size_t i = 0; i < 40; ++i)
+    EXPECT_EQ(first.frames[i].pixels, second.frames[i].pixels);
 }
 
 TEST(Film, EncoderTimesAreCounted) {
