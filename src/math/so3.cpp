@@ -19,7 +19,8 @@ double rotation_angle_between(const Quat& a, const Quat& b) {
 }
 
 Vec3 zxz_angles(const Quat& q) {
-  // q = z(phi) x(theta) z(psi): (w, z) carry cos(theta/2) and phi + psi, (x, y) sin(theta/2) and phi - psi
+  // q = z(phi) x(theta) z(psi): (w, z) carry cos(theta/2) and phi + psi, (x, y) sin(theta/2) and
+  // phi - psi
   const double cos_half = std::hypot(q.w(), q.z());
   const double sin_half = std::hypot(q.x(), q.y());
   const double theta = 2.0 * std::atan2(sin_half, cos_half);
