@@ -28,6 +28,12 @@ std::string why_not_symmetric(const Model& model) {
   return "no two moments are equal, or all three are (" + model.kind.name() + ")";
 }
 
+std::string why_not_asymmetric(const Model& model) {
+  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
+  if (model.kind.shape == TopKind::Shape::asymmetric) return {};
+  return "two moments are equal (" + model.kind.name() + ")";
+}
+
 const MotionModel& find_model(const std::string& name) {
   for (const MotionModel& row : motion_models()) {
     if (row.name == name) return row;
@@ -180,6 +186,11 @@ const std::vector<MotionModel>& motion_models() {
        true,
        why_not_symmetric,
        exact_symmetric},
+      {"asymmetric",
+       "free body with three different moments, closed form in elliptic functions",
+       true,
+       why_not_asymmetric,
+       exact_asymmetric},
       {"ode",
        "any body, equations of motion integrated",
        false,
