@@ -58,6 +58,9 @@ double elliptic_f(double s, double c, double m, double m1) {
   const double cosine = c / n;
   // 1 - m sin^2 without cancellation
   const double delta = cosine * cosine + m1 * sine * sine;
+  if (cosine == 0.0 && delta == 0.0) {
+    return std::copysign(std::numeric_limits<double>::infinity(), s);
+  }
   const double first = sine * carlson_rf(cosine * cosine, m == 0.0 ? 1.0 : delta, 1.0);
   return c < 0.0 ? std::copysign(2.0 * elliptic_k(m1), s) - first : first;
 }
