@@ -22,4 +22,9 @@ std::unique_ptr<Trajectory> exact_symmetric(const Model& model, const State& sta
 // motion/exact/asymmetric.cpp.
 std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& start);
 
+// Heavy symmetric top on a pivot with its centre of mass on the axis (Lagrange), in any gravity; a
+// rotator is the spherical pendulum, and swinging in a plane the planar one. Needs chi along the
+// symmetry axis, any chi for a spherical top; chi != 0. Sources: motion/exact/heavy_symmetric.cpp.
+std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start);
+
 }  // namespace polhode
