@@ -28,6 +28,22 @@ std::string why_not_symmetric(const Model& model) {
   return "no two moments are equal, or all three are (" + model.kind.name() + ")";
 }
 
+std::string why_not_asymmetric(const Model& model) {
+  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
+  if (model.kind.shape == TopKind::Shape::asymmetric) return {};
+  return "two moments are equal (" + model.kind.name() + ")";
+}
+
+std::string why_not_heavy_symmetric(const Model& model) {
+  if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
+  if (model.kind.shape == TopKind::Shape::spherical) return {};
+  if (!model.kind.symmetric()) return "no two moments are equal (" + model.kind.name() + ")";
+  Vec3 aside = model.chi_P;
+  aside[model.kind.axis] = 0.0;
+  if (aside.norm() <= kEqualMoments * model.chi_P.norm()) return {};
+  return "the centre of mass is not on the symmetry axis through the pivot";
+}
+
 const MotionModel& find_model(const std::string& name) {
   for (const MotionModel& row : motion_models()) {
     if (row.name == name) return row;
@@ -57,7 +73,9 @@ const MotionModel& choose_model(const Model& model,
     if (wants_stepper) {
       reason = "method " + numerics.method + " integrates the equations of motion";
     } else if (row.closed_form) {
-      reason = model.kind.name() + " body without torque: closed form";
+      reason = model.kind.name() + (model.chi_P.squaredNorm() > 0.0
+                                        ? " body with gravity on a pivot: closed form"
+                                        : " body without torque: closed form");
     } else {
       reason = "no closed form in this version for a " + model.kind.name() + " body" +
                (model.chi_P.squaredNorm() > 0.0 ? " with gravity on a pivot" : " that is free");
@@ -180,6 +198,16 @@ const std::vector<MotionModel>& motion_models() {
        true,
        why_not_symmetric,
        exact_symmetric},
+      {"asymmetric",
+       "free body with three different moments, closed form in elliptic functions",
+       true,
+       why_not_asymmetric,
+       exact_asymmetric},
+      {"heavy_symmetric",
+       "symmetric body on a pivot under gravity (Lagrange's top, pendulum), closed form",
+       true,
+       why_not_heavy_symmetric,
+       exact_heavy_symmetric},
       {"ode",
        "any body, equations of motion integrated",
        false,

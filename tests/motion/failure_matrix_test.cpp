@@ -32,8 +32,8 @@ TEST(FailureMatrix, E1ExplicitEulerGrowsByAnExactAmount) {
     const double norm_growth = next.y.squaredNorm() - s.y.squaredNorm();
     const double energy_growth = 2.0 * (energy(p, next) - energy(p, s));
     const double size = s.y.squaredNorm();
-    worst_norm = std::max(worst_norm, std::abs(norm_growth - h * h * k.squaredNorm()) / size);
-    worst_energy = std::max(
+    worst_norm = worse(worst_norm, std::abs(norm_growth - h * h * k.squaredNorm()) / size);
+    worst_energy = worse(
         worst_energy, std::abs(energy_growth - h * h * k.dot(angular_velocity(p.model, k))) / size);
     least_growth = std::min(least_growth, norm_growth / size);
     s = next;
@@ -135,9 +135,8 @@ TEST(FailureMatrix, M1ImplicitMidpointKeepsEnergyAtEveryStep) {
     try {
       for (; solved < 200; ++solved) {
         midpoint->step(0.0, turn / rate, s);
-        drift = std::max({drift,
-                          std::abs(energy(p, s) / energy(p, p.start) - 1.0),
-                          std::abs(s.y.norm() / p.start.y.norm() - 1.0)});
+        drift = worse(drift, std::abs(energy(p, s) / energy(p, p.start) - 1.0));
+        drift = worse(drift, std::abs(s.y.norm() / p.start.y.norm() - 1.0));
       }
     } catch (const Error& error) {
       // a step without solution must be reported, and only where steps are absurdly long

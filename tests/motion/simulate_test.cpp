@@ -33,7 +33,7 @@ double largest_difference(const Motion& a, const Motion& b) {
   double worst = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     const double t = a.duration() * i / 1000;
-    worst = std::max(worst, rotation_angle_between(a.at(t).q_SB, b.at(t).q_SB));
+    worst = worse(worst, rotation_angle_between(a.at(t).q_SB, b.at(t).q_SB));
   }
   return worst;
 }
@@ -44,7 +44,15 @@ TEST(ModelChoice, TakesTheLeastThatAnswers) {
   };
   EXPECT_EQ(chosen(free_body({1, 1, 1})), "spherical");
   EXPECT_EQ(chosen(free_body({1, 1, 1.8})), "symmetric");
+  EXPECT_EQ(chosen(free_body({0.6, 0.8, 1.0})), "asymmetric");
+  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0, 0, -0.4})), "heavy_symmetric");
+  EXPECT_EQ(chosen(heavy_body({1, 1.8, 1}, {0, 0.4, 0})), "heavy_symmetric");
+  EXPECT_EQ(chosen(heavy_body({1, 1, 1}, {0.3, 0.2, 0.1})), "heavy_symmetric");
+  // the centre of mass off the axis, and no symmetry at all
+  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0.1, 0, 0.4})), "ode");
   EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1})), "ode");
+  // a balanced body on a pivot is free
+  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0, 0, 0})), "asymmetric");
 }
 
 TEST(ModelChoice, SaysWhy) {
@@ -73,6 +81,12 @@ TEST(ModelErrors, NameTheKey) {
   expect_input_error(run(top, by("symetric", "auto")), "numerics.model", "symmetric");
   expect_input_error(run(top, by("spherical", "auto")), "numerics.model", "not equal");
   expect_input_error(run(asymmetric, by("symmetric", "auto")), "numerics.model", "gravity");
+  expect_input_error(run(asymmetric, by("asymmetric", "auto")), "numerics.model", "gravity");
+  expect_input_error(run(asymmetric, by("heavy_symmetric", "auto")), "numerics.model", "equal");
+  expect_input_error(run(top, by("asymmetric", "auto")), "numerics.model", "two moments are equal");
+  expect_input_error(run(top, by("heavy_symmetric", "auto")), "numerics.model", "no gravity");
+  const Model askew = heavy_body({1, 1, 1.8}, {0.1, 0, 0.4});
+  expect_input_error(run(askew, by("heavy_symmetric", "auto")), "numerics.model", "not on the");
   expect_input_error(run(asymmetric, by("auto", "exact")), "numerics.method", "no closed form");
   expect_input_error(run(top, by("symmetric", "rk4")), "numerics.method", "takes no method");
   expect_input_error(run(top, by("ode", "rk5")), "numerics.method", "rk4");

@@ -2,6 +2,7 @@
 // A measured error against its bound. POLHODE_RESIDUALS=1 prints every one of them.
 #pragma once
 
+#include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -14,6 +15,11 @@ inline void expect_residual(const std::string& what, double measured, double bou
   if (print) fmt::print("    {:<58} {:9.2e} of {:9.2e}\n", what, measured, bound);
   // written so that a NaN fails
   EXPECT_TRUE(measured <= bound) << what << ": " << measured << " is more than " << bound;
+}
+
+// The larger of two, and a NaN of either: std::max would lose it.
+inline double worse(double worst, double next) {
+  return next > worst || std::isnan(next) ? next : worst;
 }
 
 // The reverse: an effect that theory demands must be there.

@@ -2,6 +2,9 @@
 // The bodies that the tests of model and motion share, most of them published test problems.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/so3.h"
 #include "model/model.h"
 
@@ -46,10 +49,10 @@ inline Problem heavy_asymmetric() {
           {exp_rotation({0.4, 1.1, -0.3}), {1.0, 0.4, -0.9}}};
 }
 
-// The larger of the attitude difference in rad and the relative difference of y.
+// Attitude difference in rad and relative difference of y, as one length; NaN if one of them is.
 inline double distance(const State& a, const State& b) {
-  return std::max(rotation_angle_between(a.q, b.q),
-                  (a.y - b.y).norm() / std::max(b.y.norm(), 1e-300));
+  return std::hypot(rotation_angle_between(a.q, b.q),
+                    (a.y - b.y).norm() / std::max(b.y.norm(), 1e-300));
 }
 
 // to the last bit

@@ -17,4 +17,14 @@ std::unique_ptr<Trajectory> exact_spherical(const Model& model, const State& sta
 // at |L|/I1 (Landau and Lifshitz, Mechanics, eq. 33.2), the rest of the spin about the own axis.
 std::unique_ptr<Trajectory> exact_symmetric(const Model& model, const State& start);
 
+// Free asymmetric top, any start: tumbling, about the least or the greatest axis, on the
+// separatrix, at rest. Needs an asymmetric model without rotator and chi = 0. Sources:
+// motion/exact/asymmetric.cpp.
+std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& start);
+
+// Heavy symmetric top on a pivot with its centre of mass on the axis (Lagrange), in any gravity; a
+// rotator is the spherical pendulum, and swinging in a plane the planar one. Needs chi along the
+// symmetry axis, any chi for a spherical top; chi != 0. Sources: motion/exact/heavy_symmetric.cpp.
+std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start);
+
 }  // namespace polhode
