@@ -4,6 +4,7 @@
 
 #include "motion/exact/exact.h"
 #include "support/motions.h"
+#include "support/tops.h"
 
 namespace polhode {
 namespace {
@@ -22,18 +23,23 @@ void step(benchmark::State& run, const StepperInfo& method) {
   }
 }
 
-// one random-access evaluation of the closed form of a symmetric top
-void exact_evaluation(benchmark::State& run) {
-  const MotionSpec spec = testing::wobbling();
-  const Model model = make_model(testing::prolate_body(), false, Vec3::Zero());
-  const std::unique_ptr<Trajectory> exact = exact_symmetric(model, start_state(model, spec));
+// one random-access evaluation of a closed form
+void exact(benchmark::State& run, const test::Problem& problem, const char* model) {
+  std::unique_ptr<Trajectory> trajectory;
+  for (const MotionModel& row : motion_models()) {
+    if (row.name == model) trajectory = row.make(problem.model, problem.start);
+  }
   double t = 0.0;
   for (auto _ : run) {
     t += 0.37;
-    benchmark::DoNotOptimize(exact->at(t));
+    benchmark::DoNotOptimize(trajectory->at(t));
   }
 }
-BENCHMARK(exact_evaluation);
+
+test::Problem symmetric_top() {
+  const Model model = make_model(testing::prolate_body(), false, Vec3::Zero());
+  return {model, start_state(model, testing::wobbling())};
+}
 
 }  // namespace
 }  // namespace polhode
@@ -43,6 +49,14 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark(("step/" + method.name).c_str(),
                                  [&method](benchmark::State& run) { polhode::step(run, method); });
   }
+  const auto add = [](const char* name, const polhode::test::Problem& problem) {
+    benchmark::RegisterBenchmark(
+        (std::string("exact/") + name).c_str(),
+        [=](benchmark::State& run) { polhode::exact(run, problem, name); });
+  };
+  add("symmetric", polhode::symmetric_top());
+  add("asymmetric", polhode::test::hairer_vilmart());
+  add("heavy_symmetric", polhode::test::gni_heavy_top());
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
