@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <png.h>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/error.h"
 
 namespace polhode {
@@ -16,51 +19,73 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
+// libpng's reader keeps memory until it is told that a picture is done with
+struct Reader : png_image {
+  Reader() : png_image{} { version = PNG_IMAGE_VERSION; }
+  ~Reader() { png_image_free(this); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+};
+
+// libpng's simplified interface drops nothing, so opaque pictures lose their alpha here
+std::vector<std::uint8_t> without_alpha(const Image& image) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(image.pixels.size() / 4 * 3);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    rgb.insert(rgb.end(), {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+  }
+  return rgb;
+}
+
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha) {
-  AtomicFile target(path);
-  const auto failed = [&](const std::string& why) {
-    return environment_error("cannot write the picture: {}", why).at({path.string(), 0, {}});
-  };
+  AtomicFile file(path);
+  write_png(file, image, with_alpha);
+  file.commit();
+}
 
-  // libpng's simplified interface drops nothing, so opaque pictures lose their alpha here
-  const std::vector<std::uint8_t>* pixels = &image.pixels;
-  std::vector<std::uint8_t> rgb;
-  if (!with_alpha) {
-    rgb.reserve(image.pixels.size() / 4 * 3);
-    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-      rgb.insert(rgb.end(),
-                 image.pixels.begin() + static_cast<std::ptrdiff_t>(i),
-                 image.pixels.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-    }
-    pixels = &rgb;
-  }
+void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
+  CHECK(image.width > 0 && image.height > 0);
+  // the system's reason, where there is one, says more than libpng's
+  const auto failed = [&](const char* why) {
+    return environment_error("cannot write the picture: {}",
+                             errno != 0 ? std::strerror(errno) : why)
+        .at({target.target().string(), 0, {}});
+  };
 
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  const std::vector<std::uint8_t> rgb =
+      with_alpha ? std::vector<std::uint8_t>() : without_alpha(image);
+  const std::uint8_t* pixels = with_alpha ? image.pixels.data() : rgb.data();
+
+  errno = 0;
   File file(std::fopen(target.part().c_str(), "wb"));
   if (file == nullptr) throw failed("cannot open its temporary file");
-  if (png_image_write_to_stdio(&png, file.get(), 0, pixels->data(), 0, nullptr) == 0) {
+  if (png_image_write_to_stdio(&png, file.get(), 0, pixels, 0, nullptr) == 0) {
     throw failed(png.message);
   }
-  if (std::fclose(file.release()) != 0) throw failed("the disk is full");
-  target.commit();
+  // what is still buffered is written now: a full disk often shows here only
+  if (std::fclose(file.release()) != 0) throw failed("cannot close its temporary file");
 }
 
 Image read_png(const std::filesystem::path& path) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  const std::string bytes = read_file(path);
+  const std::string bytes = read_file(path, 5 * kMostPngPixels);
+  const Place place{path.string(), 0, {}};
+  Reader png;
   const auto refuse = [&] {
-    const Error error = input_error("is no PNG picture: {}", png.message);
-    png_image_free(&png);
-    return error.at({path.string(), 0, {}});
+    return input_error("is no PNG picture: {}", png.message).at(place);
   };
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) throw refuse();
+
+  // a size is only a claim until the pixels have been seen: believe no more than memory may hold
+  if (std::size_t{png.width} * png.height > kMostPngPixels) {
+    throw input_error("claims {}x{} pixels, too many to be read", png.width, png.height).at(place);
+  }
   png.format = PNG_FORMAT_RGBA;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
   if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) throw refuse();

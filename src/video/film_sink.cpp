@@ -8,9 +8,12 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "base/log.h"
 
@@ -76,9 +79,18 @@ void log_libav(void*, int level, const char* format, va_list arguments) {
   if (!line.empty()) spdlog::info("ffmpeg: {}", line);
 }
 
+// libav's way to say that there was no memory
+template <class T>
+T* made(T* object) {
+  if (object == nullptr) throw environment_error("no memory for the film");
+  return object;
+}
+
 class FilmSink final : public FrameSink {
  public:
   explicit FilmSink(const SinkJob& job) : job_(job), file_(job.output) {
+    // 0 would be lossless, in a profile that few players know
+    CHECK(job.encoder.crf >= 1 && job.encoder.crf <= 51 && job.encoder.threads >= 1);
     av_log_set_callback(log_libav);
     with_name([&] {
       open_muxer();
@@ -89,6 +101,7 @@ class FilmSink final : public FrameSink {
   }
 
   void push(const Image& frame) override {
+    CHECK(frame.width == job_.width && frame.height == job_.height);
     with_name([&] {
       {
         const StageTimer timer(times_.convert);
@@ -127,13 +140,16 @@ class FilmSink final : public FrameSink {
   }
 
   void open_muxer() {
+    // the protocol is named, or libav would find one in a name such as "take:1.mp4"
+    const std::string url = "file:" + file_.part().string();
     AVFormatContext* muxer = nullptr;
-    check(avformat_alloc_output_context2(&muxer, nullptr, "mp4", file_.part().c_str()),
+    check(avformat_alloc_output_context2(&muxer, nullptr, "mp4", url.c_str()),
           "no MP4 muxer in this FFmpeg");
     muxer_.reset(muxer);
-    check(avio_open(&muxer_->pb, file_.part().c_str(), AVIO_FLAG_WRITE), "cannot open the film");
-    av_dict_set(&muxer_->metadata, "title", job_.title.c_str(), 0);
-    av_dict_set(&muxer_->metadata, "comment", job_.comment.c_str(), 0);
+    check(avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE), "cannot open the film");
+    for (const auto& [key, text] : {std::pair{"title", &job_.title}, {"comment", &job_.comment}}) {
+      if (!text->empty()) check(av_dict_set(&muxer_->metadata, key, text->c_str(), 0), key);
+    }
   }
 
   void open_encoder() {
@@ -142,7 +158,7 @@ class FilmSink final : public FrameSink {
       throw environment_error(
           "this FFmpeg has no libx264; install one that has (Debian: libavcodec59)");
     }
-    encoder_.reset(avcodec_alloc_context3(codec));
+    encoder_.reset(made(avcodec_alloc_context3(codec)));
     AVCodecContext& c = *encoder_;
     c.width = job_.width;
     c.height = job_.height;
@@ -152,13 +168,14 @@ class FilmSink final : public FrameSink {
     c.sample_aspect_ratio = {1, 1};
     c.thread_count = job_.encoder.threads;
     // a group of at most a second, closed: a film can be cut and searched there
-    c.gop_size = static_cast<int>(job_.fps.value() + 0.5);
+    c.gop_size = std::max(1, job_.fps.numerator / job_.fps.denominator);
     c.flags |= AV_CODEC_FLAG_CLOSED_GOP;
     if ((muxer_->oformat->flags & AVFMT_GLOBALHEADER) != 0) c.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     c.color_range = AVCOL_RANGE_MPEG;
     c.colorspace = AVCOL_SPC_BT709;
     c.color_primaries = AVCOL_PRI_BT709;
     c.color_trc = AVCOL_TRC_BT709;
+    c.chroma_sample_location = AVCHROMA_LOC_LEFT;
     c.profile = FF_PROFILE_H264_HIGH;
 
     Options options;
@@ -172,15 +189,15 @@ class FilmSink final : public FrameSink {
     for (const int id : before)
       encoder_threads_.erase(id);
 
-    stream_ = avformat_new_stream(muxer_.get(), nullptr);
+    stream_ = made(avformat_new_stream(muxer_.get(), nullptr));
     stream_->time_base = c.time_base;
     stream_->avg_frame_rate = c.framerate;
     check(avcodec_parameters_from_context(stream_->codecpar, &c), "cannot describe the stream");
-    packet_.reset(av_packet_alloc());
+    packet_.reset(made(av_packet_alloc()));
   }
 
   void open_converter() {
-    yuv_.reset(av_frame_alloc());
+    yuv_.reset(made(av_frame_alloc()));
     yuv_->format = AV_PIX_FMT_YUV420P;
     yuv_->width = job_.width;
     yuv_->height = job_.height;
@@ -188,18 +205,25 @@ class FilmSink final : public FrameSink {
     yuv_->colorspace = AVCOL_SPC_BT709;
     check(av_frame_get_buffer(yuv_.get(), 0), "no memory for a frame");
 
+    // colour samples lie where players look for them, left of the middle; swscale would put them
+    // half a pixel beside it
+    converter_.reset(made(sws_alloc_context()));
+    const std::pair<const char*, int> settings[] = {
+        {"srcw", job_.width},
+        {"srch", job_.height},
+        {"src_format", AV_PIX_FMT_RGBA},
+        {"dstw", job_.width},
+        {"dsth", job_.height},
+        {"dst_format", AV_PIX_FMT_YUV420P},
+        {"dst_h_chr_pos", 0},
+        {"dst_v_chr_pos", 128},
+        {"sws_flags", SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP},
+    };
+    for (const auto& [key, value] : settings)
+      check(av_opt_set_int(converter_.get(), key, value, 0), key);
+    check(sws_init_context(converter_.get(), nullptr, nullptr), "swscale cannot convert this size");
+
     // full-range RGB in, limited-range BT.709 out; swscale's own default would be BT.601
-    converter_.reset(sws_getContext(job_.width,
-                                    job_.height,
-                                    AV_PIX_FMT_RGBA,
-                                    job_.width,
-                                    job_.height,
-                                    AV_PIX_FMT_YUV420P,
-                                    SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
-                                    nullptr,
-                                    nullptr,
-                                    nullptr));
-    if (converter_ == nullptr) throw environment_error("swscale cannot convert this size");
     const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
     constexpr int kOne = 1 << 16;
     check(sws_setColorspaceDetails(converter_.get(), bt709, 1, bt709, 0, 0, kOne, kOne),

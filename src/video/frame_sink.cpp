@@ -10,8 +10,13 @@
 namespace polhode {
 namespace {
 
+bool has_hash_prefix(const SinkJob& job) {
+  return job.output.starts_with(kHashPrefix);
+}
+
+// behind "hash:" any ending may stand
 bool ends_with(const SinkJob& job, const char* ending) {
-  return job.output.ends_with(ending);
+  return job.output.ends_with(ending) && !has_hash_prefix(job);
 }
 
 bool is_sequence(const SinkJob& job) {
@@ -62,9 +67,9 @@ const std::vector<SinkKind>& sink_kinds() {
        make_png_sink},
       {"hash",
        ".hash",
-       "a line per frame: index, size, hash of its pixels, NAME.hash",
+       "a line per frame: index, size, hash of its pixels, NAME.hash or hash:NAME",
        true,
-       [](const SinkJob& job) { return ends_with(job, ".hash"); },
+       [](const SinkJob& job) { return ends_with(job, ".hash") || has_hash_prefix(job); },
        make_hash_sink},
       {"null",
        "",

@@ -6,14 +6,26 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/hash.h"
 
 namespace polhode {
 namespace {
 
+// "hash:FILE", or a name with the ending
+std::string hash_file(const SinkJob& job) {
+  if (!job.output.starts_with(kHashPrefix)) return job.output;
+  const std::string name = job.output.substr(kHashPrefix.size());
+  if (name.empty()) {
+    throw input_error("a file name belongs after hash:, such as hash:frames.txt")
+        .at({job.output, 0, {}});
+  }
+  return name;
+}
+
 class HashSink final : public FrameSink {
  public:
-  explicit HashSink(const SinkJob& job) : file_(job.output) {}
+  explicit HashSink(const SinkJob& job) : file_(hash_file(job)) {}
 
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);

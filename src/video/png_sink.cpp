@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "video/png_sink.h"
 
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
@@ -27,18 +28,19 @@ class PngSink final : public FrameSink {
 
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
-    frame_ = frame;
+    write_png(file_, frame, with_alpha_);
+    written_ = true;
   }
   void finish() override {
-    const StageTimer timer(times_.encode);
-    write_png(file_.target(), frame_, with_alpha_);
+    CHECK(written_);
+    file_.commit();
   }
   SinkTimes times() const override { return times_; }
 
  private:
   AtomicFile file_;  // claims the name before work begins
   bool with_alpha_;
-  Image frame_;
+  bool written_ = false;
   SinkTimes times_;
 };
 
@@ -49,28 +51,36 @@ class PngSequenceSink final : public FrameSink {
     // tells an unwritable folder before any frame is drawn
     const AtomicFile probe(name_.of(0));
   }
+  // frames without their names go with files_; those that have got one are removed here
   ~PngSequenceSink() override {
-    if (finished_) return;
+    if (named_ == files_.size()) return;
     std::error_code ignored;
-    for (int i = 0; i < count_; ++i)
-      std::filesystem::remove(name_.of(i), ignored);
+    for (std::size_t i = 0; i < named_; ++i)
+      std::filesystem::remove(files_[i].target(), ignored);
   }
   PngSequenceSink(const PngSequenceSink&) = delete;
   PngSequenceSink& operator=(const PngSequenceSink&) = delete;
 
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
-    write_png(name_.of(count_), frame, with_alpha_);
-    ++count_;
+    files_.emplace_back(name_.of(static_cast<int>(files_.size())));
+    write_png(files_.back(), frame, with_alpha_);
   }
-  void finish() override { finished_ = true; }
+  // all frames get their names together, so that older ones stay until the new ones are whole
+  void finish() override {
+    const StageTimer timer(times_.encode);
+    for (AtomicFile& file : files_) {
+      file.commit();
+      ++named_;
+    }
+  }
   SinkTimes times() const override { return times_; }
 
  private:
   NumberedName name_;
   bool with_alpha_;
-  int count_ = 0;
-  bool finished_ = false;
+  std::deque<AtomicFile> files_;
+  std::size_t named_ = 0;  // how many of them have been committed
   SinkTimes times_;
 };
 

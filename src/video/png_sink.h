@@ -7,8 +7,8 @@
 namespace polhode {
 
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
-// NAME_%05d.png: one %d, with or without a zero-padded width of at most nine. Frames that were
-// written before a failure are removed.
+// NAME_%05d.png: one %d, with or without a zero-padded width of at most nine. No frame has
+// its name before finish(), so a failure leaves older frames as they were.
 std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 
 // A validated file-name pattern.

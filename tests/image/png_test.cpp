@@ -8,10 +8,13 @@
 
 #include "base/error.h"
 #include "image/compare.h"
+#include "support/full_disk.h"
 #include "support/run.h"
 
 namespace polhode {
 namespace {
+
+using testing::TemporaryFolder;
 
 Image noise(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
@@ -22,7 +25,7 @@ Image noise(int width, int height, unsigned seed) {
 }
 
 TEST(Png, KeepsEveryByteWithAlpha) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const Image image = noise(37, 23, 1);
   write_png(folder / "a.png", image, true);
   const Image back = read_png(folder / "a.png");
@@ -33,7 +36,7 @@ TEST(Png, KeepsEveryByteWithAlpha) {
 }
 
 TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const Image image = noise(20, 10, 2);
   write_png(folder / "a.png", image, false);
   const Image back = read_png(folder / "a.png");
@@ -43,7 +46,7 @@ TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {
 }
 
 TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "a.png", "not a picture");
   const std::string whole = [&] {
     write_png(folder / "b.png", noise(20, 10, 3), true);
@@ -61,8 +64,47 @@ TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
   }
 }
 
+// forty bytes may claim a picture of terabytes
+TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
+  const TemporaryFolder folder;
+  write_png(folder / "a.png", noise(16, 16, 6), true);
+  std::string bytes = testing::read_text(folder / "a.png");
+  // 983,040 x 983,040, and the checksum of that header
+  bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8));
+  std::uint32_t sum = 0xffffffffu;
+  for (std::size_t i = 12; i < 29; ++i) {
+    sum ^= static_cast<unsigned char>(bytes[i]);
+    for (int bit = 0; bit < 8; ++bit)
+      sum = sum >> 1 ^ ((sum & 1) != 0 ? 0xedb88320u : 0u);
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[29 + i] = static_cast<char>(~sum >> (24 - 8 * i) & 255);
+  testing::write_text(folder / "a.png", bytes);
+  try {
+    read_png(folder / "a.png");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_NE(std::string(error.what()).find("983040x983040"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Png, AFullDiskIsAnErrorThatSaysSoAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const Image image = noise(64, 64, 7);
+  write_png(folder / "a.png", image, true);
+  const auto whole = static_cast<rlim_t>(std::filesystem::file_size(folder / "a.png"));
+  for (const rlim_t most : {rlim_t{0}, rlim_t{100}, whole / 2, whole - 1}) {
+    const auto make = [&] {
+      write_png(folder / "b.png", image, true);
+    };
+    EXPECT_EQ(testing::with_full_disk(most, make), testing::Outcome::environment) << most;
+    EXPECT_EQ(folder.entries(), 1) << most;
+  }
+}
+
 TEST(Png, AnUnwritablePlaceLeavesNothing) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_THROW(write_png(folder / "nowhere/a.png", noise(4, 4, 4), true), Error);
   EXPECT_EQ(folder.entries(), 0);
 }

@@ -29,11 +29,36 @@ struct DecodedFilm {
   int matrix = 0;
   int primaries = 0;
   int transfer = 0;
+  int chroma_location = 0;
   std::string title;
+  std::string comment;
   std::vector<std::int64_t> pts;  // in time_base, in order of display
   std::vector<bool> key;
-  std::vector<Image> frames;  // full-range RGBA through BT.709
+  std::vector<Image> frames;                      // full-range RGBA through BT.709
+  std::vector<std::vector<int>> blue_difference;  // of each frame, the middle row of Cb as stored
+
+  struct Packet {
+    std::int64_t pts = 0;  // in time_base
+    bool key = false;      // as the container says
+    bool idr = false;      // as the stream says
+  };
+  std::vector<Packet> packets;  // in order of the file
 };
+
+// does an H.264 packet (units with a length of four bytes in front) hold an IDR slice?
+inline bool holds_idr(const AVPacket& packet) {
+  for (std::int64_t at = 0; at + 5 <= packet.size;) {
+    const std::uint8_t* unit = packet.data + at;
+    if ((unit[4] & 31) == 5) return true;
+    at += 4 + (std::int64_t{unit[0]} << 24 | unit[1] << 16 | unit[2] << 8 | unit[3]);
+  }
+  return false;
+}
+
+inline std::vector<int> middle_row_of_cb(const AVFrame& frame) {
+  const std::uint8_t* row = frame.data[1] + frame.height / 4 * frame.linesize[1];
+  return {row, row + frame.width / 2};
+}
 
 inline Image to_rgba(const AVFrame& frame) {
   SwsContext* sws = sws_getContext(frame.width,
@@ -59,7 +84,8 @@ inline Image to_rgba(const AVFrame& frame) {
 inline DecodedFilm decode(const std::string& file) {
   DecodedFilm film;
   AVFormatContext* format = nullptr;
-  EXPECT_EQ(avformat_open_input(&format, file.c_str(), nullptr, nullptr), 0) << file;
+  // the protocol is named: a name may hold a colon
+  EXPECT_EQ(avformat_open_input(&format, ("file:" + file).c_str(), nullptr, nullptr), 0) << file;
   if (format == nullptr) return film;
   avformat_find_stream_info(format, nullptr);
   const AVStream* stream = format->streams[0];
@@ -74,8 +100,11 @@ inline DecodedFilm decode(const std::string& file) {
   film.matrix = stream->codecpar->color_space;
   film.primaries = stream->codecpar->color_primaries;
   film.transfer = stream->codecpar->color_trc;
+  film.chroma_location = stream->codecpar->chroma_location;
   const AVDictionaryEntry* title = av_dict_get(format->metadata, "title", nullptr, 0);
   if (title != nullptr) film.title = title->value;
+  const AVDictionaryEntry* comment = av_dict_get(format->metadata, "comment", nullptr, 0);
+  if (comment != nullptr) film.comment = comment->value;
 
   AVCodecContext* decoder =
       avcodec_alloc_context3(avcodec_find_decoder(stream->codecpar->codec_id));
@@ -86,12 +115,17 @@ inline DecodedFilm decode(const std::string& file) {
   bool more = true;
   while (more) {
     more = av_read_frame(format, packet) == 0;
+    if (more) {
+      film.packets.push_back(
+          {packet->pts, (packet->flags & AV_PKT_FLAG_KEY) != 0, holds_idr(*packet)});
+    }
     avcodec_send_packet(decoder, more ? packet : nullptr);
     av_packet_unref(packet);
     while (avcodec_receive_frame(decoder, frame) == 0) {
       film.pts.push_back(frame->pts);
       film.key.push_back(frame->key_frame != 0);
       film.frames.push_back(to_rgba(*frame));
+      film.blue_difference.push_back(middle_row_of_cb(*frame));
     }
   }
   av_frame_free(&frame);

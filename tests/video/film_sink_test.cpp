@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
+#include <random>
 
 #include "base/error.h"
+#include "support/full_disk.h"
 #include "support/run.h"
 #include "video/decoded_film.h"
 
@@ -24,6 +27,7 @@ SinkJob job_for(const std::string& output, FrameRate fps = {60, 1}) {
   job.fps = fps;
   job.encoder.preset = "veryfast";
   job.title = "Title \"with\" <marks> & umlauts ü";
+  job.comment = "what made it";
   return job;
 }
 
@@ -85,6 +89,10 @@ INSTANTIATE_TEST_SUITE_P(Rates,
                          ::testing::Values(FrameRate{60, 1},
                                            FrameRate{30000, 1001},
                                            FrameRate{25, 1},
+                                           FrameRate{25, 2},
+                                           FrameRate{1, 1},
+                                           FrameRate{1000, 1},
+                                           FrameRate{999999937, 10000019},
                                            FrameRate{24000, 1001}));
 
 TEST(Film, IsTaggedForEveryPlayer) {
@@ -96,7 +104,9 @@ TEST(Film, IsTaggedForEveryPlayer) {
   EXPECT_EQ(film.matrix, AVCOL_SPC_BT709);
   EXPECT_EQ(film.primaries, AVCOL_PRI_BT709);
   EXPECT_EQ(film.transfer, AVCOL_TRC_BT709);
+  EXPECT_EQ(film.chroma_location, AVCHROMA_LOC_LEFT);
   EXPECT_EQ(film.title, "Title \"with\" <marks> & umlauts ü");
+  EXPECT_EQ(film.comment, "what made it");
 }
 
 // the boxes of the file, in order: the index comes before the data
@@ -122,14 +132,40 @@ TEST(Film, IndexIsInFront) {
 }
 
 TEST(Film, HasAKeyframeAtLeastEverySecond) {
+  for (const FrameRate fps : {FrameRate{24, 1}, {30000, 1001}, {3, 2}, {1, 1}}) {
+    const TemporaryFolder folder;
+    const DecodedFilm film = film_of(job_for(folder / "a.mp4", fps), 80);
+    ASSERT_TRUE(film.key[0]);
+    int since = 0;
+    for (const bool key : film.key) {
+      since = key ? 1 : since + 1;
+      EXPECT_TRUE(since <= fps.value() || since == 1) << fps.value() << ": " << since;
+    }
+  }
+}
+
+// what comes after a keyframe in the file is never shown before it, so a film can be cut there;
+// B-frames, which could break that, are there
+TEST(Film, GroupsAreClosed) {
   const TemporaryFolder folder;
   const DecodedFilm film = film_of(job_for(folder / "a.mp4", {24, 1}), 80);
-  ASSERT_TRUE(film.key[0]);
-  int since = 0;
-  for (const bool key : film.key) {
-    since = key ? 0 : since + 1;
-    EXPECT_LT(since, 24);
+  std::int64_t shown = INT64_MIN;
+  std::int64_t key = INT64_MIN;
+  int keys = 0;
+  bool reordered = false;
+  for (const DecodedFilm::Packet& packet : film.packets) {
+    if (packet.key) {
+      EXPECT_GT(packet.pts, shown) << "something of the last group is shown after the keyframe";
+      EXPECT_TRUE(packet.idr) << "a recovery point is no closed group";
+      key = packet.pts;
+      ++keys;
+    }
+    EXPECT_GE(packet.pts, key);
+    reordered = reordered || packet.pts < shown;
+    shown = std::max(shown, packet.pts);
   }
+  EXPECT_GE(keys, 4);
+  EXPECT_TRUE(reordered) << "no B-frames: this test says nothing";
 }
 
 struct Color {
@@ -166,6 +202,35 @@ INSTANTIATE_TEST_SUITE_P(Flat,
                                            Color{240, 165, 30},
                                            Color{92, 184, 238}));
 
+// H.264's colour samples lie on the left of the two pixels they cover: a ramp of blue comes back
+// where it was, not half a pixel beside it
+TEST(Film, ColourLiesWherePlayersLookForIt) {
+  const TemporaryFolder folder;
+  SinkJob job = job_for(folder / "a.mp4");
+  job.encoder.crf = 1;
+  constexpr int kSlope = 3;  // levels a pixel
+  Image ramp = flat(job, 100, 100, 0);
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x)
+      ramp.at(x, y)[2] = static_cast<std::uint8_t>(20 + kSlope * x);
+  }
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  sink->push(ramp);
+  sink->finish();
+  const DecodedFilm film = decode(job.output);
+  ASSERT_EQ(film.blue_difference.size(), 1u);
+
+  // the blue that each colour sample stands for, away from the borders, in pixels of the ramp
+  double shift = 0.0;
+  int count = 0;
+  for (int x = 4; x < job.width / 2 - 4; ++x, ++count) {
+    const int sample = film.blue_difference[0][static_cast<std::size_t>(x)];
+    const double blue = 100.0 + (sample - 128) * 255.0 / 224.0 * 2.0;
+    shift += (blue - 20.0) / kSlope - 2 * x;
+  }
+  EXPECT_NEAR(shift / count, 0.0, 0.15);
+}
+
 // the pictures, that is: x264's bytes may differ where no pixel does
 TEST(Film, SameFramesGiveTheSamePictures) {
   const TemporaryFolder folder;
@@ -175,16 +240,36 @@ TEST(Film, SameFramesGiveTheSamePictures) {
     EXPECT_EQ(first.frames[i].pixels, second.frames[i].pixels);
 }
 
-TEST(Film, EncoderTimesAreCounted) {
+double process_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// x264 works in threads of its own: what they use must not be lost
+TEST(Film, TheEncodersThreadsAreCounted) {
   const TemporaryFolder folder;
-  const SinkJob job = job_for(folder / "a.mp4");
+  SinkJob job = job_for(folder / "a.mp4");
+  job.width = 256;
+  job.height = 256;
+  job.encoder.preset = "medium";
+  std::vector<Image> frames(8, Image(job.width, job.height));
+  std::mt19937 random(1);
+  for (Image& image : frames) {
+    for (std::uint8_t& value : image.pixels)
+      value = static_cast<std::uint8_t>(random() & 255);
+  }
+  const double before = process_cpu_seconds();
   const std::unique_ptr<FrameSink> sink = make_sink(job);
-  for (int i = 0; i < 60; ++i)
-    sink->push(moving(job, i));
+  for (int i = 0; i < 24; ++i)
+    sink->push(frames[static_cast<std::size_t>(i % 8)]);
   sink->finish();
-  EXPECT_GT(sink->times().encode.wall_s, 0.0);
-  EXPECT_GT(sink->times().encode.cpu_s, 0.0);
-  EXPECT_GT(sink->times().convert.cpu_s, 0.0);
+  const double used = process_cpu_seconds() - before;
+  const SinkTimes times = sink->times();
+  EXPECT_GT(times.encode.wall_s, 0.0);
+  EXPECT_GT(times.convert.cpu_s, 0.0);
+  EXPECT_GT(times.encode.cpu_s + times.convert.cpu_s, 0.7 * used);
+  EXPECT_LT(times.encode.cpu_s + times.convert.cpu_s, 1.1 * used);
 }
 
 TEST(Film, AbandonedLeavesNothingAndKeepsTheOldOne) {
@@ -198,6 +283,54 @@ TEST(Film, AbandonedLeavesNothingAndKeepsTheOldOne) {
   }
   EXPECT_EQ(folder.entries(), 1);
   EXPECT_EQ(testing::read_text(folder / "a.mp4"), "an older film");
+}
+
+// wherever the disk becomes full: at the first byte, amid the frames, while the index moves to the
+// front, at the last byte
+TEST(Film, AFullDiskIsAnErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const SinkJob job = job_for(folder / "a.mp4");
+  film_of(job, 30);
+  const auto whole = static_cast<rlim_t>(std::filesystem::file_size(job.output));
+  std::filesystem::remove(job.output);
+  const auto make = [&] {
+    const std::unique_ptr<FrameSink> sink = make_sink(job);
+    for (int i = 0; i < 30; ++i)
+      sink->push(moving(job, i));
+    sink->finish();
+  };
+  for (const rlim_t most : {rlim_t{0}, rlim_t{1}, rlim_t{40}, whole / 4, whole / 2, whole - 1}) {
+    EXPECT_EQ(testing::with_full_disk(most, make), testing::Outcome::environment) << most;
+    EXPECT_EQ(folder.entries(), 0) << most;
+  }
+  EXPECT_EQ(testing::with_full_disk(whole, make), testing::Outcome::done);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// libav would take what stands before a colon for a protocol
+TEST(Film, ANameIsAFileEvenIfItLooksLikeAnAddress) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  for (const char* name : {"take:1.mp4", "http:a.mp4", "pipe:1.mp4", "file:a.mp4", "%d %s.mp4"}) {
+    try {
+      film_of(job_for(name), 2);
+    } catch (const Error& error) {
+      ADD_FAILURE() << error.what();
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  EXPECT_EQ(folder.entries(), 5);
+  std::filesystem::current_path(before);
+}
+
+TEST(Film, EveryPresetOpens) {
+  const TemporaryFolder folder;
+  for (const std::string& preset : encoder_presets()) {
+    SinkJob job = job_for(folder / "a.mp4");
+    job.encoder.preset = preset;
+    EXPECT_NO_THROW(make_sink(job)) << preset;
+  }
 }
 
 TEST(Film, WhatItCannotDoIsSaid) {

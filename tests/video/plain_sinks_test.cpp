@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "image/png.h"
+#include "support/full_disk.h"
 #include "support/run.h"
 #include "video/pipeline.h"
 #include "video/png_sink.h"
@@ -70,6 +71,64 @@ TEST(PngSequence, WritesEveryFrameAndRemovesThemIfAbandoned) {
   EXPECT_EQ(read_png(folder / "f_003.png").pixels, frame(3).pixels);
 }
 
+// a run that fails must not take the frames of the last one with it
+TEST(PngSequence, AbandonedKeepsTheOldFrames) {
+  const TemporaryFolder folder;
+  testing::write_text(folder / "f_001.png", "an older frame");
+  {
+    const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+    for (int i = 0; i < 4; ++i)
+      sink->push(frame(i));
+    EXPECT_FALSE(std::filesystem::exists(folder / "f_000.png")) << "before finish()";
+  }
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(testing::read_text(folder / "f_001.png"), "an older frame");
+}
+
+TEST(PngSequence, AFrameThatCannotBeWrittenRemovesTheOthers) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "f_002.png");
+  const auto make = [&] {
+    const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+    for (int i = 0; i < 4; ++i)
+      sink->push(frame(i));
+  };
+  EXPECT_THROW(make(), Error);
+  EXPECT_EQ(folder.entries(), 1) << "only the folder in the way";
+}
+
+TEST(PlainSinks, AFullDiskIsAnErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "f_%d.png", "a.hash"}) {
+    SinkJob job = job_for(folder / name);
+    job.still = std::string(name) == "a.png";
+    const auto make = [&] {
+      const auto sink = make_sink(job);
+      sink->push(frame(0));
+      if (!job.still) sink->push(frame(1));
+      sink->finish();
+    };
+    EXPECT_EQ(testing::with_full_disk(20, make), testing::Outcome::environment) << name;
+    EXPECT_EQ(folder.entries(), 0) << name;
+    EXPECT_EQ(testing::with_full_disk(100000, make), testing::Outcome::done) << name;
+    EXPECT_GT(folder.entries(), 0) << name;
+    for (const auto& made : std::filesystem::directory_iterator(folder.path()))
+      std::filesystem::remove(made.path());
+  }
+}
+
+TEST(Still, IsWrittenAtTheEndAndKeepsAlpha) {
+  const TemporaryFolder folder;
+  SinkJob job = job_for(folder / "a.png");
+  job.still = true;
+  const auto sink = make_sink(job);
+  sink->push(frame(1));
+  EXPECT_FALSE(std::filesystem::exists(job.output));
+  sink->finish();
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(read_png(job.output).pixels, frame(1).pixels);
+}
+
 TEST(Png, NeedsToKnowThatItIsOnePicture) {
   const TemporaryFolder folder;
   try {
@@ -97,6 +156,24 @@ TEST(Hash, OneLinePerFrameThatDependsOnEveryByte) {
   EXPECT_NE(first, lines_of({frame(0), changed}));
   EXPECT_EQ(first.rfind("0 8x6 ", 0), 0u);
   EXPECT_NE(first.find("\n1 8x6 "), std::string::npos);
+}
+
+TEST(Hash, HasAFormWithoutEnding) {
+  const TemporaryFolder folder;
+  for (const char* name : {"frames.txt", "frames.mp4", "frames.png", "frames"}) {
+    const auto sink = make_sink(job_for("hash:" + (folder / name)));
+    sink->push(frame(0));
+    sink->finish();
+    EXPECT_EQ(testing::read_text(folder / name).rfind("0 8x6 ", 0), 0u) << name;
+  }
+  EXPECT_THROW(make_sink(job_for("hash:")), Error);
+}
+
+TEST(Null, WritesNothing) {
+  const auto sink = make_sink(job_for("null"));
+  sink->push(frame(0));
+  sink->finish();
+  EXPECT_FALSE(std::filesystem::exists("null"));
 }
 
 // a sink that remembers and can fail
