@@ -62,6 +62,18 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   return scene;
 }
 
+void refuse_same_file(const std::string& written,
+                      const std::string& what,
+                      const std::filesystem::path& needed) {
+  if (written.empty()) return;
+  std::error_code ignored;
+  if (std::filesystem::path(written).lexically_normal() != needed.lexically_normal() &&
+      !std::filesystem::equivalent(written, needed, ignored)) {
+    return;
+  }
+  throw input_error("{} would overwrite {}; choose another name", what, needed.string());
+}
+
 Solved solve(const Scene& scene) {
   return with_place(scene, [&] {
     StageTime time;

@@ -18,11 +18,11 @@ namespace polhode {
 // What the command line may say instead of the scene; absent: the scene's word holds.
 struct Overrides {
   std::optional<std::string> method;
-  std::optional<double> step;              // s
+  std::optional<double> step;  // s
   std::optional<double> tolerance;
-  std::optional<std::string> accuracy;     // "0.1px" or radians
-  std::optional<std::string> size;         // "1920x1080"
-  std::optional<std::string> fps;          // "60" or "30000/1001"
+  std::optional<std::string> accuracy;  // "0.1px" or radians
+  std::optional<std::string> size;      // "1920x1080"
+  std::optional<std::string> fps;       // "60" or "30000/1001"
 };
 
 // A scene, checked, with its model and its motion.
@@ -35,6 +35,12 @@ struct Solved {
 
 // Scene with the overrides applied. Throws Error (input) with file, line and key, or the option.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
+
+// Throws Error (input) when a file that will be written is one that is needed: nobody's scene is
+// overwritten by a slip of the keyboard.
+void refuse_same_file(const std::string& written,
+                      const std::string& what,
+                      const std::filesystem::path& needed);
 
 // Finds the motion. Errors name the place in the scene file.
 Solved solve(const Scene& scene);

@@ -159,6 +159,9 @@ void render_film(const RenderJob& job) {
   const bool still = is_still(job, output);
   const FrameTimes times = frame_times(job, scene, still);
   const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
+  refuse_same_file(output, "the output", job.scene);
+  refuse_same_file(job.report, "--report", job.scene);
+  refuse_same_file(job.report, "--report", output);
   std::unique_ptr<AtomicFile> report_file;
   if (!job.report.empty()) report_file = std::make_unique<AtomicFile>(job.report);
   const std::unique_ptr<FrameSink> sink = make_sink(sink_settings);
@@ -216,8 +219,7 @@ void render_film(const RenderJob& job) {
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();
-  report_file.reset();
-  write_file(job.report, film_report(solved, facts).dump(2) + "\n");
+  report_file->commit_with(film_report(solved, facts).dump(2) + "\n");
 }
 
 }  // namespace polhode

@@ -42,6 +42,7 @@ void append_row(std::string& text, const Sample& s) {
 
 void write_csv(const SimulateJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
+  refuse_same_file(job.output, "the output", job.scene);
   const double rate = job.rate.value_or(scene.video.fps.value());
   if (!std::isfinite(rate) || rate <= 0.0) {
     throw input_error("must be a number of rows per second greater than 0, got {}", rate)

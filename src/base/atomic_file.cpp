@@ -5,15 +5,27 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
+
+#include <sys/file.h>
 
 #include "base/error.h"
 
 namespace polhode {
 namespace fs = std::filesystem;
 namespace {
+
+// what a symbolic link points to: renaming would replace the link, not its file
+fs::path behind_links(fs::path target) {
+  std::error_code failed;
+  if (!fs::is_symlink(target, failed)) return target;
+  fs::path real = fs::weakly_canonical(target, failed);
+  return failed ? target : real;
+}
 
 fs::path part_of(const fs::path& target) {
   fs::path part = target;
@@ -23,31 +35,48 @@ fs::path part_of(const fs::path& target) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)), part_(part_of(target_)) {
+AtomicFile::AtomicFile(fs::path target)
+    : target_(behind_links(std::move(target))), part_(part_of(target_)) {
+  const Place place{target_.string(), 0, {}};
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
     throw input_error("the folder '{}' does not exist; create it or choose another output",
                       folder.string())
-        .at({target_.string(), 0, {}});
+        .at(place);
   }
   if (fs::is_directory(target_, ignored)) {
-    throw input_error("is a folder; give a file name").at({target_.string(), 0, {}});
+    throw input_error("is a folder; give a file name").at(place);
+  }
+  if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
+    throw input_error("is no ordinary file; choose another output").at(place);
   }
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done
-  std::FILE* file = std::fopen(part_.c_str(), "wb");
-  if (file == nullptr) {
+  lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) {
     throw input_error("cannot write here ({}); choose another output", std::strerror(errno))
-        .at({target_.string(), 0, {}});
+        .at(place);
   }
-  std::fclose(file);
+  // a file system without locks is no reason to refuse
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    unlock();
+    throw input_error("another run is writing this file; wait for it or choose another output")
+        .at(place);
+  }
 }
 
 AtomicFile::~AtomicFile() {
-  if (committed_) return;
-  std::error_code ignored;
-  fs::remove(part_, ignored);
+  if (!committed_) {
+    std::error_code ignored;
+    fs::remove(part_, ignored);
+  }
+  unlock();
+}
+
+void AtomicFile::unlock() {
+  if (lock_ >= 0) close(lock_);
+  lock_ = -1;
 }
 
 void AtomicFile::commit() {
@@ -60,9 +89,8 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
-void write_file(const fs::path& target, std::string_view content) {
-  AtomicFile file(target);
-  std::FILE* out = std::fopen(file.part().c_str(), "wb");
+void AtomicFile::commit_with(std::string_view content) {
+  std::FILE* out = std::fopen(part_.c_str(), "wb");
   const bool written = out != nullptr &&
                        std::fwrite(content.data(), 1, content.size(), out) == content.size() &&
                        std::fflush(out) == 0;
@@ -70,9 +98,13 @@ void write_file(const fs::path& target, std::string_view content) {
   const bool closed = out != nullptr && std::fclose(out) == 0;
   if (!written || !closed) {
     throw environment_error("cannot write: {}", std::strerror(written ? errno : reason))
-        .at({target.string(), 0, {}});
+        .at({target_.string(), 0, {}});
   }
-  file.commit();
+  commit();
+}
+
+void write_file(const fs::path& target, std::string_view content) {
+  AtomicFile(target).commit_with(content);
 }
 
 std::string read_file(const fs::path& path, std::size_t most) {

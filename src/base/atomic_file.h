@@ -11,10 +11,12 @@
 namespace polhode {
 
 // Owns NAME.part beside NAME. commit() renames it; without commit the destructor removes it.
-// Invariant: NAME itself is either untouched or whole.
+// Invariant: NAME itself is either untouched or whole. NAME.part is locked, so that of two runs
+// with the same output the second is refused; one that a killed run left behind is taken over.
 class AtomicFile {
  public:
-  // Throws Error (input) when the folder is missing or cannot be written, or NAME is a folder.
+  // Throws Error (input) when the folder is missing or cannot be written, when NAME is a folder or
+  // a device, and when another run is writing it. A symbolic link is followed.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -25,11 +27,16 @@ class AtomicFile {
   const std::filesystem::path& target() const { return target_; }
   // Moves the finished file to its name. Throws Error (environment) when that fails.
   void commit();
+  // Writes the whole content to the temporary file, then commits.
+  void commit_with(std::string_view content);
+  // Gives the lock up before the end: for thousands of files that one lock stands for.
+  void unlock();
 
  private:
   std::filesystem::path target_;
   std::filesystem::path part_;
   bool committed_ = false;
+  int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
 };
 
 // Writes a whole small file atomically. Throws Error as AtomicFile does, or (environment) when the

@@ -35,7 +35,7 @@ class HashSink final : public FrameSink {
                           frame.height,
                           content_hash(frame.pixels.data(), frame.pixels.size()));
   }
-  void finish() override { write_file(file_.target(), lines_); }
+  void finish() override { file_.commit_with(lines_); }
   SinkTimes times() const override { return times_; }
 
  private:

@@ -65,6 +65,8 @@ class PngSequenceSink final : public FrameSink {
     const StageTimer timer(times_.encode);
     files_.emplace_back(name_.of(static_cast<int>(files_.size())));
     write_png(files_.back(), frame, with_alpha_);
+    // the first frame's lock stands for the whole sequence
+    if (files_.size() > 1) files_.back().unlock();
   }
   // all frames get their names together, so that older ones stay until the new ones are whole
   void finish() override {

@@ -54,6 +54,32 @@ TEST_F(AtomicFileTest, leaves_nothing_when_abandoned) {
   EXPECT_EQ(files_in_folder(), 0u);
 }
 
+TEST_F(AtomicFileTest, refuses_the_second_writer_and_takes_over_what_a_killed_one_left) {
+  std::ofstream(target_.string() + ".part") << "left behind";
+  {
+    AtomicFile first(target_);
+    try {
+      AtomicFile second(target_);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("another run"), std::string::npos);
+    }
+    first.commit_with("whole");
+  }
+  EXPECT_EQ(read_file(target_), "whole");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(AtomicFileTest, follows_a_link_and_refuses_a_device) {
+  write_file(folder_ / "real.txt", "old");
+  fs::create_symlink(folder_ / "real.txt", target_);
+  write_file(target_, "new");
+  EXPECT_TRUE(fs::is_symlink(target_));
+  EXPECT_EQ(read_file(folder_ / "real.txt"), "new");
+  EXPECT_THROW(AtomicFile("/dev/null"), Error);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
 TEST_F(AtomicFileTest, leaves_the_old_file_when_abandoned) {
   write_file(target_, "old");
   {

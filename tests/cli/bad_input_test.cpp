@@ -125,6 +125,11 @@ const BadCall kBadCalls[] = {
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
+    {"simulate SCENE -o SCENE", 2, "overwrite"},
+    {"simulate SCENE -o DIR/../scene.toml/../scene.toml", 2, "not exist"},
+    {"simulate SCENE -o /dev/full", 2, "ordinary file"},
+    {"render SCENE -o DIR/a.mp4 --report SCENE", 2, "overwrite"},
+    {"render SCENE -o DIR/a.mp4 --report DIR/a.mp4", 2, "overwrite"},
 };
 
 TEST(BadCall, EachIsOneLineWithTheRightCode) {
