@@ -83,6 +83,7 @@ int run(int argc, char** argv) {
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.doc);
+    sub->footer("");
     actions.emplace_back(sub, command.define(*sub));
   }
   refuse_unknown_command(argc, argv);
