@@ -15,7 +15,7 @@ namespace {
 // "hash:FILE", or a name with the ending
 std::string hash_file(const SinkJob& job) {
   if (!job.output.starts_with(kHashPrefix)) return job.output;
-  const std::string name = job.output.substr(kHashPrefix.size());
+  std::string name = job.output.substr(kHashPrefix.size());
   if (name.empty()) {
     throw input_error("a file name belongs after hash:, such as hash:frames.txt")
         .at({job.output, 0, {}});
