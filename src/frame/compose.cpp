@@ -293,6 +293,9 @@ std::vector<Vec3> Composer::points_to_frame() const {
 Camera Composer::make_camera(const CameraSpec& spec, FrameSize size) const {
   const std::vector<Vec3> points = points_to_frame();
   if (!spec.eye) {
+    if (spec.direction.norm() == 0.0) {
+      throw input_error("must not be zero").at({{}, 0, "camera.direction"});
+    }
     return framing_camera(points, spec.direction, spec.fov, size, kFrameMargin);
   }
 
