@@ -156,7 +156,7 @@ const SolidKind& kind_of(const SolidSpec& solid, const std::string& path) {
     if (kind.name == solid.kind) return kind;
   }
   throw input_error("no solid is called '{}'{}", solid.kind, suggestion(solid.kind, solid_names()))
-      .at({{}, 0, path + ".kind"});
+      .at({{}, 0, fmt::format("{}.kind", path)});
 }
 
 }  // namespace
@@ -253,7 +253,7 @@ void check_dimensions(const SolidSpec& solid, const std::string& path) {
     std::vector<std::string> known = kind.needs;
     known.insert(known.end(), kind.takes.begin(), kind.takes.end());
     throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
-        .at({{}, 0, path + "." + name});
+        .at({{}, 0, fmt::format("{}.{}", path, name)});
   }
 
   // a dimension that may be zero is one of the optional ones

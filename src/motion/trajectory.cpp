@@ -9,7 +9,7 @@ namespace {
 
 // what is conserved: all of L for a free body, its vertical part when gravity acts on a pivot
 Vec3 conserved_momentum(const Model& model, const State& s) {
-  const Vec3 L_S = momentum_in_space(s);
+  Vec3 L_S = momentum_in_space(s);
   if (model.chi_P.squaredNorm() == 0.0) return L_S;
   return model.up_S.dot(L_S) * model.up_S;
 }

@@ -13,6 +13,7 @@ namespace {
 
 // glFlush copies the whole user buffer, so it is tiny; pictures are drawn into framebuffer objects
 constexpr int kBufferSide = 16;  // pixels
+constexpr std::size_t kBufferBytes = std::size_t{4} * kBufferSide * kBufferSide;
 
 class OsmesaContext final : public Context {
  public:
@@ -55,7 +56,7 @@ class OsmesaContext final : public Context {
   decltype(OSMesaDestroyContext)* destroy_;
   decltype(OSMesaGetProcAddress)* get_proc_;
   OSMesaContext context_ = nullptr;
-  std::array<std::uint8_t, 4 * kBufferSide * kBufferSide> buffer_{};
+  std::array<std::uint8_t, kBufferBytes> buffer_{};
 };
 
 }  // namespace

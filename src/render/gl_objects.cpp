@@ -46,8 +46,9 @@ GpuMesh::GpuMesh(const Gl& gl, const Mesh& mesh)
   // locations 0 and 1 of scene.vert
   const auto attribute = [&gl](GLuint location, std::size_t offset) {
     gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(
-        location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    // OpenGL takes the offset in the shape of a pointer
+    const void* at = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+    gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), at);
   };
   attribute(0, offsetof(Vertex, position));
   attribute(1, offsetof(Vertex, normal));
@@ -113,7 +114,7 @@ Framebuffer::~Framebuffer() {
   gl_.DeleteRenderbuffers(1, &depth_);
 }
 
-GLuint Framebuffer::attach(GLenum attachment, GLenum format, int width, int height, int samples) {
+GLuint Framebuffer::attach(GLenum attachment, GLenum format, int width, int height, int samples) const {
   GLuint buffer = 0;
   gl_.GenRenderbuffers(1, &buffer);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);

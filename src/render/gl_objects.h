@@ -55,7 +55,7 @@ class Framebuffer {
   GLuint id() const { return id_; }
 
  private:
-  GLuint attach(GLenum attachment, GLenum format, int width, int height, int samples);
+  GLuint attach(GLenum attachment, GLenum format, int width, int height, int samples) const;
 
   const Gl& gl_;
   GLuint id_ = 0;

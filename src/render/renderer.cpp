@@ -242,7 +242,9 @@ class Renderer::Implementation {
   const Uploaded& uploaded(const MeshPtr& mesh) {
     Uploaded& entry = meshes_[mesh.get()];
     if (entry.gpu == nullptr) {
-      entry = {mesh, std::make_unique<GpuMesh>(gl_, *mesh), box_corners(*mesh), true};
+      entry.keep = mesh;
+      entry.gpu = std::make_unique<GpuMesh>(gl_, *mesh);
+      entry.corners = box_corners(*mesh);
     }
     entry.used = true;
     return entry;
