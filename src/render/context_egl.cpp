@@ -15,8 +15,7 @@ class EglContext final : public Context {
       : library_({"libEGL.so.1", "libEGL.so"}),
         get_proc_(library_.function<decltype(eglGetProcAddress)>("eglGetProcAddress")),
         make_current_(library_.function<decltype(eglMakeCurrent)>("eglMakeCurrent")),
-        destroy_(library_.function<decltype(eglDestroyContext)>("eglDestroyContext")),
-        terminate_(library_.function<decltype(eglTerminate)>("eglTerminate")) {
+        destroy_(library_.function<decltype(eglDestroyContext)>("eglDestroyContext")) {
     const auto get_display =
         library_.function<decltype(eglGetPlatformDisplay)>("eglGetPlatformDisplay");
     display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -71,14 +70,14 @@ class EglContext final : public Context {
   void close() {
     make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) destroy_(display_, context_);
-    terminate_(display_);
+    // the display is one for the whole process and stays: ending it would unload the driver under
+    // its own threads
   }
 
   SharedLibrary library_;
   decltype(eglGetProcAddress)* get_proc_;
   decltype(eglMakeCurrent)* make_current_;
   decltype(eglDestroyContext)* destroy_;
-  decltype(eglTerminate)* terminate_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
 };
