@@ -16,25 +16,25 @@ namespace polhode {
 struct Quality {
   std::string name;
   std::string doc;
-  int shrink = 1;          // the picture's sides are divided by this
-  std::string preset;      // x264
+  int shrink = 1;      // the picture's sides are divided by this
+  std::string preset;  // x264
   int crf = 18;
 };
 const std::vector<Quality>& qualities();
 
 struct RenderJob {
   std::filesystem::path scene;
-  std::string output;                      // empty: output/SCENE.mp4
+  std::string output;  // empty: output/SCENE.mp4
   Overrides overrides;
-  std::optional<double> from;              // s of the motion; absent: 0
-  std::optional<double> to;                // s; absent: the whole motion
-  std::optional<double> still;             // s; one picture
+  std::optional<double> from;   // s of the motion; absent: 0
+  std::optional<double> to;     // s; absent: the whole motion
+  std::optional<double> still;  // s; one picture
   std::string quality = "lecture";
   std::optional<std::string> preset;
   std::optional<int> crf;
   std::string backend = "auto";
   bool transparent = false;
-  std::string report;                      // file for the JSON report; empty: none
+  std::string report;  // file for the JSON report; empty: none
   ProgressKind progress = ProgressKind::automatic;
 };
 

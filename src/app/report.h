@@ -21,7 +21,7 @@ struct FilmTimes {
   StageTime read_back;
   StageTime convert;
   StageTime encode;
-  StageTime total;   // cpu: the whole process
+  StageTime total;  // cpu: the whole process
 };
 
 // What was written.

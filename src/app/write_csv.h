@@ -11,9 +11,9 @@ namespace polhode {
 
 struct SimulateJob {
   std::filesystem::path scene;
-  std::string output;              // a file, or "-" for standard output
+  std::string output;  // a file, or "-" for standard output
   Overrides overrides;
-  std::optional<double> rate;      // rows per second; absent: the scene's frame rate
+  std::optional<double> rate;  // rows per second; absent: the scene's frame rate
 };
 
 // Columns t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy, 17 digits: q body to space, omega in body

@@ -16,8 +16,10 @@ inline void add_numerics_options(CLI::App& command, Overrides& overrides) {
       ->type_name("H");
   command.add_option("--tolerance", overrides.tolerance, "local error of adaptive methods")
       ->type_name("E");
-  command.add_option("--accuracy", overrides.accuracy,
-                     "attitude error allowed over the whole motion: 0.1px, or radians")
+  command
+      .add_option("--accuracy",
+                  overrides.accuracy,
+                  "attitude error allowed over the whole motion: 0.1px, or radians")
       ->type_name("A");
 }
 

@@ -13,10 +13,10 @@ namespace polhode {
 
 // Where the picture is taken from. Absent eye: the camera frames the whole film by itself.
 struct CameraSpec {
-  std::optional<Vec3> eye;      // m, space axes
-  std::optional<Vec3> target;   // m, space axes
-  double fov = 30.0 * kPi / 180.0;   // vertical field of view, rad
-  Vec3 direction = Vec3(0.82, 0.46, 0.34);   // from the scene towards the automatic camera
+  std::optional<Vec3> eye;                  // m, space axes
+  std::optional<Vec3> target;               // m, space axes
+  double fov = 30.0 * kPi / 180.0;          // vertical field of view, rad
+  Vec3 direction = Vec3(0.82, 0.46, 0.34);  // from the scene towards the automatic camera
 };
 
 // What is drawn. Absent: the scene's kind decides (see shown_by_default in frame/compose.h).
@@ -34,15 +34,16 @@ struct ShowSpec {
 
 // Colours of the picture.
 struct ThemeSpec {
-  std::string theme = "dark";              // a name from theme_names()
-  std::optional<std::string> background;   // "#rrggbb"
+  std::string theme = "dark";             // a name from theme_names()
+  std::optional<std::string> background;  // "#rrggbb"
 };
 
 std::vector<std::string> theme_names();
 
 template <class Visitor>
 void fields(Visitor& v, CameraSpec& s) {
-  v.field("eye", s.eye, Doc{"where the camera is; absent: it frames the film by itself", Unit::length});
+  v.field(
+      "eye", s.eye, Doc{"where the camera is; absent: it frames the film by itself", Unit::length});
   v.field("target", s.target, Doc{"what it looks at", Unit::length});
   v.field("fov", s.fov, Doc{"vertical field of view", Unit::angle, Range{0.01, 2.6}});
   v.field("direction", s.direction, Doc{"from the scene towards an automatic camera"});
@@ -55,9 +56,12 @@ void fields(Visitor& v, ShowSpec& s) {
   v.field("space_axes", s.space_axes, Doc{"space axes"});
   v.field("omega", s.omega, Doc{"angular velocity"});
   v.field("momentum", s.momentum, Doc{"angular momentum"});
-  v.field("space_cone", s.space_cone, Doc{"the cone that omega draws in space (symmetric free top)"});
-  v.field("body_cone", s.body_cone, Doc{"the cone that omega draws in the body (symmetric free top)"});
-  v.field("precession_cone", s.precession_cone,
+  v.field(
+      "space_cone", s.space_cone, Doc{"the cone that omega draws in space (symmetric free top)"});
+  v.field(
+      "body_cone", s.body_cone, Doc{"the cone that omega draws in the body (symmetric free top)"});
+  v.field("precession_cone",
+          s.precession_cone,
           Doc{"the cone about the vertical through the body axis (pivot)"});
   v.field("pivot", s.pivot, Doc{"the stand under the fixed point"});
 }

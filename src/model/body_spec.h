@@ -14,41 +14,41 @@ namespace polhode {
 // A homogeneous solid in a place. Which of the dimensions a kind takes is in solid_kinds()
 // (model/solids.h); the others must stay empty.
 struct SolidSpec {
-  std::string kind;                   // a name from solid_kinds()
-  std::optional<double> mass;         // kg; this or density
-  std::optional<double> density;      // kg/m^3
-  std::optional<Vec3> size;           // box edges, m
-  std::optional<Vec3> semi_axes;      // ellipsoid, m
-  std::optional<double> radius;       // m
-  std::optional<double> height;       // m, along z
-  std::optional<double> length;       // m, along z
-  std::optional<double> thickness;    // m, along z
-  std::optional<double> tube;         // radius of the tube of a ring, m
-  std::vector<Vec2> profile;          // lathe: (radius, z) points, m
-  Vec3 at = Vec3::Zero();             // where its own origin is in the body, m
-  Vec3 turn = Vec3::Zero();           // turns about the body's x, then y, then z axis, rad
-  std::optional<std::string> color;   // "#rrggbb" when drawn
+  std::string kind;                  // a name from solid_kinds()
+  std::optional<double> mass;        // kg; this or density
+  std::optional<double> density;     // kg/m^3
+  std::optional<Vec3> size;          // box edges, m
+  std::optional<Vec3> semi_axes;     // ellipsoid, m
+  std::optional<double> radius;      // m
+  std::optional<double> height;      // m, along z
+  std::optional<double> length;      // m, along z
+  std::optional<double> thickness;   // m, along z
+  std::optional<double> tube;        // radius of the tube of a ring, m
+  std::vector<Vec2> profile;         // lathe: (radius, z) points, m
+  Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
+  Vec3 turn = Vec3::Zero();          // turns about the body's x, then y, then z axis, rad
+  std::optional<std::string> color;  // "#rrggbb" when drawn
 };
 
 struct PointSpec {
-  double m = 0.0;                     // kg
-  Vec3 at = Vec3::Zero();             // m
+  double m = 0.0;          // kg
+  Vec3 at = Vec3::Zero();  // m
 };
 
 struct BodySpec {
   // exactly one of these five says how mass is distributed
-  std::optional<Vec3> moments;        // principal moments, body axes = principal axes, kg m^2
-  std::optional<Mat3> tensor;         // inertia tensor in body axes, kg m^2
+  std::optional<Vec3> moments;  // principal moments, body axes = principal axes, kg m^2
+  std::optional<Mat3> tensor;   // inertia tensor in body axes, kg m^2
   std::vector<PointSpec> points;
   std::optional<SolidSpec> solid;
   std::vector<SolidSpec> parts;
 
-  std::string about = "center";       // moments or tensor are about: "center" of mass or "pivot"
-  bool mathematical = false;          // allow moments that no real body has
-  std::optional<double> mass;         // kg, with moments or tensor; 1 when absent
-  std::optional<Vec3> center_of_mass; // from the body origin, with moments or tensor, m
-  Vec3 pivot = Vec3::Zero();          // the fixed point in body coordinates, m
-  std::optional<SolidSpec> look;      // what is drawn, when it is not the mass itself
+  std::string about = "center";        // moments or tensor are about: "center" of mass or "pivot"
+  bool mathematical = false;           // allow moments that no real body has
+  std::optional<double> mass;          // kg, with moments or tensor; 1 when absent
+  std::optional<Vec3> center_of_mass;  // from the body origin, with moments or tensor, m
+  Vec3 pivot = Vec3::Zero();           // the fixed point in body coordinates, m
+  std::optional<SolidSpec> look;       // what is drawn, when it is not the mass itself
 };
 
 // Names of the solids, for docs and the schema; the table itself is solid_kinds().
@@ -81,17 +81,20 @@ void fields(Visitor& v, PointSpec& s) {
 template <class Visitor>
 void fields(Visitor& v, BodySpec& s) {
   v.exactly_one_of({"moments", "tensor", "points", "solid", "parts"});
-  v.field("moments", s.moments,
+  v.field("moments",
+          s.moments,
           Doc{"principal moments; body axes are then principal axes", Unit::inertia, kNonNegative});
   v.field("tensor", s.tensor, Doc{"inertia tensor in body axes, rows", Unit::inertia});
   v.field("points", s.points, Doc{"point masses"});
   v.field("solid", s.solid, Doc{"one homogeneous solid"});
   v.field("parts", s.parts, Doc{"several homogeneous solids, composed"});
-  v.field("about", s.about,
+  v.field("about",
+          s.about,
           Doc{"the point that moments or tensor are about", Unit::none, kAny, {"center", "pivot"}});
   v.field("mathematical", s.mathematical, Doc{"allow moments that no real body has"});
   v.field("mass", s.mass, Doc{"mass, with moments or tensor", Unit::mass, kPositive});
-  v.field("center_of_mass", s.center_of_mass,
+  v.field("center_of_mass",
+          s.center_of_mass,
           Doc{"centre of mass from the body origin, with moments or tensor", Unit::length});
   v.field("pivot", s.pivot, Doc{"the fixed point, in body coordinates", Unit::length});
   v.field("look", s.look, Doc{"what is drawn, when it is not the mass itself"});

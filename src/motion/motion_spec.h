@@ -26,13 +26,13 @@ struct SpinSpec {
 };
 
 struct MotionSpec {
-  std::string hold = "free";          // "free", or "pivot": one point of the body is fixed
-  std::optional<Vec3> gravity;        // m/s^2 in space; absent: none when free, standard on a pivot
-  double duration = 10.0;             // s
+  std::string hold = "free";    // "free", or "pivot": one point of the body is fixed
+  std::optional<Vec3> gravity;  // m/s^2 in space; absent: none when free, standard on a pivot
+  double duration = 10.0;       // s
   AttitudeSpec attitude;
   SpinSpec spin;
-  Vec3 position = Vec3::Zero();       // of the centre of mass (free) at t = 0, m
-  Vec3 velocity = Vec3::Zero();       // of the centre of mass (free) at t = 0, m/s
+  Vec3 position = Vec3::Zero();  // of the centre of mass (free) at t = 0, m
+  Vec3 velocity = Vec3::Zero();  // of the centre of mass (free) at t = 0, m/s
 };
 
 // How exact the attitude must be over the whole film: radians, or pixels of the finished picture.
@@ -45,10 +45,10 @@ struct Accuracy {
 Accuracy parse_accuracy(const std::string& text);
 
 struct NumericsSpec {
-  std::string model = "auto";         // a name from `list models`
-  std::string method = "auto";        // a name from `list methods`
-  std::optional<double> step;         // s, fixed-step methods
-  std::optional<double> tolerance;    // per step, adaptive methods
+  std::string model = "auto";       // a name from `list models`
+  std::string method = "auto";      // a name from `list methods`
+  std::optional<double> step;       // s, fixed-step methods
+  std::optional<double> tolerance;  // per step, adaptive methods
   Accuracy accuracy;
 };
 
@@ -59,7 +59,9 @@ std::vector<std::string> method_names();
 template <class Visitor>
 void fields(Visitor& v, AttitudeSpec& s) {
   v.at_most_one_of({"zxz", "quaternion"});
-  v.field("zxz", s.zxz, Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
+  v.field("zxz",
+          s.zxz,
+          Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
   v.field("quaternion", s.quaternion, Doc{"w, x, y, z of the rotation from body to space"});
 }
 
@@ -68,7 +70,8 @@ void fields(Visitor& v, SpinSpec& s) {
   v.at_most_one_of({"body", "space", "momentum_body", "rates"});
   v.field("body", s.body, Doc{"angular velocity in body axes", Unit::angular_velocity});
   v.field("space", s.space, Doc{"angular velocity in space axes", Unit::angular_velocity});
-  v.field("momentum_body", s.momentum_body,
+  v.field("momentum_body",
+          s.momentum_body,
           Doc{"angular momentum in body axes", Unit::angular_momentum});
   v.field("rates", s.rates, Doc{"rates of the zxz angles phi, theta, psi", Unit::angular_velocity});
 }
@@ -81,8 +84,9 @@ void fields(Visitor& v, MotionSpec& s) {
   v.field("attitude", s.attitude, Doc{"attitude at the start"});
   v.field("spin", s.spin, Doc{"angular velocity at the start"});
   v.field("position", s.position, Doc{"centre of mass at the start, free bodies", Unit::length});
-  v.field("velocity", s.velocity, Doc{"velocity of the centre of mass at the start, free bodies",
-                                      Unit::velocity});
+  v.field("velocity",
+          s.velocity,
+          Doc{"velocity of the centre of mass at the start, free bodies", Unit::velocity});
 }
 
 template <class Visitor>
@@ -90,8 +94,11 @@ void fields(Visitor& v, NumericsSpec& s) {
   v.field("model", s.model, Doc{"how the motion is found", Unit::none, kAny, model_names()});
   v.field("method", s.method, Doc{"integrator", Unit::none, kAny, method_names()});
   v.field("step", s.step, Doc{"step of fixed-step methods", Unit::time, kPositive});
-  v.field("tolerance", s.tolerance, Doc{"local error per step of adaptive methods", Unit::none, kPositive});
-  v.field("accuracy", s.accuracy,
+  v.field("tolerance",
+          s.tolerance,
+          Doc{"local error per step of adaptive methods", Unit::none, kPositive});
+  v.field("accuracy",
+          s.accuracy,
           Doc{"attitude error over the whole film: radians, or \"0.1px\" of the picture"});
 }
 

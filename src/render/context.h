@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-// A current OpenGL 3.3 core context of the calling thread, for the life of the object; one at a time
-// in a thread.
+// A current OpenGL 3.3 core context of the calling thread, for the life of the object; one at a
+// time in a thread.
 class Context {
  public:
   virtual ~Context() = default;

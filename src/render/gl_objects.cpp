@@ -114,7 +114,8 @@ Framebuffer::~Framebuffer() {
   gl_.DeleteRenderbuffers(1, &depth_);
 }
 
-GLuint Framebuffer::attach(GLenum attachment, GLenum format, int width, int height, int samples) const {
+GLuint Framebuffer::attach(
+    GLenum attachment, GLenum format, int width, int height, int samples) const {
   GLuint buffer = 0;
   gl_.GenRenderbuffers(1, &buffer);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);

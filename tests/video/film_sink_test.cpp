@@ -299,7 +299,8 @@ TEST(Film, AFullDiskIsAnErrorAndLeavesNothing) {
       sink->push(moving(job, i));
     sink->finish();
   };
-  for (const rlim_t most : {rlim_t{0}, rlim_t{1}, rlim_t{40}, whole / 4, whole / 2, whole * 9 / 10}) {
+  for (const rlim_t most :
+       {rlim_t{0}, rlim_t{1}, rlim_t{40}, whole / 4, whole / 2, whole * 9 / 10}) {
     EXPECT_EQ(testing::with_full_disk(most, make), testing::Outcome::environment) << most;
     EXPECT_EQ(folder.entries(), 0) << most;
   }
