@@ -144,6 +144,7 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
     const double radius = std::max(s.radius.value_or(0.0), kThinRod * *s.length);
     return cylinder_mesh(radius, *s.length, segments);
   }
+  if (s.kind == "mesh") return faceted(*s.mesh);
   CHECK(s.kind == "lathe");
   return revolved(upwards(s.profile), segments);
 }

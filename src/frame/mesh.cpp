@@ -125,6 +125,39 @@ Mesh box(const Vec3& size) {
   return mesh;
 }
 
+Mesh faceted(const TriangleMesh& surface) {
+  // area vectors of the faces, and the faces around each point
+  std::vector<Vec3> areas;
+  std::vector<std::vector<std::size_t>> around(surface.points.size());
+  for (const std::array<int, 3>& corners : surface.triangles) {
+    Vec3 p[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = surface.points[static_cast<std::size_t>(corners[i])];
+      around[static_cast<std::size_t>(corners[i])].push_back(areas.size());
+    }
+    areas.push_back((p[1] - p[0]).cross(p[2] - p[0]));
+  }
+
+  // every corner has its own normal: the mean over the faces that join its own smoothly
+  const double least = std::cos(kCreaseAngle);
+  Mesh mesh;
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    for (const int corner : surface.triangles[t]) {
+      Vec3 normal = Vec3::Zero();
+      for (const std::size_t other : around[static_cast<std::size_t>(corner)]) {
+        if (areas[t].dot(areas[other]) >= least * areas[t].norm() * areas[other].norm())
+          normal += areas[other];
+      }
+      normal.normalize();
+      const Vec3& p = surface.points[static_cast<std::size_t>(corner)];
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+      mesh.vertices.push_back(
+          {glm::vec3(p.x(), p.y(), p.z()), glm::vec3(normal.x(), normal.y(), normal.z())});
+    }
+  }
+  return mesh;
+}
+
 Mesh scaled(const Mesh& mesh, const Vec3& factors) {
   const glm::vec3 f(factors.x(), factors.y(), factors.z());
   Mesh out = mesh;

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "math/notation.h"
+#include "model/triangle_mesh.h"
 
 namespace polhode {
 
@@ -44,6 +45,10 @@ Mesh torus(double radius, double tube, int segments);
 // The open surface r = z for z in 0..1, apex at the origin: half-angle 45 degrees before scaling.
 Mesh unit_cone_shell(int segments);
 Mesh box(const Vec3& size);
+
+// A surface as it stands: around each corner, faces that meet at less than kCreaseAngle are shaded
+// as one smooth surface.
+Mesh faceted(const TriangleMesh& surface);
 
 // Every position multiplied component by component, normals kept at right angles.
 Mesh scaled(const Mesh& mesh, const Vec3& factors);

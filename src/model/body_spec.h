@@ -2,32 +2,38 @@
 // The [body] table of a scene: how mass is distributed, and what is drawn.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/fields.h"
 #include "math/notation.h"
+#include "model/triangle_mesh.h"
 
 namespace polhode {
 
 // A homogeneous solid in a place. Which of the dimensions a kind takes is in solid_kinds()
 // (model/solids.h); the others must stay empty.
 struct SolidSpec {
-  std::string kind;                  // a name from solid_kinds()
-  std::optional<double> mass;        // kg; this or density
-  std::optional<double> density;     // kg/m^3
-  std::optional<Vec3> size;          // box edges, m
-  std::optional<Vec3> semi_axes;     // ellipsoid, m
-  std::optional<double> radius;      // m
-  std::optional<double> height;      // m, along z
-  std::optional<double> length;      // m, along z
-  std::optional<double> thickness;   // m, along z
-  std::optional<double> tube;        // radius of the tube of a ring, m
-  std::vector<Vec2> profile;         // lathe: (radius, z) points, m
-  Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
-  Vec3 turn = Vec3::Zero();          // turns about the body's x, then y, then z axis, rad
-  std::optional<std::string> color;  // "#rrggbb" when drawn
+  std::string kind;                          // a name from solid_kinds()
+  std::optional<double> mass;                // kg; this or density
+  std::optional<double> density;             // kg/m^3
+  std::optional<Vec3> size;                  // box edges, m
+  std::optional<Vec3> semi_axes;             // ellipsoid, m
+  std::optional<double> radius;              // m
+  std::optional<double> height;              // m, along z
+  std::optional<double> length;              // m, along z
+  std::optional<double> thickness;           // m, along z
+  std::optional<double> tube;                // radius of the tube of a ring, m
+  std::optional<std::string> file;           // mesh: an OBJ or STL file, relative to the scene file
+  std::optional<double> scale;               // mesh: metres per unit of its file; 1 when absent
+  std::shared_ptr<const TriangleMesh> mesh;  // what the file holds; filled by load_meshes
+  std::vector<Vec2> profile;                 // lathe: (radius, z) points, m
+  Vec3 at = Vec3::Zero();                    // where its own origin is in the body, m
+  Vec3 turn = Vec3::Zero();                  // turns about the body's x, then y, then z axis, rad
+  std::optional<std::string> color;          // "#rrggbb" when drawn
 };
 
 struct PointSpec {
@@ -66,6 +72,8 @@ void fields(Visitor& v, SolidSpec& s) {
   v.field("length", s.length, Doc{"length along z", Unit::length, kPositive});
   v.field("thickness", s.thickness, Doc{"thickness along z", Unit::length, kNonNegative});
   v.field("tube", s.tube, Doc{"radius of a ring's tube", Unit::length, kNonNegative});
+  v.field("file", s.file, Doc{"mesh: OBJ or STL file, relative to the scene file"});
+  v.field("scale", s.scale, Doc{"mesh: metres per unit of its file", Unit::none, kPositive});
   v.field("profile", s.profile, Doc{"points (radius, z) of a lathe's outline", Unit::length});
   v.field("at", s.at, Doc{"where the solid's own origin is in the body", Unit::length});
   v.field("turn", s.turn, Doc{"turns about the body's x, then y, then z axis", Unit::angle});

@@ -144,6 +144,8 @@ std::vector<std::string> given_dimensions(const SolidSpec& s) {
   if (s.thickness) names.emplace_back("thickness");
   if (s.tube) names.emplace_back("tube");
   if (!s.profile.empty()) names.emplace_back("profile");
+  if (s.file) names.emplace_back("file");
+  if (s.scale) names.emplace_back("scale");
   return names;
 }
 
@@ -229,6 +231,14 @@ const std::vector<SolidKind>& solid_kinds() {
        {},
        lathe_volume,
        lathe},
+      {"mesh",
+       "the closed surface in an OBJ or STL file; origin and axes of the file",
+       {"file"},
+       {"scale"},
+       [](const SolidSpec& s) { return volume_of(*s.mesh); },
+       [](const SolidSpec& s) {
+         return mass_properties_of(*s.mesh);
+       }},
   };
   return kinds;
 }
@@ -267,7 +277,28 @@ void check_dimensions(const SolidSpec& solid, const std::string& path) {
                       *solid.radius)
         .at({{}, 0, path + ".tube"});
   }
+  if (contains(kind.needs, "file") && !solid.mesh) {
+    throw input_error("'{}' was not read; a mesh needs a scene that is a file", *solid.file)
+        .at({{}, 0, path + ".file"});
+  }
   if (!solid.profile.empty()) check_profile(solid.profile, {{}, 0, path + ".profile"});
+}
+
+void load_meshes(BodySpec& body, const std::filesystem::path& folder) {
+  const auto load = [&](SolidSpec& solid, const std::string& path) {
+    if (solid.kind != "mesh" || !solid.file) return;
+    try {
+      solid.mesh = std::make_shared<const TriangleMesh>(
+          load_solid_mesh(folder / *solid.file, solid.scale.value_or(1.0)));
+    } catch (const Error& error) {
+      // the place is the scene's key; the mesh file is named in the message
+      throw input_error("{}: {}", *solid.file, error.message()).at({{}, 0, path + ".file"});
+    }
+  };
+  if (body.solid) load(*body.solid, "body.solid");
+  for (std::size_t i = 0; i < body.parts.size(); ++i)
+    load(body.parts[i], fmt::format("body.parts[{}]", i));
+  if (body.look) load(*body.look, "body.look");
 }
 
 MassProperties mass_properties(const SolidSpec& solid, const std::string& path) {

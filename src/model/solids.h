@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-// One row per solid. To add a solid: a row here and a mesh in frame/solid_mesh.cpp.
+// One row per solid. To add a solid: a row here and a mesh in frame/body_look.cpp.
 struct SolidKind {
   std::string name;
   std::string doc;                     // shape, origin and axis, one phrase
@@ -27,6 +27,10 @@ const std::vector<SolidKind>& solid_kinds();
 // Throws Error (input) with key `path`.NAME when a dimension is missing, does not belong to the
 // kind, or is impossible (a lathe outline that crosses itself, say).
 void check_dimensions(const SolidSpec& solid, const std::string& path);
+
+// Reads the files of all mesh solids of a body, `file` relative to `folder`, and checks them.
+// Throws Error (input) with key `path`.file: what load_solid_mesh refuses.
+void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 
 // Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error
 // (input) as check_dimensions does, and when not exactly one of mass and density is given.

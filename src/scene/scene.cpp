@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/hash.h"
+#include "model/solids.h"
 #include "scene/reader.h"
 #include "scene/text.h"
 
@@ -56,7 +57,15 @@ Scene parse_scene(std::string_view text, const std::string& name) {
 }
 
 Scene load_scene(const std::filesystem::path& file) {
-  return parse_scene(read_file(file, kLargestScene), file.string());
+  Scene scene = parse_scene(read_file(file, kLargestScene), file.string());
+
+  // the files that it names stand beside it
+  try {
+    load_meshes(scene.body, file.parent_path());
+  } catch (const Error& error) {
+    throw error.at({scene.file, line_of(scene, error.place().key), {}});
+  }
+  return scene;
 }
 
 int line_of(const Scene& scene, const std::string& key) {

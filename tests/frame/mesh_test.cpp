@@ -66,6 +66,11 @@ SolidSpec example(const std::string& kind) {
     s.length = 2.0;
     s.radius = 0.2;
   }
+  if (kind == "mesh") {
+    s.file = "wing_nut.obj";
+    s.mesh = std::make_shared<const TriangleMesh>(
+        load_solid_mesh(POLHODE_SOURCE_DIR "/scenes/wing_nut.obj", 1.0));
+  }
   if (kind == "lathe") s.profile = {{0, 0}, {1, 0.5}, {0.3, 1.0}, {0.5, 1.6}};
   return s;
 }

@@ -191,8 +191,16 @@ TEST(Solids, ThinDiscRodAndHoop) {
 }
 
 TEST(Solids, EveryKindIsCoveredHere) {
-  const std::vector<std::string> covered = {
-      "box", "sphere", "ellipsoid", "cylinder", "cone", "disc", "ring", "rod", "lathe"};
+  const std::vector<std::string> covered = {"box",
+                                            "sphere",
+                                            "ellipsoid",
+                                            "cylinder",
+                                            "cone",
+                                            "disc",
+                                            "ring",
+                                            "rod",
+                                            "lathe",
+                                            "mesh"};  // mesh: triangle_mesh_test.cpp
   EXPECT_EQ(solid_names(), covered);
 }
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// OBJ and STL to TriangleMesh, and whether it bounds a solid: the only file that sees CGAL.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/STL.h>
+#include <CGAL/intersections.h>
+
+#include "base/error.h"
+#include "model/triangle_mesh.h"
+
+namespace polhode {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Faces = std::vector<std::vector<std::size_t>>;
+using Triangle = std::array<int, 3>;
+
+std::string text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+const Vec3& corner(const TriangleMesh& mesh, const Triangle& triangle, int i) {
+  return mesh.points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(i % 3)])];
+}
+
+Point cgal(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// the points and faces as they stand in the file
+void read_soup(const std::string& bytes,
+               const std::string& name,
+               std::vector<Point>& points,
+               Faces& faces) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  std::istringstream in(bytes);
+  bool good = false;
+  if (ending == ".obj") {
+    good = CGAL::IO::read_OBJ(in, points, faces);
+  } else if (ending == ".stl") {
+    good = CGAL::IO::read_STL(in, points, faces);
+  } else {
+    throw input_error("'{}' is no mesh file; give one that ends in .obj or .stl", name);
+  }
+  if (!good) {
+    throw input_error(
+        "'{}' is broken off or no {} file after face {}", name, ending.substr(1), faces.size());
+  }
+  if (faces.empty()) throw input_error("'{}' has no faces", name);
+}
+
+// boxes of triangles that overlap are found by a sweep along x
+struct Extent {
+  Eigen::AlignedBox3d box;
+  std::size_t triangle;
+};
+
+std::vector<Extent> extents_along_x(const TriangleMesh& mesh) {
+  std::vector<Extent> extents;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Extent extent{{}, t};
+    for (int i = 0; i < 3; ++i)
+      extent.box.extend(corner(mesh, mesh.triangles[t], i));
+    extents.push_back(extent);
+  }
+  std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
+    return a.box.min().x() < b.box.min().x();
+  });
+  return extents;
+}
+
+// do two triangles touch anywhere but at the corners they share?
+bool cross(const TriangleMesh& mesh, Triangle s, Triangle t) {
+  // shared corners first, in the same order in both
+  int shared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto found = std::find(t.begin() + shared, t.end(), s[static_cast<std::size_t>(i)]);
+    if (found == t.end()) continue;
+    std::iter_swap(found, t.begin() + shared);
+    std::swap(s[static_cast<std::size_t>(i)], s[static_cast<std::size_t>(shared)]);
+    ++shared;
+  }
+  const auto point = [&](const Triangle& triangle, int i) {
+    return cgal(corner(mesh, triangle, i));
+  };
+  const Kernel::Triangle_3 first(point(s, 0), point(s, 1), point(s, 2));
+  const Kernel::Triangle_3 second(point(t, 0), point(t, 1), point(t, 2));
+  if (shared == 0) return CGAL::do_intersect(first, second);
+  if (shared == 1) {
+    // then the side opposite the corner of one of them meets the other
+    return CGAL::do_intersect(first, Kernel::Segment_3(point(t, 1), point(t, 2))) ||
+           CGAL::do_intersect(second, Kernel::Segment_3(point(s, 1), point(s, 2)));
+  }
+  // neighbours: flat against each other, folded over the common edge
+  return shared == 3 || (CGAL::coplanar(point(s, 0), point(s, 1), point(s, 2), point(t, 2)) &&
+                         CGAL::coplanar_orientation(
+                             point(s, 0), point(s, 1), point(s, 2), point(t, 2)) == CGAL::POSITIVE);
+}
+
+void refuse_crossings(const TriangleMesh& mesh) {
+  const std::vector<Extent> extents = extents_along_x(mesh);
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const Extent& a = extents[i];
+    for (std::size_t j = i + 1; j < extents.size(); ++j) {
+      const Extent& b = extents[j];
+      if (b.box.min().x() > a.box.max().x()) break;
+      if (!a.box.intersects(b.box)) continue;
+      if (!cross(mesh, mesh.triangles[a.triangle], mesh.triangles[b.triangle])) continue;
+      throw input_error("the mesh crosses itself: triangles {} and {}, near {}",
+                        std::min(a.triangle, b.triangle) + 1,
+                        std::max(a.triangle, b.triangle) + 1,
+                        text(a.box.intersection(b.box).center()));
+    }
+  }
+}
+
+// each directed edge once, and its reverse once
+void refuse_open_edges(const TriangleMesh& mesh) {
+  std::map<std::pair<int, int>, std::size_t> owner;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int from = mesh.triangles[t][i];
+      const int to = mesh.triangles[t][(i + 1) % 3];
+      const auto [place, fresh] = owner.try_emplace({from, to}, t);
+      if (fresh) continue;
+      throw input_error(
+          "triangles {} and {} run the same way along the edge {} - {}: one is turned "
+          "over, or more than two meet there",
+          place->second + 1,
+          t + 1,
+          text(mesh.points[static_cast<std::size_t>(from)]),
+          text(mesh.points[static_cast<std::size_t>(to)]));
+    }
+  }
+  for (const auto& [edge, t] : owner) {
+    if (owner.contains({edge.second, edge.first})) continue;
+    throw input_error("the mesh is open: triangle {} has no neighbour along the edge {} - {}",
+                      t + 1,
+                      text(mesh.points[static_cast<std::size_t>(edge.first)]),
+                      text(mesh.points[static_cast<std::size_t>(edge.second)]));
+  }
+}
+
+}  // namespace
+
+TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& name) {
+  std::vector<Point> points;
+  Faces faces;
+  read_soup(bytes, name, points, faces);
+
+  // corners at one place become one
+  TriangleMesh mesh;
+  std::map<std::array<double, 3>, int> index_of;
+  std::vector<int> merged;
+  for (const Point& p : points) {
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
+      throw input_error("'{}': vertex {} is not finite", name, merged.size() + 1);
+    }
+    const auto [place, fresh] =
+        index_of.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(mesh.points.size()));
+    if (fresh) mesh.points.emplace_back(p.x(), p.y(), p.z());
+    merged.push_back(place->second);
+  }
+
+  // faces become fans of triangles
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].size() < 3) {
+      throw input_error("'{}': face {} has {} corners", name, f + 1, faces[f].size());
+    }
+    for (const std::size_t i : faces[f]) {
+      if (i < merged.size()) continue;
+      throw input_error("'{}': face {} names a vertex that is not there; there are {}",
+                        name,
+                        f + 1,
+                        merged.size());
+    }
+    for (std::size_t i = 1; i + 1 < faces[f].size(); ++i) {
+      mesh.triangles.push_back({merged[faces[f][0]], merged[faces[f][i]], merged[faces[f][i + 1]]});
+    }
+  }
+  return mesh;
+}
+
+void check_solid(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw input_error("the mesh has no triangles");
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    if (CGAL::collinear(cgal(corner(mesh, corners, 0)),
+                        cgal(corner(mesh, corners, 1)),
+                        cgal(corner(mesh, corners, 2)))) {
+      throw input_error("triangle {} has no area, near {}", t + 1, text(corner(mesh, corners, 0)));
+    }
+  }
+  refuse_open_edges(mesh);
+  refuse_crossings(mesh);
+  const double volume = volume_of(mesh);
+  if (!(volume > 0.0)) {
+    throw input_error(
+        "the mesh is inside out: its volume is {:.6g} m^3; list the corners of each triangle the "
+        "other way round, counter-clockwise seen from outside",
+        volume);
+  }
+}
+
+}  // namespace polhode
