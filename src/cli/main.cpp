@@ -20,6 +20,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
       {"render", "make a film or a picture of a scene", define_render},
       {"simulate", "write the motion of a scene as a table (CSV)", define_simulate},
+      {"inspect", "tell what the body of a scene is and what theory says of it", define_inspect},
       {"list", "list methods, models, shapes, scenes or formats", define_list},
       {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
       {"doctor", "tell what works here and what is missing", define_doctor},

@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 
 #include "base/error.h"
 #include "model/solids.h"
 
 namespace polhode {
 namespace {
+
+constexpr double kSameAxis = 1e-9;  // two direction cosines closer than this are a tie
 
 // the tensor as the user gave it, from either key
 Mat3 given_tensor(const BodySpec& spec) {
@@ -27,19 +31,85 @@ const char* tensor_key(const BodySpec& spec) {
   return spec.moments ? "body.moments" : "body.tensor";
 }
 
-// right-handed principal frame; the axes given are kept when they already are principal
+// the turn of a basis within the plane or space that it spans that brings it closest to the body
+// axes with these indices (orthogonal Procrustes problem, Schoenemann 1966)
+void align(Mat3& R_BP, const std::vector<int>& indices) {
+  const auto n = static_cast<Eigen::Index>(indices.size());
+  Eigen::MatrixXd basis(3, n), seen(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    basis.col(j) = R_BP.col(indices[static_cast<std::size_t>(j)]);
+  for (Eigen::Index j = 0; j < n; ++j)
+    seen.col(j) = basis.transpose() * Vec3::Unit(indices[static_cast<std::size_t>(j)]);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::MatrixXd turned = basis * svd.matrixU() * svd.matrixV().transpose();
+  for (Eigen::Index j = 0; j < n; ++j)
+    R_BP.col(indices[static_cast<std::size_t>(j)]) = turned.col(j);
+}
+
+// the axis that stands alone goes to the body axis it is closest to, of equals to the last; the
+// other two follow x, y, z as closely as they can
+Mat3 frame_of_symmetric(const Vec3& alone) {
+  int axis = 2;
+  for (int i = 1; i >= 0; --i) {
+    if (std::abs(alone[i]) > std::abs(alone[axis]) + kSameAxis) axis = i;
+  }
+  Mat3 R_BP;
+  R_BP.col(axis) = alone[axis] < 0.0 ? Vec3(-alone) : alone;
+  const int next = (axis + 1) % 3;
+  const int last = (axis + 2) % 3;
+  R_BP.col(next) = Vec3::Unit(last).cross(R_BP.col(axis)).normalized();
+  R_BP.col(last) = R_BP.col(axis).cross(R_BP.col(next));
+  align(R_BP, {next, last});
+  return R_BP;
+}
+
+// each axis at the body axis it is closest to, of equals the first order
+Mat3 frame_of_asymmetric(const Mat3& axes) {
+  std::array<int, 3> order = {0, 1, 2};
+  std::array<int, 3> best = order;
+  double most = 0.0;
+  do {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+      sum += std::abs(axes(i, order[static_cast<std::size_t>(i)]));
+    if (sum > most + kSameAxis) {
+      most = sum;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  Mat3 R_BP;
+  int least = 2;
+  for (int i = 2; i >= 0; --i) {
+    const Vec3 axis = axes.col(best[static_cast<std::size_t>(i)]);
+    R_BP.col(i) = axis[i] < 0.0 ? Vec3(-axis) : axis;
+    if (std::abs(axis[i]) < std::abs(R_BP(least, least)) - kSameAxis) least = i;
+  }
+  if (R_BP.determinant() < 0.0) R_BP.col(least) = -R_BP.col(least);
+  return R_BP;
+}
+
+// Right-handed principal frame, as close to the body axes as it can be: where moments coincide, or
+// do but for round-off, an eigensolver's axes are any, and the next bit would turn them.
 void find_principal_frame(const Mat3& tensor, Mat3& R_BP, Vec3& moments) {
   Mat3 off_diagonal = tensor;
   off_diagonal.diagonal().setZero();
-  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-14 * tensor.cwiseAbs().maxCoeff()) {
-    R_BP = Mat3::Identity();
-    moments = tensor.diagonal();
-    return;
-  }
+  R_BP = Mat3::Identity();
+  moments = tensor.diagonal();
+  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-14 * tensor.cwiseAbs().maxCoeff()) return;
+
+  // ascending
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor);
-  moments = solver.eigenvalues();
-  R_BP = solver.eigenvectors();
-  if (R_BP.determinant() < 0.0) R_BP.col(0) = -R_BP.col(0);
+  const Vec3 found = solver.eigenvalues();
+  const double close = kEqualMoments * found.cwiseAbs().maxCoeff();
+  const bool low = found[1] - found[0] <= close;
+  const bool high = found[2] - found[1] <= close;
+  if (low && high) return;
+  if (low || high) {
+    R_BP = frame_of_symmetric(solver.eigenvectors().col(low ? 2 : 0));
+  } else {
+    R_BP = frame_of_asymmetric(solver.eigenvectors());
+  }
+  moments = (R_BP.transpose() * tensor * R_BP).diagonal();
 }
 
 void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::string& where) {

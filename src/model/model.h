@@ -33,7 +33,7 @@ struct Model {
   bool on_pivot = false;                // one point of the body is fixed
   Vec3 pivot_B = Vec3::Zero();          // that point, m
   Vec3 gravity_S = Vec3::Zero();        // m/s^2
-  Mat3 R_BP = Mat3::Identity();         // principal axes as columns, in B
+  Mat3 R_BP = Mat3::Identity();         // principal axes as columns, in B; closest to the axes of B
   Vec3 moments = Vec3::Ones();          // about the reference point, kg m^2, along P
   Vec3 inverse_moments = Vec3::Ones();  // 1/moments; 0 where a rotator has none
   TopKind kind;

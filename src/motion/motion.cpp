@@ -63,9 +63,19 @@ Sample Motion::at(double t) const {
   const Vec3 v = velocity_ + t * model_.gravity_S;
   sample.center_S = position_ + t * velocity_ + 0.5 * t * t * model_.gravity_S;
   sample.reference_S = sample.center_S;
+  sample.reference_velocity_S = v;
   sample.energy +=
       model_.body.mass * (0.5 * v.squaredNorm() - model_.gravity_S.dot(sample.center_S));
   return sample;
+}
+
+Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B) {
+  return sample.reference_S + sample.q_SB * (r_B - model.reference_B());
+}
+
+Vec3 point_velocity(const Model& model, const Sample& sample, const Vec3& r_B) {
+  return sample.reference_velocity_S +
+         sample.w_S.cross(point_position(model, sample, r_B) - sample.reference_S);
 }
 
 Vec3 gravity_of(const MotionSpec& spec) {

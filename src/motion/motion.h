@@ -11,14 +11,15 @@ namespace polhode {
 
 // All quantities of one moment. Letters of frames: math/notation.h.
 struct Sample {
-  double t = 0.0;                   // s
-  Quat q_SB = Quat::Identity();     // attitude, body to space
-  Vec3 w_B = Vec3::Zero();          // angular velocity in body axes, rad/s
-  Vec3 w_S = Vec3::Zero();          // the same in space axes
-  Vec3 L_S = Vec3::Zero();          // angular momentum about the reference point, kg m^2/s
-  Vec3 center_S = Vec3::Zero();     // centre of mass, m
-  Vec3 reference_S = Vec3::Zero();  // fixed point or centre of mass, m
-  double energy = 0.0;              // kinetic (rotation and translation) + potential, J
+  double t = 0.0;                            // s
+  Quat q_SB = Quat::Identity();              // attitude, body to space
+  Vec3 w_B = Vec3::Zero();                   // angular velocity in body axes, rad/s
+  Vec3 w_S = Vec3::Zero();                   // the same in space axes
+  Vec3 L_S = Vec3::Zero();                   // angular momentum about the reference point, kg m^2/s
+  Vec3 center_S = Vec3::Zero();              // centre of mass, m
+  Vec3 reference_S = Vec3::Zero();           // fixed point or centre of mass, m
+  Vec3 reference_velocity_S = Vec3::Zero();  // of that point, m/s; zero on a pivot
+  double energy = 0.0;                       // kinetic (rotation and translation) + potential, J
 };
 
 // Immutable; at() may be called from any thread.
@@ -38,6 +39,12 @@ class Motion {
   Vec3 velocity_;  // m/s
   double duration_;
 };
+
+// Where the point r_B of the body (m, from the body origin) is in space, m.
+Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B);
+
+// Its velocity in space, m/s: V + Omega x r, r from the reference point (notes, section 0.1).
+Vec3 point_velocity(const Model& model, const Sample& sample, const Vec3& r_B);
 
 // Gravity of a [motion] table, defaults resolved: none for a free body, standard on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);

@@ -100,10 +100,38 @@ TEST_F(GoodRun, TableOfTheMotion) {
   EXPECT_EQ(rows, 5);
 }
 
+TEST_F(GoodRun, InspectTellsTheBodyAndTheTheory) {
+  const Ran ran = run_polhode("inspect " + scene() + " --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto facts = nlohmann::json::parse(ran.out);
+  // ellipsoid: m (b^2 + c^2) / 5
+  EXPECT_NEAR(facts["mass_kg"].get<double>(), 1.0, 1e-15);
+  EXPECT_EQ(facts["center_of_mass_m"].size(), 3u);
+  EXPECT_NEAR(facts["tensor_kg_m2"][0][0].get<double>(), 0.010, 1e-16);
+  EXPECT_NEAR(facts["principal_moments_kg_m2"][0].get<double>(), 0.004, 1e-16);
+  EXPECT_EQ(facts["principal_axes"][0].get<std::vector<double>>(), (std::vector<double>{0, 0, 1}));
+  EXPECT_EQ(facts["reference"], "center of mass");
+  EXPECT_EQ(facts["kind"], "symmetric prolate");
+  EXPECT_EQ(facts["model"], "symmetric");
+  EXPECT_FALSE(facts["model_reason"].get<std::string>().empty());
+  EXPECT_GT(facts["evaluations_of_ode"].get<long>(), 10);
+  const auto& derived = facts["derived"];
+  const double momentum = std::hypot(0.010 * 1.0, 0.004 * 3.0);
+  EXPECT_NEAR(derived["precession_rate_rad_per_s"].get<double>(), momentum / 0.010, 1e-13);
+  EXPECT_NEAR(derived["spin_rate_rad_per_s"].get<double>(), 0.012 * (250.0 - 100.0), 1e-13);
+
+  // the same as text, angles in degrees too
+  const Ran text = run_polhode("inspect " + scene());
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("symmetric prolate"), std::string::npos);
+  EXPECT_NE(text.out.find(" deg/s)"), std::string::npos);
+}
+
 TEST_F(GoodRun, EveryHelpReadsAndEveryListLists) {
   for (const char* arguments : {"--help",
                                 "render --help",
                                 "simulate --help",
+                                "inspect --help",
                                 "list --help",
                                 "schema --help",
                                 "doctor --help",

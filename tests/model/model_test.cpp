@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
 #include "support/expect_error.h"
 #include "support/tops.h"
 
@@ -109,6 +110,52 @@ TEST(PrincipalFrame, DiagonalisesAndIsRightHanded) {
 TEST(PrincipalFrame, AxesThatArePrincipalAlreadyAreKept) {
   EXPECT_EQ(free_model(with_moments({1.0, 0.9, 0.6})).R_BP, Mat3(Mat3::Identity()));
   EXPECT_EQ(free_model(with_tensor(Vec3(1.0, 0.9, 0.6).asDiagonal())).moments, Vec3(1, 0.9, 0.6));
+}
+
+// a frame that the next bit of the tensor turns round would turn the drawn axes too
+TEST(PrincipalFrame, RoundOffDoesNotTurnIt) {
+  const std::vector<Vec3> cases = {
+      {1, 1, 0.5}, {0.5, 1, 1}, {1, 0.5, 1}, {1, 1, 1.9}, {1, 1, 1}, {0.6, 0.8, 1}, {1, 0.6, 0.8}};
+  const Mat3 turns[] = {Mat3::Identity(),
+                        exp_rotation({0.1, -0.2, 0.05}).toRotationMatrix(),
+                        exp_rotation({0, kPi / 4, 0}).toRotationMatrix()};
+  for (const Vec3& moments : cases) {
+    for (const Mat3& turn : turns) {
+      const Mat3 turned = turn * moments.asDiagonal() * turn.transpose();
+      const Mat3 tensor = 0.5 * (turned + turned.transpose());
+      const Model model = free_model(with_tensor(tensor));
+      EXPECT_NEAR(model.R_BP.determinant(), 1.0, 1e-14);
+      for (int k = 0; k < 27; ++k) {
+        Mat3 noise = Mat3::Zero();
+        noise(0, 1) = noise(1, 0) = (k % 3 - 1) * 1e-15;
+        noise(0, 2) = noise(2, 0) = (k / 3 % 3 - 1) * 1e-15;
+        noise(1, 2) = noise(2, 1) = (k / 9 - 1) * 1e-15;
+        noise(0, 0) = noise(1, 2);
+        const Model other = free_model(with_tensor(tensor + noise));
+        EXPECT_LE((other.R_BP - model.R_BP).norm(), 3e-14) << moments.transpose() << " k " << k;
+      }
+    }
+  }
+}
+
+TEST(PrincipalFrame, SymmetricBodiesOfPartsKeepTheirAxes) {
+  // spokes in a circle: symmetric about z but for round-off
+  BodySpec spec;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 2.0 * kPi * i / 7;
+    spec.parts.push_back(
+        sphere(0.1, 0.02, {3.0 * std::cos(angle), 3.0 * std::sin(angle), 0.3 + 1e-3}));
+  }
+  const Model model = free_model(spec);
+  EXPECT_EQ(model.kind.name(), "symmetric oblate");
+  EXPECT_EQ(model.kind.axis, 2);
+  EXPECT_LE((model.R_BP - Mat3::Identity()).norm(), 1e-14);
+
+  // tilted by 10 degrees about y: each axis stays next to its own, and y where it was
+  const Mat3 tilt = exp_rotation({0, kPi / 18, 0}).toRotationMatrix();
+  for (SolidSpec& part : spec.parts)
+    part.at = tilt * part.at;
+  EXPECT_LE((free_model(spec).R_BP - tilt).norm(), 1e-14);
 }
 
 TEST(Classify, EveryKind) {

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "motion/simulate.h"
 #include "support/expect_error.h"
+#include "support/residual.h"
 #include "support/tops.h"
 
 namespace polhode {
@@ -123,6 +124,40 @@ TEST(FreeFlight, IsAParabolaWithConstantEnergy) {
   EXPECT_NEAR(motion.at(0.0).energy, rotation + 41.0 + 2.0 * 9.81 * 3.0, 1e-8);
   for (const double t : {0.5, 2.0, 10.0})
     EXPECT_NEAR(motion.at(t).energy, motion.at(0.0).energy, 1e-8);
+}
+
+// V + Omega x r against central differences of the position, flying and held
+TEST(PointVelocity, IsTheRateOfThePosition) {
+  for (const char* hold : {"free", "pivot"}) {
+    MotionSpec spec;
+    spec.hold = hold;
+    spec.gravity = Vec3(0.3, 0, -9.81);
+    spec.attitude.zxz = Vec3(0.3, 0.9, -0.5);
+    spec.spin.body = Vec3(1.0, -2.0, 0.5);
+    spec.duration = 2.0;
+    if (spec.hold == "free") spec.velocity = Vec3(4, 0, 5);
+    BodySpec body = skew_body();
+    body.pivot = Vec3(0.2, -0.1, 0.4);
+    const Motion motion = motion_of(body, spec);
+    const Model& model = motion.model();
+    for (const double t : {0.4, 1.3}) {
+      for (const Vec3& r : {Vec3(0, 0, 0), Vec3(0.5, -0.3, 0.8), body.pivot}) {
+        const double h = 1e-4;
+        const Vec3 rate = (point_position(model, motion.at(t + h), r) -
+                           point_position(model, motion.at(t - h), r)) /
+                          (2.0 * h);
+        expect_residual("point velocity, " + spec.hold,
+                        (point_velocity(model, motion.at(t), r) - rate).norm(),
+                        2e-6);
+      }
+      // the centre of mass has the velocity of the parabola, the pivot none
+      const Sample s = motion.at(t);
+      const Vec3 reference = point_velocity(model, s, model.reference_B());
+      const Vec3 expected =
+          spec.hold == "free" ? Vec3(spec.velocity + t * *spec.gravity) : Vec3(Vec3::Zero());
+      EXPECT_LE((reference - expected).norm(), 4e-15);
+    }
+  }
 }
 
 // a rod let go at rest: swings with the period of the compound pendulum, 4 K(sin(a/2)) / w0

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "motion/derived.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "math/elliptic.h"
+
+namespace polhode {
+namespace {
+
+using Q = QuantityUnit;
+using List = std::vector<Quantity>;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// kinetic energy as that of the centre of mass and that about it (notes, eq. 4)
+void add_energies(List& list, const Model& model, const MotionSpec& spec, const State& start) {
+  const Vec3 w_P = angular_velocity(model, start.y);
+  const double turning = 0.5 * start.y.dot(w_P);
+  const Vec3 arm_P = model.R_BP.transpose() * (model.body.center - model.reference_B());
+  const Vec3 v = model.on_pivot ? Vec3(w_P.cross(arm_P)) : spec.velocity;
+  const double travel = 0.5 * model.body.mass * v.squaredNorm();
+  const double potential = model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
+                                          : -model.body.mass * model.gravity_S.dot(spec.position);
+  const double kinetic = model.on_pivot ? turning : turning + travel;
+  list.push_back({"kinetic_energy", Q::energy, kinetic});
+  list.push_back({"kinetic_energy_of_center_of_mass", Q::energy, travel});
+  list.push_back({"kinetic_energy_about_center_of_mass", Q::energy, kinetic - travel});
+  list.push_back({"potential_energy", Q::energy, potential});
+  list.push_back({"total_energy", Q::energy, kinetic + potential});
+  list.push_back({"angular_momentum", Q::momentum, start.y.norm()});
+  list.push_back({"angular_speed", Q::rate, w_P.norm()});
+}
+
+void add_free_symmetric(List& list, const Model& model, const State& start) {
+  const int axis = model.kind.axis;
+  const double across = model.moments[(axis + 1) % 3];
+  const double precession = start.y.norm() / across;
+  if (model.kind.rotator) {
+    list.push_back({"rotation_period", Q::time, 2.0 * kPi / precession});
+    return;
+  }
+  // the axis points to the side of L
+  const Vec3 figure = std::copysign(1.0, start.y[axis]) * Vec3::Unit(axis);
+  const Vec3 w_P = angular_velocity(model, start.y);
+  const double spin = std::abs(start.y[axis]) * (model.inverse_moments[axis] - 1.0 / across);
+  list.push_back({"precession_rate", Q::rate, precession});
+  list.push_back({"precession_period", Q::time, 2.0 * kPi / precession});
+  list.push_back({"spin_rate", Q::rate, spin});
+  if (spin != 0.0) list.push_back({"polhode_period", Q::time, 2.0 * kPi / std::abs(spin)});
+  list.push_back({"axis_to_momentum_angle", Q::angle, angle_between(figure, start.y)});
+  list.push_back({"space_cone_half_angle", Q::angle, angle_between(w_P, start.y)});
+  list.push_back({"body_cone_half_angle", Q::angle, angle_between(w_P, figure)});
+}
+
+void add_free_asymmetric(List& list, const Model& model, const State& start) {
+  // squares of the momentum in the order of the moments
+  int order[] = {0, 1, 2};
+  std::sort(order, order + 3, [&](int i, int j) { return model.moments[i] < model.moments[j]; });
+  const double I1 = model.moments[order[0]];
+  const double I2 = model.moments[order[1]];
+  const double I3 = model.moments[order[2]];
+  const Vec3 y(start.y[order[0]], start.y[order[1]], start.y[order[2]]);
+  const Vec3 q = y.cwiseProduct(y);
+
+  // excesses over the separatrix and the two steady rotations, without cancellation
+  const double excess1 = q[1] * (I2 - I1) / I2 + q[2] * (I3 - I1) / I3;
+  const double excess2 = q[2] * (I3 - I2) / I3 - q[0] * (I2 - I1) / I1;
+  const double excess3 = q[0] * (I3 - I1) / I1 + q[1] * (I3 - I2) / I2;
+  const double a = excess3 * (I2 - I1);
+  const double b = excess1 * (I3 - I2);
+  const double m1 = std::min(1.0, std::abs(excess2) * (I3 - I1) / std::max(a, b));
+  const double lambda = std::sqrt(std::max(a, b) / (I1 * I2 * I3));
+  if (m1 > 0.0 && std::min(a, b) > 0.0) {
+    const double K = elliptic_k(m1);
+    list.push_back({"polhode_period", Q::time, 4.0 * K / lambda});
+    list.push_back({"flip_time", Q::time, 2.0 * K / lambda});
+  }
+  if (q[1] >= std::max(q[0], q[2])) {
+    const double rate = std::abs(y[1]) / I2 * std::sqrt((I2 - I1) * (I3 - I2) / (I1 * I3));
+    list.push_back({"growth_rate_off_middle_axis", Q::growth, rate});
+  }
+}
+
+// Lagrange's top: chi along the axis
+void add_heavy_symmetric(List& list, const Model& model, const State& start) {
+  const int axis = model.kind.symmetric() ? model.kind.axis : 0;
+  const double A = model.moments[(axis + 1) % 3];
+  const double mu = model.chi_P.norm();
+  const double L3 = model.kind.rotator ? 0.0 : start.y.dot(model.chi_P) / mu;
+  const double u = std::clamp(up_in_body(model, start.q).dot(model.chi_P) / mu, -1.0, 1.0);
+  list.push_back(
+      {"tilt_at_start", Q::angle, angle_between(up_in_body(model, start.q), model.chi_P)});
+  if (L3 == 0.0) {
+    list.push_back({"small_oscillation_period", Q::time, 2.0 * kPi * std::sqrt(A / mu)});
+    return;
+  }
+  // the slow one as a quotient: nothing cancels, and a level axis is no exception
+  const double under_root = L3 * L3 - 4.0 * A * mu * u;
+  list.push_back({"steady_precession_possible", Q::verdict, under_root >= 0.0 ? 1.0 : 0.0});
+  if (under_root >= 0.0) {
+    const double sum = L3 + std::copysign(std::sqrt(under_root), L3);
+    list.push_back({"slow_steady_precession", Q::rate, 2.0 * mu / sum});
+    if (std::abs(u) > 1e-12)
+      list.push_back({"fast_steady_precession", Q::rate, sum / (2.0 * A * u)});
+  }
+  const double ratio = L3 * L3 / (4.0 * A * mu);
+  list.push_back({"sleeping_top_stable", Q::verdict, ratio > 1.0 ? 1.0 : 0.0});
+  list.push_back({"sleeping_top_stability_ratio", Q::none, ratio});
+  if (ratio < 1.0) {
+    const double growth = std::sqrt(4.0 * A * mu - L3 * L3) / (2.0 * A);
+    list.push_back({"sleeping_top_growth_rate", Q::growth, growth});
+  }
+}
+
+}  // namespace
+
+std::string key_of(const Quantity& quantity) {
+  static constexpr const char* kSuffixes[] = {
+      "", "_s", "_rad", "_rad_per_s", "_per_s", "_J", "_kg_m2_per_s", ""};
+  return quantity.name + kSuffixes[static_cast<int>(quantity.unit)];
+}
+
+std::vector<Quantity> derived_quantities(const Model& model, const MotionSpec& spec) {
+  const State start = start_state(model, spec);
+  List list;
+  add_energies(list, model, spec, start);
+  if (model.chi_P.squaredNorm() > 0.0) {
+    Vec3 aside = model.chi_P;
+    aside[model.kind.axis] = 0.0;
+    const bool along = aside.norm() <= kEqualMoments * model.chi_P.norm();
+    if (model.kind.shape == TopKind::Shape::spherical || (model.kind.symmetric() && along))
+      add_heavy_symmetric(list, model, start);
+    return list;
+  }
+  if (start.y.norm() == 0.0) return list;
+  if (model.kind.shape == TopKind::Shape::asymmetric) {
+    add_free_asymmetric(list, model, start);
+  } else if (model.kind.symmetric()) {
+    add_free_symmetric(list, model, start);
+  } else {
+    const double period = 2.0 * kPi * model.moments[0] / start.y.norm();
+    list.push_back({"rotation_period", Q::time, period});
+  }
+  return list;
+}
+
+std::optional<double> value_of(const std::vector<Quantity>& quantities, const std::string& key) {
+  for (const Quantity& quantity : quantities) {
+    if (key_of(quantity) == key) return quantity.value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace polhode

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// What theory says of a motion against what is measured on the motion itself.
+#include "motion/derived.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "motion/simulate.h"
+#include "support/motions.h"
+#include "support/residual.h"
+#include "support/tops.h"
+
+namespace polhode {
+namespace {
+
+using test::expect_residual;
+
+struct Case {
+  Motion motion;
+  std::vector<Quantity> numbers;
+
+  double operator()(const std::string& key) const {
+    const std::optional<double> value = value_of(numbers, key);
+    EXPECT_TRUE(value.has_value()) << key;
+    return value.value_or(std::nan(""));
+  }
+};
+
+Case moving(const BodySpec& body, const MotionSpec& spec) {
+  const Model model = make_model(body, spec.hold == "pivot", gravity_of(spec));
+  return {simulate(model, spec, {}, 1e-9).motion, derived_quantities(model, spec)};
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// angle from a to b about the axis n
+double turn_about(const Vec3& n, const Vec3& a, const Vec3& b) {
+  return std::atan2(n.dot(a.cross(b)), a.dot(b) - a.dot(n) * b.dot(n));
+}
+
+TEST(Derived, FreeSymmetricTopPrecessesAndSpinsAsSaid) {
+  for (const BodySpec& body : {testing::prolate_body(), testing::oblate_body()}) {
+    const Case top = moving(body, testing::wobbling());
+    const double t = 0.05;
+    const Sample a = top.motion.at(0.0);
+    const Sample b = top.motion.at(t);
+    const Vec3 n = a.L_S.normalized();
+    const Vec3 axis_a = a.q_SB * Vec3::UnitZ();
+    const Vec3 axis_b = b.q_SB * Vec3::UnitZ();
+    const double precession = turn_about(n, axis_a, axis_b) / t;
+    expect_residual(
+        "precession rate", std::abs(precession - top("precession_rate_rad_per_s")), 1e-13);
+    // omega goes round in the body against the own spin
+    const double euler = turn_about(Vec3::UnitZ(), a.w_B, b.w_B) / t;
+    expect_residual("spin rate", std::abs(-euler - top("spin_rate_rad_per_s")), 1e-13);
+    expect_residual(
+        "space cone", std::abs(angle_between(b.w_S, n) - top("space_cone_half_angle_rad")), 1e-13);
+    expect_residual("body cone",
+                    std::abs(angle_between(b.w_S, axis_b) - top("body_cone_half_angle_rad")),
+                    1e-15);
+  }
+}
+
+TEST(Derived, MiddleAxisTurnsOverAfterTheFlipTime) {
+  BodySpec body;
+  body.moments = Vec3(1.0, 1.5, 2.2);
+  MotionSpec spec;
+  spec.spin.body = Vec3(0.01, 3.0, 0.02);
+  spec.duration = 40.0;
+  const Case top = moving(body, spec);
+
+  // zeros of omega_2, by bisection
+  std::vector<double> zeros;
+  for (double t = 0.0; t < 39.9; t += 0.01) {
+    double low = t, high = t + 0.01;
+    const double sign = top.motion.at(low).w_B.y();
+    if (sign * top.motion.at(high).w_B.y() > 0.0) continue;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (sign * top.motion.at(middle).w_B.y() > 0.0 ? low : high) = middle;
+    }
+    zeros.push_back(low);
+  }
+  ASSERT_GE(zeros.size(), 3u);
+  expect_residual("flip time", std::abs(zeros[2] - zeros[1] - top("flip_time_s")), 5e-14);
+  EXPECT_NEAR(top("polhode_period_s"), 2.0 * top("flip_time_s"), 1e-14);
+
+  // on the separatrix, I1 (I2 - I1) w1^2 = I3 (I3 - I2) w3^2, a tiny tilt grows at the rate
+  const double rate = top("growth_rate_off_middle_axis_per_s");
+  MotionSpec tiny = spec;
+  const double slope = -std::sqrt(1.0 * 0.5 / (2.2 * 0.7));
+  tiny.spin.body = Vec3(1e-7, 3.0, 1e-7 * slope);
+  const Motion grown = moving(body, tiny).motion;
+  const auto tilt = [&](double t) {
+    return std::hypot(grown.at(t).w_B.x(), grown.at(t).w_B.z());
+  };
+  expect_residual("growth rate", std::abs(std::log(tilt(4.0) / tilt(3.0)) - rate), 2e-11);
+}
+
+TEST(Derived, SteadyPrecessionIsSteady) {
+  const BodySpec body = testing::cone_body();
+  MotionSpec spec = testing::spinning_on_pivot();
+  const double tilt = 0.5;
+  const double w3 = 400.0;
+  spec.spin = {};
+  spec.spin.body = Vec3(0, 0, w3);
+  const Case rest = moving(body, spec);
+  for (const char* key : {"slow_steady_precession_rad_per_s", "fast_steady_precession_rad_per_s"}) {
+    const double rate = rest(key);
+    spec.spin = {};
+    spec.spin.rates = Vec3(rate, 0.0, w3 - rate * std::cos(tilt));
+    spec.duration = 0.2;
+    const Motion motion = moving(body, spec).motion;
+    for (const double t : {0.05, 0.2}) {
+      const Vec3 axis = motion.at(t).q_SB * Vec3::UnitZ();
+      expect_residual(key, std::abs(angle_between(axis, Vec3::UnitZ()) - tilt), 1e-14);
+      const Vec3 start = motion.at(0.0).q_SB * Vec3::UnitZ();
+      const double turned = turn_about(Vec3::UnitZ(), start, axis);
+      expect_residual(key, std::abs(std::remainder(turned - rate * t, 2.0 * kPi)), 5e-14);
+    }
+  }
+}
+
+TEST(Derived, SleepingTopFallsAtItsRateBelowTheThreshold) {
+  // A = 1, C = 0.5, mu = 1: w* = 4
+  BodySpec body;
+  body.moments = Vec3(1, 1, 0.5);
+  body.about = "pivot";
+  body.mass = 0.5;
+  body.center_of_mass = Vec3(0, 0, 1);
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.gravity = Vec3(0, 0, -2.0);
+  spec.attitude.zxz = Vec3(0, 1e-7, 0);
+  spec.duration = 12.0;
+  spec.spin.body = Vec3(0, 0, 4.2);
+  const Case stable = moving(body, spec);
+  EXPECT_EQ(stable("sleeping_top_stable"), 1.0);
+  EXPECT_NEAR(stable("sleeping_top_stability_ratio"), 1.1025, 1e-14);
+
+  spec.spin.body = Vec3(0, 0, 2.0);
+  const Case falling = moving(body, spec);
+  EXPECT_EQ(falling("sleeping_top_stable"), 0.0);
+  EXPECT_NEAR(falling("sleeping_top_growth_rate_per_s"), std::sqrt(0.75), 1e-14);
+  const auto tilt = [&](double t) {
+    return angle_between(falling.motion.at(t).q_SB * Vec3::UnitZ(), Vec3::UnitZ());
+  };
+  expect_residual(
+      "growth of the tilt", std::abs(std::log(tilt(11.0) / tilt(10.0)) - std::sqrt(0.75)), 2e-7);
+}
+
+TEST(Derived, PendulumAndEnergies) {
+  BodySpec body;
+  body.points = {{0.5, {0, 0, -1.2}}, {0.1, {0, 0, -0.6}}};
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.attitude.zxz = Vec3(0, 1e-4, 0);
+  spec.duration = 5.0;
+  const Case small = moving(body, spec);
+  const double period = small("small_oscillation_period_s");
+  expect_residual("small oscillation",
+                  (small.motion.at(period).center_S - small.motion.at(0).center_S).norm(),
+                  1e-13);
+
+  // the split of the energy, against sums over the two masses
+  spec.spin.space = Vec3(0.7, 0, 0);
+  const Case swung = moving(body, spec);
+  const Sample s = swung.motion.at(0.0);
+  double kinetic = 0.0;
+  for (const PointSpec& point : body.points)
+    kinetic += 0.5 * point.m * point_velocity(swung.motion.model(), s, point.at).squaredNorm();
+  EXPECT_NEAR(swung("kinetic_energy_J"), kinetic, 1e-15);
+  const Vec3 v = point_velocity(swung.motion.model(), s, swung.motion.model().body.center);
+  EXPECT_NEAR(swung("kinetic_energy_of_center_of_mass_J"), 0.3 * v.squaredNorm(), 1e-15);
+  EXPECT_NEAR(swung("total_energy_J"), s.energy, 1e-14);
+}
+
+}  // namespace
+}  // namespace polhode
