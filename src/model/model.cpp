@@ -99,7 +99,7 @@ void find_principal_frame(const Mat3& tensor, Mat3& R_BP, Vec3& moments) {
 
   // ascending
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor);
-  const Vec3 found = solver.eigenvalues();
+  const Vec3& found = solver.eigenvalues();
   const double close = kEqualMoments * found.cwiseAbs().maxCoeff();
   const bool low = found[1] - found[0] <= close;
   const bool high = found[2] - found[1] <= close;
