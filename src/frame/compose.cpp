@@ -323,6 +323,9 @@ double attitude_tolerance(const CameraSpec& camera,
   if (!camera.eye) return pixels / half_diagonal;
   const double reach = kReach * body_radius;
   const double distance = (*camera.eye - camera.target.value_or(Vec3::Zero())).norm();
+  if (!(distance > 0.0)) {
+    throw input_error("must differ from camera.target").at({{}, 0, "camera.eye"});
+  }
   const double nearest = std::max(distance - reach, 0.05 * distance);
   const double focal_px = 0.5 * size.height / std::tan(0.5 * camera.fov);
   return pixels * nearest / (focal_px * reach);
