@@ -24,8 +24,9 @@ vec3 unit(vec3 v) {
 // A strip along +x and a darker half x < 0: one turn looks different from half a turn.
 vec3 painted() {
   if (u_mark_width <= 0.0) return u_color;
-  float soft_y = fwidth(v_mesh.y) + 1e-9;
-  float soft_x = fwidth(v_mesh.x) + 1e-9;
+  float least = 1e-9 * u_mark_width;  // never divide by nothing
+  float soft_y = fwidth(v_mesh.y) + least;
+  float soft_x = fwidth(v_mesh.x) + least;
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
   float strip = clamp((u_mark_width - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
   return mix(u_color * mix(0.80, 1.0, front), u_mark_color, strip);

@@ -9,7 +9,7 @@ uniform mat4 u_world_from_mesh;
 uniform mat3 u_normal_from_mesh;           // inverse transpose of the linear part
 
 out vec3 v_normal;   // space, not unit
-out vec3 v_world;    // space, m
+out vec3 v_world;    // the drawing frame
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 
 void main() {

@@ -6,19 +6,9 @@
 namespace polhode {
 namespace {
 
-// runs a parser of option text; its error names the option
-template <class Parse>
-auto parse_option(const char* option, const Parse& parse) {
-  try {
-    return parse();
-  } catch (const Error& error) {
-    throw error.at({{}, 0, option});
-  }
-}
-
-double positive(const char* option, double value) {
+double positive(double value) {
   if (std::isfinite(value) && value > 0.0) return value;
-  throw input_error("must be a number greater than 0, got {}", value).at({{}, 0, option});
+  throw input_error("must be a number greater than 0, got {}", value);
 }
 
 // the attitude error that the picture allows, rad
@@ -35,31 +25,60 @@ double accuracy_in_radians(const Scene& scene, const Model& model) {
 
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
   Scene scene = load_scene(file);
-  if (overrides.method) {
-    parse_option("--method", [&] {
-      if (*overrides.method == "auto" || *overrides.method == "exact") return 0;
-      return find_stepper(*overrides.method).order;
-    });
-    // a step or tolerance of the scene belongs to the scene's own method
-    if (*overrides.method != scene.numerics.method) {
-      scene.numerics.step.reset();
-      scene.numerics.tolerance.reset();
+  // runs `set`, and remembers where the value of the key comes from; its errors name the option
+  const auto replace = [&](const char* key, const char* option, const auto& set) {
+    try {
+      set();
+    } catch (const Error& error) {
+      throw error.at({{}, 0, option});
     }
-    scene.numerics.method = *overrides.method;
+    scene.options[key] = option;
+  };
+  NumericsSpec& numerics = scene.numerics;
+  if (overrides.method) {
+    replace("numerics.method", "--method", [&] {
+      if (*overrides.method != "auto" && *overrides.method != "exact") {
+        find_stepper(*overrides.method);
+      }
+      // a step or tolerance of the scene belongs to the scene's own method
+      if (*overrides.method != numerics.method) {
+        numerics.step.reset();
+        numerics.tolerance.reset();
+      }
+      numerics.method = *overrides.method;
+    });
   }
-  if (overrides.step) scene.numerics.step = positive("--step", *overrides.step);
-  if (overrides.tolerance) scene.numerics.tolerance = positive("--tolerance", *overrides.tolerance);
+  if (overrides.step) {
+    replace("numerics.step", "--step", [&] { numerics.step = positive(*overrides.step); });
+  }
+  if (overrides.tolerance) {
+    replace("numerics.tolerance", "--tolerance", [&] {
+      numerics.tolerance = positive(*overrides.tolerance);
+    });
+  }
   if (overrides.accuracy) {
-    scene.numerics.accuracy =
-        parse_option("--accuracy", [&] { return parse_accuracy(*overrides.accuracy); });
+    replace("numerics.accuracy", "--accuracy", [&] {
+      numerics.accuracy = parse_accuracy(*overrides.accuracy);
+    });
   }
   if (overrides.size) {
-    scene.video.size = parse_option("--size", [&] { return parse_picture_size(*overrides.size); });
+    replace(
+        "video.size", "--size", [&] { scene.video.size = parse_picture_size(*overrides.size); });
   }
   if (overrides.fps) {
-    scene.video.fps = parse_option("--fps", [&] { return parse_frame_rate(*overrides.fps); });
+    replace("video.fps", "--fps", [&] { scene.video.fps = parse_frame_rate(*overrides.fps); });
   }
   return scene;
+}
+
+Error placed(const Scene& scene, const Error& error) {
+  const Place& place = error.place();
+  if (place.key.empty() || !place.file.empty()) return error;
+  const auto option = scene.options.find(place.key);
+  if (option == scene.options.end()) {
+    return error.at({scene.file, line_of(scene, place.key), {}});
+  }
+  return {error.fault(), error.message(), {{}, 0, option->second}};
 }
 
 void refuse_same_file(const std::string& written,

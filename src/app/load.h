@@ -45,14 +45,16 @@ void refuse_same_file(const std::string& written,
 // Finds the motion. Errors name the place in the scene file.
 Solved solve(const Scene& scene);
 
-// Runs `work`; an Error without a file gets the scene's, and the line of its key.
+// The error with the place of its key: file and line, or the option that the value came from.
+Error placed(const Scene& scene, const Error& error);
+
+// Runs `work`; an Error without a file gets its place in the scene.
 template <class Work>
 auto with_place(const Scene& scene, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
-    if (error.place().key.empty()) throw;
-    throw error.at({scene.file, line_of(scene, error.place().key), {}});
+    throw placed(scene, error);
   }
 }
 

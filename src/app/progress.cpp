@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/console.h"
 #include "base/error.h"
 #include "base/nearest.h"
 
@@ -30,7 +31,7 @@ Progress::Progress(ProgressKind kind, int frames)
 
 Progress::~Progress() {
   // leave the terminal on a line of its own
-  if (drawn_ && kind_ == ProgressKind::bar) std::fputc('\n', stderr);
+  if (drawn_ && kind_ == ProgressKind::bar) print_err("\n");
 }
 
 void Progress::show(int done) {
@@ -46,27 +47,25 @@ void Progress::print(int done, double seconds) const {
   const double rate = seconds > 0.0 ? done / seconds : 0.0;
   const double left = rate > 0.0 ? (frames_ - done) / rate : 0.0;
   if (kind_ == ProgressKind::json) {
-    fmt::print(stderr,
-               "{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
-               done,
-               frames_,
-               rate,
-               left);
+    print_err(
+        fmt::format("{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
+                    done,
+                    frames_,
+                    rate,
+                    left));
     return;
   }
   constexpr int kCells = 30;
   const int full = frames_ > 0 ? kCells * done / frames_ : kCells;
-  fmt::print(stderr,
-             "\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ",
-             "",
-             full,
-             "",
-             kCells - full,
-             done,
-             frames_,
-             rate,
-             left);
-  std::fflush(stderr);
+  print_err(fmt::format("\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ",
+                        "",
+                        full,
+                        "",
+                        kCells - full,
+                        done,
+                        frames_,
+                        rate,
+                        left));
 }
 
 }  // namespace polhode

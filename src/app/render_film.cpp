@@ -12,11 +12,14 @@
 #include "app/report.h"
 #include "app/version.h"
 #include "base/atomic_file.h"
+#include "base/console.h"
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/nearest.h"
 #include "frame/compose.h"
 #include "render/renderer.h"
 #include "video/pipeline.h"
+#include "video/plain_sinks.h"
 
 namespace polhode {
 namespace {
@@ -78,15 +81,27 @@ FrameTimes frame_times(const RenderJob& job, const Scene& scene, bool still) {
   return times;
 }
 
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+// a .png without a number in its name is one picture, and only that takes --still
+bool is_still(const RenderJob& job, const std::string& output) {
+  const bool numbered = output.find('%') != std::string::npos;
+  const bool picture = output.ends_with(".png") && !numbered && !output.starts_with(kHashPrefix);
+  if (job.still && output.ends_with(".png") && numbered) {
+    throw input_error("makes one picture, but '{}' numbers its pictures; leave out the %", output)
+        .at({{}, 0, "--still"});
+  }
+  if (job.still && output.ends_with(".mp4")) {
+    throw input_error("makes one picture, but '{}' is a film; name a .png", output)
+        .at({{}, 0, "--still"});
+  }
+  return job.still || picture;
 }
 
-// a .png without a number in its name is one picture
-bool is_still(const RenderJob& job, const std::string& output) {
-  return job.still.has_value() ||
-         (ends_with(output, ".png") && output.find('%') == std::string::npos);
+// the default name; its folder is made if need be
+std::string output_of(const RenderJob& job) {
+  if (!job.output.empty()) return job.output;
+  std::error_code ignored;  // the file's own error tells what is wrong
+  std::filesystem::create_directory("output", ignored);
+  return "output/" + job.scene.stem().string() + (job.still ? ".png" : ".mp4");
 }
 
 SinkJob sink_job(const RenderJob& job,
@@ -154,8 +169,7 @@ void render_film(const RenderJob& job) {
 
   // load and check everything that can be checked before work begins
   const Scene scene = shrunk(load_with_overrides(job.scene, job.overrides), quality.shrink);
-  const std::string output =
-      job.output.empty() ? "output/" + job.scene.stem().string() + ".mp4" : job.output;
+  const std::string output = output_of(job);
   const bool still = is_still(job, output);
   const FrameTimes times = frame_times(job, scene, still);
   const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
@@ -163,7 +177,8 @@ void render_film(const RenderJob& job) {
   refuse_same_file(job.report, "--report", job.scene);
   refuse_same_file(job.report, "--report", output);
   std::unique_ptr<AtomicFile> report_file;
-  if (!job.report.empty()) report_file = std::make_unique<AtomicFile>(job.report);
+  if (!job.report.empty() && job.report != "-")
+    report_file = std::make_unique<AtomicFile>(job.report);
   const std::unique_ptr<FrameSink> sink = make_sink(sink_settings);
 
   // simulate
@@ -176,6 +191,9 @@ void render_film(const RenderJob& job) {
                     scene.theme,
                     frame_size(scene));
   });
+
+  for (const std::string& warning : composer.warnings())
+    spdlog::warn("{}: {}", scene.file, warning);
 
   // open the drawing side; the threads that start here are the rasteriser's
   const std::set<int> threads_before = thread_ids();
@@ -199,7 +217,7 @@ void render_film(const RenderJob& job) {
   run_pipeline(times.count, produce, *sink, [&](int done) { progress.show(done); });
 
   // report
-  if (report_file == nullptr) return;
+  if (job.report.empty()) return;
   FilmFacts facts{output,
                   times.count,
                   times.from,
@@ -219,7 +237,12 @@ void render_film(const RenderJob& job) {
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();
-  report_file->commit_with(film_report(solved, facts).dump(2) + "\n");
+  const std::string report = film_report(solved, facts).dump(2) + "\n";
+  if (report_file == nullptr) {
+    print_out(report);
+  } else {
+    report_file->commit_with(report);
+  }
 }
 
 }  // namespace polhode

@@ -2,9 +2,9 @@
 #include "app/write_csv.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
 #include "base/interrupt.h"
 
 namespace polhode {
@@ -62,9 +62,8 @@ void write_csv(const SimulateJob& job) {
   }
   if (job.output != "-") {
     write_file(job.output, text);
-  } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-             std::fflush(stdout) != 0) {
-    throw environment_error("cannot write to standard output");
+  } else {
+    print_out(text);
   }
 }
 

@@ -52,10 +52,15 @@ AtomicFile::AtomicFile(fs::path target)
     throw input_error("is no ordinary file; choose another output").at(place);
   }
 
+  if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {
+    throw input_error("is protected from writing; choose another output").at(place);
+  }
+
   // claim the temporary name now, so that an unwritable folder is told before any work is done
   lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ < 0) {
-    throw input_error("cannot write here ({}); choose another output", std::strerror(errno))
+    throw input_error(
+        "cannot create '{}' ({}); choose another output", part_.string(), std::strerror(errno))
         .at(place);
   }
   // a file system without locks is no reason to refuse
@@ -112,6 +117,10 @@ std::string read_file(const fs::path& path, std::size_t most) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw input_error("no such file").at(place);
   if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
+  // a pipe that nobody writes to would be waited for
+  if (!fs::is_regular_file(path, ignored)) {
+    throw input_error("is no ordinary file; write it to one first").at(place);
+  }
   std::ifstream in(path, std::ios::binary);
   if (!in) throw input_error("cannot be read ({})", std::strerror(errno)).at(place);
 

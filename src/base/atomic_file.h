@@ -15,8 +15,8 @@ namespace polhode {
 // with the same output the second is refused; one that a killed run left behind is taken over.
 class AtomicFile {
  public:
-  // Throws Error (input) when the folder is missing or cannot be written, when NAME is a folder or
-  // a device, and when another run is writing it. A symbolic link is followed.
+  // Throws Error (input) when the folder is missing or cannot be written, when NAME is a folder, a
+  // device or write-protected, and when another run is writing it. A symbolic link is followed.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -43,8 +43,8 @@ class AtomicFile {
 // disk is full.
 void write_file(const std::filesystem::path& target, std::string_view content);
 
-// Reads a whole file. Throws Error (input) when it is missing, a folder, unreadable, or holds more
-// than `most` bytes (of which no more than that are read, so an endless device is refused too).
+// Reads a whole file. Throws Error (input) when it is missing, a folder, unreadable, no ordinary
+// file, or holds more than `most` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
 }  // namespace polhode

@@ -16,7 +16,7 @@ enum class Fault {
   check_failed = 1,   // a check said no: pictures differ, a motion turned to NaN
   input = 2,          // bad scene, bad option, bad usage
   environment = 3,    // no GL, no encoder, disk full
-  interrupted = 130,  // SIGINT or SIGTERM
+  interrupted = 130,  // SIGINT, SIGTERM or SIGHUP
 };
 
 // Where in the user's text the fault lies; every part may be missing.

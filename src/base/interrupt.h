@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SIGINT and SIGTERM become a flag that long work looks at; clean-up is then ordinary unwinding.
+// SIGINT, SIGTERM and SIGHUP become a flag that long work looks at; clean-up is then ordinary
+// unwinding. A second
+// signal, when the user asks again, ends the process at once.
 #pragma once
 
 namespace polhode {

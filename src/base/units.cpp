@@ -35,6 +35,24 @@ constexpr UnitSuffix kSuffixes[] = {
 };
 // clang-format on
 
+// classical mechanics ends at the speed of light
+struct UnitMagnitude {
+  Unit unit;
+  Magnitude magnitude;
+};
+constexpr UnitMagnitude kMagnitudes[] = {
+    {Unit::length, {1e-12, 1e15}},
+    {Unit::mass, {1e-30, 1e35}},
+    {Unit::time, {1e-15, 1e15}},
+    {Unit::angle, {1e-100, 1e6}},
+    {Unit::angular_velocity, {1e-20, 1e15}},
+    {Unit::angular_momentum, {1e-60, 1e60}},
+    {Unit::inertia, {1e-54, 1e60}},
+    {Unit::density, {1e-20, 1e20}},
+    {Unit::velocity, {1e-20, 299792458.0}},
+    {Unit::acceleration, {1e-20, 1e15}},
+};
+
 }  // namespace
 
 std::vector<UnitSuffix> suffixes_of(Unit unit) {
@@ -58,6 +76,13 @@ double to_si(double value, const UnitSuffix& suffix) {
   const double inverse = std::round(1.0 / suffix.factor);
   const bool decimal = suffix.factor < 1.0 && std::abs(inverse * suffix.factor - 1.0) < 1e-12;
   return decimal ? value / inverse : value * suffix.factor;
+}
+
+Magnitude magnitude_of(Unit unit) {
+  for (const UnitMagnitude& row : kMagnitudes) {
+    if (row.unit == unit) return row.magnitude;
+  }
+  return {1e-100, 1e100};
 }
 
 std::string si_symbol(Unit unit) {

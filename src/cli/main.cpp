@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The program: options to a job, a job to an exit code, every error to one line.
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include <fmt/ranges.h>
+
 #include "app/version.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -31,7 +34,7 @@ const std::vector<Command>& commands() {
 namespace {
 
 int fail(const Error& error) {
-  fmt::print(stderr, "polhode: {}\n", error.what());
+  print_err(fmt::format("polhode: {}\n", error.what()));
   return static_cast<int>(error.fault());
 }
 
@@ -46,28 +49,45 @@ void refuse_unknown_command(int argc, char** argv) {
   throw input_error("no command is called '{}'{}", argv[1], suggestion(argv[1], names));
 }
 
-// a mistyped option gets the nearest one of its command
+// the first word that is an option's name and that this command does not have; "" if there is none
+std::string unknown_option(const std::vector<std::string>& known, int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (word.rfind("--", 0) != 0) continue;
+    if (std::find(known.begin(), known.end(), word) == known.end()) return word;
+  }
+  return {};
+}
+
+// the parser's complaint in our words; a mistyped option gets the nearest one of its command
 Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
+  if (app.get_subcommands().empty()) {
+    std::vector<std::string> names;
+    for (const Command& command : commands())
+      names.emplace_back(command.name);
+    return input_error("give a command: {}; `polhode --help` tells more", fmt::join(names, ", "));
+  }
+  const CLI::App& command = *app.get_subcommands().front();
   std::string text = error.what();
-  const CLI::App* command = &app;
-  for (const CLI::App* chosen : app.get_subcommands())
-    command = chosen;
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::vector<std::string> known;
-    for (const CLI::Option* option : command->get_options()) {
+    for (const CLI::Option* option : command.get_options()) {
       for (const std::string& name : option->get_lnames())
         known.push_back("--" + name);
     }
-    for (int i = 1; i < argc; ++i) {
-      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-      if (word.rfind("--", 0) != 0) continue;
-      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const std::string unknown = unknown_option(known, argc, argv);
+    if (!unknown.empty()) {
       return input_error(
-          "{} has no option {}{}", command->get_name(), word, suggestion(word, known));
+          "{} has no option {}{}", command.get_name(), unknown, suggestion(unknown, known));
     }
+    const std::vector<std::string> left = app.remaining(true);
+    text = fmt::format("'{}' is one word too many", left.empty() ? "" : left.front());
+  } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    // "--size: 1 required TEXT missing" in several wordings; the first word is the option
+    text = text.substr(0, text.find(':')) + " needs a value";
   }
   return input_error(
-      "{}; `polhode {}--help` tells more", text, command == &app ? "" : command->get_name() + " ");
+      "{}: {}; `polhode {} --help` tells more", command.get_name(), text, command.get_name());
 }
 
 int run(int argc, char** argv) {
@@ -91,7 +111,11 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
-    return app.exit(request);  // --help, --version
+    // --help, --version
+    std::ostringstream text;
+    const int code = app.exit(request, text, text);
+    print_out(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     throw explain(error, app, argc, argv);
   }
@@ -108,6 +132,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using polhode::Error;
   using polhode::Fault;
+  polhode::guard_standard_streams();
   polhode::watch_for_interrupt();
   try {
     return polhode::run(argc, argv);

@@ -10,36 +10,33 @@ namespace polhode {
 Action define_render(CLI::App& command) {
   auto job = std::make_shared<RenderJob>();
   auto progress = std::make_shared<std::string>("auto");
-  command.add_option("scene", job->scene, "scene file")->required()->type_name("SCENE");
-  command
-      .add_option("-o,--output",
-                  job->output,
-                  "what to write; its ending says the kind, see `polhode list formats` "
-                  "(default output/SCENE.mp4)")
+  add_scene(command, job->scene);
+  add_text(command,
+           "-o,--output",
+           job->output,
+           "what to write; its ending says the kind, see `polhode list formats` "
+           "(default output/SCENE.mp4, .png with --still)")
       ->type_name("OUT");
-  command.add_option("--size", job->overrides.size, "picture size")->type_name("WxH");
-  command.add_option("--fps", job->overrides.fps, "frames per second, 60 or 30000/1001")
+  add_text(command, "--size", job->overrides.size, "picture size")->type_name("WxH");
+  add_text(command, "--fps", job->overrides.fps, "frames per second, 60 or 30000/1001")
       ->type_name("N");
-  command.add_option("--from", job->from, "start of the film, seconds of the motion")
+  add_number(command, "--from", job->from, "start of the film, seconds of the motion")
       ->type_name("T");
-  command.add_option("--to", job->to, "end of the film, seconds of the motion")->type_name("T");
-  command.add_option("--still", job->still, "one picture at this time")->type_name("T");
-  command.add_option("--quality", job->quality, "draft, lecture or archive")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_option("--preset", job->preset, "x264 preset, ultrafast to veryslow")->type_name("P");
-  command.add_option("--crf", job->crf, "x264 quality, 1 (best) to 51")->type_name("N");
+  add_number(command, "--to", job->to, "end of the film, seconds of the motion")->type_name("T");
+  add_number(command, "--still", job->still, "one picture at this time")->type_name("T");
+  add_text(command, "--quality", job->quality, "draft, lecture or archive")->type_name("NAME");
+  add_text(command, "--preset", job->preset, "x264 preset, ultrafast to veryslow")->type_name("P");
+  add_whole_number(command, "--crf", job->crf, "x264 quality, 1 (best) to 51")->type_name("N");
   add_numerics_options(command, job->overrides);
-  command.add_option("--backend", job->backend, "OpenGL from osmesa, egl or auto")
-      ->type_name("NAME")
-      ->capture_default_str();
+  add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
+      ->type_name("NAME");
   command.add_flag("--transparent", job->transparent, "no background, where the format has alpha");
-  command
-      .add_option("--report", job->report, "write what was done, how exact and how fast, as JSON")
+  add_text(command,
+           "--report",
+           job->report,
+           "write what was done, how exact and how fast, as JSON; - for standard output")
       ->type_name("FILE.json");
-  command.add_option("--progress", *progress, "auto, bar, json or none")
-      ->type_name("KIND")
-      ->capture_default_str();
+  add_text(command, "--progress", *progress, "auto, bar, json or none")->type_name("KIND");
   return [job, progress] {
     job->progress = parse_progress(*progress);
     render_film(*job);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Options that several commands take.
+// How options become values, and the options that several commands take. Values are read here and
+// not by the parser of the line, so that a wrong one is told as a wrong value of a scene is.
 #pragma once
+
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -8,19 +12,30 @@
 
 namespace polhode {
 
+// `names` as CLI11 wants them, "-o,--output"; the last one names the option in errors. `target`
+// must outlive the parse; it is left alone when the option is absent, and the last of several
+// holds. Throw Error (input) for text that is no finite number, and for empty text.
+CLI::Option* add_number(CLI::App& command,
+                        const std::string& names,
+                        std::optional<double>& target,
+                        const std::string& doc);
+CLI::Option* add_whole_number(CLI::App& command,
+                              const std::string& names,
+                              std::optional<int>& target,
+                              const std::string& doc);
+CLI::Option* add_text(CLI::App& command,
+                      const std::string& names,
+                      std::string& target,
+                      const std::string& doc);
+CLI::Option* add_text(CLI::App& command,
+                      const std::string& names,
+                      std::optional<std::string>& target,
+                      const std::string& doc);
+
+// The scene file, which every command on a scene needs.
+void add_scene(CLI::App& command, std::filesystem::path& scene);
+
 // --method, --step, --tolerance, --accuracy
-inline void add_numerics_options(CLI::App& command, Overrides& overrides) {
-  command.add_option("--method", overrides.method, "integrator, see `polhode list methods`")
-      ->type_name("NAME");
-  command.add_option("--step", overrides.step, "step of fixed-step methods, seconds")
-      ->type_name("H");
-  command.add_option("--tolerance", overrides.tolerance, "local error of adaptive methods")
-      ->type_name("E");
-  command
-      .add_option("--accuracy",
-                  overrides.accuracy,
-                  "attitude error allowed over the whole motion: 0.1px, or radians")
-      ->type_name("A");
-}
+void add_numerics_options(CLI::App& command, Overrides& overrides);
 
 }  // namespace polhode

@@ -9,11 +9,11 @@ namespace polhode {
 
 Action define_simulate(CLI::App& command) {
   auto job = std::make_shared<SimulateJob>();
-  command.add_option("scene", job->scene, "scene file")->required()->type_name("SCENE");
-  command.add_option("-o,--output", job->output, "CSV file, or - for standard output")
+  add_scene(command, job->scene);
+  add_text(command, "-o,--output", job->output, "CSV file, or - for standard output")
       ->required()
       ->type_name("FILE.csv");
-  command.add_option("--rate", job->rate, "rows per second (default: the scene's frame rate)")
+  add_number(command, "--rate", job->rate, "rows per second (default: the scene's frame rate)")
       ->type_name("HZ");
   add_numerics_options(command, job->overrides);
   return [job] {

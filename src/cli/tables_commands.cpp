@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "app/tables.h"
+#include "base/console.h"
 #include "base/error.h"
 #include "cli/command.h"
 
@@ -13,17 +14,19 @@ namespace polhode {
 Action define_list(CLI::App& command) {
   auto what = std::make_shared<std::string>();
   command.add_option("what", *what, fmt::format("{}", fmt::join(list_names(), ", ")))
-      ->required()
       ->type_name("TABLE");
   return [what] {
-    fmt::print("{}", list_table(*what));
+    if (what->empty()) {
+      throw input_error("say which table: {}", fmt::join(list_names(), ", ")).at({{}, 0, "list"});
+    }
+    print_out(list_table(*what));
     return 0;
   };
 }
 
 Action define_schema(CLI::App&) {
   return [] {
-    fmt::print("{}", schema_text());
+    print_out(schema_text());
     return 0;
   };
 }
@@ -31,7 +34,7 @@ Action define_schema(CLI::App&) {
 Action define_doctor(CLI::App&) {
   return [] {
     const Diagnosis diagnosis = examine();
-    fmt::print("{}", diagnosis.text);
+    print_out(diagnosis.text);
     return diagnosis.healthy ? 0 : static_cast<int>(Fault::environment);
   };
 }

@@ -30,7 +30,8 @@ std::vector<Vec2> upwards(std::vector<Vec2> profile) {
   }
   if (volume < 0.0) std::reverse(profile.begin(), profile.end());
 
-  // both ends are closed to the axis
+  // both ends are closed to the axis, unless the outline closes by itself: a tube
+  if (profile.front() == profile.back()) return profile;
   profile.insert(profile.begin(), Vec2(0, profile.front().y()));
   profile.emplace_back(0, profile.back().y());
   return profile;

@@ -14,13 +14,50 @@ namespace {
 
 // rows right, up, back of a camera that looks along -back
 Mat3 camera_axes(const Vec3& back) {
-  const Vec3 b = back.normalized();
+  const Vec3 b = back.stableNormalized();
   // looking straight up or down leaves +Z without a direction; then +Y is up
   const Vec3 upward = std::abs(b.z()) < 0.9999 ? Vec3::UnitZ() : Vec3::UnitY();
   const Vec3 right = upward.cross(b).normalized();
   Mat3 R_CS;
   R_CS << right.transpose(), b.cross(right).transpose(), b.transpose();
   return R_CS;
+}
+
+// Tangents of the half-angles, across and upwards, that points may fill.
+using Tangents = std::array<double, 2>;
+
+// In the plane of one picture axis a, with z towards the camera, a point is inside the frame when
+// |a - a_eye| <= tan * (z_eye - z). The two sides give the tightest a_eye and z_eye at once.
+Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent) {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  std::array<double, 2> sum = {kNone, kNone};
+  std::array<double, 2> difference = {kNone, kNone};
+  Vec3 eye_C(0, 0, kNone);
+  for (const Vec3& p : points_C) {
+    eye_C.z() = std::max(eye_C.z(), p.z());
+    for (std::size_t a = 0; a < 2; ++a) {
+      const double across = p[static_cast<Eigen::Index>(a)];
+      sum[a] = std::max(sum[a], p.z() * tangent[a] + across);
+      difference[a] = std::max(difference[a], p.z() * tangent[a] - across);
+    }
+  }
+  for (std::size_t a = 0; a < 2; ++a) {
+    eye_C[static_cast<Eigen::Index>(a)] = 0.5 * (sum[a] - difference[a]);
+    eye_C.z() = std::max(eye_C.z(), 0.5 * (sum[a] + difference[a]) / tangent[a]);
+  }
+  return eye_C;
+}
+
+// The same for an eye that can only move along z through the target.
+Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent, const Vec3& target_C) {
+  Vec3 eye_C = target_C;
+  for (const Vec3& p : points_C) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      const auto axis = static_cast<Eigen::Index>(a);
+      eye_C.z() = std::max(eye_C.z(), p.z() + std::abs(p[axis] - target_C[axis]) / tangent[a]);
+    }
+  }
+  return eye_C;
 }
 
 }  // namespace
@@ -62,10 +99,21 @@ double Camera::pixels_per_metre(const Vec3& point_S) const {
   return focal_px_ / -R_CS_.row(2).dot(point_S - eye_);
 }
 
-View Camera::view() const {
+bool Camera::sees(const Vec3& point_S) const {
+  if (R_CS_.row(2).dot(point_S - eye_) >= 0.0) return false;
+  const Vec2 pixel = project(point_S);
+  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= size_.width &&
+         pixel.y() <= size_.height;
+}
+
+View Camera::view(const DrawingFrame& frame) const {
   View view;
-  view.clip_from_world = to_glm(clip_from_world_);
-  view.eye = to_glm(eye_);
+  // homogeneous coordinates take any factor: with 1/unit the depths are in drawing units too
+  Eigen::Matrix4d world_from_drawing = Eigen::Matrix4d::Identity();
+  world_from_drawing.topRightCorner<3, 1>() = frame.origin / frame.unit;
+  world_from_drawing(3, 3) = 1.0 / frame.unit;
+  view.clip_from_world = to_glm(Eigen::Matrix4d(clip_from_world_ * world_from_drawing));
+  view.eye = to_glm(frame.point(eye_));
   // lights travel with the camera: from its upper left, and weakly from its right
   const Mat3 R_SC = R_CS_.transpose();
   view.key_light = to_glm(Vec3((R_SC * Vec3(-0.45, 0.75, 0.65)).normalized()));
@@ -74,39 +122,23 @@ View Camera::view() const {
 }
 
 Camera framing_camera(const std::vector<Vec3>& points,
+                      const std::optional<Vec3>& target,
                       const Vec3& direction,
                       double fov,
                       FrameSize size,
                       double margin) {
   CHECK(!points.empty());
   const Mat3 R_CS = camera_axes(direction);
-  // tangents of the half-angles that the points may fill
-  const double shrink = 1.0 - 2.0 * margin;
-  const double tan_v = shrink * std::tan(0.5 * fov);
-  const std::array<double, 2> tangent = {tan_v * size.width / size.height, tan_v};
-
-  // In the plane of one picture axis a, with z towards the camera, a point is inside the frame when
-  // |a - a_eye| <= tan * (z_eye - z). The two sides give the tightest a_eye and z_eye at once.
-  std::array<double, 2> sum{}, difference{};
-  sum.fill(-std::numeric_limits<double>::infinity());
-  difference.fill(-std::numeric_limits<double>::infinity());
+  std::vector<Vec3> points_C;
   double front = -std::numeric_limits<double>::infinity();
   for (const Vec3& point : points) {
-    const Vec3 p = R_CS * point;
-    front = std::max(front, p.z());
-    for (int axis = 0; axis < 2; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      sum[a] = std::max(sum[a], p.z() * tangent[a] + p[axis]);
-      difference[a] = std::max(difference[a], p.z() * tangent[a] - p[axis]);
-    }
+    points_C.push_back(R_CS * point);
+    front = std::max(front, points_C.back().z());
   }
-  Vec3 eye_C;
-  eye_C.z() = front;
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    eye_C[axis] = 0.5 * (sum[a] - difference[a]);
-    eye_C.z() = std::max(eye_C.z(), 0.5 * (sum[a] + difference[a]) / tangent[a]);
-  }
+  const double tan_v = (1.0 - 2.0 * margin) * std::tan(0.5 * fov);
+  const Tangents tangent = {tan_v * size.width / size.height, tan_v};
+  Vec3 eye_C =
+      target ? nearest_eye(points_C, tangent, R_CS * *target) : nearest_eye(points_C, tangent);
 
   // the ball around the points, for the clip planes
   Vec3 center = Vec3::Zero();
@@ -115,10 +147,10 @@ Camera framing_camera(const std::vector<Vec3>& points,
   double radius = 0.0;
   for (const Vec3& point : points)
     radius = std::max(radius, (point - center).norm());
-  radius = std::max(radius, 1e-9);
+  if (radius == 0.0) radius = 1.0;  // a single point
   if (eye_C.z() - front < 0.1 * radius) eye_C.z() = front + 0.1 * radius;
   const Vec3 eye = R_CS.transpose() * eye_C;
-  return {eye, eye - R_CS.row(2).transpose(), fov, size, center, radius};
+  return {eye, eye - radius * R_CS.row(2).transpose(), fov, size, center, radius};
 }
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 // The camera: a pinhole with a vertical field of view, and the one that frames a set of points.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "frame/draw_list.h"
@@ -13,6 +14,16 @@ namespace polhode {
 struct FrameSize {
   int width = 1920;   // pixels
   int height = 1080;  // pixels
+};
+
+// Where drawing coordinates are in space: origin and unit near those of what is drawn, so that a
+// molecule, and a body far from the origin, keep their digits in single precision.
+struct DrawingFrame {
+  Vec3 origin = Vec3::Zero();  // space, m
+  double unit = 1.0;           // m
+
+  Vec3 point(const Vec3& point_S) const { return (point_S - origin) / unit; }
+  double length(double metres) const { return metres / unit; }
 };
 
 // Immutable. Space is z-up in pictures: the picture's upward direction is that of +Z.
@@ -33,7 +44,10 @@ class Camera {
   // Pixels per metre, across the line of sight, at the depth of the point.
   double pixels_per_metre(const Vec3& point_S) const;
   const Vec3& eye() const { return eye_; }
-  View view() const;
+  // Is the point in front of the camera and inside the picture?
+  bool sees(const Vec3& point_S) const;
+  // Of a draw list in these coordinates.
+  View view(const DrawingFrame& frame = {}) const;
 
  private:
   Vec3 eye_;
@@ -44,8 +58,10 @@ class Camera {
 };
 
 // The nearest camera with this line of sight that keeps every point inside the frame less a margin
-// (a fraction of the frame on each side). direction: from the scene towards the camera.
+// (a fraction of the frame on each side). direction: from the scene towards the camera; target: in
+// the middle of the picture, when there is one.
 Camera framing_camera(const std::vector<Vec3>& points,
+                      const std::optional<Vec3>& target,
                       const Vec3& direction,
                       double fov,
                       FrameSize size,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 
@@ -10,10 +11,10 @@ namespace polhode {
 namespace {
 
 // proportions, in units of the body's radius
-constexpr double kOmegaLength = 1.45;
-constexpr double kMomentumLength = 1.75;
-constexpr double kBodyAxisLength = 1.25;
-constexpr double kSpaceAxisLength = 1.25;
+constexpr double kOmegaLength = 1.3;
+constexpr double kMomentumLength = 1.5;
+constexpr double kBodyAxisLength = 1.2;
+constexpr double kSpaceAxisLength = 1.2;
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kStandHeight = 0.55;
 constexpr double kStandRadius = 0.17;
@@ -22,7 +23,7 @@ constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
 constexpr double kRimRadius = 0.008;
 constexpr double kReach = kMomentumLength;
 
-constexpr double kFrameMargin = 0.06;   // of the frame, on each side
+constexpr double kFrameMargin = 0.045;  // of the frame, on each side
 constexpr int kFramingTimes = 240;      // moments that the automatic camera looks at
 constexpr double kSmallestCone = 1e-4;  // rad; below this there is no wobble to draw
 constexpr double kWidestCone = 0.995 * kPi / 2.0;
@@ -112,6 +113,7 @@ Composer::Composer(const Motion& motion,
       shown_(resolve(show, motion, stays_above_stand())),
       arrows_(arrow_meshes(circle_segments(0.05 * size.height))),
       cones_(cone_meshes(circle_segments(0.5 * size.height))),
+      drawing_(make_drawing_frame()),
       camera_(make_camera(camera, size)) {}
 
 // the axis that a picture follows: of symmetry, else towards the centre of mass, else the third
@@ -183,22 +185,37 @@ void Composer::add_body(DrawList& list, const Sample& sample) const {
   space_from_body.translation() =
       sample.reference_S - space_from_body.linear() * model.reference_B();
   for (const LookPart& part : look_) {
-    const Placement place = space_from_body * part.body_from_mesh;
+    Placement place = space_from_body * part.body_from_mesh;
+    place.linear() /= drawing_.unit;
+    place.translation() = drawing_.point(place.translation());
     list.opaque.push_back({part.mesh, to_glm(place.matrix()), part.material, Faces::front});
   }
 }
 
+void Composer::add_vector(DrawList& list,
+                          const Vec3& from,
+                          const Vec3& tip,
+                          const ArrowShape& shape,
+                          const glm::vec3& color,
+                          float gloss) const {
+  add_arrow(list.opaque,
+            arrows_,
+            drawing_.point(from),
+            drawing_.point(tip),
+            times(shape, drawing_.length(scale_.body)),
+            plain(color, gloss));
+}
+
 void Composer::add_axes(DrawList& list, const Sample& sample) const {
-  const ArrowShape shape = times(kAxisShape, scale_.body);
+  const Vec3& from = sample.reference_S;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 from = sample.reference_S;
     if (shown_.axes) {
       const Vec3 tip = from + kBodyAxisLength * scale_.body * (sample.q_SB * Vec3::Unit(i));
-      add_arrow(list.opaque, arrows_, from, tip, shape, plain(theme_.body_axes, 0.2f));
+      add_vector(list, from, tip, kAxisShape, theme_.body_axes, 0.2f);
     }
     if (shown_.space_axes) {
       const Vec3 tip = from + kSpaceAxisLength * scale_.body * Vec3::Unit(i);
-      add_arrow(list.opaque, arrows_, from, tip, shape, plain(theme_.space_axes, 0.1f));
+      add_vector(list, from, tip, kAxisShape, theme_.space_axes, 0.1f);
     }
   }
 }
@@ -206,9 +223,10 @@ void Composer::add_axes(DrawList& list, const Sample& sample) const {
 void Composer::add_stand(DrawList& list) const {
   Placement place = Placement::Identity();
   const Vec3& up = motion_.model().up_S;
-  place.translation() = -kStandHeight * scale_.body * up;
+  const double size = drawing_.length(scale_.body);
+  place.translation() = drawing_.point(-kStandHeight * scale_.body * up);
   place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix() *
-                   (scale_.body * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
+                   (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
   list.opaque.push_back(
       {arrows_.head, to_glm(place.matrix()), plain(theme_.stand, 0.3f), Faces::front});
 }
@@ -226,30 +244,64 @@ bool Composer::stays_above_stand() const {
 DrawList Composer::at(double t) const {
   const Sample sample = motion_.at(t);
   DrawList list;
-  list.view = camera_.view();
+  list.view = camera_.view(drawing_);
   list.background = theme_.background;
   if (shown_.body) add_body(list, sample);
   add_axes(list, sample);
-  const ArrowShape shape = times(kVectorShape, scale_.body);
-  if (shown_.omega) {
-    add_arrow(list.opaque,
-              arrows_,
-              sample.reference_S,
-              omega_tip(sample),
-              shape,
-              plain(theme_.omega, 0.25f));
-  }
+  const Vec3& from = sample.reference_S;
+  if (shown_.omega) add_vector(list, from, omega_tip(sample), kVectorShape, theme_.omega, 0.25f);
   if (shown_.momentum) {
-    add_arrow(list.opaque,
-              arrows_,
-              sample.reference_S,
-              momentum_tip(sample),
-              shape,
-              plain(theme_.momentum, 0.25f));
+    add_vector(list, from, momentum_tip(sample), kVectorShape, theme_.momentum, 0.25f);
   }
   if (shown_.pivot) add_stand(list);
-  add_cones(list, cones_, cones_at(sample), camera_.eye());
+  std::vector<Cone> cones = cones_at(sample);
+  for (Cone& cone : cones) {
+    cone.apex = drawing_.point(cone.apex);
+    cone.slant = drawing_.length(cone.slant);
+    cone.rim_radius = drawing_.length(cone.rim_radius);
+  }
+  add_cones(list, cones_, cones, drawing_.point(camera_.eye()));
   return list;
+}
+
+DrawingFrame Composer::make_drawing_frame() const {
+  const Vec3 origin = motion_.at(0.0).reference_S;
+  constexpr double kDigits = 1e-10;  // of double precision that a picture can spare
+  if (scale_.body < kDigits * origin.norm()) {
+    throw input_error("the body is too small ({:.3g} m) to be drawn {:.3g} m from the origin",
+                      scale_.body,
+                      origin.norm())
+        .at({{}, 0, "motion.position"});
+  }
+  return {origin, scale_.body};
+}
+
+std::vector<std::string> Composer::warnings() const {
+  std::vector<std::string> found;
+  const std::vector<Vec3> points = points_to_frame();
+  const auto seen = [&](const Vec3& point) {
+    return camera_.sees(point);
+  };
+  if (std::none_of(points.begin(), points.end(), seen)) {
+    found.emplace_back(
+        "the camera sees nothing of the scene; without camera.eye it frames the film by itself");
+    return found;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kFramingTimes; ++i) {
+    const Sample sample = motion_.at(motion_.duration() * i / kFramingTimes);
+    nearest = std::min(nearest, (camera_.eye() - sample.reference_S).norm());
+  }
+  if (shown_.body && nearest < scale_.body) {
+    found.push_back(
+        fmt::format("the camera comes within {:.3g} m of the body's middle, which reaches {:.3g} m",
+                    nearest,
+                    scale_.body));
+  }
+  if (shown_.body && scale_.body * camera_.pixels_per_metre(motion_.at(0.0).reference_S) < 0.5) {
+    found.emplace_back("the body is smaller than a pixel at the start of the film");
+  }
+  return found;
 }
 
 std::vector<Vec3> Composer::points_to_frame() const {
@@ -293,19 +345,21 @@ std::vector<Vec3> Composer::points_to_frame() const {
 Camera Composer::make_camera(const CameraSpec& spec, FrameSize size) const {
   const std::vector<Vec3> points = points_to_frame();
   if (!spec.eye) {
-    if (spec.direction.norm() == 0.0) {
+    const Vec3 direction = spec.direction.value_or(kDefaultDirection);
+    if (direction.stableNorm() == 0.0) {
       throw input_error("must not be zero").at({{}, 0, "camera.direction"});
     }
-    return framing_camera(points, spec.direction, spec.fov, size, kFrameMargin);
+    return framing_camera(points, spec.target, direction, spec.fov, size, kFrameMargin);
   }
 
   // the scene's own camera; the ball of what is drawn sets the clip planes
   Vec3 center = Vec3::Zero();
   for (const Vec3& point : points)
     center += point / static_cast<double>(points.size());
-  double radius = 1e-9;
+  double radius = 0.0;
   for (const Vec3& point : points)
     radius = std::max(radius, (point - center).norm());
+  if (radius == 0.0) radius = 1.0;  // nothing but a point
   const Vec3 target = spec.target.value_or(center);
   if ((*spec.eye - target).norm() < 1e-9 * (radius + target.norm())) {
     throw input_error("the camera is where it looks at").at({{}, 0, "camera.eye"});

@@ -2,6 +2,7 @@
 // From a motion to pictures: the draw list of any moment, made from exact quantities.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "frame/arrow.h"
@@ -46,6 +47,9 @@ class Composer {
            FrameSize size);
 
   DrawList at(double t) const;
+  // What a viewer of this film may miss, one line each: a camera of the scene's own that sees
+  // nothing or is inside the body, a body smaller than a pixel.
+  std::vector<std::string> warnings() const;
 
   const Camera& camera() const { return camera_; }
   const Shown& shown() const { return shown_; }
@@ -59,6 +63,13 @@ class Composer {
  private:
   Camera make_camera(const CameraSpec& spec, FrameSize size) const;
   std::vector<Vec3> points_to_frame() const;
+  DrawingFrame make_drawing_frame() const;
+  void add_vector(DrawList& list,
+                  const Vec3& from,
+                  const Vec3& tip,
+                  const ArrowShape& shape,
+                  const glm::vec3& color,
+                  float gloss) const;
   Vec3 figure_axis_B() const;
   void add_body(DrawList& list, const Sample& sample) const;
   void add_axes(DrawList& list, const Sample& sample) const;
@@ -72,6 +83,7 @@ class Composer {
   Shown shown_;
   ArrowMeshes arrows_;
   ConeMeshes cones_;
+  DrawingFrame drawing_;
   Camera camera_;
 };
 

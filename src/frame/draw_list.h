@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything one picture consists of, as a value: what render/ draws and nothing else.
+// Everything one picture consists of, as a value: what render/ draws and nothing else. Its world is
+// space, moved and scaled so that single precision is enough (DrawingFrame in frame/camera.h).
 #pragma once
 
 #include <vector>
@@ -33,9 +34,9 @@ struct DrawItem {
 // Where it is seen from.
 struct View {
   glm::mat4 clip_from_world{1.0f};  // OpenGL clip space, y up
-  glm::vec3 eye{0.0f};              // m
-  glm::vec3 key_light{0.0f};        // unit vector towards the main light
-  glm::vec3 fill_light{0.0f};       // unit vector towards the weaker one
+  glm::vec3 eye{0.0f};
+  glm::vec3 key_light{0.0f};   // unit vector towards the main light
+  glm::vec3 fill_light{0.0f};  // unit vector towards the weaker one
 };
 
 struct DrawList {

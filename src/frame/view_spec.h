@@ -13,11 +13,14 @@ namespace polhode {
 
 // Where the picture is taken from. Absent eye: the camera frames the whole film by itself.
 struct CameraSpec {
-  std::optional<Vec3> eye;                  // m, space axes
-  std::optional<Vec3> target;               // m, space axes
-  double fov = 30.0 * kPi / 180.0;          // vertical field of view, rad
-  Vec3 direction = Vec3(0.82, 0.46, 0.34);  // from the scene towards the automatic camera
+  std::optional<Vec3> eye;          // m, space axes
+  std::optional<Vec3> target;       // m, space axes; in the middle of the picture
+  double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
+  std::optional<Vec3> direction;    // from the scene towards the automatic camera
 };
+
+// Where an automatic camera stands when the scene does not say: in front, to the right, above.
+inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
 // What is drawn. Absent: the scene's kind decides (see shown_by_default in frame/compose.h).
 struct ShowSpec {
@@ -42,11 +45,16 @@ std::vector<std::string> theme_names();
 
 template <class Visitor>
 void fields(Visitor& v, CameraSpec& s) {
+  v.at_most_one_of({"eye", "direction"});
   v.field(
       "eye", s.eye, Doc{"where the camera is; absent: it frames the film by itself", Unit::length});
-  v.field("target", s.target, Doc{"what it looks at", Unit::length});
+  v.field("target",
+          s.target,
+          Doc{"what it looks at; absent: the middle of what is drawn", Unit::length});
   v.field("fov", s.fov, Doc{"vertical field of view", Unit::angle, Range{0.01, 2.6}});
-  v.field("direction", s.direction, Doc{"from the scene towards an automatic camera"});
+  v.field("direction",
+          s.direction,
+          Doc{"from the scene towards an automatic camera; absent: [0.82, 0.46, 0.34]"});
 }
 
 template <class Visitor>

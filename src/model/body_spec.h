@@ -74,7 +74,12 @@ void fields(Visitor& v, SolidSpec& s) {
   v.field("tube", s.tube, Doc{"radius of a ring's tube", Unit::length, kNonNegative});
   v.field("file", s.file, Doc{"mesh: OBJ or STL file, relative to the scene file"});
   v.field("scale", s.scale, Doc{"mesh: metres per unit of its file", Unit::none, kPositive});
-  v.field("profile", s.profile, Doc{"points (radius, z) of a lathe's outline", Unit::length});
+  v.field(
+      "profile",
+      s.profile,
+      Doc{"points (radius, z) of a lathe's outline; it closes to the axis, or makes a tube when "
+          "the last point repeats the first",
+          Unit::length});
   v.field("at", s.at, Doc{"where the solid's own origin is in the body", Unit::length});
   v.field("turn", s.turn, Doc{"turns about the body's x, then y, then z axis", Unit::angle});
   v.field("color", s.color, Doc{.text = "colour when drawn, \"#rrggbb\"", .color = true});

@@ -113,8 +113,15 @@ void find_principal_frame(const Mat3& tensor, Mat3& R_BP, Vec3& moments) {
 }
 
 void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::string& where) {
-  const std::string key = spec.moments ? "body.moments" : spec.tensor ? "body.tensor" : "body";
+  const std::string key = spec.moments           ? "body.moments"
+                          : spec.tensor          ? "body.tensor"
+                          : !spec.points.empty() ? "body.points"
+                          : spec.solid           ? "body.solid"
+                                                 : "body.parts";
   const double largest = moments.maxCoeff();
+  if (largest == 0.0 && !spec.points.empty()) {
+    throw input_error("all mass is in one point; such a body has no attitude").at({{}, 0, key});
+  }
   if (moments.minCoeff() < -1e-12 * largest || largest <= 0.0) {
     throw input_error("moments of inertia ({}, {}, {}) kg m^2 {} must not be negative or all zero",
                       moments[0],
@@ -132,8 +139,10 @@ void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::str
   }
   // all mass on a line: about any point of it the other two moments are equal
   if (zeros == 1 && 2.0 * largest > moments.sum() * (1.0 + 1e-9)) {
-    throw input_error("a moment {} is zero, so the other two must be equal: all mass is on a line",
-                      where)
+    throw input_error(
+        "a moment {} is zero (less than 1e-12 of the largest), so all mass is on a line "
+        "and the other two must be equal",
+        where)
         .at({{}, 0, key});
   }
   const std::string wrong = impossible_moments(moments);

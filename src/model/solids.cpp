@@ -108,10 +108,12 @@ void check_profile(const std::vector<Vec2>& profile, const Place& place) {
     if (p.x() < 0.0) throw input_error("radius must not be negative, got {}", p.x()).at(place);
   }
 
-  // the outline closed through the axis must not cross itself
+  // the outline, closed through the axis if it does not close by itself, must not cross itself
   std::vector<Vec2> outline = profile;
-  outline.insert(outline.begin(), Vec2(0, profile.front().y()));
-  outline.push_back(Vec2(0, profile.back().y()));
+  if (profile.front() != profile.back()) {
+    outline.insert(outline.begin(), Vec2(0, profile.front().y()));
+    outline.push_back(Vec2(0, profile.back().y()));
+  }
   for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
     for (std::size_t j = i + 2; j + 1 < outline.size(); ++j) {
       if (segments_cross(outline[i], outline[i + 1], outline[j], outline[j + 1])) {
@@ -226,7 +228,9 @@ const std::vector<SolidKind>& solid_kinds() {
          return cylinder_with(s.radius.value_or(0.0), *s.length);
        }},
       {"lathe",
-       "solid of revolution about z of the outline `profile`",
+       "solid of revolution about z of the outline `profile`, closed to the axis; a tube when it "
+       "ends "
+       "where it began",
        {"profile"},
        {},
        lathe_volume,
@@ -267,8 +271,9 @@ void check_dimensions(const SolidSpec& solid, const std::string& path) {
   }
 
   // a dimension that may be zero is one of the optional ones
-  if (contains(kind.needs, "radius") && *solid.radius <= 0.0) {
-    throw input_error("must be greater than 0, got {}", *solid.radius)
+  if (contains(kind.needs, "radius") && *solid.radius < magnitude_of(Unit::length).least) {
+    throw input_error("must be greater than 0 and not too small to be computed with, got {}",
+                      *solid.radius)
         .at({{}, 0, path + ".radius"});
   }
   if (solid.tube && solid.radius && *solid.tube > *solid.radius) {

@@ -15,7 +15,8 @@ Quat start_attitude_SB(const AttitudeSpec& spec) {
   if (spec.zxz) return from_zxz_angles(*spec.zxz);
   if (spec.quaternion) {
     const Eigen::Vector4d& q = *spec.quaternion;
-    return normalized(Quat(q[0], q[1], q[2], q[3]));
+    const Eigen::Vector4d unit = q.stableNormalized();
+    return Quat(unit[0], unit[1], unit[2], unit[3]);
   }
   return Quat::Identity();
 }
@@ -25,10 +26,22 @@ void refuse_spin_about_line(const Model& model, const Vec3& vector_P) {
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] > 0.0 || std::abs(vector_P[i]) <= 1e-12 * vector_P.norm()) continue;
     throw input_error(
-        "all mass lies on a line (a rotator): a spin about that line has no meaning; "
-        "leave out the component along it")
+        "all mass lies on a line (one moment is less than 1e-12 of the largest): a spin about "
+        "that line has no meaning; leave out the component along it")
         .at({{}, 0, "motion.spin"});
   }
+}
+
+// the fixed point is the origin of space and stays there
+void refuse_flight_on_pivot(const Model& model, const MotionSpec& spec) {
+  if (!model.on_pivot) return;
+  const auto refuse = [](const Vec3& value, const char* key) {
+    if (value == Vec3::Zero()) return;
+    throw input_error("is for free bodies; this one turns about a fixed point at the origin")
+        .at({{}, 0, key});
+  };
+  refuse(spec.position, "motion.position");
+  refuse(spec.velocity, "motion.velocity");
 }
 
 }  // namespace
@@ -84,6 +97,7 @@ Vec3 gravity_of(const MotionSpec& spec) {
 }
 
 State start_state(const Model& model, const MotionSpec& spec) {
+  refuse_flight_on_pivot(model, spec);
   const Quat q_SB = start_attitude_SB(spec.attitude);
   const Mat3 R_PB = model.R_BP.transpose();
   State start;

@@ -58,7 +58,7 @@ std::vector<std::string> method_names();
 
 template <class Visitor>
 void fields(Visitor& v, AttitudeSpec& s) {
-  v.at_most_one_of({"zxz", "quaternion"});
+  v.exactly_one_of({"zxz", "quaternion"});
   v.field("zxz",
           s.zxz,
           Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
@@ -67,7 +67,7 @@ void fields(Visitor& v, AttitudeSpec& s) {
 
 template <class Visitor>
 void fields(Visitor& v, SpinSpec& s) {
-  v.at_most_one_of({"body", "space", "momentum_body", "rates"});
+  v.exactly_one_of({"body", "space", "momentum_body", "rates"});
   v.field("body", s.body, Doc{"angular velocity in body axes", Unit::angular_velocity});
   v.field("space", s.space, Doc{"angular velocity in space axes", Unit::angular_velocity});
   v.field("momentum_body",

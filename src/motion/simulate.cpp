@@ -161,11 +161,14 @@ Integration integrate(const Model& model,
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
   if (method.adaptive && numerics.step) {
-    throw input_error("{} chooses its own steps; give a tolerance instead", method.name)
+    throw input_error(
+        "{} chooses its own steps; give a tolerance, or a fixed-step method such as rk4",
+        method.name)
         .at({{}, 0, "numerics.step"});
   }
   if (!method.adaptive && numerics.tolerance) {
-    throw input_error("{} has fixed steps; give a step instead", method.name)
+    throw input_error("{} has fixed steps; give a step, or an adaptive method such as dopri5",
+                      method.name)
         .at({{}, 0, "numerics.tolerance"});
   }
   const std::optional<double> given = method.adaptive ? numerics.tolerance : numerics.step;
@@ -257,6 +260,12 @@ Simulation simulate(const Model& model,
                       chosen.name)
         .at({{}, 0, "numerics.method"});
   }
+  if (numerics.step || numerics.tolerance) {
+    throw input_error(
+        "this motion is computed in closed form, without steps; leave it out or "
+        "name an integrator as the method")
+        .at({{}, 0, numerics.step ? "numerics.step" : "numerics.tolerance"});
+  }
   report.method = "exact";
   report.method_reason = "closed form";
   std::shared_ptr<const Trajectory> trajectory = chosen.make(model, start);
@@ -274,7 +283,10 @@ Accuracy parse_accuracy(const std::string& text) {
   const std::string number = pixels ? text.substr(0, text.size() - 2) : text;
   char* end = nullptr;
   const double value = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !std::isfinite(value) || value <= 0.0) {
+  if (!number.empty() && *end == '\0' && value <= 0.0) {
+    throw input_error("must be greater than 0, got {}", text);
+  }
+  if (number.empty() || *end != '\0' || !std::isfinite(value)) {
     throw input_error("'{}' is no accuracy; give radians (1e-6) or pixels (\"0.1px\")", text);
   }
   return {value, pixels};

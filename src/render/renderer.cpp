@@ -74,6 +74,15 @@ std::array<glm::vec3, 8> box_corners(const Mesh& mesh) {
   return corners;
 }
 
+// the inverse transposed, up to a factor, of a matrix of any size: its determinant may be out of
+// single precision's reach
+glm::mat3 normal_from_mesh(const glm::mat3& world_from_mesh) {
+  const float size = std::max({glm::length(world_from_mesh[0]),
+                               glm::length(world_from_mesh[1]),
+                               glm::length(world_from_mesh[2])});
+  return glm::transpose(glm::inverse(world_from_mesh / size));
+}
+
 // premultiplied colour, as blending leaves it, to the straight alpha of Image
 void unpremultiply(Image& image) {
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
@@ -221,7 +230,7 @@ class Renderer::Implementation {
   }
 
   void draw_item(const DrawItem& item) {
-    const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(item.world_from_mesh)));
+    const glm::mat3 normals = normal_from_mesh(glm::mat3(item.world_from_mesh));
     gl_.UniformMatrix4fv(u_.world_from_mesh, 1, GL_FALSE, glm::value_ptr(item.world_from_mesh));
     gl_.UniformMatrix3fv(u_.normal_from_mesh, 1, GL_FALSE, glm::value_ptr(normals));
     const Material& material = item.material;

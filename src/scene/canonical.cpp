@@ -2,6 +2,7 @@
 #include "scene/canonical.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/hash.h"
@@ -57,7 +58,10 @@ class Canonical {
 
   template <class T>
   void put(const char* name, T& value) {
-    json_[name] = printed(value);
+    Json json = printed(value);
+    // an empty table says no more than an absent one, and some tables must not be empty
+    if (IsSpec<T> && json.empty()) return;
+    json_[name] = std::move(json);
   }
   template <class T>
   void put(const char* name, std::optional<T>& value) {

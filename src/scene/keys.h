@@ -29,6 +29,9 @@ struct KeyGroup {
 
 struct Key;
 
+// The most tables in one list: parts, points.
+inline constexpr std::size_t kMostTables = 1000;
+
 // The keys of one table.
 struct KeyList {
   std::vector<Key> keys;

@@ -78,6 +78,10 @@ class Reader {
   requires IsSpec<Spec>
   void read(const Found& found, const Doc&, std::vector<Spec>& member) {
     const toml::array& array = array_of(found, 0, "a list of tables, such as [{ ... }, { ... }]");
+    if (array.size() > kMostTables) {
+      refuse(found,
+             fmt::format("has {} tables; at most {} are allowed", array.size(), kMostTables));
+    }
     member.resize(array.size());
     for (std::size_t i = 0; i < array.size(); ++i)
       read_tables(element_of(found, array, i), member[i]);

@@ -27,6 +27,7 @@ struct Scene {
 
   std::string file;                  // where it was read from, for messages
   std::map<std::string, int> lines;  // of each key in it, by dotted path, unit suffixes left out
+  std::map<std::string, std::string> options;  // key -> the option that has replaced its value
 };
 
 template <class Visitor>

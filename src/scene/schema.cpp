@@ -20,8 +20,9 @@ template <class T>
 struct Of {};
 
 // bounds are kept in SI; the value of a suffixed key is in its own unit
-Json number_schema(const std::string& type, const Range& range, const UnitSuffix& unit) {
+Json number_schema(const std::string& type, const Range& allowed, const UnitSuffix& unit) {
   Json json{{"type", type}};
+  const Range range = within_magnitude(allowed, unit.unit);
   const double low = range.low / unit.factor;
   const double high = range.high / unit.factor;
   if (std::isfinite(low)) json[range.low_open ? "exclusiveMinimum" : "minimum"] = low;
@@ -113,8 +114,9 @@ class Describer {
     properties_[name] = Json{{"description", doc.text}};
     properties_[name].update(described(a, b));
   }
-  void exactly_one_of(const std::vector<std::string>& names) { groups_.push_back({names, true}); }
-  void at_most_one_of(const std::vector<std::string>& names) { groups_.push_back({names, false}); }
+  // finished() has these from the key list
+  void exactly_one_of(const std::vector<std::string>&) {}
+  void at_most_one_of(const std::vector<std::string>&) {}
 
   // The schema of a table that holds all of these specs.
   template <class... Specs>
@@ -161,7 +163,7 @@ class Describer {
   requires IsSpec<Spec>
   static Json shape(std::vector<Spec>&, const Doc&, const UnitSuffix&) {
     Spec spec;
-    return list_schema(described(spec), 1, std::nullopt);
+    return list_schema(described(spec), 1, kMostTables);
   }
 
   // what an absent key means, where that is one value
@@ -175,7 +177,7 @@ class Describer {
   static void put_default(Json&, const std::vector<T>&) {}
 
   Json finished(const KeyList& keys) {
-    for (const KeyGroup& group : groups_) {
+    for (const KeyGroup& group : keys.groups) {
       std::vector<Spelling> spellings;
       for (const std::string& name : group.names) {
         for (const Spelling& spelling : spellings_of(name, keys.find(name).doc))
@@ -192,7 +194,6 @@ class Describer {
   Json properties_ = Json::object();
   Json required_ = Json::array();
   Json rules_ = Json::array();
-  std::vector<KeyGroup> groups_;
 };
 
 }  // namespace

@@ -53,6 +53,24 @@ void check_range(const Found& found, const Range& range, double written, double 
   }
 }
 
+// what no scene can mean would overflow later, far from its place
+void check_magnitude(const Found& found, const Doc& doc, double written, double si) {
+  const Range range = within_magnitude(doc.range, doc.unit);
+  const char* wrong = si > range.high   ? "large"
+                      : si >= range.low ? nullptr
+                      : si < 0.0        ? "large"
+                                        : "small";
+  if (wrong == nullptr) return;
+  const double bound = (si > range.high ? range.high : range.low) / found.unit.factor;
+  refuse(found,
+         fmt::format("is too {} to be computed with (the limit is {:.6g}{}{}), got {}",
+                     wrong,
+                     bound,
+                     *found.unit.symbol == '\0' ? "" : " ",
+                     found.unit.symbol,
+                     written));
+}
+
 double number(const Found& found, const Doc& doc, const std::string& wanted) {
   double written = 0.0;
   if (const auto* integer = found.node.as_integer()) {
@@ -65,8 +83,8 @@ double number(const Found& found, const Doc& doc, const std::string& wanted) {
   if (!std::isfinite(written))
     refuse(found, fmt::format("must be a finite number, got {}", written));
   const double si = to_si(written, found.unit);
-  if (!std::isfinite(si)) refuse(found, fmt::format("is too large, got {}", written));
   check_range(found, doc.range, written, si);
+  check_magnitude(found, doc, written, si);
   return si;
 }
 

@@ -19,6 +19,16 @@ bool ends_with(const SinkJob& job, const char* ending) {
   return job.output.ends_with(ending) && !has_hash_prefix(job);
 }
 
+// ".mp4" alone is a hidden file without a name
+void refuse_nameless(const SinkJob& job) {
+  const std::string name = job.output.substr(job.output.find_last_of('/') + 1);
+  for (const SinkKind& kind : sink_kinds()) {
+    if (kind.ending.empty() || name != kind.ending) continue;
+    throw input_error("a name belongs before the ending, such as film{}", kind.ending)
+        .at({job.output, 0, {}});
+  }
+}
+
 bool is_sequence(const SinkJob& job) {
   return job.output.find('%') != std::string::npos;
 }
@@ -82,6 +92,11 @@ const std::vector<SinkKind>& sink_kinds() {
 }
 
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
+  refuse_nameless(job);
+  if (has_frame_number(job.output) && ends_with(job, ".mp4")) {
+    throw input_error("a film is one file; a name with % is for numbered .png pictures")
+        .at({job.output, 0, {}});
+  }
   for (const SinkKind& kind : sink_kinds()) {
     if (!kind.accepts(job)) continue;
     if (job.transparent && !kind.alpha) {

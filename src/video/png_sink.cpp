@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <regex>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -90,6 +91,11 @@ class PngSequenceSink final : public FrameSink {
 
 std::string NumberedName::of(int index) const {
   return fmt::format("{}{:0{}d}{}", before, index, width, after);
+}
+
+bool has_frame_number(const std::string& pattern) {
+  static const std::regex number("%(0[1-9])?d");
+  return std::regex_search(pattern, number);
 }
 
 NumberedName parse_numbered_name(const std::string& pattern) {

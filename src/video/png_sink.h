@@ -20,6 +20,9 @@ struct NumberedName {
   std::string of(int index) const;
 };
 
+// Is there a %d or %0Nd in it?
+bool has_frame_number(const std::string& pattern);
+
 // Throws Error (input) for anything but exactly one %d or %0Nd.
 NumberedName parse_numbered_name(const std::string& pattern);
 

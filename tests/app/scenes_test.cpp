@@ -30,13 +30,13 @@ std::string path_of(const std::string& scene) {
 class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, SaysWhatToLookAt) {
-  const std::string text = testing::read_text(path_of(GetParam()));
+  const std::string text = test::read_text(path_of(GetParam()));
   EXPECT_EQ(text.rfind("# Look at:", 0), 0u);
   EXPECT_NE(text.find("# Closed form"), std::string::npos);
 }
 
 TEST_P(EveryScene, RendersOneSmallFrame) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   RenderJob job;
   job.scene = path_of(GetParam());
   job.output = folder / "still.png";

@@ -37,8 +37,8 @@ void exact(benchmark::State& run, const test::Problem& problem, const char* mode
 }
 
 test::Problem symmetric_top() {
-  const Model model = make_model(testing::prolate_body(), false, Vec3::Zero());
-  return {model, start_state(model, testing::wobbling())};
+  const Model model = make_model(test::prolate_body(), false, Vec3::Zero());
+  return {model, start_state(model, test::wobbling())};
 }
 
 }  // namespace

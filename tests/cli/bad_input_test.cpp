@@ -3,15 +3,17 @@
 // machine lacks something), and nothing left behind.
 #include <algorithm>
 
+#include <sys/stat.h>
+
 #include "support/run.h"
 
 namespace polhode {
 namespace {
 
-using testing::Ran;
-using testing::run_polhode;
-using testing::TemporaryFolder;
-using testing::write_text;
+using test::Ran;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
 
 struct BadScene {
   std::string name;
@@ -67,7 +69,7 @@ TEST(BadScene, EachIsOneLineWithItsPlace) {
   for (const BadScene& bad : kBadScenes) {
     SCOPED_TRACE(bad.name);
     const TemporaryFolder folder;
-    std::string text = testing::kSmallScene;
+    std::string text = test::kSmallScene;
     const std::size_t at = text.find(bad.replace);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, bad.replace.size(), bad.with);
@@ -106,7 +108,21 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --method rk4 --step nan", 2, "--step"},
     {"render SCENE -o DIR/a.mp4 --method rk4 --step 1e-15", 2, "steps"},
     {"render SCENE -o DIR/a.mp4 --method dopri5 --step 0.1", 2, "tolerance"},
-    {"render SCENE -o DIR/a.mp4 --backend vulkan", 2, "osmesa"},
+    {"render SCENE -o DIR/a.mp4 --method rk4 --step 0.1x", 2, "--step: must be a number"},
+    {"render SCENE -o DIR/a.mp4 --step 0.1", 2, "--step: this motion is computed in closed form"},
+    {"render SCENE -o DIR/a.mp4 --accuracy 0", 2, "--accuracy: must be greater than 0, got 0"},
+    {"render SCENE -o ''", 2, "--output: must not be empty"},
+    {"render SCENE -o DIR/a.mp4 --report ''", 2, "--report: must not be empty"},
+    {"render SCENE -o DIR/.mp4", 2, "a name belongs before the ending"},
+    {"render SCENE -o DIR/a%05d.mp4", 2, "a film is one file"},
+    {"render SCENE -o DIR/a%05d.png --still 0.5", 2, "--still: makes one picture"},
+    {"render SCENE SCENE -o DIR/a.mp4", 2, "one word too many"},
+    {"render SCENE -o DIR/a.mp4 --size", 2, "--size needs a value"},
+    {"render SCENE -o DIR/a.mp4 --crf x", 2, "--crf: must be a number"},
+    {"render SCENE -o DIR/a.mp4 --crf 1.5", 2, "--crf: must be a whole number"},
+    {"simulate SCENE -o DIR/a.csv --rate abc", 2, "--rate: must be a number"},
+    {"list", 2, "methods, models, shapes"},
+    {"render SCENE -o DIR/a.mp4 --backend vulkan", 2, "--backend: no back end"},
     {"render SCENE -o DIR/a.mp4 --quality best", 2, "lecture"},
     {"render SCENE -o DIR/a.mp4 --preset fst", 2, "did you mean 'fast'?"},
     {"render SCENE -o DIR/a.mp4 --crf 0", 2, "--crf"},
@@ -120,7 +136,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --progress loud", 2, "json"},
     {"rendr SCENE", 2, "did you mean 'render'?"},
     {"render", 2, "scene"},
-    {"", 2, "subcommand"},
+    {"", 2, "give a command: render, simulate"},
     {"list methds", 2, "did you mean 'methods'?"},
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
@@ -136,7 +152,7 @@ TEST(BadCall, EachIsOneLineWithTheRightCode) {
   for (const BadCall& bad : kBadCalls) {
     SCOPED_TRACE(bad.arguments);
     const TemporaryFolder folder;
-    write_text(folder / "scene.toml", testing::kSmallScene);
+    write_text(folder / "scene.toml", test::kSmallScene);
     std::string arguments = bad.arguments;
     for (std::size_t at; (at = arguments.find("SCENE")) != std::string::npos;) {
       arguments.replace(at, 5, folder / "scene.toml");
@@ -156,7 +172,7 @@ TEST(BadCall, EachIsOneLineWithTheRightCode) {
 // libraries
 TEST(Environment, WithoutAnyOpenGlTheRunSaysWhatIsMissing) {
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", testing::kSmallScene);
+  write_text(folder / "scene.toml", test::kSmallScene);
   for (const char* name :
        {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1", "libEGL.so"}) {
     write_text(folder / name, "");
@@ -179,13 +195,12 @@ TEST(Environment, WithoutAnyOpenGlTheRunSaysWhatIsMissing) {
                                   "' --report '" + (folder / "r.json") + "'",
                               before);
   EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(testing::read_text(folder / "r.json").find("\"backend\": \"osmesa\""),
-            std::string::npos);
+  EXPECT_NE(test::read_text(folder / "r.json").find("\"backend\": \"osmesa\""), std::string::npos);
 }
 
 TEST(Environment, AFullDiskLeavesNothing) {
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", testing::kSmallScene);
+  write_text(folder / "scene.toml", test::kSmallScene);
   // one block of 512 bytes (sh) is less than any film; stdout and stderr stay below it
   const Ran ran = run_polhode(
       "render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'", "ulimit -f 1;");
@@ -195,16 +210,95 @@ TEST(Environment, AFullDiskLeavesNothing) {
 }
 
 TEST(Environment, InterruptLeavesNothingAndSaysSo) {
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    const TemporaryFolder folder;
+    std::string text = test::kSmallScene;
+    text.replace(text.find("duration = 1"), 12, "duration = 1000");
+    write_text(folder / "scene.toml", text);
+    const Ran ran =
+        run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
+                    "timeout --preserve-status -s " + signal + " 1");
+    EXPECT_EQ(ran.code, 130) << signal << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(folder.entries(), 1) << signal;
+  }
+}
+
+TEST(Environment, AnAnswerThatCannotBeWrittenIsAFailure) {
   const TemporaryFolder folder;
-  std::string text = testing::kSmallScene;
-  text.replace(text.find("duration = 1"), 12, "duration = 1000");
-  write_text(folder / "scene.toml", text);
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  for (const std::string& arguments : {std::string("list methods"),
+                                       std::string("schema"),
+                                       std::string("doctor"),
+                                       std::string("--help"),
+                                       std::string("render --help"),
+                                       std::string("--version"),
+                                       "inspect " + scene,
+                                       "simulate " + scene + " -o -"}) {
+    for (const std::string closed : {"1>/dev/full", "1>&-"}) {
+      SCOPED_TRACE(arguments + " " + closed);
+      const Ran ran = run_polhode(arguments + " " + closed + " 2>'" + (folder / "err") + "' #");
+      EXPECT_EQ(ran.code, 3);
+      EXPECT_NE(test::read_text(folder / "err").find("cannot write to standard output"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST(Environment, AReaderWhoHasHadEnoughIsNoFailure) {
+  const TemporaryFolder folder;
+  run_polhode("schema 2>'" + (folder / "err") + "'; echo $? >'" + (folder / "code") +
+                  "') | head -n 1 >'" + (folder / "out") + "' #",
+              "(");
+  EXPECT_EQ(test::read_text(folder / "out"), "{\n");
+  EXPECT_EQ(test::read_text(folder / "code"), "0\n");
+  EXPECT_EQ(test::read_text(folder / "err"), "");
+}
+
+// the number of a closed stream must not become that of the film
+TEST(Environment, ClosedStreamsChangeNothingElse) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  EXPECT_EQ(run_polhode("render 2>&- #").code, 2);
+  EXPECT_EQ(
+      run_polhode("render " + scene + " -o '" + (folder / "a.png") + "' 0<&- 1>&- 2>&- #").code, 0);
+  EXPECT_EQ(run_polhode("render " + scene + " -o '" + (folder / "b.png") + "'").code, 0);
+  EXPECT_EQ(test::read_text(folder / "a.png"), test::read_text(folder / "b.png"));
+}
+
+TEST(Environment, WhatIsNoFileIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const Ran ran =
-      run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
-                  "timeout --preserve-status -s INT 1");
-  EXPECT_EQ(ran.code, 130) << ran.err;
-  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-  EXPECT_EQ(folder.entries(), 1);
+      run_polhode("render '" + pipe + "' -o '" + (folder / "a.mp4") + "'", "timeout 20");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("no ordinary file"), std::string::npos) << ran.err;
+}
+
+// pictures that would be empty or nearly so are told of
+TEST(Warnings, OfACameraThatSeesNothing) {
+  const struct {
+    const char* camera;
+    const char* says;
+  } cases[] = {{"eye = [5, 0, 0]\ntarget = [10, 0, 0]", "sees nothing"},
+               {"eye = [0.05, 0, 0]", "comes within 0.05 m"},
+               {"eye = [1e5, 0, 0]", "smaller than a pixel"},
+               {"eye = [2, 0, 0]", ""},
+               {"target = [0, 0, 0.1]", ""}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.camera);
+    const TemporaryFolder folder;
+    write_text(folder / "scene.toml",
+               std::string(test::kSmallScene) + "[camera]\n" + one.camera + "\n");
+    const Ran ran =
+        run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.png") + "'");
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.err.empty(), *one.says == '\0') << ran.err;
+    EXPECT_NE(ran.err.find(one.says), std::string::npos) << ran.err;
+  }
 }
 
 }  // namespace

@@ -11,15 +11,15 @@
 namespace polhode {
 namespace {
 
-using testing::Ran;
-using testing::read_text;
-using testing::run_polhode;
-using testing::TemporaryFolder;
-using testing::write_text;
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
 
 class GoodRun : public ::testing::Test {
  protected:
-  GoodRun() { write_text(folder_ / "scene.toml", testing::kSmallScene); }
+  GoodRun() { write_text(folder_ / "scene.toml", test::kSmallScene); }
   std::string scene() const { return fmt::format("'{}'", folder_ / "scene.toml"); }
   std::string out(const std::string& name) const { return fmt::format(" -o '{}'", folder_ / name); }
 

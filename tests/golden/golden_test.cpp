@@ -20,7 +20,7 @@ class Golden : public ::testing::TestWithParam<golden::Case> {};
 
 TEST_P(Golden, LooksAsItDid) {
   const golden::Case& one = GetParam();
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   golden::render(one, folder / "actual.png");
   const Image actual = read_png(folder / "actual.png");
   const Image wanted = read_png(golden::reference(one));

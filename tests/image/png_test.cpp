@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 Image noise(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
@@ -47,12 +47,12 @@ TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {
 
 TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
   const TemporaryFolder folder;
-  testing::write_text(folder / "a.png", "not a picture");
+  test::write_text(folder / "a.png", "not a picture");
   const std::string whole = [&] {
     write_png(folder / "b.png", noise(20, 10, 3), true);
-    return testing::read_text(folder / "b.png");
+    return test::read_text(folder / "b.png");
   }();
-  testing::write_text(folder / "cut.png", whole.substr(0, whole.size() / 2));
+  test::write_text(folder / "cut.png", whole.substr(0, whole.size() / 2));
   for (const char* name : {"a.png", "cut.png", "missing.png"}) {
     try {
       read_png(folder / name);
@@ -68,7 +68,7 @@ TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
 TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
   const TemporaryFolder folder;
   write_png(folder / "a.png", noise(16, 16, 6), true);
-  std::string bytes = testing::read_text(folder / "a.png");
+  std::string bytes = test::read_text(folder / "a.png");
   // 983,040 x 983,040, and the checksum of that header
   bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8));
   std::uint32_t sum = 0xffffffffu;
@@ -79,7 +79,7 @@ TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
   }
   for (std::size_t i = 0; i < 4; ++i)
     bytes[29 + i] = static_cast<char>(~sum >> (24 - 8 * i) & 255);
-  testing::write_text(folder / "a.png", bytes);
+  test::write_text(folder / "a.png", bytes);
   try {
     read_png(folder / "a.png");
     FAIL();
@@ -98,7 +98,7 @@ TEST(Png, AFullDiskIsAnErrorThatSaysSoAndLeavesNothing) {
     const auto make = [&] {
       write_png(folder / "b.png", image, true);
     };
-    EXPECT_EQ(testing::with_full_disk(most, make), testing::Outcome::environment) << most;
+    EXPECT_EQ(test::with_full_disk(most, make), test::Outcome::environment) << most;
     EXPECT_EQ(folder.entries(), 1) << most;
   }
 }

@@ -250,7 +250,7 @@ TEST(BodyErrors, NameTheKey) {
 
   BodySpec point;
   point.points = {{1.0, {1, 0, 0}}};
-  expect_input_error([&] { free_model(point); }, "body", "all zero");
+  expect_input_error([&] { free_model(point); }, "body.points", "in one point");
 
   BodySpec parts;
   parts.parts = {sphere(1, 0.5, Vec3::Zero()), sphere(1, 0.5, Vec3::Zero())};

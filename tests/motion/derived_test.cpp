@@ -43,8 +43,8 @@ double turn_about(const Vec3& n, const Vec3& a, const Vec3& b) {
 }
 
 TEST(Derived, FreeSymmetricTopPrecessesAndSpinsAsSaid) {
-  for (const BodySpec& body : {testing::prolate_body(), testing::oblate_body()}) {
-    const Case top = moving(body, testing::wobbling());
+  for (const BodySpec& body : {test::prolate_body(), test::oblate_body()}) {
+    const Case top = moving(body, test::wobbling());
     const double t = 0.05;
     const Sample a = top.motion.at(0.0);
     const Sample b = top.motion.at(t);
@@ -102,8 +102,8 @@ TEST(Derived, MiddleAxisTurnsOverAfterTheFlipTime) {
 }
 
 TEST(Derived, SteadyPrecessionIsSteady) {
-  const BodySpec body = testing::cone_body();
-  MotionSpec spec = testing::spinning_on_pivot();
+  const BodySpec body = test::cone_body();
+  MotionSpec spec = test::spinning_on_pivot();
   const double tilt = 0.5;
   const double w3 = 400.0;
   spec.spin = {};

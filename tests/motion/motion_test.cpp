@@ -68,10 +68,10 @@ TEST(StartState, ARotatorIsNotSpunAboutItsLine) {
   const Model model = make_model(rod, false, Vec3::Zero());
   MotionSpec spec;
   spec.spin.body = Vec3(1, 2, 3);
-  expect_input_error([&] { start_state(model, spec); }, "motion.spin", "rotator");
+  expect_input_error([&] { start_state(model, spec); }, "motion.spin", "on a line");
   spec.spin = {};
   spec.spin.momentum_body = Vec3(1, 2, 2);
-  expect_input_error([&] { start_state(model, spec); }, "motion.spin", "rotator");
+  expect_input_error([&] { start_state(model, spec); }, "motion.spin", "on a line");
   spec.spin = {};
   spec.spin.body = Vec3(0, 1, -1);
   EXPECT_NEAR(start_state(model, spec).y.norm(), 18.0 * std::sqrt(2.0), 1e-13);

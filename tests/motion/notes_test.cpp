@@ -53,7 +53,7 @@ Cloud cloud(const std::string& hold, std::uint64_t seed) {
   spec.duration = 2.0;
   spec.attitude.zxz = Vec3(0.4, 0.9, -0.7);
   spec.spin.body = Vec3(0.8, -0.5, 1.3);
-  spec.velocity = Vec3(0.5, 0.2, -0.4);
+  if (hold == "free") spec.velocity = Vec3(0.5, 0.2, -0.4);
   const Model model = make_model(body, hold == "pivot", gravity_of(spec));
   return {body, spec, simulate(model, spec, {}, 1e-11).motion};
 }

@@ -199,8 +199,8 @@ TEST(ScenePicture, TipsOfOmegaAndMomentum) {
     show.body = show.axes = show.space_axes = show.space_cone = show.body_cone = false;
     show.omega = !momentum;
     show.momentum = momentum;
-    const BodySpec body = testing::prolate_body();
-    const Motion motion = testing::moving(body, testing::wobbling());
+    const BodySpec body = test::prolate_body();
+    const Motion motion = test::moving(body, test::wobbling());
     const Composer composer(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
     for (const double t : {0.0, 1.3, 2.9}) {
       const Sample s = motion.at(t);

@@ -12,8 +12,8 @@ namespace {
 constexpr FrameSize kSize{320, 180};
 
 DrawList example(double t) {
-  const BodySpec body = testing::prolate_body();
-  return Composer(testing::moving(body, testing::wobbling()),
+  const BodySpec body = test::prolate_body();
+  return Composer(test::moving(body, test::wobbling()),
                   body,
                   CameraSpec{},
                   ShowSpec{},
@@ -105,14 +105,13 @@ TEST(Renderer, TransparentPictureCompositesToTheOpaqueOne) {
 
 // the mark shows the spin: the same solid half a turn later is another picture
 TEST(Renderer, MarkTellsHalfATurn) {
-  BodySpec body = testing::ellipsoid_body({0.1, 0.1, 0.1});
+  BodySpec body = test::ellipsoid_body({0.1, 0.1, 0.1});
   MotionSpec motion;
   motion.spin.body = Vec3(0, 0, 3.14159265358979);
   motion.duration = 2.0;
   ShowSpec show;
   show.omega = show.momentum = show.space_axes = false;
-  const Composer composer(
-      testing::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Composer composer(test::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kSize);
   const Image now = draw(composer.at(0.0), "auto");
   const Image half = draw(composer.at(1.0), "auto");
   const Image full = draw(composer.at(2.0), "auto");

@@ -37,7 +37,6 @@ accuracy = "0.1px"
 eye = [3, 0, 1]
 target = [0, 0, 0]
 fov_deg = 30
-direction = [1, 0, 0]
 
 [show]
 body = true
@@ -57,6 +56,13 @@ time_scale = 0.5
 theme = "dark"
 background = "#102030"
 )";
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i)
+    all += text;
+  return all;
+}
 
 // a body that is right, in two lines
 const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
@@ -155,7 +161,7 @@ std::vector<BadSceneText> out_of_range() {
       {"negative infinity", kBody + "[motion]\ngravity = [0, 0, -inf]\n",
        4, "motion.gravity[2]", "got -inf", false},
       {"infinite after the unit", kBody + "[motion]\nduration_d = 1e308\n",
-       4, "motion.duration_d", "is too large, got 1e+308", false},
+       4, "motion.duration_d", "is too large to be computed with (the limit is 1.15741e+10 d), got 1e+308"},
   };
 }
 
@@ -192,7 +198,7 @@ std::vector<BadSceneText> missing_and_exclusive_keys() {
       {"two bodies, suffixed", "[body]\nmoments_g_cm2 = [1, 2, 3]\ntensor = 3\n",
        3, "body", "found moments_g_cm2 and tensor"},
       {"two attitudes", kBody + "[motion]\nattitude = { zxz_deg = [1, 2, 3], quaternion = [1, 0, 0, 0] }\n",
-       4, "motion.attitude", "give at most one of zxz, quaternion; found zxz_deg and quaternion"},
+       4, "motion.attitude", "give exactly one of zxz, quaternion; found zxz_deg and quaternion"},
       {"two spins", kBody + "[motion.spin]\nbody = [1, 2, 3]\nspace_rpm = [1, 2, 3]\n",
        5, "motion.spin", "found body and space_rpm"},
       {"no kind", "[body]\nsolid = { radius = 1 }\n",
@@ -203,6 +209,22 @@ std::vector<BadSceneText> missing_and_exclusive_keys() {
        2, "body.points[0].m", "this key is missing (mass of the point)"},
       {"point without place", "[body]\npoints = [{ m_g = 1 }]\n",
        2, "body.points[0].at", "this key is missing"},
+      {"empty spin", kBody + "[motion]\nspin = {}\n",
+       4, "motion.spin", "give exactly one of body, space, momentum_body, rates; found none"},
+      {"absurd length", "[body]\nsolid = { kind = \"sphere\", radius = 1e300, mass = 1 }\n",
+       2, "body.solid.radius", "is too large to be computed with (the limit is 1e+15 m), got 1e+300"},
+      {"absurd mass", "[body]\nsolid = { kind = \"sphere\", radius = 1, mass = 1e-200 }\n",
+       2, "body.solid.mass", "is too small to be computed with (the limit is 1e-30 kg), got 1e-200"},
+      {"absurd spin", kBody + "[motion]\nspin = { body = [0, 0, 1e160] }\n",
+       4, "motion.spin.body[2]", "is too large"},
+      {"absurd quaternion", kBody + "[motion]\nattitude = { quaternion = [1e200, 0, 0, 1e200] }\n",
+       4, "motion.attitude.quaternion[0]", "is too large"},
+      {"faster than light", kBody + "[motion]\nvelocity = [3e8, 0, 0]\n",
+       4, "motion.velocity[0]", "the limit is 2.99792e+08 m/s"},
+      {"two ways to place the camera", kBody + "[camera]\neye = [1, 0, 0]\ndirection = [1, 0, 0]\n",
+       5, "camera", "give at most one of eye, direction"},
+      {"too many points", "[body]\npoints = [" + repeated("{ m = 1, at = [1, 2, 3] }, ", 1001) + "]\n",
+       2, "body.points", "has 1001 tables; at most 1000 are allowed"},
       {"zero quaternion", kBody + "[motion]\nattitude = { quaternion = [0, 0.0, 0, -0.0] }\n",
        4, "motion.attitude.quaternion", "must not be zero in all four numbers"},
   };

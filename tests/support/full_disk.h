@@ -13,7 +13,7 @@
 
 #include "base/error.h"
 
-namespace polhode::testing {
+namespace polhode::test {
 
 enum class Outcome { done = 0, environment = 3, other_error = 4, crashed = 5 };
 
@@ -43,4 +43,4 @@ Outcome with_full_disk(rlim_t most, const Work& work) {
   return static_cast<Outcome>(WEXITSTATUS(status));
 }
 
-}  // namespace polhode::testing
+}  // namespace polhode::test

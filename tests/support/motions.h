@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "motion/simulate.h"
 
-namespace polhode::testing {
+namespace polhode::test {
 
 inline BodySpec ellipsoid_body(const Vec3& semi_axes) {
   SolidSpec solid;
@@ -59,4 +59,4 @@ inline MotionSpec spinning_on_pivot() {
   return motion;
 }
 
-}  // namespace polhode::testing
+}  // namespace polhode::test

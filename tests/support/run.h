@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-namespace polhode::testing {
+namespace polhode::test {
 
 // A folder of one test's own, removed with it.
 class TemporaryFolder {
@@ -78,4 +78,4 @@ size = "128x72"
 fps = 10
 )";
 
-}  // namespace polhode::testing
+}  // namespace polhode::test

@@ -15,7 +15,7 @@ extern "C" {
 
 #include "image/image.h"
 
-namespace polhode::testing {
+namespace polhode::test {
 
 struct DecodedFilm {
   AVRational time_base{};
@@ -135,4 +135,4 @@ inline DecodedFilm decode(const std::string& file) {
   return film;
 }
 
-}  // namespace polhode::testing
+}  // namespace polhode::test

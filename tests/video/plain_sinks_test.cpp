@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 Image frame(int index) {
   Image image(8, 6);
@@ -74,7 +74,7 @@ TEST(PngSequence, WritesEveryFrameAndRemovesThemIfAbandoned) {
 // a run that fails must not take the frames of the last one with it
 TEST(PngSequence, AbandonedKeepsTheOldFrames) {
   const TemporaryFolder folder;
-  testing::write_text(folder / "f_001.png", "an older frame");
+  test::write_text(folder / "f_001.png", "an older frame");
   {
     const auto sink = make_sink(job_for(folder / "f_%03d.png"));
     for (int i = 0; i < 4; ++i)
@@ -82,7 +82,7 @@ TEST(PngSequence, AbandonedKeepsTheOldFrames) {
     EXPECT_FALSE(std::filesystem::exists(folder / "f_000.png")) << "before finish()";
   }
   EXPECT_EQ(folder.entries(), 1);
-  EXPECT_EQ(testing::read_text(folder / "f_001.png"), "an older frame");
+  EXPECT_EQ(test::read_text(folder / "f_001.png"), "an older frame");
 }
 
 TEST(PngSequence, AFrameThatCannotBeWrittenRemovesTheOthers) {
@@ -108,9 +108,9 @@ TEST(PlainSinks, AFullDiskIsAnErrorAndLeavesNothing) {
       if (!job.still) sink->push(frame(1));
       sink->finish();
     };
-    EXPECT_EQ(testing::with_full_disk(20, make), testing::Outcome::environment) << name;
+    EXPECT_EQ(test::with_full_disk(20, make), test::Outcome::environment) << name;
     EXPECT_EQ(folder.entries(), 0) << name;
-    EXPECT_EQ(testing::with_full_disk(100000, make), testing::Outcome::done) << name;
+    EXPECT_EQ(test::with_full_disk(100000, make), test::Outcome::done) << name;
     EXPECT_GT(folder.entries(), 0) << name;
     for (const auto& made : std::filesystem::directory_iterator(folder.path()))
       std::filesystem::remove(made.path());
@@ -147,7 +147,7 @@ TEST(Hash, OneLinePerFrameThatDependsOnEveryByte) {
     for (const Image& image : frames)
       sink->push(image);
     sink->finish();
-    return testing::read_text(folder / "a.hash");
+    return test::read_text(folder / "a.hash");
   };
   Image changed = frame(1);
   changed.pixels.back() ^= 1;
@@ -164,7 +164,7 @@ TEST(Hash, HasAFormWithoutEnding) {
     const auto sink = make_sink(job_for("hash:" + (folder / name)));
     sink->push(frame(0));
     sink->finish();
-    EXPECT_EQ(testing::read_text(folder / name).rfind("0 8x6 ", 0), 0u) << name;
+    EXPECT_EQ(test::read_text(folder / name).rfind("0 8x6 ", 0), 0u) << name;
   }
   EXPECT_THROW(make_sink(job_for("hash:")), Error);
 }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared_options.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+
+namespace polhode {
+namespace {
+
+// "-o,--output" is called --output
+std::string long_name(const std::string& names) {
+  return names.substr(names.rfind(',') + 1);
+}
+
+double number_in(const std::string& text, const std::string& option) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, value);
+  if (text.empty() || failed != std::errc() || stop != end || !std::isfinite(value)) {
+    throw input_error("must be a number, such as 1.5; found '{}'", text.substr(0, 40))
+        .at({{}, 0, option});
+  }
+  return value;
+}
+
+// runs `read` on the option's text; CLI11 keeps the last of several
+template <class Read>
+CLI::Option* add_reader(CLI::App& command,
+                        const std::string& names,
+                        const std::string& doc,
+                        const Read& read) {
+  return command
+      .add_option_function<std::string>(
+          names, [names, read](const std::string& text) { read(text, long_name(names)); }, doc)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->allow_extra_args(false);
+}
+
+std::string text_in(const std::string& text, const std::string& option) {
+  if (text.empty()) throw input_error("must not be empty").at({{}, 0, option});
+  return text;
+}
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& command,
+                        const std::string& names,
+                        std::optional<double>& target,
+                        const std::string& doc) {
+  return add_reader(
+      command, names, doc, [&target](const std::string& text, const std::string& option) {
+        target = number_in(text, option);
+      });
+}
+
+CLI::Option* add_whole_number(CLI::App& command,
+                              const std::string& names,
+                              std::optional<int>& target,
+                              const std::string& doc) {
+  return add_reader(
+      command, names, doc, [&target](const std::string& text, const std::string& option) {
+        const double value = number_in(text, option);
+        if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
+          throw input_error("must be a whole number, such as 18; found '{}'", text.substr(0, 40))
+              .at({{}, 0, option});
+        }
+        target = static_cast<int>(value);
+      });
+}
+
+CLI::Option* add_text(CLI::App& command,
+                      const std::string& names,
+                      std::string& target,
+                      const std::string& doc) {
+  return add_reader(command,
+                    names,
+                    doc,
+                    [&target](const std::string& text, const std::string& option) {
+                      target = text_in(text, option);
+                    })
+      ->default_str(target);
+}
+
+CLI::Option* add_text(CLI::App& command,
+                      const std::string& names,
+                      std::optional<std::string>& target,
+                      const std::string& doc) {
+  return add_reader(
+      command, names, doc, [&target](const std::string& text, const std::string& option) {
+        target = text_in(text, option);
+      });
+}
+
+void add_scene(CLI::App& command, std::filesystem::path& scene) {
+  command.add_option("scene", scene, "scene file")->required()->type_name("SCENE");
+}
+
+void add_numerics_options(CLI::App& command, Overrides& overrides) {
+  add_text(command, "--method", overrides.method, "integrator, see `polhode list methods`")
+      ->type_name("NAME");
+  add_number(command, "--step", overrides.step, "step of fixed-step methods, seconds")
+      ->type_name("H");
+  add_number(command, "--tolerance", overrides.tolerance, "local error of adaptive methods")
+      ->type_name("E");
+  add_text(command,
+           "--accuracy",
+           overrides.accuracy,
+           "attitude error allowed over the whole motion: 0.1px, or radians")
+      ->type_name("A");
+}
+
+}  // namespace polhode
