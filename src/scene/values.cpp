@@ -220,6 +220,11 @@ void read_value(const Found& found, const Doc&, PictureSize& value) {
   const Doc side{.text = "", .range = Range{kSmallestSide, kLargestSide}};
   read_value(element_of(found, sides, 0), side, value.width);
   read_value(element_of(found, sides, 1), side, value.height);
+  try {
+    check_picture_size(value);
+  } catch (const Error& fault) {
+    throw fault.at(found.place);
+  }
 }
 
 void read_value(const Found& found, const Doc&, FrameRate& value) {

@@ -58,6 +58,23 @@ FrameRate parse_frame_rate(const std::string& text) {
   return {*above / common, *below / common};
 }
 
+void check_picture_size(const PictureSize& size) {
+  for (const int side : {size.width, size.height}) {
+    if (side >= kSmallestSide && side <= kLargestSide) continue;
+    throw input_error("sides must be {} to {} pixels, got {}x{}",
+                      kSmallestSide,
+                      kLargestSide,
+                      size.width,
+                      size.height);
+  }
+  if (static_cast<double>(size.width) * size.height > kMostPixels) {
+    throw input_error("a picture has at most {} pixels, such as 8192x8192; got {}x{}",
+                      kMostPixels,
+                      size.width,
+                      size.height);
+  }
+}
+
 PictureSize parse_picture_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   const std::optional<int> width = whole(text.substr(0, cross));
@@ -66,11 +83,9 @@ PictureSize parse_picture_size(const std::string& text) {
   if (!width || !height) {
     throw input_error("'{}' is no picture size; write \"1920x1080\"", text.substr(0, 40));
   }
-  for (const int side : {*width, *height}) {
-    if (side >= kSmallestSide && side <= kLargestSide) continue;
-    throw input_error("sides must be {} to {} pixels, got {}", kSmallestSide, kLargestSide, text);
-  }
-  return {*width, *height};
+  const PictureSize size{*width, *height};
+  check_picture_size(size);
+  return size;
 }
 
 const std::vector<std::string>& encoder_presets() {

@@ -31,6 +31,12 @@ struct PictureSize {
 inline constexpr int kSmallestSide = 16;    // pixels
 inline constexpr int kLargestSide = 16384;  // pixels; what GL and H.264 level limits leave
 
+// The largest picture: with four samples of colour and depth it takes what one buffer may hold.
+inline constexpr int kMostPixels = 8192 * 8192;
+
+// Throws Error (input) for a size out of bounds.
+void check_picture_size(const PictureSize& size);
+
 // "1920x1080". Throws Error (input) when it is not of that form or out of bounds.
 PictureSize parse_picture_size(const std::string& text);
 

@@ -99,6 +99,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/nowhere/a.mp4", 2, "does not exist"},
     {"render SCENE -o SCENE/a.mp4", 2, "does not exist"},
     {"render SCENE -o DIR/a.mp4 --size 127x72", 2, "even"},
+    {"render SCENE -o DIR/a.mp4 --size 16384x16384", 2, "at most 67108864 pixels"},
     {"render SCENE -o DIR/a.mp4 --size 12", 2, "--size"},
     {"render SCENE -o DIR/a.mp4 --size 99999999999x2", 2, "--size"},
     {"render SCENE -o DIR/a.mp4 --fps 0", 2, "--fps"},

@@ -236,6 +236,8 @@ std::vector<BadSceneText> wrong_video_and_accuracy() {
        4, "video.size[0]", "must be at most 16384, got 1000000000"},
       {"float size", kBody + "[video]\nsize = [1e9, 3]\n",
        4, "video.size[0]", "must be a whole number"},
+      {"huge size", kBody + "[video]\nsize = [16384, 16384]\n",
+       4, "video.size", "at most 67108864 pixels", false},
       {"tiny size", kBody + "[video]\nsize = [640, 3]\n",
        4, "video.size[1]", "must be at least 16, got 3"},
       {"size of three", kBody + "[video]\nsize = [640, 480, 3]\n",
