@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/units.h"
 #include "math/elliptic.h"
+#include "motion/exact/exact.h"
 
 namespace polhode {
 namespace {
@@ -86,6 +88,48 @@ void add_free_asymmetric(List& list, const Model& model, const State& start) {
   }
 }
 
+// how far the axis has gone round the vertical after one nutation, rad; steps of a few degrees tell
+// how often
+double turn_of_nutation(const Model& model, const State& start, double period) {
+  constexpr int kSteps = 4096;
+  const std::unique_ptr<Trajectory> top = exact_heavy_symmetric(model, start);
+  const Vec3& up = model.up_S;
+  Vec3 before = start.q * model.chi_P;
+  double turn = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec3 now = top->at(period * i / kSteps).q * model.chi_P;
+    turn += std::atan2(up.dot(before.cross(now)), before.dot(now) - before.dot(up) * now.dot(up));
+    before = now;
+  }
+  return turn;
+}
+
+void add_nutation(List& list, const Model& model, const State& start, bool is_pendulum) {
+  constexpr double kVertical = 1e-6;  // rad; closer to the vertical it has no direction
+  const Nutation nutation = nutation_of(model, start);
+  list.push_back({"least_tilt", Q::angle, nutation.least_tilt});
+  list.push_back({"greatest_tilt", Q::angle, nutation.greatest_tilt});
+  if (nutation.period == 0.0 || !std::isfinite(nutation.period)) return;
+  list.push_back({"nutation_period", Q::time, nutation.period});
+  const bool through_top = nutation.least_tilt < kVertical;
+  const bool through_bottom = nutation.greatest_tilt > kPi - kVertical;
+  if (is_pendulum && through_bottom) {
+    // in a plane: the tilt is back at its least twice per swing, once per revolution
+    if (!through_top) list.push_back({"swing_period", Q::time, 2.0 * nutation.period});
+    if (through_top) list.push_back({"revolution_period", Q::time, nutation.period});
+    return;
+  }
+  if (through_top || through_bottom) return;
+  const double turn = turn_of_nutation(model, start, nutation.period);
+  list.push_back({"mean_precession_rate", Q::rate, turn / nutation.period});
+  list.push_back({"precession_angle_per_nutation", Q::angle, turn});
+  const double at_least = nutation.precession_at_least;
+  const double at_greatest = nutation.precession_at_greatest;
+  list.push_back({"precession_rate_at_least_tilt", Q::rate, at_least});
+  list.push_back({"precession_rate_at_greatest_tilt", Q::rate, at_greatest});
+  list.push_back({"precession_reverses", Q::verdict, at_least * at_greatest < 0.0 ? 1.0 : 0.0});
+}
+
 // Lagrange's top: chi along the axis
 void add_heavy_symmetric(List& list, const Model& model, const State& start) {
   const int axis = model.kind.symmetric() ? model.kind.axis : 0;
@@ -95,6 +139,7 @@ void add_heavy_symmetric(List& list, const Model& model, const State& start) {
   const double u = std::clamp(up_in_body(model, start.q).dot(model.chi_P) / mu, -1.0, 1.0);
   list.push_back(
       {"tilt_at_start", Q::angle, angle_between(up_in_body(model, start.q), model.chi_P)});
+  add_nutation(list, model, start, L3 == 0.0);
   if (L3 == 0.0) {
     list.push_back({"small_oscillation_period", Q::time, 2.0 * kPi * std::sqrt(A / mu)});
     return;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "math/elliptic.h"
 #include "motion/simulate.h"
 #include "support/motions.h"
 #include "support/residual.h"
@@ -177,6 +178,85 @@ TEST(Derived, PendulumAndEnergies) {
   const Vec3 v = point_velocity(swung.motion.model(), s, swung.motion.model().body.center);
   EXPECT_NEAR(swung("kinetic_energy_of_center_of_mass_J"), 0.3 * v.squaredNorm(), 1e-15);
   EXPECT_NEAR(swung("total_energy_J"), s.energy, 1e-14);
+}
+
+// PHYSICS: a published top (Hairer, Lubich, Wanner, VII.5.3), its numbers by two methods
+TEST(Derived, NutationOfAPublishedTop) {
+  BodySpec body;
+  body.moments = Vec3(0.5, 0.5, 1.0);
+  body.mathematical = true;
+  body.about = "pivot";
+  body.center_of_mass = Vec3(0, 0, 1);
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.gravity = Vec3(0, 0, -1);
+  spec.attitude.quaternion = Eigen::Vector4d(0.4, 0.2, 0.4, 0.8);
+  spec.spin.momentum_body = Vec3(0.2, 1.0, 0.4);
+  const Case top = moving(body, spec);
+  const auto close = [&](const char* key, double wanted, double tolerance) {
+    expect_residual(key, std::abs(top(key) - wanted), tolerance);
+  };
+  close("nutation_period_s", 2.49679814564629, 2e-14);
+  close("precession_angle_per_nutation_rad", 6.12727820661848, 2e-13);
+  close("least_tilt_rad", 51.64590115 * kPi / 180.0, 1e-9);
+  close("greatest_tilt_rad", 121.8203569 * kPi / 180.0, 1e-9);
+}
+
+// the shape of the nutation, against the path of the axis itself
+TEST(Derived, NutationLoopsCuspsAndWaves) {
+  const struct {
+    double precession;  // at the least tilt, of the slow steady rate
+    double reverses;
+  } cases[] = {{-1.0, 1.0}, {0.0, 0.0}, {0.5, 0.0}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.precession);
+    MotionSpec spec = test::spinning_on_pivot();
+    spec.spin = {};
+    spec.spin.body = Vec3(0, 0, 300.0);
+    const double rate =
+        one.precession * moving(test::cone_body(), spec)("slow_steady_precession_rad_per_s");
+    spec.spin = {};
+    spec.spin.rates = Vec3(rate, 0.0, 300.0 - rate * std::cos(0.5));
+    const Case top = moving(test::cone_body(), spec);
+    const double period = top("nutation_period_s");
+    EXPECT_NEAR(top("least_tilt_rad"), 0.5, 1e-13);
+    EXPECT_NEAR(top("precession_rate_at_least_tilt_rad_per_s"), rate, 1e-10);
+    EXPECT_EQ(top("precession_reverses"), one.reverses);
+
+    // half a period later the axis is lowest; a whole one later it has gone round by what was said
+    const auto axis = [&](double t) {
+      return Vec3(top.motion.at(t).q_SB * Vec3::UnitZ());
+    };
+    EXPECT_NEAR(angle_between(axis(0.5 * period), Vec3::UnitZ()), top("greatest_tilt_rad"), 1e-12);
+    EXPECT_NEAR(angle_between(axis(period), Vec3::UnitZ()), 0.5, 1e-12);
+    const double turn = turn_about(Vec3::UnitZ(), axis(0.0), axis(period));
+    const double said = top("mean_precession_rate_rad_per_s") * period;
+    EXPECT_NEAR(std::remainder(turn - said, 2.0 * kPi), 0.0, 1e-12);
+  }
+}
+
+// the planar pendulum: T = 4 K(sin^2(amplitude / 2)) sqrt(A / mu), and beyond the top
+TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
+  BodySpec body;
+  body.points = {{0.5, {0, 0, -1.2}}, {0.1, {0, 0, -0.6}}};
+  MotionSpec spec;
+  spec.hold = "pivot";
+  for (const double amplitude : {0.3, 1.5, 3.0}) {
+    spec.attitude.zxz = Vec3(0, amplitude, 0);
+    const Case pendulum = moving(body, spec);
+    const Model& model = pendulum.motion.model();
+    const double period = 4.0 * elliptic_k(std::pow(std::cos(0.5 * amplitude), 2)) *
+                          std::sqrt(model.moments[0] / model.chi_P.norm());
+    expect_residual("swing", std::abs(pendulum("swing_period_s") / period - 1.0), 1e-13);
+    EXPECT_FALSE(value_of(pendulum.numbers, "mean_precession_rate_rad_per_s").has_value());
+  }
+  spec.attitude.zxz = Vec3(0, 0.4, 0);
+  spec.spin.space = Vec3(9.0, 0, 0);
+  const Case over = moving(body, spec);
+  const double period = over("revolution_period_s");
+  expect_residual(
+      "revolution", (over.motion.at(period).center_S - over.motion.at(0).center_S).norm(), 1e-12);
+  EXPECT_GT((over.motion.at(0.5 * period).center_S - over.motion.at(0).center_S).norm(), 1.0);
 }
 
 }  // namespace

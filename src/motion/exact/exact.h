@@ -27,4 +27,18 @@ std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& st
 // symmetry axis, any chi for a spherical top; chi != 0. Sources: motion/exact/heavy_symmetric.cpp.
 std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start);
 
+// Between which tilts the axis of a heavy symmetric top nods. Angles of chi (towards the centre of
+// mass) from the vertical, rad.
+struct Nutation {
+  double least_tilt = 0.0;
+  double greatest_tilt = 0.0;
+  double period = 0.0;  // of the tilt, s; infinite for a top that creeps up to the vertical
+  double precession_at_least = 0.0;  // rad/s about the vertical, there; NaN in the vertical itself
+  double precession_at_greatest = 0.0;  // likewise
+};
+
+// The same needs as exact_heavy_symmetric. The tilt is an elliptic function of time with period
+// 2 K / kappa (Landau and Lifshitz, Mechanics, 35, problem 1).
+Nutation nutation_of(const Model& model, const State& start);
+
 }  // namespace polhode

@@ -279,20 +279,30 @@ Quat third_axis_into(const Vec3& v) {
   return Quat::FromTwoVectors(Vec3::UnitZ(), v).normalized();
 }
 
-}  // namespace
+// The start in axes of its own: q = q_SU o (a, b) o q_PN^-1.
+struct Start {
+  Lagrange top;
+  Quat q_SU, q_PN;
 
-std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start) {
+  // upright or hanging, without a push aside: it spins in place
+  bool stays_vertical() const {
+    return (std::norm(top.a) == 0.0 || std::norm(top.b) == 0.0) && std::norm(top.y) == 0.0;
+  }
+};
+
+Start start_of(const Model& model, const State& state) {
   CHECK(model.chi_P.squaredNorm() > 0.0);
-  const Quat q_SU = third_axis_into(model.up_S);
-  const Quat q_PN = third_axis_into(model.chi_P);
-  const Quat q_UN = q_SU.conjugate() * normalized(start.q) * q_PN;
-  const Vec3 y_N = q_PN.conjugate() * start.y;
+  Start start;
+  start.q_SU = third_axis_into(model.up_S);
+  start.q_PN = third_axis_into(model.chi_P);
+  const Quat q_UN = start.q_SU.conjugate() * normalized(state.q) * start.q_PN;
+  const Vec3 y_N = start.q_PN.conjugate() * state.y;
 
   // the moments along and across chi; a rotator has none along it, and no momentum either
   const int axis = model.kind.axis;
   const double across = model.kind.symmetric() ? model.moments[(axis + 1) % 3] : model.moments[0];
   const double inverse_along = model.inverse_moments[model.kind.symmetric() ? axis : 0];
-  Lagrange top;
+  Lagrange& top = start.top;
   top.A = across;
   top.mu = model.chi_P.norm();
   top.L3 = model.kind.rotator ? 0.0 : y_N.z();
@@ -301,11 +311,40 @@ std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const Stat
   top.b = Complex(q_UN.x(), q_UN.y());
   top.y = Complex(y_N.x(), y_N.y());
   top.derive();
+  return start;
+}
 
-  // upright or hanging, without a push aside: it spins in place
-  const bool vertical = std::norm(top.a) == 0.0 || std::norm(top.b) == 0.0;
-  if (vertical && std::norm(top.y) == 0.0) return exact_spherical(model, start);
-  return std::make_unique<ExactHeavySymmetric>(top, find_roots(top), q_SU, q_PN);
+// A d(phi)/dt = (L_z - L3 u) / (1 - u^2) = (L_z + L3) / 2 (1 + u) + (L_z - L3) / 2 (1 - u)
+double precession_rate(const Lagrange& top, double one_plus_u, double one_minus_u) {
+  return 0.5 * (top.sum / one_plus_u + top.difference / one_minus_u) / top.A;
+}
+
+}  // namespace
+
+std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& state) {
+  const Start start = start_of(model, state);
+  if (start.stays_vertical()) return exact_spherical(model, state);
+  return std::make_unique<ExactHeavySymmetric>(
+      start.top, find_roots(start.top), start.q_SU, start.q_PN);
+}
+
+Nutation nutation_of(const Model& model, const State& state) {
+  const Start start = start_of(model, state);
+  const Lagrange& top = start.top;
+  Nutation nutation;
+  if (start.stays_vertical()) {
+    nutation.least_tilt = nutation.greatest_tilt = std::norm(top.a) == 0.0 ? kPi : 0.0;
+    return nutation;
+  }
+  const Roots r = find_roots(top);
+  const double plus1 = std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
+  nutation.least_tilt = 2.0 * std::atan2(std::sqrt(r.x2), std::sqrt(r.plus2));
+  nutation.greatest_tilt = 2.0 * std::atan2(std::sqrt(r.x1), std::sqrt(plus1));
+  nutation.precession_at_least = precession_rate(top, r.plus2, r.x2);
+  nutation.precession_at_greatest = precession_rate(top, plus1, r.x1);
+  const double kappa = std::sqrt(0.5 * top.mu * r.span() / top.A);
+  nutation.period = 2.0 * elliptic_k(parameter_of(r).m1()) / kappa;
+  return nutation;
 }
 
 }  // namespace polhode
