@@ -59,6 +59,21 @@ void add_free_symmetric(List& list, const Model& model, const State& start) {
   list.push_back({"body_cone_half_angle", Q::angle, angle_between(w_P, figure)});
 }
 
+// how far the body's direction `axis_P` goes round the space direction `about` (unit) from 0 to t,
+// rad; steps of a few degrees tell how often
+double turn_about(const Trajectory& motion, const Vec3& axis_P, const Vec3& about, double t) {
+  constexpr int kSteps = 4096;
+  Vec3 before = motion.at(0.0).q * axis_P;
+  double turn = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec3 now = motion.at(t * i / kSteps).q * axis_P;
+    turn += std::atan2(about.dot(before.cross(now)),
+                       before.dot(now) - before.dot(about) * now.dot(about));
+    before = now;
+  }
+  return turn;
+}
+
 void add_free_asymmetric(List& list, const Model& model, const State& start) {
   // squares of the momentum in the order of the moments
   int order[] = {0, 1, 2};
@@ -81,27 +96,19 @@ void add_free_asymmetric(List& list, const Model& model, const State& start) {
     const double K = elliptic_k(m1);
     list.push_back({"polhode_period", Q::time, 4.0 * K / lambda});
     list.push_back({"flip_time", Q::time, 2.0 * K / lambda});
+    // the axis that the momentum goes round in the body never meets L
+    const Vec3 axis = Vec3::Unit(excess2 > 0.0 ? order[2] : order[0]);
+    const double turn = turn_about(*exact_asymmetric(model, start),
+                                   axis,
+                                   momentum_in_space(start).normalized(),
+                                   4.0 * K / lambda);
+    list.push_back({"mean_precession_rate", Q::rate, turn * lambda / (4.0 * K)});
+    list.push_back({"spins_about_long_axis", Q::verdict, excess2 > 0.0 ? 0.0 : 1.0});
   }
   if (q[1] >= std::max(q[0], q[2])) {
     const double rate = std::abs(y[1]) / I2 * std::sqrt((I2 - I1) * (I3 - I2) / (I1 * I3));
     list.push_back({"growth_rate_off_middle_axis", Q::growth, rate});
   }
-}
-
-// how far the axis has gone round the vertical after one nutation, rad; steps of a few degrees tell
-// how often
-double turn_of_nutation(const Model& model, const State& start, double period) {
-  constexpr int kSteps = 4096;
-  const std::unique_ptr<Trajectory> top = exact_heavy_symmetric(model, start);
-  const Vec3& up = model.up_S;
-  Vec3 before = start.q * model.chi_P;
-  double turn = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Vec3 now = top->at(period * i / kSteps).q * model.chi_P;
-    turn += std::atan2(up.dot(before.cross(now)), before.dot(now) - before.dot(up) * now.dot(up));
-    before = now;
-  }
-  return turn;
 }
 
 void add_nutation(List& list, const Model& model, const State& start, bool is_pendulum) {
@@ -120,7 +127,8 @@ void add_nutation(List& list, const Model& model, const State& start, bool is_pe
     return;
   }
   if (through_top || through_bottom) return;
-  const double turn = turn_of_nutation(model, start, nutation.period);
+  const std::unique_ptr<Trajectory> top = exact_heavy_symmetric(model, start);
+  const double turn = turn_about(*top, model.chi_P, model.up_S, nutation.period);
   list.push_back({"mean_precession_rate", Q::rate, turn / nutation.period});
   list.push_back({"precession_angle_per_nutation", Q::angle, turn});
   const double at_least = nutation.precession_at_least;

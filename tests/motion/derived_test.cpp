@@ -102,6 +102,31 @@ TEST(Derived, MiddleAxisTurnsOverAfterTheFlipTime) {
   expect_residual("growth rate", std::abs(std::log(tilt(4.0) / tilt(3.0)) - rate), 2e-11);
 }
 
+// the rate of the Euler angle phi about L (Landau and Lifshitz, Mechanics, 37), summed over one
+// period: the trapezoidal rule converges geometrically there
+TEST(Derived, MeanPrecessionOfAsymmetricTops) {
+  for (const bool long_axis : {true, false}) {
+    BodySpec body;
+    body.moments = Vec3(1.0, 1.5, 2.2);
+    MotionSpec spec;
+    spec.spin.body = long_axis ? Vec3(3.0, 0.9, 0.8) : Vec3(0.8, 0.9, 3.0);
+    spec.duration = 100.0;
+    const Case top = moving(body, spec);
+    EXPECT_EQ(top("spins_about_long_axis"), long_axis ? 1.0 : 0.0);
+    const double period = top("polhode_period_s");
+    const int axis = long_axis ? 0 : 2;
+    double sum = 0.0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 w = top.motion.at(period * i / 200).w_B;
+      const Vec3 L = w.cwiseProduct(*body.moments);
+      double energy = w.dot(L) - w[axis] * L[axis];
+      sum += L.norm() * energy / (L.squaredNorm() - L[axis] * L[axis]) / 200;
+    }
+    expect_residual(
+        "mean precession", std::abs(sum - top("mean_precession_rate_rad_per_s")), 1e-13);
+  }
+}
+
 TEST(Derived, SteadyPrecessionIsSteady) {
   const BodySpec body = test::cone_body();
   MotionSpec spec = test::spinning_on_pivot();
