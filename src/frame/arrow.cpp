@@ -48,4 +48,15 @@ void add_arrow(std::vector<DrawItem>& items,
   items.push_back(piece(meshes.head, neck, vector, shape.head_radius * shrink, head, material));
 }
 
+void add_tube(std::vector<DrawItem>& items,
+              const ArrowMeshes& meshes,
+              const Vec3& from,
+              const Vec3& to,
+              double radius,
+              const Material& material) {
+  const Vec3 vector = to - from;
+  const double length = vector.norm();
+  if (length > 0.0) items.push_back(piece(meshes.shaft, from, vector, radius, length, material));
+}
+
 }  // namespace polhode

@@ -31,4 +31,12 @@ void add_arrow(std::vector<DrawItem>& items,
                const ArrowShape& shape,
                const Material& material);
 
+// Adds a tube with flat ends; nothing for one of no length.
+void add_tube(std::vector<DrawItem>& items,
+              const ArrowMeshes& meshes,
+              const Vec3& from,
+              const Vec3& to,
+              double radius,
+              const Material& material);
+
 }  // namespace polhode

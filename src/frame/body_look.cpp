@@ -181,4 +181,12 @@ std::vector<Vec3> points_of(const std::vector<LookPart>& look) {
   return points;
 }
 
+double body_radius(const std::vector<LookPart>& look, const Model& model) {
+  double radius = 0.0;
+  for (const Vec3& point : points_of(look)) {
+    radius = std::max(radius, (point - model.reference_B()).norm());
+  }
+  return radius;
+}
+
 }  // namespace polhode

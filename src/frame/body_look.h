@@ -28,6 +28,12 @@ std::vector<LookPart> body_look(const BodySpec& spec,
 // The mesh of one solid in its own frame.
 Mesh solid_mesh(const SolidSpec& solid, int segments);
 
+// The longest vector of a film, in units of the body's radius.
+inline constexpr double kReachOfVectors = 1.5;
+
+// The distance of the farthest drawn body point from the reference point, m.
+double body_radius(const std::vector<LookPart>& look, const Model& model);
+
 // Every vertex of the look, in body coordinates; for framing and scale.
 std::vector<Vec3> points_of(const std::vector<LookPart>& look);
 

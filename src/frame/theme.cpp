@@ -28,7 +28,9 @@ const std::vector<Theme>& themes() {
        .space_cone = hex("#56b4e9"),
        .body_cone = hex("#d98bb8"),
        .precession_cone = hex("#f0e442"),
-       .stand = hex("#6c7482")},
+       .stand = hex("#6c7482"),
+       .velocity = hex("#e8705a"),
+       .position = hex("#f2f4f8")},
       {.name = "light",
        .background = hex("#f6f4ef"),
        .body = hex("#cdbb9c"),
@@ -40,7 +42,9 @@ const std::vector<Theme>& themes() {
        .space_cone = hex("#3a9bd6"),
        .body_cone = hex("#c05f95"),
        .precession_cone = hex("#b89b00"),
-       .stand = hex("#8b9097")},
+       .stand = hex("#8b9097"),
+       .velocity = hex("#b5402c"),
+       .position = hex("#22262c")},
   };
   return table;
 }

@@ -2,6 +2,7 @@
 // The [camera] and [show] tables of a scene, and the looks part of [video].
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,18 +23,21 @@ struct CameraSpec {
 // Where an automatic camera stands when the scene does not say: in front, to the right, above.
 inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
-// What is drawn. Absent: the scene's kind decides (see shown_by_default in frame/compose.h).
+// What is drawn: names of the table in frame/elements.h. Absent: the scene's kind decides.
 struct ShowSpec {
-  std::optional<bool> body;
-  std::optional<bool> axes;
-  std::optional<bool> space_axes;
-  std::optional<bool> omega;
-  std::optional<bool> momentum;
-  std::optional<bool> space_cone;
-  std::optional<bool> body_cone;
-  std::optional<bool> precession_cone;
-  std::optional<bool> pivot;
+  std::map<std::string, std::optional<bool>> asked;
+  std::vector<Vec3> points;   // of the body, drawn as balls with their vectors, m
+  double body_opacity = 1.0;  // under 1: what is inside the body is seen through it
+
+  std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
+
+// The table's names, for the scene's keys.
+struct ShowName {
+  std::string name;
+  std::string doc;
+};
+std::vector<ShowName> show_names();
 
 // Colours of the picture.
 struct ThemeSpec {
@@ -59,19 +63,14 @@ void fields(Visitor& v, CameraSpec& s) {
 
 template <class Visitor>
 void fields(Visitor& v, ShowSpec& s) {
-  v.field("body", s.body, Doc{"the body"});
-  v.field("axes", s.axes, Doc{"body axes"});
-  v.field("space_axes", s.space_axes, Doc{"space axes"});
-  v.field("omega", s.omega, Doc{"angular velocity"});
-  v.field("momentum", s.momentum, Doc{"angular momentum"});
-  v.field(
-      "space_cone", s.space_cone, Doc{"the cone that omega draws in space (symmetric free top)"});
-  v.field(
-      "body_cone", s.body_cone, Doc{"the cone that omega draws in the body (symmetric free top)"});
-  v.field("precession_cone",
-          s.precession_cone,
-          Doc{"the cone about the vertical through the body axis (pivot)"});
-  v.field("pivot", s.pivot, Doc{"the stand under the fixed point"});
+  for (const auto& [name, doc] : show_names())
+    v.field(name.c_str(), s.asked[name], Doc{doc});
+  v.field("body_opacity",
+          s.body_opacity,
+          Doc{"1: solid; less: what is inside the body is seen through it, without cones",
+              Unit::none,
+              Range{0.05, 1.0}});
+  v.field("points", s.points, Doc{"points of the body with their vectors", Unit::length});
 }
 
 template <class Visitor>

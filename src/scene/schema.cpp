@@ -67,8 +67,11 @@ Json schema_of(Of<Mat3>, const Doc& doc, const UnitSuffix& unit) {
   return list_schema(schema_of(Of<Vec3>{}, doc, unit), 3, 3);
 }
 
-Json schema_of(Of<std::vector<Vec2>>, const Doc& doc, const UnitSuffix& unit) {
-  return list_schema(schema_of(Of<Vec2>{}, doc, unit), 1, std::nullopt);
+template <int N>
+Json schema_of(Of<std::vector<Eigen::Matrix<double, N, 1>>>,
+               const Doc& doc,
+               const UnitSuffix& unit) {
+  return list_schema(schema_of(Of<Eigen::Matrix<double, N, 1>>{}, doc, unit), 1, std::nullopt);
 }
 
 Json schema_of(Of<PictureSize>, const Doc&, const UnitSuffix& unit) {

@@ -206,6 +206,14 @@ void read_value(const Found& found, const Doc& doc, std::vector<Vec2>& value) {
     read_value(element_of(found, points, i), doc, value[i]);
 }
 
+void read_value(const Found& found, const Doc& doc, std::vector<Vec3>& value) {
+  const toml::array& points =
+      array_of(found, 0, "a list of points, such as [[0, 0, 0.1], [0.1, 0, 0]]");
+  value.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    read_value(element_of(found, points, i), doc, value[i]);
+}
+
 void read_value(const Found& found, const Doc&, PictureSize& value) {
   const std::string wanted = "a picture size, such as \"1920x1080\" or [1920, 1080]";
   if (const auto* text = found.node.as_string()) {

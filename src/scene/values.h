@@ -45,6 +45,7 @@ void read_value(const Found& found, const Doc& doc, Vec3& value);
 void read_value(const Found& found, const Doc& doc, Eigen::Vector4d& value);  // not all zero
 void read_value(const Found& found, const Doc& doc, Mat3& value);
 void read_value(const Found& found, const Doc& doc, std::vector<Vec2>& value);
+void read_value(const Found& found, const Doc& doc, std::vector<Vec3>& value);
 void read_value(const Found& found, const Doc& doc, PictureSize& value);
 void read_value(const Found& found, const Doc& doc, FrameRate& value);
 void read_value(const Found& found, const Doc& doc, Accuracy& value);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/compose.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -36,11 +38,11 @@ TEST(Cones, TouchAlongOmega) {
     const Composer picture = composer(body, wobbling());
     for (double t = 0.0; t <= 4.0; t += 0.37) {
       const Sample s = motion.at(t);
-      const std::vector<Cone> cones = picture.cones_at(s);
+      const std::vector<Cone> cones = picture.marks_at(s).cones;
       ASSERT_EQ(cones.size(), 2u);
       for (const Cone& cone : cones) {
         EXPECT_NEAR(angle_between(cone.axis, s.w_S), cone.half_angle, 1e-12);
-        EXPECT_NEAR(cone.slant, (picture.omega_tip(s) - cone.apex).norm(), 1e-12);
+        EXPECT_NEAR(cone.slant, (omega_tip(picture.stage(), s) - cone.apex).norm(), 1e-12);
       }
     }
   }
@@ -54,7 +56,7 @@ TEST(Cones, RollOutsideForProlateAndInsideForOblate) {
     const Motion motion = moving(body, wobbling());
     const Composer picture = composer(body, wobbling());
     const Sample s = motion.at(0.7);
-    const std::vector<Cone> cones = picture.cones_at(s);
+    const std::vector<Cone> cones = picture.marks_at(s).cones;
     ASSERT_EQ(cones.size(), 2u);
     const Vec3 axis_S = s.q_SB * Vec3::UnitZ();
     const double theta = angle_between(s.L_S, axis_S);
@@ -81,7 +83,7 @@ TEST(Cones, RollWithoutSlipping) {
   const Sample before = motion.at(1.0 - h);
   const Sample now = motion.at(1.0);
   const Sample after = motion.at(1.0 + h);
-  const Vec3 contact_B = now.q_SB.conjugate() * (picture.omega_tip(now) - now.reference_S);
+  const Vec3 contact_B = now.q_SB.conjugate() * (omega_tip(picture.stage(), now) - now.reference_S);
   const Vec3 velocity = (after.q_SB * contact_B - before.q_SB * contact_B) / (2.0 * h);
   EXPECT_LT(velocity.norm(), 1e-6 * contact_B.norm() * now.w_S.norm());
 
@@ -95,24 +97,32 @@ TEST(Cones, RollWithoutSlipping) {
   EXPECT_NEAR(in_space / in_body, 1.0, 1e-6);
 }
 
+// the names that a composer shows, in the order of the table
+std::vector<std::string> shown(const Composer& picture) {
+  std::vector<std::string> names;
+  for (const Element& element : elements()) {
+    if (picture.shows(element.name)) names.push_back(element.name);
+  }
+  return names;
+}
+
 TEST(Shown, DefaultsFollowTheScene) {
-  const Shown free = composer(prolate_body(), wobbling()).shown();
-  EXPECT_TRUE(free.body && free.omega && free.momentum && free.space_cone && free.body_cone);
-  EXPECT_FALSE(free.precession_cone || free.pivot);
-  const Shown heavy = composer(cone_body(), spinning_on_pivot()).shown();
-  EXPECT_TRUE(heavy.precession_cone && heavy.pivot);
-  EXPECT_FALSE(heavy.space_cone || heavy.body_cone);
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(shown(composer(prolate_body(), wobbling())),
+            (Names{"body", "space_axes", "omega", "momentum", "space_cone", "body_cone"}));
+  EXPECT_EQ(shown(composer(cone_body(), spinning_on_pivot())),
+            (Names{"body", "space_axes", "omega", "momentum", "precession_cone", "pivot"}));
 
   MotionSpec steady = wobbling();
   steady.spin.body = Vec3(0, 0, 3);
-  EXPECT_FALSE(composer(prolate_body(), steady).shown().space_cone) << "no wobble, no cone";
+  EXPECT_FALSE(composer(prolate_body(), steady).shows("space_cone")) << "no wobble, no cone";
 }
 
 TEST(Shown, AskingForWhatIsNotThereIsAnError) {
   ShowSpec cones;
-  cones.space_cone = true;
+  cones["space_cone"] = true;
   ShowSpec stand;
-  stand.pivot = true;
+  stand["pivot"] = true;
   try {
     composer(cone_body(), spinning_on_pivot(), cones);
     FAIL();
@@ -127,27 +137,109 @@ TEST(Shown, AskingForWhatIsNotThereIsAnError) {
   }
 }
 
-TEST(Shown, EachNameAddsOrTakesItsOwnItems) {
-  ShowSpec nothing;
-  nothing.body = nothing.axes = nothing.space_axes = nothing.omega = nothing.momentum = false;
-  nothing.space_cone = nothing.body_cone = false;
-  const auto count = [&](const ShowSpec& show) {
-    const DrawList list = composer(prolate_body(), wobbling(), show).at(0.5);
-    return std::pair(list.opaque.size(), list.translucent.size());
+// nothing but what is named
+ShowSpec only(const std::string& name) {
+  ShowSpec show;
+  for (const Element& element : elements())
+    show[element.name] = false;
+  if (!name.empty()) show[name] = true;
+  return show;
+}
+
+TEST(Shown, EachNameAddsItsOwnMarks) {
+  struct Count {
+    std::size_t arrows = 0, meshes = 0, arcs = 0, cones = 0;
+    bool operator==(const Count&) const = default;
   };
-  EXPECT_EQ(count(nothing), std::pair(std::size_t{0}, std::size_t{0}));
-  const std::pair<std::optional<bool> ShowSpec::*, std::pair<std::size_t, std::size_t>> cases[] = {
-      {&ShowSpec::body, {1, 0}},
-      {&ShowSpec::axes, {6, 0}},
-      {&ShowSpec::space_axes, {6, 0}},
-      {&ShowSpec::omega, {2, 0}},
-      {&ShowSpec::momentum, {2, 0}},
-      {&ShowSpec::space_cone, {1, 2}},
-      {&ShowSpec::body_cone, {1, 2}}};
-  for (const auto& [name, items] : cases) {
-    ShowSpec one = nothing;
-    one.*name = true;
-    EXPECT_EQ(count(one), items);
+  const std::map<std::string, Count> wanted = {{"", {}},
+                                               {"body", {.meshes = 1}},
+                                               {"axes", {.arrows = 3}},
+                                               {"space_axes", {.arrows = 3}},
+                                               {"omega", {.arrows = 1}},
+                                               {"momentum", {.arrows = 1}},
+                                               {"space_cone", {.cones = 1}},
+                                               {"body_cone", {.cones = 1}},
+                                               {"precession_cone", {.cones = 1}},
+                                               {"pivot", {.meshes = 1}},
+                                               {"velocity_field", {.arrows = 48}},
+                                               {"fixed_frame", {.arrows = 4}},
+                                               {"angles", {.arcs = 3}}};
+  ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its marks here";
+  for (const auto& [name, count] : wanted) {
+    SCOPED_TRACE(name);
+    const bool heavy = name == "precession_cone" || name == "pivot";
+    const Composer picture = heavy ? composer(cone_body(), spinning_on_pivot(), only(name))
+                                   : composer(prolate_body(), wobbling(), only(name));
+    const Marks marks = picture.marks_at(picture.stage().motion.at(0.5));
+    EXPECT_TRUE(
+        (Count{marks.arrows.size(), marks.meshes.size(), marks.arcs.size(), marks.cones.size()} ==
+         count));
+  }
+}
+
+// Omega x r, measured: the tips are where the points are a moment later
+TEST(VelocityField, PointsWhereThePointsGo) {
+  MotionSpec spec = wobbling();
+  spec.velocity = Vec3(0.1, -0.2, 0.3);
+  const Composer picture = composer(prolate_body(), spec, only("velocity_field"));
+  const Motion& motion = picture.stage().motion;
+  const double h = 1e-5;
+  const Marks before = picture.marks_at(motion.at(0.7 - h));
+  const Marks now = picture.marks_at(motion.at(0.7));
+  const Marks after = picture.marks_at(motion.at(0.7 + h));
+  double longest = 0.0;
+  for (std::size_t i = 0; i < now.arrows.size(); ++i) {
+    const Vec3 velocity = (after.arrows[i].from - before.arrows[i].from) / (2.0 * h);
+    const Vec3 along = now.arrows[i].tip - now.arrows[i].from;
+    EXPECT_LT((picture.stage().scale.velocity * velocity - along).norm(), 1e-8);
+    longest = std::max(longest, along.norm());
+  }
+  EXPECT_GT(longest, 0.3 * picture.stage().scale.body);
+}
+
+// figure 1 of the notes: r = R + r~, and arcs from each space axis to its body axis
+TEST(FixedFrame, VectorsCloseAndArcsEndOnTheAxes) {
+  MotionSpec spec = wobbling();
+  spec.position = Vec3(0.3, 0.5, 0.2);
+  ShowSpec show = only("fixed_frame");
+  show["angles"] = true;
+  show.points = {Vec3(0.05, 0.02, 0.1)};
+  const Composer picture = composer(prolate_body(), spec, show);
+  const Sample s = picture.stage().motion.at(1.1);
+  const Marks marks = picture.marks_at(s);
+  ASSERT_EQ(marks.arrows.size(), 6u);
+  const ArrowMark& R = marks.arrows[3];
+  const ArrowMark& r_tilde = marks.arrows[4];
+  const ArrowMark& r = marks.arrows[5];
+  EXPECT_EQ(R.from, Vec3::Zero());
+  EXPECT_EQ(R.tip, s.reference_S);
+  EXPECT_EQ(r_tilde.from, s.reference_S);
+  EXPECT_LT(((R.tip - R.from) + (r_tilde.tip - r_tilde.from) - (r.tip - r.from)).norm(), 1e-15);
+  EXPECT_LT((marks.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
+  for (int i = 0; i < 3; ++i) {
+    const ArcMark& arc = marks.arcs[static_cast<std::size_t>(i)];
+    EXPECT_LT((point_of(arc, 0.0) - arc.center - arc.radius * Vec3::Unit(i)).norm(), 1e-15);
+    EXPECT_LT((point_of(arc, 1.0) - arc.center - arc.radius * (s.q_SB * Vec3::Unit(i))).norm(),
+              1e-15);
+    EXPECT_NEAR((point_of(arc, 0.4) - arc.center).norm(), arc.radius, 1e-15);
+  }
+}
+
+// far side, then near side; cones would not know where to go
+TEST(BodyOpacity, SeenThrough) {
+  ShowSpec show = only("body");
+  show.body_opacity = 0.4;
+  const DrawList list = composer(prolate_body(), wobbling(), show).at(0.3);
+  EXPECT_TRUE(list.opaque.empty());
+  ASSERT_EQ(list.translucent.size(), 2u);
+  EXPECT_EQ(list.translucent[0].faces, Faces::back);
+  EXPECT_EQ(list.translucent[1].faces, Faces::front);
+  show["space_cone"] = true;
+  try {
+    composer(prolate_body(), wobbling(), show);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().key, "show.body_opacity");
   }
 }
 
@@ -159,7 +251,7 @@ TEST(PrecessionCone, FollowsTheTilt) {
   double most = 0.0;
   for (double t = 0.0; t <= 2.0; t += 0.01) {
     const Sample s = motion.at(t);
-    const std::vector<Cone> cones = picture.cones_at(s);
+    const std::vector<Cone> cones = picture.marks_at(s).cones;
     ASSERT_EQ(cones.size(), 1u);
     EXPECT_NEAR(cones[0].half_angle, angle_between(s.q_SB * Vec3::UnitZ(), Vec3::UnitZ()), 1e-12);
     least = std::min(least, cones[0].half_angle);
@@ -215,12 +307,12 @@ TEST(AttitudeTolerance, IsAnUpperBoundInPixels) {
   own.target = Vec3::Zero();
   for (const CameraSpec& camera : {CameraSpec{}, own}) {
     const Composer picture = composer(body, wobbling(), {}, camera);
-    const double tolerance = attitude_tolerance(camera, 0.1, picture.scale().body, kSize);
+    const double tolerance = attitude_tolerance(camera, 0.1, picture.stage().scale.body, kSize);
     EXPECT_GT(tolerance, 1e-5);
     const Sample s = moving(body, wobbling()).at(1.0);
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
       const Quat error(Eigen::AngleAxisd(tolerance, axis));
-      for (const Vec3& tip : {picture.momentum_tip(s), picture.omega_tip(s)}) {
+      for (const Vec3& tip : {momentum_tip(picture.stage(), s), omega_tip(picture.stage(), s)}) {
         const Vec2 moved = picture.camera().project(error * tip) - picture.camera().project(tip);
         EXPECT_LE(moved.norm(), 0.1);
       }

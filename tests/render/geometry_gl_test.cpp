@@ -196,18 +196,21 @@ TEST(BodyPicture, BallHasItsProjectedAreaAndCentre) {
 TEST(ScenePicture, TipsOfOmegaAndMomentum) {
   for (const bool momentum : {true, false}) {
     ShowSpec show;
-    show.body = show.axes = show.space_axes = show.space_cone = show.body_cone = false;
-    show.omega = !momentum;
-    show.momentum = momentum;
+    for (const char* name : {"body", "space_axes", "space_cone", "body_cone"})
+      show[name] = false;
+    show["omega"] = !momentum;
+    show["momentum"] = momentum;
     const BodySpec body = test::prolate_body();
     const Motion motion = test::moving(body, test::wobbling());
     const Composer composer(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
     for (const double t : {0.0, 1.3, 2.9}) {
       const Sample s = motion.at(t);
-      const Vec3 end = momentum ? composer.momentum_tip(s) : composer.omega_tip(s);
+      const Vec3 end =
+          momentum ? momentum_tip(composer.stage(), s) : omega_tip(composer.stage(), s);
       const Vec2 tip = composer.camera().project(end);
       const Vec2 back =
-          composer.camera().project(end - 0.17 * composer.scale().body * end.normalized()) - tip;
+          composer.camera().project(end - 0.17 * composer.stage().scale.body * end.normalized()) -
+          tip;
       const Vec2 found =
           find_tip(draw(composer.at(t)), tip, back, 0.25 * back.norm(), 0.75 * back.norm());
       EXPECT_LT((found - tip).norm(), 0.5) << t;

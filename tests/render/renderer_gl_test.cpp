@@ -110,7 +110,7 @@ TEST(Renderer, MarkTellsHalfATurn) {
   motion.spin.body = Vec3(0, 0, 3.14159265358979);
   motion.duration = 2.0;
   ShowSpec show;
-  show.omega = show.momentum = show.space_axes = false;
+  show["omega"] = show["momentum"] = show["space_axes"] = false;
   const Composer composer(test::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kSize);
   const Image now = draw(composer.at(0.0), "auto");
   const Image half = draw(composer.at(1.0), "auto");

@@ -59,7 +59,7 @@ TEST(Reader, fills_every_table) {
   EXPECT_EQ(*scene.numerics.step, 0.001);
   EXPECT_TRUE(scene.numerics.accuracy.pixels);
   EXPECT_EQ(*scene.camera.eye, Vec3(3, 0, 1));
-  EXPECT_EQ(scene.show.space_axes, std::optional<bool>(false));
+  EXPECT_EQ(scene.show.asked.at("space_axes"), std::optional<bool>(false));
   EXPECT_EQ(scene.video.time_scale, 0.5);
   EXPECT_EQ(scene.theme.theme, "dark");
   EXPECT_EQ(*scene.theme.background, "#102030");
@@ -72,7 +72,7 @@ TEST(Reader, leaves_absent_keys_at_their_defaults) {
   EXPECT_EQ(scene.motion.duration, 10.0);
   EXPECT_FALSE(scene.motion.gravity);
   EXPECT_FALSE(scene.body.solid);
-  EXPECT_FALSE(scene.show.body);
+  EXPECT_TRUE(scene.show.asked.empty());
   EXPECT_EQ(scene.video.fps, FrameRate{});
 }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The things that a picture can show, each a name in [show]: from the exact quantities of a moment
+// to marks. One table; reading, help, the schema and the tests iterate it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/body_look.h"
+#include "frame/marks.h"
+#include "frame/theme.h"
+#include "motion/motion.h"
+
+namespace polhode {
+
+// Lengths of what is drawn, in metres of the scene.
+struct Scale {
+  double body = 1.0;      // farthest drawn point of the body from the reference point
+  double omega = 1.0;     // metres per rad/s
+  double momentum = 1.0;  // metres per kg m^2/s
+  double velocity = 1.0;  // metres per m/s
+};
+
+// What all moments of a film share.
+struct Stage {
+  Motion motion;
+  Theme theme;
+  std::vector<LookPart> look;
+  Scale scale;
+  MeshPtr ball;   // unit sphere
+  MeshPtr stand;  // unit cone, its apex under the pivot
+  double body_opacity = 1.0;
+  std::vector<Vec3> points_B;        // points of the body that the scene names, m
+  std::vector<Vec3> field_points_B;  // where the velocity field is drawn, m
+};
+
+// Scales are chosen over the whole film, so that vectors keep theirs. segments: pieces of a full
+// circle.
+Stage make_stage(const Motion& motion,
+                 const BodySpec& body,
+                 const ThemeSpec& theme,
+                 const ShowSpec& show,
+                 int segments);
+
+struct Element {
+  std::string name;
+  std::string doc;
+  // is it shown when the scene does not say?
+  bool (*by_default)(const Stage& stage);
+  // "" when this motion has it, else the reason why not
+  std::string (*why_not)(const Stage& stage);
+  void (*add)(const Stage& stage, const Sample& sample, Marks& marks);
+};
+
+// Of two cones that touch, the first is listed first.
+const std::vector<Element>& elements();
+
+// Adds the named points: balls, with r from the reference point, and from the origin of space when
+// the fixed frame is shown.
+void add_points(const Stage& stage, const Sample& sample, bool from_origin, Marks& marks);
+
+// Where the tips of the two vectors are, space, m.
+Vec3 omega_tip(const Stage& stage, const Sample& sample);
+Vec3 momentum_tip(const Stage& stage, const Sample& sample);
+
+// Times that stand for the whole film, in order, the first 0 and the last its end.
+std::vector<double> framing_times(const Motion& motion);
+
+}  // namespace polhode

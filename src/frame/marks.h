@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What a picture shows at one moment, as geometry in metres of space: between the elements, which
+// know mechanics, and the draw list, which knows triangles. Camera and drawing are made from the
+// same marks, so what is shown is what is framed.
+#pragma once
+
+#include <vector>
+
+#include "frame/arrow.h"
+#include "frame/camera.h"
+#include "frame/cone.h"
+#include "frame/to_glm.h"
+
+namespace polhode {
+
+struct ArrowMark {
+  Vec3 from, tip;
+  ArrowShape shape;
+  Material material;
+};
+
+struct MeshMark {
+  MeshPtr mesh;
+  Placement space_from_mesh;
+  Material material;
+};
+
+// The arc of a circle from one direction to another, as a thin tube.
+struct ArcMark {
+  Vec3 center;
+  Vec3 from, to;  // unit vectors, not parallel
+  double radius;
+  double tube_radius;
+  Material material;
+};
+
+struct Marks {
+  std::vector<ArrowMark> arrows;
+  std::vector<MeshMark> meshes;
+  std::vector<ArcMark> arcs;
+  std::vector<Cone> cones;  // with a common apex
+};
+
+// The point at the fraction `part` (0..1) of an arc.
+Vec3 point_of(const ArcMark& arc, double part);
+
+// Points that together reach as far as the marks do.
+void add_extent(const Marks& marks, std::vector<Vec3>& points);
+
+// The meshes that arrows, arcs and cones are drawn with.
+struct MarkMeshes {
+  ArrowMeshes arrows;
+  ConeMeshes cones;
+};
+
+// The items of a draw list in the coordinates of `frame`; `eye` (space, m) orders what is
+// translucent.
+void add_items(const Marks& marks,
+               const MarkMeshes& meshes,
+               const DrawingFrame& frame,
+               const Vec3& eye,
+               DrawList& list);
+
+}  // namespace polhode
