@@ -15,7 +15,7 @@ namespace {
 std::atomic<std::int64_t> first_signal_ms{0};  // when it came; 0: none has
 
 // One word from a user often comes as two signals: from the terminal and from its shell.
-constexpr std::int64_t kPatience_ms = 500;
+constexpr std::int64_t kPatienceMs = 500;
 
 // the clock may be read in a handler; never 0
 std::int64_t now_ms() {
@@ -29,7 +29,7 @@ extern "C" void remember_signal(int signal) {
   const std::int64_t now = now_ms();
   if (first_signal_ms.compare_exchange_strong(first, now)) return;
   // a user who asks again wants the end at once
-  if (now - first < kPatience_ms) return;
+  if (now - first < kPatienceMs) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

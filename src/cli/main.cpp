@@ -52,7 +52,7 @@ void refuse_unknown_command(int argc, char** argv) {
 // the first word that is an option's name and that this command does not have; "" if there is none
 std::string unknown_option(const std::vector<std::string>& known, int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word.rfind("--", 0) != 0) continue;
     if (std::find(known.begin(), known.end(), word) == known.end()) return word;
   }
