@@ -96,7 +96,7 @@ void refuse_same_file(const std::string& written,
 Solved solve(const Scene& scene) {
   return with_place(scene, [&] {
     StageTime time;
-    Model model = make_model(scene.body, scene.motion.hold == "pivot", gravity_of(scene.motion));
+    Model model = make_model(scene.body, scene.motion);
     const double accuracy = accuracy_in_radians(scene, model);
     auto found = [&] {
       const StageTimer timer(time);

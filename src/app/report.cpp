@@ -41,8 +41,8 @@ nlohmann::ordered_json motion_report(const SimulationReport& report) {
           {"evaluations", report.record.evaluations},
           {"accuracy_rad", report.accuracy_rad},
           {"error_estimate_rad", maybe(report.error_estimate_rad)},
-          {"energy_drift", report.record.drift.energy},
-          {"momentum_drift", report.record.drift.momentum}};
+          {"energy_drift", maybe(report.record.drift.energy)},
+          {"momentum_drift", maybe(report.record.drift.momentum)}};
 }
 
 nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts) {

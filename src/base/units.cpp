@@ -32,6 +32,7 @@ constexpr UnitSuffix kSuffixes[] = {
     {Unit::density,          "_g_per_cm3",  1e3,          "g/cm^3"},
     {Unit::velocity,         "",            1.0,          "m/s"},
     {Unit::acceleration,     "",            1.0,          "m/s^2"},
+    {Unit::load,             "",            1.0,          "N m or N"},
 };
 // clang-format on
 
@@ -51,6 +52,7 @@ constexpr UnitMagnitude kMagnitudes[] = {
     {Unit::density, {1e-20, 1e20}},
     {Unit::velocity, {1e-20, 299792458.0}},
     {Unit::acceleration, {1e-20, 1e15}},
+    {Unit::load, {1e-60, 1e60}},
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ enum class Unit {
   density,           // kg/m^3
   velocity,          // m/s
   acceleration,      // m/s^2
+  load,              // N m of a torque, N of a force
 };
 
 struct UnitSuffix {

@@ -78,7 +78,8 @@ Vec3 figure_axis_B(const Stage& stage) {
 
 bool has_cones(const Stage& stage) {
   const Model& model = stage.motion.model();
-  if (model.chi_P.squaredNorm() > 0.0 || !model.kind.symmetric()) return false;
+  if (model.chi_P.squaredNorm() > 0.0 || !model.loads.only_damp_momentum()) return false;
+  if (!model.kind.symmetric()) return false;
   const Sample start = stage.motion.at(0.0);
   return angle_between(start.w_S, start.L_S) > kSmallestCone;
 }

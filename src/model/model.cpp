@@ -243,7 +243,10 @@ MassProperties mass_properties(const BodySpec& spec) {
   return body;
 }
 
-Model make_model(const BodySpec& spec, bool on_pivot, const Vec3& gravity_S) {
+Model make_model(const BodySpec& spec,
+                 bool on_pivot,
+                 const Vec3& gravity_S,
+                 const std::vector<LoadSpec>& loads) {
   Model model;
   model.body = mass_properties(spec);
   model.on_pivot = on_pivot;
@@ -274,11 +277,53 @@ Model make_model(const BodySpec& spec, bool on_pivot, const Vec3& gravity_S) {
   if (on_pivot && arm.norm() > noise) {
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   }
+  model.loads = make_loads(loads, on_pivot, model.body.center, model.reference_B(), model.R_BP);
   return model;
 }
 
-double rotation_energy(const Model& m, const State& s) {
-  return 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q));
+Vec3 torque_of_loads(const Model& m, double t, const State& s) {
+  const Vec3 w_P = angular_velocity(m, s.y);
+  return wrench_of(m.loads.turning, t, s.q, s.y, w_P, s.place_S).torque_P;
+}
+
+Vec3 torque(const Model& m, double t, const State& s) {
+  return up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
+}
+
+Vec3 force(const Model& m, double t, const State& s) {
+  const Vec3 w_P = angular_velocity(m, s.y);
+  Vec3 sum =
+      m.body.mass * m.gravity_S + wrench_of(m.loads.turning, t, s.q, s.y, w_P, s.place_S).force_S;
+  for (const Push& push : m.loads.pushes)
+    sum += push.force_S * std::cos(push.rate * t + push.phase);
+  return sum;
+}
+
+double energy(const Model& m, const State& s) {
+  double sum = 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q)) +
+               potential_of(m.loads.turning, s.q, s.place_S);
+  if (!m.six) return sum;
+  return sum + 0.5 * s.impulse_S.squaredNorm() / m.body.mass + potential_of_place(m, s.place_S);
+}
+
+double potential_of_place(const Model& m, const Vec3& center_S) {
+  double sum = -m.body.mass * m.gravity_S.dot(center_S);
+  for (const Push& push : m.loads.pushes)
+    sum -= push.rate == 0.0 ? push.force_S.dot(center_S) : 0.0;
+  return sum;
+}
+
+bool keeps_energy(const Model& m) {
+  const auto& turning = m.loads.turning;
+  const auto& pushes = m.loads.pushes;
+  return std::all_of(
+             turning.begin(), turning.end(), [](const Load& l) { return l.conservative(); }) &&
+         (!m.six ||
+          std::all_of(pushes.begin(), pushes.end(), [](const Push& p) { return p.rate == 0.0; }));
+}
+
+bool keeps_momentum(const Model& m) {
+  return m.loads.turning.empty();
 }
 
 }  // namespace polhode

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "math/notation.h"
 #include "model/body_spec.h"
+#include "model/loads.h"
 #include "model/mass_properties.h"
 
 namespace polhode {
@@ -39,15 +41,20 @@ struct Model {
   TopKind kind;
   Vec3 up_S = Vec3::UnitZ();  // unit vector against gravity
   Vec3 chi_P = Vec3::Zero();  // m |g| (centre of mass - pivot), J; 0 for a free body
+  Loads loads;                // what acts besides gravity
+  bool six = false;           // states carry place and momentum of the centre of mass too
 
   // The fixed point, or the centre of mass, in B.
   const Vec3& reference_B() const { return on_pivot ? pivot_B : body.center; }
 };
 
-// Attitude and angular momentum about the reference point. q maps P to S, y is in P.
+// Attitude and angular momentum about the reference point. q maps P to S, y is in P. With six
+// degrees of freedom (Model::six) also place and momentum of the centre of mass.
 struct State {
   Quat q = Quat::Identity();
   Vec3 y = Vec3::Zero();
+  Vec3 place_S = Vec3::Zero();    // m
+  Vec3 impulse_S = Vec3::Zero();  // momentum m v, kg m/s
 };
 
 // Mass properties of a [body] table. Throws Error (input) with the key at fault.
@@ -55,7 +62,10 @@ MassProperties mass_properties(const BodySpec& spec);
 
 // Everything a motion needs to know of a body. Throws Error (input): moments that no body has,
 // a body without extent, and all that mass_properties refuses.
-Model make_model(const BodySpec& spec, bool on_pivot, const Vec3& gravity_S);
+Model make_model(const BodySpec& spec,
+                 bool on_pivot,
+                 const Vec3& gravity_S,
+                 const std::vector<LoadSpec>& loads = {});
 
 // The triangle inequality in all three permutations (a theorem: I1 + I2 - I3 = 2 sum m x3^2),
 // within round-off. Returns "" or what is wrong.
@@ -83,8 +93,23 @@ inline Quat attitude_rate(const Quat& q, const Vec3& w_P) {
   return Quat(0.5 * (q * Quat(0.0, w_P.x(), w_P.y(), w_P.z())).coeffs());
 }
 
-// Energy of rotation plus potential about the reference point, J: y.w/2 + chi.gamma
-double rotation_energy(const Model& m, const State& s);
+// Torque about the reference point in P at time t: that of the loads, and with gravity's.
+Vec3 torque_of_loads(const Model& m, double t, const State& s);
+Vec3 torque(const Model& m, double t, const State& s);
+
+// The force on the centre of mass in S at time t, N.
+Vec3 force(const Model& m, double t, const State& s);
+
+// Energy of rotation plus potential about the reference point, J: y.w/2 + chi.gamma, and the
+// potential of loads. With six degrees of freedom also the energy of the centre of mass.
+double energy(const Model& m, const State& s);
+
+// Potential of gravity and of constant forces on the centre of mass of a free body, J.
+double potential_of_place(const Model& m, const Vec3& center_S);
+
+// Does the motion keep its energy, and its angular momentum (the vertical part on a pivot)?
+bool keeps_energy(const Model& m);
+bool keeps_momentum(const Model& m);
 
 // Angular momentum about the reference point in S, kg m^2/s.
 inline Vec3 momentum_in_space(const State& s) {

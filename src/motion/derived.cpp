@@ -26,8 +26,9 @@ void add_energies(List& list, const Model& model, const MotionSpec& spec, const 
   const Vec3 arm_P = model.R_BP.transpose() * (model.body.center - model.reference_B());
   const Vec3 v = model.on_pivot ? Vec3(w_P.cross(arm_P)) : spec.velocity;
   const double travel = 0.5 * model.body.mass * v.squaredNorm();
-  const double potential = model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
-                                          : -model.body.mass * model.gravity_S.dot(spec.position);
+  double potential = potential_of(model.loads.turning, start.q, spec.position);
+  potential += model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
+                              : potential_of_place(model, spec.position);
   const double kinetic = model.on_pivot ? turning : turning + travel;
   list.push_back({"kinetic_energy", Q::energy, kinetic});
   list.push_back({"kinetic_energy_of_center_of_mass", Q::energy, travel});
@@ -182,6 +183,7 @@ std::vector<Quantity> derived_quantities(const Model& model, const MotionSpec& s
   const State start = start_state(model, spec);
   List list;
   add_energies(list, model, spec, start);
+  if (!model.loads.turning.empty()) return list;
   if (model.chi_P.squaredNorm() > 0.0) {
     Vec3 aside = model.chi_P;
     aside[model.kind.axis] = 0.0;

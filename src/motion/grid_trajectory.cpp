@@ -66,7 +66,8 @@ class GridTrajectory final : public Trajectory {
 };
 
 bool finite(const State& s) {
-  return s.q.coeffs().allFinite() && s.y.allFinite();
+  return s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
+         s.impulse_S.allFinite();
 }
 
 void refuse_nan(const State& s, const StepperInfo& method, double t) {
@@ -81,9 +82,25 @@ void refuse_nan(const State& s, const StepperInfo& method, double t) {
 
 }  // namespace
 
+double typical_rate(const Model& model, const State& start) {
+  const double least_moment =
+      (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
+  double rate =
+      angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least_moment);
+  for (const Load& load : model.loads.turning) {
+    const double arm = load.arm_P.norm();
+    const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
+    const double damping = load.kind == Load::Kind::damp_spin ? load.c / least_moment : load.c;
+    rate += std::sqrt(torque / least_moment) + std::abs(load.rate) + damping +
+            std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least_moment));
+  }
+  return rate;
+}
+
 double momentum_scale(const Model& model, const State& start) {
-  const double scale =
-      std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm()));
+  const double most = model.moments.maxCoeff();
+  double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
+  if (scale == 0.0) scale = most * typical_rate(model, start);
   return scale > 0.0 ? scale : 1.0;
 }
 
@@ -137,10 +154,7 @@ Integration integrate_adaptive(const StepperInfo& method,
   IntegrationRecord record;
 
   // a first step that turns the body, or swings it, by a hundredth of a radian
-  const double least_moment =
-      (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
-  const double rate =
-      angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least_moment);
+  const double rate = typical_rate(model, start);
   double h = rate > 0.0 ? std::min(duration, 0.01 / rate) : duration;
   double t = 0.0;
   State s = start;

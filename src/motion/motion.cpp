@@ -65,20 +65,31 @@ Sample Motion::at(double t) const {
   sample.w_B = model_.R_BP * w_P;
   sample.w_S = s.q * w_P;
   sample.L_S = momentum_in_space(s);
-  sample.energy = rotation_energy(model_, s);
+  sample.energy = energy(model_, s);
   if (model_.on_pivot) {
     // the fixed point is the origin of space
     sample.center_S = sample.q_SB * (model_.body.center - model_.pivot_B);
     return sample;
   }
 
-  // the centre of mass of a free body is on a parabola
-  const Vec3 v = velocity_ + t * model_.gravity_S;
-  sample.center_S = position_ + t * velocity_ + 0.5 * t * t * model_.gravity_S;
+  // six degrees of freedom have been integrated, energy and all; else the centre of mass of a free
+  // body goes by gravity and forces fixed in space, on a parabola or what they make of it
+  const double mass = model_.body.mass;
+  if (model_.six) {
+    sample.center_S = s.place_S;
+    sample.reference_velocity_S = s.impulse_S / mass;
+  } else {
+    Vec3 velocity = velocity_ + t * model_.gravity_S;
+    sample.center_S = position_ + t * velocity_ + 0.5 * t * t * model_.gravity_S;
+    for (const Push& push : model_.loads.pushes) {
+      sample.center_S += way_of(push, t) / mass;
+      velocity += speed_of(push, t) / mass;
+    }
+    sample.reference_velocity_S = velocity;
+    sample.energy += 0.5 * mass * velocity.squaredNorm();
+    sample.energy += potential_of_place(model_, sample.center_S);
+  }
   sample.reference_S = sample.center_S;
-  sample.reference_velocity_S = v;
-  sample.energy +=
-      model_.body.mass * (0.5 * v.squaredNorm() - model_.gravity_S.dot(sample.center_S));
   return sample;
 }
 
@@ -96,12 +107,18 @@ Vec3 gravity_of(const MotionSpec& spec) {
   return spec.hold == "pivot" ? Vec3(0, 0, -kStandardGravity) : Vec3(Vec3::Zero());
 }
 
+Model make_model(const BodySpec& body, const MotionSpec& motion) {
+  return make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque);
+}
+
 State start_state(const Model& model, const MotionSpec& spec) {
   refuse_flight_on_pivot(model, spec);
   const Quat q_SB = start_attitude_SB(spec.attitude);
   const Mat3 R_PB = model.R_BP.transpose();
   State start;
   start.q = q_SB * Quat(model.R_BP);
+  start.place_S = spec.position;
+  start.impulse_S = model.body.mass * spec.velocity;
   if (spec.spin.momentum_body) {
     start.y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, start.y);

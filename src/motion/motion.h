@@ -46,6 +46,10 @@ Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B);
 // Its velocity in space, m/s: V + Omega x r, r from the reference point (notes, section 0.1).
 Vec3 point_velocity(const Model& model, const Sample& sample, const Vec3& r_B);
 
+// The model of a body held and loaded as a [motion] table says. Throws Error (input) as the other
+// make_model does.
+Model make_model(const BodySpec& body, const MotionSpec& motion);
+
 // Gravity of a [motion] table, defaults resolved: none for a free body, standard on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);
 

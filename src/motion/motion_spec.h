@@ -8,6 +8,7 @@
 
 #include "base/fields.h"
 #include "math/notation.h"
+#include "model/load_spec.h"
 
 namespace polhode {
 
@@ -33,6 +34,7 @@ struct MotionSpec {
   SpinSpec spin;
   Vec3 position = Vec3::Zero();  // of the centre of mass (free) at t = 0, m
   Vec3 velocity = Vec3::Zero();  // of the centre of mass (free) at t = 0, m/s
+  std::vector<LoadSpec> torque;  // what acts besides gravity
 };
 
 // How exact the attitude must be over the whole film: radians, or pixels of the finished picture.
@@ -87,6 +89,7 @@ void fields(Visitor& v, MotionSpec& s) {
   v.field("velocity",
           s.velocity,
           Doc{"velocity of the centre of mass at the start, free bodies", Unit::velocity});
+  v.field("torque", s.torque, Doc{"torques and forces that act besides gravity"});
 }
 
 template <class Visitor>

@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "math/so3.h"
-#include "motion/exact/exact.h"
 
 namespace polhode {
 namespace {
@@ -16,81 +15,17 @@ namespace {
 constexpr int kSamplesCompared = 257;  // times at which two runs are held against each other
 constexpr long kMostStepsRefined = 4'000'000;
 
-std::string why_not_spherical(const Model& model) {
-  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
-  if (model.kind.shape == TopKind::Shape::spherical) return {};
-  return "the three moments are not equal (" + model.kind.name() + ")";
-}
-
-std::string why_not_symmetric(const Model& model) {
-  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
-  if (model.kind.symmetric()) return {};
-  return "no two moments are equal, or all three are (" + model.kind.name() + ")";
-}
-
-std::string why_not_asymmetric(const Model& model) {
-  if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
-  if (model.kind.shape == TopKind::Shape::asymmetric) return {};
-  return "two moments are equal (" + model.kind.name() + ")";
-}
-
-std::string why_not_heavy_symmetric(const Model& model) {
-  if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
-  if (model.kind.shape == TopKind::Shape::spherical) return {};
-  if (!model.kind.symmetric()) return "no two moments are equal (" + model.kind.name() + ")";
-  Vec3 aside = model.chi_P;
-  aside[model.kind.axis] = 0.0;
-  if (aside.norm() <= kEqualMoments * model.chi_P.norm()) return {};
-  return "the centre of mass is not on the symmetry axis through the pivot";
-}
-
-const MotionModel& find_model(const std::string& name) {
-  for (const MotionModel& row : motion_models()) {
-    if (row.name == name) return row;
-  }
-  throw input_error("no model is called '{}'{}", name, suggestion(name, model_names()))
-      .at({{}, 0, "numerics.model"});
-}
-
-// the least model that takes the scene, or the one asked for
-const MotionModel& choose_model(const Model& model,
-                                const NumericsSpec& numerics,
-                                std::string& reason) {
-  if (numerics.model != "auto") {
-    const MotionModel& asked = find_model(numerics.model);
-    const std::string wrong = asked.why_not(model);
-    if (!wrong.empty()) {
-      throw input_error("model '{}' cannot take this scene: {}", asked.name, wrong)
-          .at({{}, 0, "numerics.model"});
-    }
-    reason = "asked for";
-    return asked;
-  }
-  const bool wants_stepper = numerics.method != "auto" && numerics.method != "exact";
-  for (const MotionModel& row : motion_models()) {
-    if (wants_stepper && row.closed_form) continue;
-    if (!row.why_not(model).empty()) continue;
-    if (wants_stepper) {
-      reason = "method " + numerics.method + " integrates the equations of motion";
-    } else if (row.closed_form) {
-      reason = model.kind.name() + (model.chi_P.squaredNorm() > 0.0
-                                        ? " body with gravity on a pivot: closed form"
-                                        : " body without torque: closed form");
-    } else {
-      reason = "no closed form in this version for a " + model.kind.name() + " body" +
-               (model.chi_P.squaredNorm() > 0.0 ? " with gravity on a pivot" : " that is free");
-    }
-    return row;
-  }
-  throw Error(Fault::input, "no model takes this scene");
-}
-
-// largest attitude difference of two trajectories over the motion, rad
-double difference(const Trajectory& a, const Trajectory& b, double duration) {
+// largest attitude difference of two trajectories over the motion, rad; with six degrees of freedom
+// also that of place, in units of the radius of gyration
+double difference(const Model& model, const Trajectory& a, const Trajectory& b, double duration) {
+  const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
   double largest = 0.0;
   for (int i = 0; i < kSamplesCompared; ++i) {
     const double t = duration * i / (kSamplesCompared - 1);
-    largest = std::max(largest, rotation_angle_between(a.at(t).q, b.at(t).q));
+    const State one = a.at(t), other = b.at(t);
+    largest = std::max({largest,
+                        rotation_angle_between(one.q, other.q),
+                        (one.place_S - other.place_S).norm() / gyration});
   }
   return largest;
 }
@@ -112,10 +47,7 @@ Integration refine(const StepperInfo& method,
                    const State& start,
                    double duration,
                    SimulationReport& report) {
-  const double least_moment =
-      (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
-  const double rate = angular_velocity(model, start.y).norm() +
-                      std::sqrt(model.chi_P.norm() / least_moment) + 1.0 / duration;
+  const double rate = typical_rate(model, start) + 1.0 / duration;
   const double factor = method.adaptive ? 1.0 / 32.0 : 0.5;
   double fineness = method.adaptive ? 0.01 * report.accuracy_rad : std::min(0.1 / rate, duration);
   Integration coarse = run(method, model, start, duration, fineness);
@@ -133,7 +65,7 @@ Integration refine(const StepperInfo& method,
           .at({{}, 0, "numerics.method"});
     }
     Integration fine = run(method, model, start, duration, fineness);
-    const double apart = difference(*coarse.trajectory, *fine.trajectory, duration);
+    const double apart = difference(model, *coarse.trajectory, *fine.trajectory, duration);
     if (apart <= report.accuracy_rad) {
       (method.adaptive ? report.tolerance : report.step) = fineness;
       report.error_estimate_rad = apart;
@@ -160,6 +92,11 @@ Integration integrate(const Model& model,
   const StepperInfo& method = method_row(automatic ? "dopri5" : numerics.method);
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
+  if (!method.takes_loads && (model.six || !model.loads.turning.empty())) {
+    throw input_error("{} takes no torques or forces besides gravity; dopri5 and rk4 do",
+                      method.name)
+        .at({{}, 0, "numerics.method"});
+  }
   if (method.adaptive && numerics.step) {
     throw input_error(
         "{} chooses its own steps; give a tolerance, or a fixed-step method such as rk4",
@@ -189,44 +126,6 @@ Integration integrate(const Model& model,
 
 }  // namespace
 
-const std::vector<MotionModel>& motion_models() {
-  static const std::vector<MotionModel> models = {
-      {"spherical",
-       "free body with three equal moments, closed form",
-       true,
-       why_not_spherical,
-       exact_spherical},
-      {"symmetric",
-       "free body with two equal moments, closed form",
-       true,
-       why_not_symmetric,
-       exact_symmetric},
-      {"asymmetric",
-       "free body with three different moments, closed form in elliptic functions",
-       true,
-       why_not_asymmetric,
-       exact_asymmetric},
-      {"heavy_symmetric",
-       "symmetric body on a pivot under gravity (Lagrange's top, pendulum), closed form",
-       true,
-       why_not_heavy_symmetric,
-       exact_heavy_symmetric},
-      {"ode",
-       "any body, equations of motion integrated",
-       false,
-       [](const Model&) { return std::string(); },
-       nullptr},
-  };
-  return models;
-}
-
-std::vector<std::string> model_names() {
-  std::vector<std::string> names = {"auto"};
-  for (const MotionModel& row : motion_models())
-    names.push_back(row.name);
-  return names;
-}
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names = {"auto", "exact"};
   for (const StepperInfo& row : stepper_table())
@@ -234,14 +133,16 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-Simulation simulate(const Model& model,
+Simulation simulate(const Model& body,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
                     double accuracy_rad) {
-  const State start = start_state(model, motion);
   SimulationReport report;
   report.accuracy_rad = accuracy_rad;
-  const MotionModel& chosen = choose_model(model, numerics, report.model_reason);
+  const MotionModel& chosen = choose_model(body, numerics, report.model_reason);
+  Model model = body;
+  model.six = chosen.six;
+  const State start = start_state(model, motion);
   report.model = chosen.name;
   if (!chosen.closed_form) {
     if (numerics.method == "exact") {

@@ -8,21 +8,9 @@
 
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
+#include "motion/motion_model.h"
 
 namespace polhode {
-
-// A way to find the motion. To add one: a row in motion_models(), ordered from least to most.
-struct MotionModel {
-  std::string name;
-  std::string doc;
-  bool closed_form = false;
-  // "" when it can take the scene, else the reason why not
-  std::string (*why_not)(const Model& model);
-  // closed forms only
-  std::unique_ptr<Trajectory> (*make)(const Model& model, const State& start);
-};
-
-const std::vector<MotionModel>& motion_models();
 
 // How a motion was found, for the report.
 struct SimulationReport {

@@ -16,11 +16,11 @@ double Stepper::step_with_error(double, double, State&) {
 const std::vector<StepperInfo>& stepper_table() {
   // clang-format off
   static const std::vector<StepperInfo> table = {
-      // name, order, adaptive, keeps energy, |y|, L in space, reversible, source, make
-      {"explicit_euler",    1, false, false, false, false, false, "Euler 1768; kept to show how it fails", make_explicit_euler},
-      {"rk4",               4, false, false, false, false, false, "Kutta 1901", make_rk4},
-      {"implicit_midpoint", 2, false, true,  true,  true,  true,  "Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5", make_implicit_midpoint},
-      {"dopri5",            5, true,  false, false, false, false, "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", make_dopri5},
+      // name, order, adaptive, keeps energy, |y|, L in space, reversible, takes loads, source, make
+      {"explicit_euler",    1, false, false, false, false, false, true,  "Euler 1768; kept to show how it fails", make_explicit_euler},
+      {"rk4",               4, false, false, false, false, false, true,  "Kutta 1901", make_rk4},
+      {"implicit_midpoint", 2, false, true,  true,  true,  true,  false, "Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5", make_implicit_midpoint},
+      {"dopri5",            5, true,  false, false, false, false, true,  "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", make_dopri5},
   };
   // clang-format on
   return table;

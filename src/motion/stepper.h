@@ -37,6 +37,7 @@ struct StepperInfo {
   bool keeps_momentum_norm = false;   // |y| of a free body
   bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
   bool reversible = false;            // a step back undoes a step, to round-off
+  bool takes_loads = false;           // torques and forces besides gravity, six degrees of freedom
   std::string source;                 // where it comes from
   // momentum_scale: a typical |y|, kg m^2/s, for the error norm
   std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale);

@@ -22,19 +22,26 @@ double or_one(double scale) {
 
 DriftWatch::DriftWatch(const Model& model, const State& start)
     : model_(model),
-      energy_(rotation_energy(model, start)),
+      energy_(energy(model, start)),
       momentum_(conserved_momentum(model, start)),
-      energy_scale_(
-          or_one(0.5 * start.y.dot(angular_velocity(model, start.y)) + model.chi_P.norm())),
+      energy_scale_(or_one(0.5 * start.y.dot(angular_velocity(model, start.y)) +
+                           model.chi_P.norm() +
+                           std::abs(potential_of(model.loads.turning, start.q, start.place_S)))),
       momentum_scale_(or_one(
-          std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {}
+          std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {
+  if (keeps_energy(model)) worst_.energy = 0.0;
+  if (keeps_momentum(model)) worst_.momentum = 0.0;
+}
 
 void DriftWatch::look_at(const State& s) {
-  const double energy = std::abs(rotation_energy(model_, s) - energy_) / energy_scale_;
+  const double energy_now = std::abs(energy(model_, s) - energy_) / energy_scale_;
   const double momentum = (conserved_momentum(model_, s) - momentum_).norm() / momentum_scale_;
   // a NaN, once seen, is kept: nothing is greater than it
-  if (energy > worst_.energy || std::isnan(energy)) worst_.energy = energy;
-  if (momentum > worst_.momentum || std::isnan(momentum)) worst_.momentum = momentum;
+  const auto keep = [](std::optional<double>& worst, double now) {
+    if (worst && (now > *worst || std::isnan(now))) worst = now;
+  };
+  keep(worst_.energy, energy_now);
+  keep(worst_.momentum, momentum);
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "model/model.h"
 
@@ -16,9 +17,10 @@ class Trajectory {
 };
 
 // Largest deviations from the start of what mechanics conserves, relative; over the whole motion.
+// Absent where loads make it change.
 struct Drift {
-  double energy = 0.0;    // of |kinetic energy at the start| + |chi|
-  double momentum = 0.0;  // of |L|: the vector L (free) or its vertical part (pivot)
+  std::optional<double> energy;    // of |kinetic energy at the start| + |chi| + |potential|
+  std::optional<double> momentum;  // of |L|: the vector L (free) or its vertical part (pivot)
 };
 
 // Keeps the largest drift of the states it is shown.

@@ -59,8 +59,9 @@ TEST_P(EveryScene, RendersOneSmallFrame) {
 
 TEST_P(EveryScene, KeepsWhatIsConserved) {
   const Solved solved = solve(load_with_overrides(path_of(GetParam()), {}));
-  EXPECT_LT(solved.simulation.report.record.drift.energy, 1e-6);
-  EXPECT_LT(solved.simulation.report.record.drift.momentum, 1e-6);
+  // absent where torques change it
+  EXPECT_LT(solved.simulation.report.record.drift.energy.value_or(0.0), 1e-6);
+  EXPECT_LT(solved.simulation.report.record.drift.momentum.value_or(0.0), 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          EveryScene,

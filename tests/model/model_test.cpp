@@ -295,7 +295,7 @@ TEST(RightHandSide, GravityPullsDown) {
   const State start{exp_rotation({0.3, 0, 0}), Vec3::Zero()};  // tilted about x by 0.3
   const Vec3 rate = momentum_rate(model, start.y, up_in_body(model, start.q));
   EXPECT_NEAR(rate.x(), std::sin(0.3), 1e-15);  // tilts further
-  EXPECT_NEAR(rotation_energy(model, start), std::cos(0.3), 1e-15);
+  EXPECT_NEAR(energy(model, start), std::cos(0.3), 1e-15);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Case {
 };
 
 Case moving(const BodySpec& body, const MotionSpec& spec) {
-  const Model model = make_model(body, spec.hold == "pivot", gravity_of(spec));
+  const Model model = make_model(body, spec);
   return {simulate(model, spec, {}, 1e-9).motion, derived_quantities(model, spec)};
 }
 

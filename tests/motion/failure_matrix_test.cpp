@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 double energy(const Problem& p, const State& s) {
-  return rotation_energy(p.model, s);
+  return energy(p.model, s);
 }
 
 // E1: |y'|^2 - |y|^2 = h^2 |w x y|^2 and 2 (E' - E) = h^2 k.I^-1 k, k = w x y: growth at every step

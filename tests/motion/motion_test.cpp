@@ -28,7 +28,7 @@ BodySpec skew_body() {
 }
 
 Motion motion_of(const BodySpec& body, const MotionSpec& spec) {
-  const Model model = make_model(body, spec.hold == "pivot", gravity_of(spec));
+  const Model model = make_model(body, spec);
   return simulate(model, spec, {}, 1e-9).motion;
 }
 

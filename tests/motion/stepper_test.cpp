@@ -91,8 +91,7 @@ Kept kept_over(const StepperInfo& row, const Problem& p, double h, int n) {
     if (!s.y.allFinite() || !s.q.coeffs().allFinite()) return {1e300, 1e300, 1e300};
     const Vec3 change = momentum_in_space(s) - L0;
     const double space = heavy ? std::abs(change.dot(p.model.up_S)) : change.norm();
-    worst.energy = worse(worst.energy,
-                         std::abs(rotation_energy(p.model, s) - rotation_energy(p.model, p.start)));
+    worst.energy = worse(worst.energy, std::abs(energy(p.model, s) - energy(p.model, p.start)));
     worst.norm = worse(worst.norm, std::abs(s.y.norm() - p.start.y.norm()));
     worst.space = worse(worst.space, space);
   }

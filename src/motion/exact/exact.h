@@ -27,6 +27,11 @@ std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& st
 // symmetry axis, any chi for a spherical top; chi != 0. Sources: motion/exact/heavy_symmetric.cpp.
 std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start);
 
+// Any of the free bodies above with the torque -c L, c > 0 in 1/s. With s = (1 - exp(-c t))/c the
+// attitude is q(s) of the undamped motion and the momentum exp(-c t) y(s): both sides of
+// dy/dt = y x omega - c y, and dq/dt, are exp(-c t) times those of the undamped motion.
+std::unique_ptr<Trajectory> damped(std::unique_ptr<Trajectory> undamped, double c);
+
 // Between which tilts the axis of a heavy symmetric top nods. Angles of chi (towards the centre of
 // mass) from the vertical, rad.
 struct Nutation {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state as a vector of seven numbers, for the Runge-Kutta methods.
+// The state as a vector of numbers, for the Runge-Kutta methods: seven for a rotation, thirteen
+// when the centre of mass moves by forces that depend on it.
 #pragma once
 
 #include "math/so3.h"
@@ -7,27 +8,63 @@
 
 namespace polhode {
 
-// (q.x, q.y, q.z, q.w, y1, y2, y3)
-using Vec7 = Eigen::Matrix<double, 7, 1>;
+// (q.x, q.y, q.z, q.w, y1, y2, y3), and place and momentum of the centre of mass
+template <int N>
+using StateVector = Eigen::Matrix<double, N, 1>;
+inline constexpr int kThreeDegrees = 7;
+inline constexpr int kSixDegrees = 13;
 
-inline Vec7 to_vector(const State& s) {
-  Vec7 v;
-  v << s.q.coeffs(), s.y;
+template <int N>
+StateVector<N> to_vector(const State& s) {
+  StateVector<N> v;
+  if constexpr (N == kThreeDegrees) {
+    v << s.q.coeffs(), s.y;
+  } else {
+    v << s.q.coeffs(), s.y, s.place_S, s.impulse_S;
+  }
   return v;
 }
 
-// The attitude is scaled back to unit length.
-inline State to_state(const Vec7& v) {
-  return {normalized(Quat(Eigen::Vector4d(v.head<4>()))), v.tail<3>()};
+// The attitude as it is, off the unit sphere inside a step.
+template <int N>
+State raw_state(const StateVector<N>& v) {
+  State s;
+  s.q = Quat(Eigen::Vector4d(v.template head<4>()));
+  s.y = v.template segment<3>(4);
+  if constexpr (N == kSixDegrees) {
+    s.place_S = v.template segment<3>(7);
+    s.impulse_S = v.template segment<3>(10);
+  }
+  return s;
+}
+
+// The attitude is scaled back to unit length; what the vector does not carry stays as it was.
+template <int N>
+void set_state(const StateVector<N>& v, State& s) {
+  const State raw = raw_state<N>(v);
+  s.q = normalized(raw.q);
+  s.y = raw.y;
+  if constexpr (N == kSixDegrees) {
+    s.place_S = raw.place_S;
+    s.impulse_S = raw.impulse_S;
+  }
 }
 
 // The right-hand side. Stages leave the unit sphere by the order of the step; gravity is seen
 // through q as it is, so that the vector field is smooth and the order of the method is kept.
-inline Vec7 derivative(const Model& m, const Vec7& v) {
-  const Quat q(Eigen::Vector4d(v.head<4>()));
-  const Vec3 y = v.tail<3>();
-  Vec7 rate;
-  rate << attitude_rate(q, angular_velocity(m, y)).coeffs(), momentum_rate(m, y, up_in_body(m, q));
+template <int N>
+StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
+  const State s = raw_state<N>(v);
+  const Vec3 w_P = angular_velocity(m, s.y);
+  Vec3 y_rate = momentum_rate(m, s.y, up_in_body(m, s.q));
+  StateVector<N> rate;
+  if constexpr (N == kThreeDegrees) {
+    if (!m.loads.turning.empty()) y_rate += torque_of_loads(m, t, s);
+    rate << attitude_rate(s.q, w_P).coeffs(), y_rate;
+  } else {
+    y_rate += torque_of_loads(m, t, s);
+    rate << attitude_rate(s.q, w_P).coeffs(), y_rate, s.impulse_S / m.body.mass, force(m, t, s);
+  }
   return rate;
 }
 

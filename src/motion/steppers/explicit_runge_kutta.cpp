@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Explicit Euler, the classical Runge-Kutta method, and Dormand and Prince's pair 5(4), all on (q,
-// y) with q scaled back to unit length after the step.
+// Explicit Euler, the classical Runge-Kutta method, and Dormand and Prince's pair 5(4), all on the
+// state as a vector, with q scaled back to unit length after the step.
 #include <algorithm>
+#include <cmath>
 
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
@@ -9,87 +10,117 @@
 namespace polhode {
 namespace {
 
+template <int N>
 class ExplicitEuler final : public Stepper {
  public:
   explicit ExplicitEuler(const Model& model) : model_(model) {}
 
-  void step(double, double h, State& s) override {
-    const Vec7 v = to_vector(s);
-    s = to_state(v + h * derivative(model_, v));
+  void step(double t, double h, State& s) override {
+    const Vector v = to_vector<N>(s);
+    set_state<N>(v + h * derivative<N>(model_, t, v), s);
     ++evaluations_;
   }
 
  private:
+  using Vector = StateVector<N>;
+
   Model model_;
 };
 
+template <int N>
 class RungeKutta4 final : public Stepper {
  public:
   explicit RungeKutta4(const Model& model) : model_(model) {}
 
-  void step(double, double h, State& s) override {
-    const Vec7 v = to_vector(s);
-    const Vec7 k1 = derivative(model_, v);
-    const Vec7 k2 = derivative(model_, v + 0.5 * h * k1);
-    const Vec7 k3 = derivative(model_, v + 0.5 * h * k2);
-    const Vec7 k4 = derivative(model_, v + h * k3);
-    s = to_state(v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4));
+  void step(double t, double h, State& s) override {
+    const Vector v = to_vector<N>(s);
+    const Vector k1 = derivative<N>(model_, t, v);
+    const Vector k2 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1);
+    const Vector k3 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k2);
+    const Vector k4 = derivative<N>(model_, t + h, v + h * k3);
+    set_state<N>(v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4), s);
     evaluations_ += 4;
   }
 
  private:
+  using Vector = StateVector<N>;
+
   Model model_;
 };
 
 // Coefficients: Dormand and Prince 1980, table 2 (RK5(4)7M).
+template <int N>
 class DormandPrince5 final : public Stepper {
  public:
   DormandPrince5(const Model& model, double momentum_scale)
-      : model_(model), momentum_scale_(momentum_scale) {}
+      : model_(model),
+        momentum_scale_(momentum_scale),
+        length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
 
   void step(double t, double h, State& s) override { step_with_error(t, h, s); }
 
-  double step_with_error(double, double h, State& s) override {
-    const Vec7 v = to_vector(s);
-    const Vec7 k1 = derivative(model_, v);
-    const Vec7 k2 = derivative(model_, v + h * (1.0 / 5 * k1));
-    const Vec7 k3 = derivative(model_, v + h * (3.0 / 40 * k1 + 9.0 / 40 * k2));
-    const Vec7 k4 = derivative(model_, v + h * (44.0 / 45 * k1 - 56.0 / 15 * k2 + 32.0 / 9 * k3));
-    const Vec7 k5 = derivative(model_,
-                               v + h * (19372.0 / 6561 * k1 - 25360.0 / 2187 * k2 +
-                                        64448.0 / 6561 * k3 - 212.0 / 729 * k4));
-    const Vec7 k6 = derivative(model_,
-                               v + h * (9017.0 / 3168 * k1 - 355.0 / 33 * k2 + 46732.0 / 5247 * k3 +
-                                        49.0 / 176 * k4 - 5103.0 / 18656 * k5));
-    const Vec7 end = v + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
-                              2187.0 / 6784 * k5 + 11.0 / 84 * k6);
-    const Vec7 k7 = derivative(model_, end);
+  double step_with_error(double t, double h, State& s) override {
+    const Vector v = to_vector<N>(s);
+    const Vector k1 = derivative<N>(model_, t, v);
+    const Vector k2 = derivative<N>(model_, t + h / 5.0, v + h * (1.0 / 5 * k1));
+    const Vector k3 = derivative<N>(model_, t + 0.3 * h, v + h * (3.0 / 40 * k1 + 9.0 / 40 * k2));
+    const Vector k4 = derivative<N>(
+        model_, t + 0.8 * h, v + h * (44.0 / 45 * k1 - 56.0 / 15 * k2 + 32.0 / 9 * k3));
+    const Vector k5 = derivative<N>(model_,
+                                    t + 8.0 / 9.0 * h,
+                                    v + h * (19372.0 / 6561 * k1 - 25360.0 / 2187 * k2 +
+                                             64448.0 / 6561 * k3 - 212.0 / 729 * k4));
+    const Vector k6 =
+        derivative<N>(model_,
+                      t + h,
+                      v + h * (9017.0 / 3168 * k1 - 355.0 / 33 * k2 + 46732.0 / 5247 * k3 +
+                               49.0 / 176 * k4 - 5103.0 / 18656 * k5));
+    const Vector end = v + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
+                                2187.0 / 6784 * k5 + 11.0 / 84 * k6);
+    const Vector k7 = derivative<N>(model_, t + h, end);
     evaluations_ += 7;
 
     // difference of the two embedded solutions
-    const Vec7 error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
-                            17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7);
-    s = to_state(end);
-    return std::max(error.head<4>().norm(), error.tail<3>().norm() / momentum_scale_);
+    const Vector error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
+                              17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7);
+    set_state<N>(end, s);
+    double size = std::max(error.template head<4>().norm(),
+                           error.template segment<3>(4).norm() / momentum_scale_);
+    if constexpr (N == kSixDegrees) {
+      size = std::max({size,
+                       error.template segment<3>(7).norm() / length_scale_,
+                       error.template segment<3>(10).norm() * length_scale_ / momentum_scale_});
+    }
+    return size;
   }
 
  private:
+  using Vector = StateVector<N>;
+
   Model model_;
-  double momentum_scale_;
+  double momentum_scale_;  // kg m^2/s
+  double length_scale_;    // m
 };
+
+// the least degrees of freedom that the model needs
+template <template <int> class Method, class... Arguments>
+std::unique_ptr<Stepper> make(const Model& model, Arguments... arguments) {
+  if (model.six) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
+  return std::make_unique<Method<kThreeDegrees>>(model, arguments...);
+}
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_explicit_euler(const Model& model, double) {
-  return std::make_unique<ExplicitEuler>(model);
+  return make<ExplicitEuler>(model);
 }
 
 std::unique_ptr<Stepper> make_rk4(const Model& model, double) {
-  return std::make_unique<RungeKutta4>(model);
+  return make<RungeKutta4>(model);
 }
 
 std::unique_ptr<Stepper> make_dopri5(const Model& model, double momentum_scale) {
-  return std::make_unique<DormandPrince5>(model, momentum_scale);
+  return make<DormandPrince5>(model, momentum_scale);
 }
 
 }  // namespace polhode

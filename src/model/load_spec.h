@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The `torque` list of a [motion] table: what acts on a body besides gravity.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "math/notation.h"
+
+namespace polhode {
+
+// One load. Which of the keys a kind takes is in load_kinds() (model/loads.h).
+struct LoadSpec {
+  std::string kind;
+  std::optional<Vec3> space;      // torque or force in space axes, N m or N
+  std::optional<Vec3> body;       // the same in body axes
+  std::optional<Vec3> at;         // where the force acts, body coordinates, m
+  std::optional<Vec3> opposite;   // where the opposite force of a couple acts, m
+  std::optional<Vec3> to;         // the end of a spring that is fixed in space, m
+  std::optional<double> k;        // of a spring, N/m
+  std::optional<double> length;   // of a spring at rest, m
+  std::optional<double> c;        // of damping, see `of`
+  std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s) or -c omega ("spin", N m s)
+  std::optional<double> rate;     // it changes as cos(rate t + phase), rad/s
+  std::optional<double> phase;    // rad
+};
+
+// Names of the kinds, for docs and the schema.
+std::vector<std::string> load_names();
+
+template <class Visitor>
+void fields(Visitor& v, LoadSpec& s) {
+  v.required("kind", s.kind, Doc{"what acts", Unit::none, kAny, load_names()});
+  v.at_most_one_of({"space", "body"});
+  v.field("space", s.space, Doc{"torque (N m) or force (N) in space axes", Unit::load});
+  v.field("body", s.body, Doc{"torque (N m) or force (N) in body axes", Unit::load});
+  v.field("at", s.at, Doc{"where the force acts, in body coordinates", Unit::length});
+  v.field("opposite", s.opposite, Doc{"where the opposite force of a couple acts", Unit::length});
+  v.field("to", s.to, Doc{"the end of a spring that is fixed in space", Unit::length});
+  v.field("k", s.k, Doc{"stiffness of a spring, N/m", Unit::none, kPositive});
+  v.field("length", s.length, Doc{"length of a spring at rest", Unit::length, kNonNegative});
+  v.field("c", s.c, Doc{"damping: 1/s of momentum, N m s of spin", Unit::none, kNonNegative});
+  v.field(
+      "of", s.of, Doc{"what is damped: -c L or -c omega", Unit::none, kAny, {"momentum", "spin"}});
+  v.field("rate", s.rate, Doc{"it changes as cos(rate t + phase)", Unit::angular_velocity});
+  v.field("phase", s.phase, Doc{"it changes as cos(rate t + phase)", Unit::angle});
+}
+
+}  // namespace polhode

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "model/loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "base/nearest.h"
+
+namespace polhode {
+namespace {
+
+// sin(x)/x
+double sinc(double x) {
+  return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
+}
+
+double swing(double rate, double phase, double t) {
+  return rate == 0.0 && phase == 0.0 ? 1.0 : std::cos(rate * t + phase);
+}
+
+std::vector<std::string> given_keys(const LoadSpec& s) {
+  std::vector<std::string> names;
+  if (s.space) names.emplace_back("space");
+  if (s.body) names.emplace_back("body");
+  if (s.at) names.emplace_back("at");
+  if (s.opposite) names.emplace_back("opposite");
+  if (s.to) names.emplace_back("to");
+  if (s.k) names.emplace_back("k");
+  if (s.length) names.emplace_back("length");
+  if (s.c) names.emplace_back("c");
+  if (s.of) names.emplace_back("of");
+  if (s.rate) names.emplace_back("rate");
+  if (s.phase) names.emplace_back("phase");
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+const LoadKind& kind_of(const LoadSpec& spec, const std::string& path) {
+  for (const LoadKind& kind : load_kinds()) {
+    if (kind.name == spec.kind) return kind;
+  }
+  throw input_error("no load is called '{}'{}", spec.kind, suggestion(spec.kind, load_names()))
+      .at({{}, 0, path + ".kind"});
+}
+
+void check_keys_of(const LoadSpec& spec, const std::string& path) {
+  const LoadKind& kind = kind_of(spec, path);
+  const std::vector<std::string> given = given_keys(spec);
+  std::vector<std::string> known = kind.needs;
+  known.insert(known.end(), kind.takes.begin(), kind.takes.end());
+  if (kind.directed) known.insert(known.end(), {"space", "body"});
+  for (const std::string& name : kind.needs) {
+    if (contains(given, name)) continue;
+    throw input_error("a {} needs '{}'", kind.name, name).at({{}, 0, path});
+  }
+  if (kind.directed && !spec.space && !spec.body) {
+    throw input_error("a {} needs 'space' or 'body', its vector in those axes", kind.name)
+        .at({{}, 0, path});
+  }
+  for (const std::string& name : given) {
+    if (contains(known, name)) continue;
+    throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
+        .at({{}, 0, path + "." + name});
+  }
+}
+
+Load::Kind turned_into(const LoadSpec& spec) {
+  if (spec.kind == "constant") return Load::Kind::torque;
+  if (spec.kind == "couple") return Load::Kind::couple;
+  if (spec.kind == "force") return Load::Kind::force;
+  if (spec.kind == "spring") return Load::Kind::spring;
+  return spec.of.value_or("momentum") == "momentum" ? Load::Kind::damp_momentum
+                                                    : Load::Kind::damp_spin;
+}
+
+}  // namespace
+
+const std::vector<LoadKind>& load_kinds() {
+  static const std::vector<LoadKind> kinds = {
+      {"constant", "a torque", {}, {"rate", "phase"}, true},
+      {"damping", "-c L, or -c omega", {"c"}, {"of"}},
+      {"couple",
+       "a force, and the opposite one elsewhere",
+       {"at", "opposite"},
+       {"rate", "phase"},
+       true},
+      {"force",
+       "a force on a point, the centre of mass by default",
+       {},
+       {"at", "rate", "phase"},
+       true},
+      {"spring",
+       "from a point, the centre of mass by default, to one in space, the origin by default",
+       {"k"},
+       {"at", "to", "length"}},
+  };
+  return kinds;
+}
+
+std::vector<std::string> load_names() {
+  std::vector<std::string> names;
+  for (const LoadKind& kind : load_kinds())
+    names.push_back(kind.name);
+  return names;
+}
+
+bool Load::conservative() const {
+  switch (kind) {
+    case Kind::spring:
+      return true;
+    case Kind::couple:
+    case Kind::force:
+      return !in_body && rate == 0.0;
+    default:
+      return false;
+  }
+}
+
+bool Loads::only_damp_momentum() const {
+  return std::all_of(turning.begin(), turning.end(), [](const Load& load) {
+    return load.kind == Load::Kind::damp_momentum;
+  });
+}
+
+double Loads::momentum_damping() const {
+  double c = 0.0;
+  for (const Load& load : turning)
+    c += load.kind == Load::Kind::damp_momentum ? load.c : 0.0;
+  return c;
+}
+
+Loads make_loads(const std::vector<LoadSpec>& specs,
+                 bool on_pivot,
+                 const Vec3& center_B,
+                 const Vec3& reference_B,
+                 const Mat3& R_BP) {
+  Loads loads;
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const LoadSpec& spec = specs[i];
+    check_keys_of(spec, fmt::format("motion.torque[{}]", i));
+    Load load;
+    load.kind = turned_into(spec);
+    load.in_body = spec.body.has_value();
+    load.vector = spec.body    ? Vec3(R_BP.transpose() * *spec.body)
+                  : spec.space ? *spec.space
+                               : Vec3(Vec3::Zero());
+    const Vec3 from_B = spec.opposite.value_or(reference_B);
+    load.arm_P = R_BP.transpose() * (spec.at.value_or(center_B) - from_B);
+    load.anchor_S = spec.to.value_or(Vec3::Zero());
+    load.k = spec.k.value_or(0.0);
+    load.length = spec.length.value_or(0.0);
+    load.c = spec.c.value_or(0.0);
+    load.rate = spec.rate.value_or(0.0);
+    load.phase = spec.phase.value_or(0.0);
+
+    // a phase without a rate is a constant factor
+    if (load.rate == 0.0) load.vector *= std::cos(std::exchange(load.phase, 0.0));
+    const bool is_force = load.kind == Load::Kind::force;
+    const bool pushes = is_force && !load.in_body && !on_pivot;
+    if (pushes) loads.pushes.push_back({load.vector, load.rate, load.phase});
+    const bool central = load.arm_P.norm() == 0.0;
+    const bool needs_place =
+        !on_pivot && (load.kind == Load::Kind::spring || (is_force && load.in_body));
+    loads.need_place = loads.need_place || needs_place;
+    if ((is_force || load.kind == Load::Kind::couple) && central && !needs_place) continue;
+    loads.turning.push_back(load);
+  }
+  return loads;
+}
+
+Wrench wrench_of(const std::vector<Load>& loads,
+                 double t,
+                 const Quat& q,
+                 const Vec3& y,
+                 const Vec3& w_P,
+                 const Vec3& place_S) {
+  Wrench sum;
+  for (const Load& load : loads) {
+    switch (load.kind) {
+      case Load::Kind::damp_momentum:
+        sum.torque_P -= load.c * y;
+        break;
+      case Load::Kind::damp_spin:
+        sum.torque_P -= load.c * w_P;
+        break;
+      case Load::Kind::torque: {
+        const Vec3 torque = swing(load.rate, load.phase, t) * load.vector;
+        sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
+        break;
+      }
+      case Load::Kind::couple:
+      case Load::Kind::force: {
+        const Vec3 force = swing(load.rate, load.phase, t) * load.vector;
+        sum.torque_P += load.arm_P.cross(load.in_body ? force : Vec3(q.conjugate() * force));
+        if (load.kind == Load::Kind::force && load.in_body) sum.force_S += q * force;
+        break;
+      }
+      case Load::Kind::spring: {
+        const Vec3 reach = load.anchor_S - (place_S + q * load.arm_P);
+        const double stretched = reach.norm();
+        const double rest = stretched > 0.0 ? load.length / stretched : 0.0;
+        const Vec3 force = load.k * (1.0 - rest) * reach;
+        sum.torque_P += load.arm_P.cross(q.conjugate() * force);
+        sum.force_S += force;
+        break;
+      }
+    }
+  }
+  return sum;
+}
+
+double potential_of(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S) {
+  double sum = 0.0;
+  for (const Load& load : loads) {
+    if (!load.conservative()) continue;
+    if (load.kind == Load::Kind::spring) {
+      const double stretched = (load.anchor_S - (place_S + q * load.arm_P)).norm();
+      sum += 0.5 * load.k * (stretched - load.length) * (stretched - load.length);
+    } else {
+      sum -= load.vector.dot(q * load.arm_P);
+    }
+  }
+  return sum;
+}
+
+Vec3 speed_of(const Push& push, double t) {
+  // the integral of cos(rate s + phase), as a product that keeps its digits for slow changes
+  const double half = 0.5 * push.rate * t;
+  return push.force_S * (t * std::cos(push.phase + half) * sinc(half));
+}
+
+Vec3 way_of(const Push& push, double t) {
+  const double angle = push.rate * t;
+  if (std::abs(angle) < 1e-3) {
+    const double series = 0.5 * std::cos(push.phase) * (1.0 - angle * angle / 12.0) -
+                          std::sin(push.phase) * angle / 6.0 * (1.0 - angle * angle / 20.0);
+    return push.force_S * (t * t * series);
+  }
+  const double half = 0.5 * angle;
+  const double mean = std::sin(push.phase + half) * sinc(half) - std::sin(push.phase);
+  return push.force_S * (t * mean / push.rate);
+}
+
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The ways to find a motion, from the least to the most, and the choice among them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/motion_spec.h"
+#include "motion/trajectory.h"
+
+namespace polhode {
+
+// A way to find the motion. To add one: a row in motion_models(), ordered from least to most.
+struct MotionModel {
+  std::string name;
+  std::string doc;
+  bool closed_form = false;
+  bool six = false;  // integrates place and momentum of the centre of mass too
+  // "" when it can take the scene, else the reason why not
+  std::string (*why_not)(const Model& model);
+  // closed forms only
+  std::unique_ptr<Trajectory> (*make)(const Model& model, const State& start);
+};
+
+const std::vector<MotionModel>& motion_models();
+
+// The least model that takes the scene, or the one asked for, and in one phrase why. Throws Error
+// (input) when the one asked for cannot take the scene.
+const MotionModel& choose_model(const Model& model,
+                                const NumericsSpec& numerics,
+                                std::string& reason);
+
+}  // namespace polhode
