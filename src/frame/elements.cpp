@@ -14,6 +14,7 @@ namespace {
 constexpr double kOmegaLength = 1.3;
 constexpr double kMomentumLength = kReachOfVectors;
 constexpr double kVelocityLength = 0.6;
+constexpr double kForceLength = 0.8;
 constexpr double kBodyAxisLength = 1.2;
 constexpr double kSpaceAxisLength = 1.2;
 constexpr double kPrecessionSlant = 1.2;
@@ -215,6 +216,26 @@ void add_velocity_field(const Stage& stage, const Sample& sample, Marks& marks) 
   }
 }
 
+// forces at the points where they act; springs as thin rods to where they are held
+void add_forces(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Model& model = stage.motion.model();
+  const Quat q_SP = sample.q_SB * Quat(model.R_BP);
+  const Material material = plain(stage.theme.force, 0.25f);
+  for (const Load& load : model.loads.listed) {
+    const Vec3 at = sample.reference_S + q_SP * load.at_P;
+    const Vec3 force = stage.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
+    if (load.kind == Load::Kind::spring) {
+      marks.rods.push_back({at, load.anchor_S, 0.012 * stage.scale.body, material});
+    } else if (force.squaredNorm() > 0.0) {
+      add_vector(stage, at, at + force, kMomentumShape, material, marks);
+    }
+    if (load.kind == Load::Kind::couple) {
+      const Vec3 opposite = at - q_SP * load.arm_P;
+      add_vector(stage, opposite, opposite - force, kMomentumShape, material, marks);
+    }
+  }
+}
+
 // points spread over the body: each the farthest from those before it
 std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
   std::vector<Vec3> chosen;
@@ -235,9 +256,13 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
 // the longest vector of the film has the full length; a body at rest has none to scale
 Scale make_scale(const Stage& stage, double radius) {
   const Model& model = stage.motion.model();
-  double turning = 0.0, momentum = 0.0, speed = 0.0;
+  double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0;
   for (const double t : framing_times(stage.motion)) {
     const Sample sample = stage.motion.at(t);
+    for (const Load& load : model.loads.listed) {
+      const Quat q_SP = sample.q_SB * Quat(model.R_BP);
+      force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
+    }
     turning = std::max(turning, sample.w_S.norm());
     momentum = std::max(momentum, sample.L_S.norm());
     for (const Vec3& r_B : stage.field_points_B)
@@ -249,7 +274,8 @@ Scale make_scale(const Stage& stage, double radius) {
   return {radius,
           per(kOmegaLength, turning),
           per(kMomentumLength, momentum),
-          per(kVelocityLength, speed)};
+          per(kVelocityLength, speed),
+          per(kForceLength, force)};
 }
 
 // conditions that several elements share
@@ -264,6 +290,16 @@ bool on_pivot(const Stage& stage) {
 }
 std::string nothing_against(const Stage&) {
   return {};
+}
+bool has_forces(const Stage& stage) {
+  const std::vector<Load>& listed = stage.motion.model().loads.listed;
+  return std::any_of(listed.begin(), listed.end(), [](const Load& load) {
+    return load.kind == Load::Kind::force || load.kind == Load::Kind::couple ||
+           load.kind == Load::Kind::spring;
+  });
+}
+std::string needs_forces(const Stage& stage) {
+  return has_forces(stage) ? "" : "needs a force, a couple or a spring in motion.torque";
 }
 std::string needs_cones(const Stage& stage) {
   return has_cones(stage) ? "" : "the space and body cones need a free symmetric top that wobbles";
@@ -380,6 +416,11 @@ const std::vector<Element>& elements() {
        [](const Stage& stage) { return on_pivot(stage) && stays_above_stand(stage); },
        needs_pivot,
        add_stand},
+      {"forces",
+       "the forces of motion.torque where they act, springs as rods",
+       has_forces,
+       needs_forces,
+       add_forces},
       {"velocity_field",
        "velocities V + Omega x r of points of the body, as small arrows",
        never,

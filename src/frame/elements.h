@@ -19,6 +19,7 @@ struct Scale {
   double omega = 1.0;     // metres per rad/s
   double momentum = 1.0;  // metres per kg m^2/s
   double velocity = 1.0;  // metres per m/s
+  double force = 1.0;     // metres per N
 };
 
 // What all moments of a film share.

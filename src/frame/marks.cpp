@@ -44,6 +44,10 @@ void add_extent(const Marks& marks, std::vector<Vec3>& points) {
     points.push_back(arrow.from);
     points.push_back(arrow.tip);
   }
+  for (const RodMark& rod : marks.rods) {
+    points.push_back(rod.from);
+    points.push_back(rod.to);
+  }
   for (const MeshMark& mark : marks.meshes) {
     for (const Vertex& vertex : mark.mesh->vertices)
       points.push_back(mark.space_from_mesh * to_eigen(vertex.position));
@@ -92,6 +96,14 @@ void add_items(const Marks& marks,
               frame.point(arrow.tip),
               drawn(arrow.shape, frame),
               arrow.material);
+  }
+  for (const RodMark& rod : marks.rods) {
+    add_tube(list.opaque,
+             meshes.arrows,
+             frame.point(rod.from),
+             frame.point(rod.to),
+             frame.length(rod.radius),
+             rod.material);
   }
   for (const ArcMark& arc : marks.arcs)
     add_arc(arc, meshes.arrows, frame, list);

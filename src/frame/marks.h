@@ -25,6 +25,13 @@ struct MeshMark {
   Material material;
 };
 
+// A straight thin tube.
+struct RodMark {
+  Vec3 from, to;
+  double radius;
+  Material material;
+};
+
 // The arc of a circle from one direction to another, as a thin tube.
 struct ArcMark {
   Vec3 center;
@@ -37,6 +44,7 @@ struct ArcMark {
 struct Marks {
   std::vector<ArrowMark> arrows;
   std::vector<MeshMark> meshes;
+  std::vector<RodMark> rods;
   std::vector<ArcMark> arcs;
   std::vector<Cone> cones;  // with a common apex
 };

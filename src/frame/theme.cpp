@@ -29,6 +29,7 @@ const std::vector<Theme>& themes() {
        .body_cone = hex("#d98bb8"),
        .precession_cone = hex("#f0e442"),
        .stand = hex("#6c7482"),
+       .force = hex("#b9a3ff"),
        .velocity = hex("#e8705a"),
        .position = hex("#f2f4f8")},
       {.name = "light",
@@ -43,6 +44,7 @@ const std::vector<Theme>& themes() {
        .body_cone = hex("#c05f95"),
        .precession_cone = hex("#b89b00"),
        .stand = hex("#8b9097"),
+       .force = hex("#5b3fb0"),
        .velocity = hex("#b5402c"),
        .position = hex("#22262c")},
   };

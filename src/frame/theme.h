@@ -26,6 +26,7 @@ struct Theme {
   glm::vec3 body_cone;
   glm::vec3 precession_cone;
   glm::vec3 stand;
+  glm::vec3 force;     // on points of the body
   glm::vec3 velocity;  // of points of the body
   glm::vec3 position;  // position vectors, points, angles
 };

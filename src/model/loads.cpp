@@ -153,6 +153,7 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
                                : Vec3(Vec3::Zero());
     const Vec3 from_B = spec.opposite.value_or(reference_B);
     load.arm_P = R_BP.transpose() * (spec.at.value_or(center_B) - from_B);
+    load.at_P = R_BP.transpose() * (spec.at.value_or(center_B) - reference_B);
     load.anchor_S = spec.to.value_or(Vec3::Zero());
     load.k = spec.k.value_or(0.0);
     load.length = spec.length.value_or(0.0);
@@ -162,6 +163,7 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
 
     // a phase without a rate is a constant factor
     if (load.rate == 0.0) load.vector *= std::cos(std::exchange(load.phase, 0.0));
+    loads.listed.push_back(load);
     const bool is_force = load.kind == Load::Kind::force;
     const bool pushes = is_force && !load.in_body && !on_pivot;
     if (pushes) loads.pushes.push_back({load.vector, load.rate, load.phase});
@@ -196,21 +198,38 @@ Wrench wrench_of(const std::vector<Load>& loads,
         break;
       }
       case Load::Kind::couple:
-      case Load::Kind::force: {
-        const Vec3 force = swing(load.rate, load.phase, t) * load.vector;
-        sum.torque_P += load.arm_P.cross(load.in_body ? force : Vec3(q.conjugate() * force));
-        if (load.kind == Load::Kind::force && load.in_body) sum.force_S += q * force;
-        break;
-      }
+      case Load::Kind::force:
       case Load::Kind::spring: {
-        const Vec3 reach = load.anchor_S - (place_S + q * load.arm_P);
-        const double stretched = reach.norm();
-        const double rest = stretched > 0.0 ? load.length / stretched : 0.0;
-        const Vec3 force = load.k * (1.0 - rest) * reach;
-        sum.torque_P += load.arm_P.cross(q.conjugate() * force);
-        sum.force_S += force;
+        const Vec3 force_S = point_force(load, t, q, place_S);
+        sum.torque_P += load.arm_P.cross(q.conjugate() * force_S);
+        const bool is_push = load.kind == Load::Kind::force && !load.in_body;
+        if (load.kind != Load::Kind::couple && !is_push) sum.force_S += force_S;
         break;
       }
+    }
+  }
+  return sum;
+}
+
+Vec3 point_force(const Load& load, double t, const Quat& q, const Vec3& place_S) {
+  if (load.kind == Load::Kind::spring) {
+    const Vec3 reach = load.anchor_S - (place_S + q * load.arm_P);
+    const double stretched = reach.norm();
+    const double rest = stretched > 0.0 ? load.length / stretched : 0.0;
+    return load.k * (1.0 - rest) * reach;
+  }
+  if (load.kind != Load::Kind::force && load.kind != Load::Kind::couple) return Vec3::Zero();
+  const Vec3 force = swing(load.rate, load.phase, t) * load.vector;
+  return load.in_body ? Vec3(q * force) : force;
+}
+
+double potential_scale(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S) {
+  double sum = 0.0;
+  for (const Load& load : loads) {
+    if (load.kind == Load::Kind::spring) {
+      sum += potential_of({load}, q, place_S);
+    } else if (load.conservative()) {
+      sum += load.vector.norm() * load.arm_P.norm();
     }
   }
   return sum;

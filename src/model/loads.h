@@ -28,7 +28,8 @@ struct Load {
   bool in_body = false;        // `vector` is in P, else in S
   Vec3 vector = Vec3::Zero();  // torque, N m, or force, N
   Vec3 arm_P =
-      Vec3::Zero();  // from the reference point, m; of a couple from one force to the other
+      Vec3::Zero();          // from the reference point, m; of a couple from one force to the other
+  Vec3 at_P = Vec3::Zero();  // where it acts, from the reference point, m
   Vec3 anchor_S = Vec3::Zero();  // of a spring, m
   double k = 0.0;                // N/m
   double length = 0.0;           // m
@@ -54,6 +55,7 @@ struct Loads {
   std::vector<Load> turning;  // with a torque about the reference point, or a force that depends on
                               // attitude or place
   std::vector<Push> pushes;   // on a free body
+  std::vector<Load> listed;   // as the scene lists them, for pictures
   // The path of the centre of mass depends on attitude or place: six degrees of freedom.
   bool need_place = false;
 
@@ -85,9 +87,14 @@ Wrench wrench_of(const std::vector<Load>& loads,
                  const Vec3& w_P,
                  const Vec3& place_S);
 
+// The force of one load on the point where it acts, S, N; zero for what is no force.
+Vec3 point_force(const Load& load, double t, const Quat& q, const Vec3& place_S);
+
 // Potential of the conservative loads, J; that of a constant force is zero when its point is at the
 // reference point.
 double potential_of(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
+// A size of it that does not vanish where the potential happens to, J.
+double potential_scale(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
 
 // How far (m, per kg of mass) and how fast (m/s, per kg) a push has moved a body after t.
 Vec3 way_of(const Push& push, double t);

@@ -190,10 +190,13 @@ Integration integrate_adaptive(const StepperInfo& method,
     grid->times.push_back(t);
     grid->states.push_back(s);
     if (++record.steps > kMostSteps / 8) {
-      throw input_error("{} needs more than {} steps at tolerance {}; ask for a larger one",
-                        method.name,
-                        kMostSteps / 8,
-                        tolerance);
+      throw input_error(
+          "{} needs more than {} steps at tolerance {:.3g} for {} s; take a shorter "
+          "motion, a slower one or a looser accuracy",
+          method.name,
+          kMostSteps / 8,
+          tolerance,
+          duration);
     }
   }
   grid->last = static_cast<long>(grid->times.size()) - 1;

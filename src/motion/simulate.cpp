@@ -12,7 +12,8 @@
 namespace polhode {
 namespace {
 
-constexpr int kSamplesCompared = 257;  // times at which two runs are held against each other
+constexpr int kSamplesCompared = 257;     // times at which two runs are held against each other
+constexpr double kLeastAccuracy = 1e-13;  // rad
 constexpr long kMostStepsRefined = 4'000'000;
 
 // largest attitude difference of two trajectories over the motion, rad; with six degrees of freedom
@@ -75,11 +76,13 @@ Integration refine(const StepperInfo& method,
   }
 }
 
-const StepperInfo& method_row(const std::string& name) {
+// runs `work`; an error without a key gets this one
+template <class Work>
+decltype(auto) with_key(const char* key, const Work& work) {
   try {
-    return find_stepper(name);
+    return work();
   } catch (const Error& error) {
-    throw error.at({{}, 0, "numerics.method"});
+    throw error.at({{}, 0, key});
   }
 }
 
@@ -89,7 +92,9 @@ Integration integrate(const Model& model,
                       const NumericsSpec& numerics,
                       SimulationReport& report) {
   const bool automatic = numerics.method == "auto";
-  const StepperInfo& method = method_row(automatic ? "dopri5" : numerics.method);
+  const StepperInfo& method = with_key("numerics.method", [&]() -> const StepperInfo& {
+    return find_stepper(automatic ? "dopri5" : numerics.method);
+  });
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
   if (!method.takes_loads && (model.six || !model.loads.turning.empty())) {
@@ -110,18 +115,24 @@ Integration integrate(const Model& model,
   }
   const std::optional<double> given = method.adaptive ? numerics.tolerance : numerics.step;
   if (!given) {
-    Integration found = refine(method, model, start, motion.duration, report);
+    if (report.accuracy_rad < kLeastAccuracy) {
+      throw input_error(
+          "{:.3g} rad is beyond what an integration in double precision can reach; ask "
+          "for at least {} rad",
+          report.accuracy_rad,
+          kLeastAccuracy)
+          .at({{}, 0, "numerics.accuracy"});
+    }
+    Integration found = with_key(
+        "numerics.accuracy", [&] { return refine(method, model, start, motion.duration, report); });
     report.method_reason +=
         fmt::format("; refined until two runs agree within {:.3g} rad", report.accuracy_rad);
     return found;
   }
   report.step = numerics.step;
   report.tolerance = numerics.tolerance;
-  try {
-    return run(method, model, start, motion.duration, *given);
-  } catch (const Error& error) {
-    throw error.at({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"});
-  }
+  return with_key(method.adaptive ? "numerics.tolerance" : "numerics.step",
+                  [&] { return run(method, model, start, motion.duration, *given); });
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ DriftWatch::DriftWatch(const Model& model, const State& start)
       momentum_(conserved_momentum(model, start)),
       energy_scale_(or_one(0.5 * start.y.dot(angular_velocity(model, start.y)) +
                            model.chi_P.norm() +
-                           std::abs(potential_of(model.loads.turning, start.q, start.place_S)))),
+                           potential_scale(model.loads.turning, start.q, start.place_S))),
       momentum_scale_(or_one(
           std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {
   if (keeps_energy(model)) worst_.energy = 0.0;

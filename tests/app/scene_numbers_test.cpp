@@ -240,5 +240,48 @@ TEST(SceneNumbers, GoryachevAndChaplyginsIntegralIsKept) {
     EXPECT_NEAR((integral(t) - integral(0.0)) / scale, 0.0, 1e-5) << t;
 }
 
+TEST(SceneNumbers, DampingShrinksTheMomentum) {
+  const Solved solved = solved_scene("damped_top");
+  EXPECT_EQ(solved.simulation.report.model, "asymmetric");
+  const Motion& motion = solved.simulation.motion;
+  const double left = motion.at(std::log(10.0) / 0.3).L_S.norm() / motion.at(0.0).L_S.norm();
+  EXPECT_NEAR(left, 0.1, 1e-12);
+  EXPECT_NEAR(std::log(10.0) / 0.3, 7.7, 0.03);
+}
+
+TEST(SceneNumbers, CoupleAndSingleForce) {
+  const Solved couple = solved_scene("force_couple");
+  EXPECT_EQ(couple.simulation.motion.at(5.0).center_S, Vec3::Zero());
+  const double I = couple.model.moments[0];
+  EXPECT_NEAR(2 * kPi * std::sqrt(I / (0.7 * 0.6)), 1.6, 0.05);
+  const Solved single = solved_scene("single_force");
+  EXPECT_NEAR(single.simulation.motion.at(2.0).center_S.z(), 0.35 * 4.0 / 2 / 0.9, 1e-12);
+}
+
+TEST(SceneNumbers, TheBoxOnASpringKeepsItsEnergy) {
+  const Solved solved = solved_scene("spring");
+  EXPECT_EQ(solved.simulation.report.model, "ode6");
+  const Motion& motion = solved.simulation.motion;
+  for (const double t : {2.0, 8.0}) {
+    const Sample s = motion.at(t);
+    const Vec3 corner = point_position(motion.model(), s, Vec3(0.05, 0.07, 0.1));
+    const double stretch = corner.norm() - 0.3;
+    const double energy = 0.5 * s.reference_velocity_S.squaredNorm() + 0.5 * s.w_S.dot(s.L_S) +
+                          9.81 * s.center_S.z() + 20 * stretch * stretch;
+    EXPECT_NEAR(energy, s.energy, 1e-12);
+    EXPECT_NEAR(energy, motion.at(0.0).energy, 1e-4);
+  }
+}
+
+TEST(SceneNumbers, TheDiscSpinsUp) {
+  const Solved solved = solved_scene("spin_up");
+  EXPECT_NEAR(solved.model.moments[2], 0.0125, 1e-12);
+  const Motion& motion = solved.simulation.motion;
+  for (const double t : {1.0, 6.0}) {
+    EXPECT_NEAR(motion.at(t).w_B.z(), 2 + 4 * t, 1e-6);
+    EXPECT_NEAR(motion.at(t).w_B.head<2>().norm(), 2.5, 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace polhode

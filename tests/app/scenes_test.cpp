@@ -53,7 +53,7 @@ TEST_P(EveryScene, RendersOneSmallFrame) {
       other += std::equal(image.at(x, y), image.at(x, y) + 3, image.at(0, 0)) ? 0 : 1;
     }
   }
-  EXPECT_GT(other, 240 * 136 / 80);
+  EXPECT_GT(other, 240 * 136 / 100);
   EXPECT_LT(other, 240 * 136 * 3 / 4);
 }
 

@@ -146,9 +146,24 @@ ShowSpec only(const std::string& name) {
   return show;
 }
 
+// a force, a couple and a spring
+MotionSpec pulled() {
+  MotionSpec spec = wobbling();
+  spec.torque.resize(3);
+  spec.torque[0].kind = "force";
+  spec.torque[0].space = Vec3(0, 0, 0.1);
+  spec.torque[1].kind = "couple";
+  spec.torque[1].body = Vec3(0, 0.1, 0);
+  spec.torque[1].at = Vec3(0, 0, 0.1);
+  spec.torque[1].opposite = Vec3(0, 0, -0.1);
+  spec.torque[2].kind = "spring";
+  spec.torque[2].k = 0.2;
+  return spec;
+}
+
 TEST(Shown, EachNameAddsItsOwnMarks) {
   struct Count {
-    std::size_t arrows = 0, meshes = 0, arcs = 0, cones = 0;
+    std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
     bool operator==(const Count&) const = default;
   };
   const std::map<std::string, Count> wanted = {{"", {}},
@@ -161,6 +176,7 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
                                                {"body_cone", {.cones = 1}},
                                                {"precession_cone", {.cones = 1}},
                                                {"pivot", {.meshes = 1}},
+                                               {"forces", {.arrows = 3, .rods = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
                                                {"angles", {.arcs = 3}}};
@@ -168,12 +184,16 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
     const bool heavy = name == "precession_cone" || name == "pivot";
-    const Composer picture = heavy ? composer(cone_body(), spinning_on_pivot(), only(name))
-                                   : composer(prolate_body(), wobbling(), only(name));
+    const MotionSpec motion = heavy              ? spinning_on_pivot()
+                              : name == "forces" ? pulled()
+                                                 : wobbling();
+    const Composer picture = composer(heavy ? cone_body() : prolate_body(), motion, only(name));
     const Marks marks = picture.marks_at(picture.stage().motion.at(0.5));
-    EXPECT_TRUE(
-        (Count{marks.arrows.size(), marks.meshes.size(), marks.arcs.size(), marks.cones.size()} ==
-         count));
+    EXPECT_TRUE((Count{marks.arrows.size(),
+                       marks.meshes.size(),
+                       marks.rods.size(),
+                       marks.arcs.size(),
+                       marks.cones.size()} == count));
   }
 }
 

@@ -41,12 +41,11 @@ State raw_state(const StateVector<N>& v) {
 // The attitude is scaled back to unit length; what the vector does not carry stays as it was.
 template <int N>
 void set_state(const StateVector<N>& v, State& s) {
-  const State raw = raw_state<N>(v);
-  s.q = normalized(raw.q);
-  s.y = raw.y;
+  s.q = normalized(Quat(Eigen::Vector4d(v.template head<4>())));
+  s.y = v.template segment<3>(4);
   if constexpr (N == kSixDegrees) {
-    s.place_S = raw.place_S;
-    s.impulse_S = raw.impulse_S;
+    s.place_S = v.template segment<3>(7);
+    s.impulse_S = v.template segment<3>(10);
   }
 }
 
@@ -54,16 +53,17 @@ void set_state(const StateVector<N>& v, State& s) {
 // through q as it is, so that the vector field is smooth and the order of the method is kept.
 template <int N>
 StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
-  const State s = raw_state<N>(v);
-  const Vec3 w_P = angular_velocity(m, s.y);
-  Vec3 y_rate = momentum_rate(m, s.y, up_in_body(m, s.q));
+  const Quat q(Eigen::Vector4d(v.template head<4>()));
+  const Vec3 y = v.template segment<3>(4);
   StateVector<N> rate;
-  if constexpr (N == kThreeDegrees) {
-    if (!m.loads.turning.empty()) y_rate += torque_of_loads(m, t, s);
-    rate << attitude_rate(s.q, w_P).coeffs(), y_rate;
-  } else {
-    y_rate += torque_of_loads(m, t, s);
-    rate << attitude_rate(s.q, w_P).coeffs(), y_rate, s.impulse_S / m.body.mass, force(m, t, s);
+  rate.template head<4>() = attitude_rate(q, angular_velocity(m, y)).coeffs();
+  rate.template segment<3>(4) = momentum_rate(m, y, up_in_body(m, q));
+  if (!m.loads.turning.empty()) {
+    rate.template segment<3>(4) += torque_of_loads(m, t, raw_state<N>(v));
+  }
+  if constexpr (N == kSixDegrees) {
+    rate.template segment<3>(7) = v.template segment<3>(10) / m.body.mass;
+    rate.template segment<3>(10) = force(m, t, raw_state<N>(v));
   }
   return rate;
 }

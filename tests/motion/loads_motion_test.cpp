@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// Motions under torques and forces, against closed forms.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "math/so3.h"
+#include "motion/simulate.h"
+#include "support/expect_error.h"
+#include "support/motions.h"
+#include "support/residual.h"
+
+namespace polhode {
+namespace {
+
+using test::expect_input_error;
+using test::expect_residual;
+
+LoadSpec load(const std::string& kind) {
+  LoadSpec spec;
+  spec.kind = kind;
+  return spec;
+}
+
+// 1 kg with these moments
+BodySpec body_with(const Vec3& moments) {
+  BodySpec body;
+  body.moments = moments;
+  return body;
+}
+
+Simulation solved(const BodySpec& body, const MotionSpec& spec, const NumericsSpec& numerics = {}) {
+  return simulate(make_model(body, spec), spec, numerics, 1e-11);
+}
+
+MotionSpec spun(const Vec3& spin_B, double duration = 4.0) {
+  MotionSpec spec;
+  spec.duration = duration;
+  spec.attitude.zxz = Vec3(0.3, 0.7, -0.2);
+  spec.spin.body = spin_B;
+  return spec;
+}
+
+double turn_between(const Sample& a, const Sample& b) {
+  return rotation_angle_between(a.q_SB, b.q_SB);
+}
+
+TEST(Torque, InSpaceChangesMomentumLinearly) {
+  MotionSpec spec = spun({0.4, -0.1, 1.0});
+  spec.torque = {load("constant")};
+  spec.torque[0].space = Vec3(0.3, 0.2, -0.5);
+  for (const Vec3& moments : {Vec3(1, 1, 1), Vec3(1, 1, 1.6), Vec3(1, 1.3, 1.7)}) {
+    const Simulation s = solved(body_with(moments), spec);
+    EXPECT_EQ(s.report.model, "ode");
+    EXPECT_FALSE(s.report.record.drift.energy.has_value());
+    EXPECT_FALSE(s.report.record.drift.momentum.has_value());
+    const Vec3 L = s.motion.at(0.0).L_S;
+    for (const double t : {1.3, 4.0}) {
+      const Vec3 wanted = L + t * *spec.torque[0].space;
+      expect_residual("L0 + tau t", (s.motion.at(t).L_S - wanted).norm(), 2e-11);
+    }
+  }
+}
+
+TEST(Torque, AboutAPrincipalAxisSpinsUp) {
+  MotionSpec spec = spun({0, 0, 0.5});
+  spec.torque = {load("constant")};
+  spec.torque[0].body = Vec3(0, 0, 0.8);
+  const Motion motion = solved(body_with({1, 1.3, 1.6}), spec).motion;
+  for (const double t : {1.0, 3.7}) {
+    const double angle = 0.5 * t + 0.5 * 0.8 / 1.6 * t * t;
+    const Quat wanted = motion.at(0.0).q_SB * exp_rotation({0, 0, angle});
+    expect_residual("half tau t^2 / I", rotation_angle_between(motion.at(t).q_SB, wanted), 1e-11);
+    expect_residual("omega", std::abs(motion.at(t).w_B.z() - 0.5 - 0.5 * t), 1e-11);
+  }
+}
+
+TEST(Torque, HarmonicOneSwingsTheSpin) {
+  MotionSpec spec = spun({0, 0, 0});
+  spec.torque = {load("constant")};
+  spec.torque[0].body = Vec3(0, 0.8, 0);
+  spec.torque[0].rate = 5.0;
+  spec.torque[0].phase = 0.3;
+  const Motion motion = solved(body_with({1, 1.3, 1.6}), spec).motion;
+  for (const double t : {0.7, 3.9}) {
+    const double spin = 0.8 / 1.3 / 5.0 * (std::sin(5.0 * t + 0.3) - std::sin(0.3));
+    expect_residual("sine", std::abs(motion.at(t).w_B.y() - spin), 1e-11);
+  }
+}
+
+// the classical method keeps its order when the torque depends on time
+TEST(Torque, OrderIsKeptInTime) {
+  MotionSpec spec = spun({0.4, -0.1, 1.0}, 2.0);
+  spec.torque = {load("constant")};
+  spec.torque[0].body = Vec3(0.5, 0.8, -0.3);
+  spec.torque[0].rate = 3.0;
+  const BodySpec body = body_with({1, 1.3, 1.7});
+  const Motion exact = solved(body, spec).motion;
+  for (const auto& [method, order] : {std::pair{"explicit_euler", 1.0}, {"rk4", 4.0}}) {
+    NumericsSpec numerics;
+    numerics.method = method;
+    double last = 0.0;
+    for (const double step : {0.04, 0.02}) {
+      numerics.step = step;
+      const double error = turn_between(solved(body, spec, numerics).motion.at(2.0), exact.at(2.0));
+      if (last > 0.0) {
+        EXPECT_NEAR(std::log2(last / error), order, 0.15) << method;
+      }
+      last = error;
+    }
+  }
+}
+
+// -c L: the closed forms in rescaled time against the equations of motion
+TEST(Damping, RescaledTimeIsTheMotion) {
+  BodySpec rotator;
+  rotator.points = {{1.0, {0, 0, 1}}, {1.0, {0, 0, -1}}};
+  const std::pair<std::string, BodySpec> cases[] = {{"spherical", body_with({1, 1, 1})},
+                                                    {"symmetric", body_with({1, 1, 1.7})},
+                                                    {"asymmetric", body_with({1, 1.3, 1.7})},
+                                                    {"symmetric", rotator}};
+  for (const auto& [model, body] : cases) {
+    SCOPED_TRACE(model);
+    const bool is_rotator = !body.points.empty();
+    MotionSpec spec = spun(is_rotator ? Vec3(2, 1, 0) : Vec3(2.0, 1.5, 3.0), 6.0);
+    spec.torque = {load("damping")};
+    spec.torque[0].c = 0.35;
+    const Simulation exact = solved(body, spec);
+    EXPECT_EQ(exact.report.model, model);
+    EXPECT_EQ(exact.report.method, "exact");
+    NumericsSpec numerics;
+    numerics.model = "ode";
+    numerics.tolerance = 1e-14;
+    numerics.method = "dopri5";
+    const Simulation integrated = solved(body, spec, numerics);
+    const Vec3 L = exact.motion.at(0.0).L_S;
+    for (const double t : {0.5, 3.0, 6.0}) {
+      const Sample s = exact.motion.at(t);
+      expect_residual("L", (s.L_S - std::exp(-0.35 * t) * L).norm() / L.norm(), 1e-14);
+      expect_residual("attitude", turn_between(s, integrated.motion.at(t)), 1e-10);
+      expect_residual("omega", (s.w_B - integrated.motion.at(t).w_B).norm(), 1e-10);
+    }
+  }
+}
+
+TEST(Damping, OfSpinSlowsASphereDown) {
+  MotionSpec spec = spun({0.4, -0.1, 1.0});
+  spec.torque = {load("damping")};
+  spec.torque[0].c = 0.6;
+  spec.torque[0].of = "spin";
+  const Simulation s = solved(body_with({2, 2, 2}), spec);
+  EXPECT_EQ(s.report.model, "ode");
+  const Vec3 w = s.motion.at(0.0).w_S;
+  for (const double t : {1.0, 4.0})
+    expect_residual("exp", (s.motion.at(t).w_S - std::exp(-0.3 * t) * w).norm(), 1e-11);
+}
+
+// a spring on the centre of mass: a harmonic oscillator, and a rotation that knows nothing of it
+TEST(Spring, OnTheCenterIsAnOscillator) {
+  BodySpec body = body_with({1, 1.3, 1.7});
+  body.mass = 2.0;
+  MotionSpec spec = spun({0.4, -0.1, 1.0}, 5.0);
+  spec.position = Vec3(1, 0.5, 0);
+  spec.velocity = Vec3(0, 0.3, -0.2);
+  const Motion free = solved(body, spec).motion;
+  spec.torque = {load("spring")};
+  spec.torque[0].k = 8.0;
+  const Simulation s = solved(body, spec);
+  EXPECT_EQ(s.report.model, "ode6");
+  for (const double t : {0.4, 2.9, 5.0}) {
+    const Vec3 wanted = spec.position * std::cos(2 * t) + spec.velocity * std::sin(2 * t) / 2;
+    expect_residual("cosine", (s.motion.at(t).center_S - wanted).norm(), 1e-10);
+    expect_residual("rotation", turn_between(s.motion.at(t), free.at(t)), 1e-10);
+    expect_residual("energy", std::abs(s.motion.at(t).energy - s.motion.at(0).energy), 1e-10);
+  }
+}
+
+// on a corner it turns the body too; dP/dt = F and dL/dt = tau along the motion (notes, eqs. 19,
+// 21)
+TEST(Spring, OnACornerKeepsEnergyAndObeysNewton) {
+  BodySpec body = body_with({0.02, 0.03, 0.04});
+  MotionSpec spec = spun({1.0, -0.4, 2.0}, 3.0);
+  spec.gravity = Vec3(0, 0, -9.81);
+  spec.position = Vec3(0.2, 0.1, -1);
+  spec.torque = {load("spring")};
+  spec.torque[0].k = 30.0;
+  spec.torque[0].length = 0.6;
+  spec.torque[0].at = Vec3(0.1, 0.15, 0.05);
+  const Simulation s = solved(body, spec);
+  EXPECT_EQ(s.report.model, "ode6");
+  EXPECT_LT(s.report.record.drift.energy.value(), 1e-9);
+  EXPECT_FALSE(s.report.record.drift.momentum.has_value());
+  const Model& model = s.motion.model();
+  const double h = 1e-4;
+  for (const double t : {0.5, 1.4, 2.8}) {
+    const Sample now = s.motion.at(t);
+    const Sample before = s.motion.at(t - h), after = s.motion.at(t + h);
+    const Vec3 corner = point_position(model, now, *spec.torque[0].at);
+    const Vec3 pull = -30.0 * (corner.norm() - 0.6) * corner.normalized();
+    const Vec3 acceleration = (after.reference_velocity_S - before.reference_velocity_S) / (2 * h);
+    EXPECT_LT((acceleration - pull - *spec.gravity).norm(), 1e-4);
+    const Vec3 torque = (corner - now.center_S).cross(pull);
+    EXPECT_LT(((after.L_S - before.L_S) / (2 * h) - torque).norm(), 1e-5);
+  }
+}
+
+// notes, eq. 22: the couple gives the same motion wherever its two points are moved; a single force
+// does not
+TEST(Couple, IsTheSameForEveryPairOfPointsAndASingleForceIsNot) {
+  BodySpec body = body_with({1, 1.3, 1.7});
+  const auto moved = [&](const char* kind, const Vec3& shift) {
+    MotionSpec spec = spun({0.4, -0.1, 1.0});
+    spec.torque = {load(kind)};
+    spec.torque[0].space = Vec3(0.2, 0.1, -0.3);
+    spec.torque[0].at = Vec3(0.5, 0, 0.2) + shift;
+    if (std::string(kind) == "couple") spec.torque[0].opposite = Vec3(-0.5, 0.1, 0) + shift;
+    return solved(body, spec);
+  };
+  const Vec3 shift(0.3, -0.8, 0.4);
+  const Simulation couple = moved("couple", Vec3::Zero());
+  const Simulation other = moved("couple", shift);
+  EXPECT_LT(couple.report.record.drift.energy.value(), 1e-9);
+  const Simulation single = moved("force", Vec3::Zero());
+  const Simulation far = moved("force", shift);
+  EXPECT_EQ(single.report.model, "ode") << "its path is known in closed form";
+  for (const double t : {2.0, 4.0}) {
+    expect_residual("couple", turn_between(couple.motion.at(t), other.motion.at(t)), 2e-11);
+    EXPECT_EQ(couple.motion.at(t).center_S, Vec3::Zero());
+    EXPECT_GT(turn_between(single.motion.at(t), far.motion.at(t)), 0.1);
+    // both single forces move the centre of mass alike
+    const Vec3 parabola = 0.5 * t * t * Vec3(0.2, 0.1, -0.3);
+    EXPECT_LT((single.motion.at(t).center_S - parabola).norm(), 1e-14);
+    EXPECT_LT((far.motion.at(t).center_S - parabola).norm(), 1e-14);
+    expect_residual("energy", std::abs(far.motion.at(t).energy - far.motion.at(0).energy), 1e-10);
+  }
+}
+
+// a rocket: a force fixed in the body pushes where the body points
+TEST(Force, FixedInTheBodyNeedsSixDegrees) {
+  MotionSpec spec = spun({0, 0, 2.0}, 3.0);
+  spec.attitude = {};
+  spec.torque = {load("force")};
+  spec.torque[0].body = Vec3(0.7, 0, 0);
+  const Simulation s = solved(body_with({1, 1.3, 1.7}), spec);
+  EXPECT_EQ(s.report.model, "ode6");
+  for (const double t : {1.0, 3.0}) {
+    // the integral of 0.7 (cos 2t, sin 2t), twice
+    const Vec3 wanted(0.7 * (1 - std::cos(2 * t)) / 4, 0.7 * (t / 2 - std::sin(2 * t) / 4), 0);
+    expect_residual("path", (s.motion.at(t).center_S - wanted).norm(), 1e-10);
+  }
+}
+
+TEST(Force, OnAPivotTurnsTheBodyOnly) {
+  BodySpec body = body_with({1, 1.3, 1.7});
+  body.about = "pivot";
+  MotionSpec spec = spun({0.4, -0.1, 1.0});
+  spec.hold = "pivot";
+  spec.gravity = Vec3(0, 0, 0);
+  spec.torque = {load("force")};
+  spec.torque[0].at = Vec3(0, 0, 0.5);
+  spec.torque[0].space = Vec3(0, 0, -2.0);
+  // a weight of 2 N at 0.5 m is gravity on a centre of mass there
+  BodySpec heavy = body;
+  heavy.mass = 2.0;
+  heavy.center_of_mass = Vec3(0, 0, 0.5);
+  heavy.mathematical = true;
+  MotionSpec by_gravity = spec;
+  by_gravity.torque.clear();
+  by_gravity.gravity = Vec3(0, 0, -1.0);
+  const Simulation a = solved(body, spec);
+  const Simulation b = solved(heavy, by_gravity);
+  for (const double t : {1.0, 4.0})
+    expect_residual("weight", turn_between(a.motion.at(t), b.motion.at(t)), 5e-11);
+}
+
+TEST(Models, BiggerOnesGiveTheSameAndSmallerOnesAreRefused) {
+  MotionSpec flight = spun({0.4, -0.1, 1.0}, 2.0);
+  flight.gravity = Vec3(0, 0, -9.81);
+  flight.velocity = Vec3(1, 0, 3);
+  const BodySpec body = body_with({1, 1.3, 1.7});
+  const Simulation least = solved(body, flight);
+  EXPECT_EQ(least.report.model, "asymmetric");
+  for (const char* bigger : {"ode", "ode6"}) {
+    NumericsSpec numerics;
+    numerics.model = bigger;
+    const Simulation s = solved(body, flight, numerics);
+    EXPECT_EQ(s.report.model, bigger);
+    for (const double t : {0.5, 2.0}) {
+      expect_residual(bigger, turn_between(s.motion.at(t), least.motion.at(t)), 2e-11);
+      expect_residual(
+          bigger, (s.motion.at(t).center_S - least.motion.at(t).center_S).norm(), 2e-11);
+      expect_residual(bigger, std::abs(s.motion.at(t).energy - least.motion.at(t).energy), 1e-9);
+    }
+  }
+
+  const auto refused = [&](const MotionSpec& spec, const NumericsSpec& numerics) {
+    return [=, &body] {
+      solved(body, spec, numerics);
+    };
+  };
+  NumericsSpec numerics;
+  numerics.model = "ode";
+  MotionSpec sprung = flight;
+  sprung.torque = {load("spring")};
+  sprung.torque[0].k = 1.0;
+  expect_input_error(refused(sprung, numerics), "numerics.model", "depends on where the body is");
+  numerics.model = "asymmetric";
+  expect_input_error(refused(sprung, numerics), "numerics.model", "torques act");
+  numerics.model = "ode6";
+  MotionSpec held = spun({0.4, -0.1, 1.0});
+  held.hold = "pivot";
+  expect_input_error(refused(held, numerics), "numerics.model", "fixed point");
+  numerics = {};
+  numerics.method = "implicit_midpoint";
+  expect_input_error(refused(sprung, numerics), "numerics.method", "dopri5 and rk4 do");
+}
+
+}  // namespace
+}  // namespace polhode
