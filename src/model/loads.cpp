@@ -67,7 +67,7 @@ void check_keys_of(const LoadSpec& spec, const std::string& path) {
   for (const std::string& name : given) {
     if (contains(known, name)) continue;
     throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
-        .at({{}, 0, path + "." + name});
+        .at({{}, 0, fmt::format("{}.{}", path, name)});
   }
 }
 

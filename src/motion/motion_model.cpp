@@ -16,19 +16,19 @@ std::string against_free(const Model& model) {
 }
 
 std::string why_not_spherical(const Model& model) {
-  if (const std::string wrong = against_free(model); !wrong.empty()) return wrong;
+  if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.shape == TopKind::Shape::spherical) return {};
   return "the three moments are not equal (" + model.kind.name() + ")";
 }
 
 std::string why_not_symmetric(const Model& model) {
-  if (const std::string wrong = against_free(model); !wrong.empty()) return wrong;
+  if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.symmetric()) return {};
   return "no two moments are equal, or all three are (" + model.kind.name() + ")";
 }
 
 std::string why_not_asymmetric(const Model& model) {
-  if (const std::string wrong = against_free(model); !wrong.empty()) return wrong;
+  if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.shape == TopKind::Shape::asymmetric) return {};
   return "two moments are equal (" + model.kind.name() + ")";
 }
