@@ -38,6 +38,7 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
 
 // Throws Error (input) when a file that will be written is one that is needed: nobody's scene is
 // overwritten by a slip of the keyboard.
+// Also when it has a scene file's ending.
 void refuse_same_file(const std::string& written,
                       const std::string& what,
                       const std::filesystem::path& needed);

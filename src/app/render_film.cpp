@@ -192,8 +192,8 @@ void render_film(const RenderJob& job) {
                     frame_size(scene));
   });
 
-  for (const std::string& warning : composer.warnings())
-    spdlog::warn("{}: {}", scene.file, warning);
+  for (const Error& warning : composer.warnings())
+    spdlog::warn("{}", placed(scene, warning).what());
 
   // open the drawing side; the threads that start here are the rasteriser's
   const std::set<int> threads_before = thread_ids();

@@ -57,7 +57,11 @@ AtomicFile::AtomicFile(fs::path target)
   }
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done
-  lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (fs::is_symlink(part_, ignored)) {
+    throw input_error("'{}' is a link; remove it or choose another output", part_.string())
+        .at(place);
+  }
+  lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0) {
     throw input_error(
         "cannot create '{}' ({}); choose another output", part_.string(), std::strerror(errno))

@@ -81,7 +81,9 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
           "{} has no option {}{}", command.get_name(), unknown, suggestion(unknown, known));
     }
     const std::vector<std::string> left = app.remaining(true);
-    text = fmt::format("'{}' is one word too many", left.empty() ? "" : left.front());
+    const std::string word = left.empty() ? "" : left.front();
+    text = word.starts_with("-") ? fmt::format("'{}' belongs behind the command", word)
+                                 : fmt::format("'{}' is one word too many", word);
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     // "--size: 1 required TEXT missing" in several wordings; the first word is the option
     text = text.substr(0, text.find(':')) + " needs a value";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Eigenvalues>
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double kThinDisc = 0.03;   // thickness over radius
 constexpr double kThinRing = 0.025;  // tube over radius
 constexpr double kThinRod = 0.012;   // radius over length
+constexpr int kCoarse = 16;          // pieces of a circle, the least that looks round
 constexpr double kFlattest = 0.05;   // least over largest semi-axis of a drawn ellipsoid
 
 std::vector<Vec2> upwards(std::vector<Vec2> profile) {
@@ -52,6 +54,14 @@ float mark_width_of(const Mesh& mesh) {
   return kShare * reach;
 }
 
+// how far a mesh reaches from its own origin
+double reach_of(const Mesh& mesh) {
+  double reach = 0.0;
+  for (const Vertex& v : mesh.vertices)
+    reach = std::max(reach, to_eigen(v.position).norm());
+  return reach;
+}
+
 LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, const Theme& theme) {
   Material material;
   material.color = color;
@@ -60,11 +70,15 @@ LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, cons
   return {std::make_shared<const Mesh>(std::move(mesh)), place, material};
 }
 
-LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments) {
+// `segments` are those of a circle as large as the body
+LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments, double body_reach) {
   Placement place = Placement::Identity();
   place.linear() = from_xyz_turns(solid.turn);
   place.translation() = solid.at;
-  return painted(solid_mesh(solid, segments),
+  // a chord's distance from its arc goes with the radius over the square of the pieces
+  const double size = body_reach > 0.0 ? reach_of(solid_mesh(solid, kCoarse)) / body_reach : 1.0;
+  const double pieces = std::ceil(segments * std::sqrt(std::min(1.0, size)));
+  return painted(solid_mesh(solid, std::max(kCoarse, static_cast<int>(pieces))),
                  place,
                  solid.color ? color_from_hex(*solid.color) : theme.body,
                  theme);
@@ -105,21 +119,24 @@ std::vector<LookPart> points_look(const BodySpec& spec,
     reach = std::max(reach, (point.at - model.body.center).norm());
     heaviest = std::max(heaviest, point.m);
   }
+  // one ball and one rod, placed as often as needed
+  const int fine = std::max(kCoarse, static_cast<int>(0.36 * segments));  // balls are small
+  LookPart ball = painted(unit_sphere(fine), Placement::Identity(), theme.body, theme);
+  LookPart rod = painted(unit_cylinder(fine), Placement::Identity(), theme.stand, theme);
+  rod.material.mark_width = 0.0f;
   std::vector<LookPart> look;
   for (const PointSpec& point : spec.points) {
     const Vec3 arm = point.at - model.body.center;
     const double radius = 0.13 * reach * std::cbrt(point.m / heaviest);
-    Placement ball = Placement::Identity();
-    ball.translation() = point.at;
-    look.push_back(painted(
-        scaled(unit_sphere(segments / 2), Vec3::Constant(radius)), ball, theme.body, theme));
+    ball.body_from_mesh = Placement::Identity();
+    ball.body_from_mesh.translation() = point.at;
+    ball.body_from_mesh.linear() *= radius;
+    look.push_back(ball);
     if (arm.norm() < radius) continue;
-    Placement rod = Placement::Identity();
-    rod.translation() = model.body.center;
-    rod.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), arm).toRotationMatrix();
-    const Vec3 thin(0.025 * reach, 0.025 * reach, arm.norm());
-    look.push_back(painted(scaled(unit_cylinder(segments / 3), thin), rod, theme.stand, theme));
-    look.back().material.mark_width = 0.0f;
+    rod.body_from_mesh.translation() = model.body.center;
+    rod.body_from_mesh.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), arm).toRotationMatrix() *
+                                  Vec3(0.025 * reach, 0.025 * reach, arm.norm()).asDiagonal();
+    look.push_back(rod);
   }
   return look;
 }
@@ -160,15 +177,44 @@ std::vector<LookPart> body_look(const BodySpec& spec,
       throw input_error("a look has no mass; the mass is given by the other keys of [body]")
           .at({{}, 0, spec.look->mass ? "body.look.mass" : "body.look.density"});
     }
-    return {solid_part(*spec.look, theme, segments)};
+    return {solid_part(*spec.look, theme, segments, 0.0)};
   }
   if (!spec.points.empty()) return points_look(spec, model, theme, segments);
-  if (spec.solid) return {solid_part(*spec.solid, theme, segments)};
+  if (spec.solid) return {solid_part(*spec.solid, theme, segments, 0.0)};
   if (spec.parts.empty()) return {inertia_ellipsoid(model, theme, segments)};
-  std::vector<LookPart> look;
+  // a rough look tells how large the body is, and so how fine each part must be
+  std::vector<LookPart> rough, look;
   for (const SolidSpec& part : spec.parts)
-    look.push_back(solid_part(part, theme, segments));
+    rough.push_back(solid_part(part, theme, kCoarse, 0.0));
+  const double reach = body_radius(rough, model);
+  for (const SolidSpec& part : spec.parts)
+    look.push_back(solid_part(part, theme, segments, reach));
   return look;
+}
+
+std::vector<Vec3> hull_of(const std::vector<LookPart>& look) {
+  // directions spread evenly over the sphere (Fibonacci's lattice)
+  constexpr int kDirections = 500;
+  const double golden = kPi * (3.0 - std::sqrt(5.0));
+  Eigen::Matrix<double, kDirections, 3> directions;
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
+    const double across = std::sqrt(1.0 - z * z);
+    directions.row(i) << across * std::cos(golden * i), across * std::sin(golden * i), z;
+  }
+  const std::vector<Vec3> points = points_of(look);
+  std::vector<double> farthest(kDirections, -std::numeric_limits<double>::infinity());
+  std::vector<Vec3> hull(kDirections, Vec3::Zero());
+  for (const Vec3& point : points) {
+    const Eigen::Matrix<double, kDirections, 1> reach = directions * point;
+    for (int i = 0; i < kDirections; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (reach[i] <= farthest[k]) continue;
+      farthest[k] = reach[i];
+      hull[k] = point;
+    }
+  }
+  return hull;
 }
 
 std::vector<Vec3> points_of(const std::vector<LookPart>& look) {

@@ -34,6 +34,10 @@ inline constexpr double kReachOfVectors = 1.5;
 // The distance of the farthest drawn body point from the reference point, m.
 double body_radius(const std::vector<LookPart>& look, const Model& model);
 
+// Vertices of the look that are farthest in directions all around: for framing, as good as all of
+// them to a few ten-thousandths of the body.
+std::vector<Vec3> hull_of(const std::vector<LookPart>& look);
+
 // Every vertex of the look, in body coordinates; for framing and scale.
 std::vector<Vec3> points_of(const std::vector<LookPart>& look);
 

@@ -110,33 +110,41 @@ std::vector<Vec3> Composer::points_to_frame() const {
   return points;
 }
 
-std::vector<std::string> Composer::warnings() const {
-  std::vector<std::string> found;
+std::vector<Error> Composer::warnings() const {
   const std::vector<Vec3> points = points_to_frame();
   const auto seen = [&](const Vec3& point) {
     return camera_.sees(point);
   };
   if (std::none_of(points.begin(), points.end(), seen)) {
-    found.emplace_back(
-        "the camera sees nothing of the scene; without camera.eye it frames the film by itself");
-    return found;
+    return {input_error("the camera sees nothing of the scene; without camera.eye it frames the "
+                        "film by itself")
+                .at({{}, 0, "camera.eye"})};
   }
+  if (!shows("body")) return {};
   double nearest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;  // pixels
   for (const double t : framing_times(stage_.motion)) {
-    const Sample sample = stage_.motion.at(t);
-    nearest = std::min(nearest, (camera_.eye() - sample.reference_S).norm());
+    const Vec3 middle = stage_.motion.at(t).reference_S;
+    nearest = std::min(nearest, (camera_.eye() - middle).norm());
+    if (camera_.sees(middle)) {
+      largest = std::max(largest, stage_.scale.body * camera_.pixels_per_metre(middle));
+    }
   }
-  if (shows("body") && nearest < stage_.scale.body) {
-    found.push_back(
-        fmt::format("the camera comes within {:.3g} m of the body's middle, which reaches {:.3g} m",
-                    nearest,
-                    stage_.scale.body));
+  if (nearest < stage_.scale.body) {
+    return {input_error("the camera comes within {:.3g} m of the body's middle, but the body "
+                        "reaches {:.3g} m; move it away",
+                        nearest,
+                        stage_.scale.body)
+                .at({{}, 0, "camera.eye"})};
   }
-  if (shows("body") &&
-      stage_.scale.body * camera_.pixels_per_metre(stage_.motion.at(0.0).reference_S) < 0.5) {
-    found.emplace_back("the body is smaller than a pixel at the start of the film");
+  if (largest > 0.0 && largest < 1.0) {
+    return {
+        input_error("the body, {:.3g} m, is never as large as a pixel; the film goes too far or "
+                    "the camera stands too far away",
+                    stage_.scale.body)
+            .at({{}, 0, "camera"})};
   }
-  return found;
+  return {};
 }
 
 double attitude_tolerance(const CameraSpec& camera,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "frame/elements.h"
 
 namespace polhode {
@@ -22,9 +23,9 @@ class Composer {
            FrameSize size);
 
   DrawList at(double t) const;
-  // What a viewer of this film may miss, one line each: a camera of the scene's own that sees
-  // nothing or is inside the body, a body smaller than a pixel.
-  std::vector<std::string> warnings() const;
+  // What a viewer of this film may miss, with the key at fault: a camera of the scene's own that
+  // sees nothing or is inside the body, a body smaller than a pixel.
+  std::vector<Error> warnings() const;
 
   const Camera& camera() const { return camera_; }
   const Stage& stage() const { return stage_; }

@@ -105,6 +105,8 @@ void add_body(const Stage& stage, const Sample& sample, Marks& marks) {
     material.alpha = static_cast<float>(stage.body_opacity);
     marks.meshes.push_back({part.mesh, space_from_body * part.body_from_mesh, material});
   }
+  for (const Vec3& point_B : stage.hull_B)
+    marks.reach.push_back(space_from_body * point_B);
 }
 
 void add_body_axes(const Stage& stage, const Sample& sample, Marks& marks) {
@@ -204,6 +206,11 @@ void add_stand(const Stage& stage, const Sample&, Marks& marks) {
   place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix() *
                    (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
   marks.meshes.push_back({stage.stand, place, plain(stage.theme.stand, 0.3f)});
+  // corners around the foot
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0})
+      marks.reach.push_back(place * Vec3(x, y, 0.0));
+  }
 }
 
 // V + Omega x r (notes, section 0.1) at points of the body
@@ -327,12 +334,14 @@ Stage make_stage(const Motion& motion,
               theme,
               body_look(body, motion.model(), theme, segments),
               {},
+              {},
               std::make_shared<const Mesh>(unit_sphere(std::max(16, segments / 4))),
               std::make_shared<const Mesh>(unit_cone(segments)),
               show.body_opacity,
               show.points,
               {}};
-  stage.field_points_B = spread(points_of(stage.look), kFieldPoints);
+  stage.hull_B = hull_of(stage.look);
+  stage.field_points_B = spread(stage.hull_B, kFieldPoints);
   double radius = body_radius(stage.look, motion.model());
   for (const Vec3& point : show.points)
     radius = std::max(radius, (point - motion.model().reference_B()).norm());
@@ -356,6 +365,10 @@ void add_points(const Stage& stage, const Sample& sample, bool from_origin, Mark
     place.translation() = at;
     place.linear() *= kBallRadius * stage.scale.body;
     marks.meshes.push_back({stage.ball, place, material});
+    for (int i = 0; i < 3; ++i) {
+      marks.reach.push_back(place * Vec3::Unit(i));
+      marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
+    }
     add_vector(stage, sample.reference_S, at, kAxisShape, material, marks);
     if (from_origin) add_vector(stage, Vec3::Zero(), at, kAxisShape, material, marks);
   }

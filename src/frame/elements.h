@@ -28,8 +28,9 @@ struct Stage {
   Theme theme;
   std::vector<LookPart> look;
   Scale scale;
-  MeshPtr ball;   // unit sphere
-  MeshPtr stand;  // unit cone, its apex under the pivot
+  std::vector<Vec3> hull_B;  // of the look, m
+  MeshPtr ball;              // unit sphere
+  MeshPtr stand;             // unit cone, its apex under the pivot
   double body_opacity = 1.0;
   std::vector<Vec3> points_B;        // points of the body that the scene names, m
   std::vector<Vec3> field_points_B;  // where the velocity field is drawn, m

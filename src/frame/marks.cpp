@@ -48,10 +48,7 @@ void add_extent(const Marks& marks, std::vector<Vec3>& points) {
     points.push_back(rod.from);
     points.push_back(rod.to);
   }
-  for (const MeshMark& mark : marks.meshes) {
-    for (const Vertex& vertex : mark.mesh->vertices)
-      points.push_back(mark.space_from_mesh * to_eigen(vertex.position));
-  }
+  points.insert(points.end(), marks.reach.begin(), marks.reach.end());
   for (const ArcMark& arc : marks.arcs) {
     for (int i = 0; i <= kPiecesOfArc; ++i)
       points.push_back(point_of(arc, static_cast<double>(i) / kPiecesOfArc));

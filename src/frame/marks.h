@@ -47,6 +47,7 @@ struct Marks {
   std::vector<RodMark> rods;
   std::vector<ArcMark> arcs;
   std::vector<Cone> cones;  // with a common apex
+  std::vector<Vec3> reach;  // points that the meshes do not go beyond
 };
 
 // The point at the fraction `part` (0..1) of an arc.

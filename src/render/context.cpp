@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/context.h"
 
+#include <cstdlib>
+
+#include <sys/resource.h>
+
 #include "base/error.h"
 #include "base/log.h"
 #include "base/nearest.h"
@@ -22,7 +26,24 @@ std::vector<std::string> backend_names() {
   return names;
 }
 
+namespace {
+
+// Mesa's software rasteriser crashes when it finds no memory, and says nothing
+void refuse_little_memory() {
+  constexpr rlim_t kLeast = rlim_t{768} << 20;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= kLeast) return;
+  throw environment_error("out of memory: the limit is {} MB (ulimit -v), and drawing needs {} MB",
+                          limit.rlim_cur >> 20,
+                          kLeast >> 20);
+}
+
+}  // namespace
+
 std::unique_ptr<Context> open_context(const std::string& name) {
+  refuse_little_memory();
+  // what is wrong is told in our own words
+  setenv("EGL_LOG_LEVEL", "fatal", 0);
   std::string reasons;
   for (const Backend& backend : backends()) {
     if (name == backend.name) return backend.open();

@@ -117,6 +117,15 @@ TEST_F(AtomicFileTest, refuses_a_folder_as_target) {
   EXPECT_TRUE(fs::is_directory(folder_));
 }
 
+// a link where the temporary file goes would have its target overwritten
+TEST_F(AtomicFileTest, refuses_a_link_as_temporary_file) {
+  const fs::path victim = folder_ / "victim";
+  std::ofstream(victim) << "precious";
+  fs::create_symlink(victim, folder_ / "out.txt.part");
+  EXPECT_NE(error_of(folder_ / "out.txt").find("is a link"), std::string::npos);
+  EXPECT_EQ(read_file(victim), "precious");
+}
+
 TEST_F(AtomicFileTest, refuses_an_unwritable_folder) {
   // root may write everywhere but where the kernel itself says no
   if (geteuid() == 0) {

@@ -158,10 +158,11 @@ const BadCall kBadCalls[] = {
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
-    {"simulate SCENE -o SCENE", 2, "overwrite"},
-    {"simulate SCENE -o DIR/../scene.toml/../scene.toml", 2, "not exist"},
+    {"simulate SCENE -o SCENE", 2, "the ending of scene files"},
+    {"simulate SCENE -o DIR/scene.toml/../a.csv", 2, "not exist"},
     {"simulate SCENE -o /dev/full", 2, "ordinary file"},
-    {"render SCENE -o DIR/a.mp4 --report SCENE", 2, "overwrite"},
+    {"render SCENE -o DIR/a.mp4 --report DIR/other.toml", 2, "the ending of scene files"},
+    {"--size 12x12 render SCENE", 2, "belongs behind the command"},
     {"render SCENE -o DIR/a.mp4 --report DIR/a.mp4", 2, "overwrite"},
 };
 
@@ -224,6 +225,20 @@ TEST(Environment, AFullDiskLeavesNothing) {
   EXPECT_EQ(ran.code, 3) << ran.err;
   EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
   EXPECT_EQ(folder.entries(), 1);
+}
+
+// Mesa itself crashes below this
+TEST(Environment, LittleMemoryIsToldInOneLine) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  for (const std::string limit : {"200000", "300000", "400000", "600000"}) {
+    const Ran ran =
+        run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
+                    "ulimit -v " + limit + ";");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(folder.entries(), 1) << limit;
+  }
 }
 
 TEST(Environment, InterruptLeavesNothingAndSaysSo) {
@@ -302,7 +317,7 @@ TEST(Warnings, OfACameraThatSeesNothing) {
     const char* says;
   } cases[] = {{"eye = [5, 0, 0]\ntarget = [10, 0, 0]", "sees nothing"},
                {"eye = [0.05, 0, 0]", "comes within 0.05 m"},
-               {"eye = [1e5, 0, 0]", "smaller than a pixel"},
+               {"eye = [1e5, 0, 0]", "never as large as a pixel"},
                {"eye = [2, 0, 0]", ""},
                {"target = [0, 0, 0.1]", ""}};
   for (const auto& one : cases) {
