@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/canonical.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -86,7 +87,20 @@ nlohmann::ordered_json scene_to_json(const Scene& scene) {
 }
 
 std::string scene_hash(const Scene& scene) {
-  return content_hash(scene_to_json(scene).dump());
+  std::string content = scene_to_json(scene).dump();
+  // what the files hold counts, not only their names
+  const auto add = [&](const SolidSpec& solid) {
+    if (!solid.mesh) return;
+    for (const Vec3& point : solid.mesh->points)
+      content.append(reinterpret_cast<const char*>(point.data()), sizeof(Vec3));
+    for (const std::array<int, 3>& triangle : solid.mesh->triangles)
+      content.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
+  };
+  if (scene.body.solid) add(*scene.body.solid);
+  for (const SolidSpec& part : scene.body.parts)
+    add(part);
+  if (scene.body.look) add(*scene.body.look);
+  return content_hash(content);
 }
 
 }  // namespace polhode

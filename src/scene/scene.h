@@ -52,7 +52,8 @@ Scene parse_scene(std::string_view text, const std::string& name);
 // the file; 0 if there is none. For errors that are found after reading.
 int line_of(const Scene& scene, const std::string& key);
 
-// Hash of the scene's meaning: comments, order and units do not matter, every value does.
+// Hash of the scene's meaning: comments, order and units do not matter, every value does, and
+// what its mesh files hold.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "scene/canonical.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/scene_texts.h"
+#include "support/run.h"
 
 namespace polhode {
 namespace {
@@ -183,6 +185,20 @@ TEST(SceneHash, sees_every_value) {
     const auto [entry, is_new] = seen.emplace(hash_of(text), text);
     EXPECT_TRUE(is_new) << text << "has the hash of\n" << entry->second;
   }
+}
+
+TEST(SceneHash, sees_what_a_mesh_file_holds) {
+  const test::TemporaryFolder folder;
+  std::set<std::string> hashes;
+  for (const char* tip : {"1", "2"}) {
+    test::write_text(folder / "tip.obj",
+                     std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 ") + tip +
+                         "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    test::write_text(folder / "scene.toml",
+                     "[body]\nsolid = { kind = \"mesh\", file = \"tip.obj\", mass = 1 }\n");
+    hashes.insert(scene_hash(load_scene(folder / "scene.toml")));
+  }
+  EXPECT_EQ(hashes.size(), 2u);
 }
 
 }  // namespace
