@@ -154,6 +154,9 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     const Vec3 from_B = spec.opposite.value_or(reference_B);
     load.arm_P = R_BP.transpose() * (spec.at.value_or(center_B) - from_B);
     load.at_P = R_BP.transpose() * (spec.at.value_or(center_B) - reference_B);
+    // an arm of round-off is none: a force on the centre of mass turns nothing
+    const double reach = spec.at.value_or(center_B).norm() + from_B.norm();
+    if (load.arm_P.norm() <= 1e-14 * reach) load.arm_P.setZero();
     load.anchor_S = spec.to.value_or(Vec3::Zero());
     load.k = spec.k.value_or(0.0);
     load.length = spec.length.value_or(0.0);

@@ -155,6 +155,28 @@ void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::str
   }
 }
 
+// masses on a line take up no torque about that line
+void refuse_torque_about_line(const Model& model) {
+  if (!model.kind.rotator) return;
+  Eigen::Index line = 0;
+  model.moments.minCoeff(&line);
+  for (std::size_t i = 0; i < model.loads.listed.size(); ++i) {
+    const Load& load = model.loads.listed[i];
+    const auto refuse = [&](const char* name, const char* remedy) {
+      throw input_error("all mass lies on a line and takes up no torque about it; {}", remedy)
+          .at({{}, 0, fmt::format("motion.torque[{}].{}", i, name)});
+    };
+    if (load.kind == Load::Kind::torque) {
+      if (!load.in_body) refuse("space", "give it in body axes and across the line, or as a force");
+      if (std::abs(load.vector[line]) > 1e-12 * load.vector.norm())
+        refuse("body", "leave out the component along it");
+    }
+    Vec3 aside = load.arm_P;
+    aside[line] = 0.0;
+    if (aside.norm() > 1e-12 * load.arm_P.norm()) refuse("at", "let forces act on the line");
+  }
+}
+
 }  // namespace
 
 std::string TopKind::name() const {
@@ -278,6 +300,7 @@ Model make_model(const BodySpec& spec,
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   }
   model.loads = make_loads(loads, on_pivot, model.body.center, model.reference_B(), model.R_BP);
+  refuse_torque_about_line(model);
   return model;
 }
 

@@ -80,27 +80,37 @@ void refuse_nan(const State& s, const StepperInfo& method, double t) {
                   method.name));
 }
 
+double least_moment(const Model& model) {
+  return (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
+}
+
+// how fast a load makes a body at rest swing, 1/s; 0 for damping
+double driven_rate(const Model& model, const Load& load) {
+  const double arm = load.arm_P.norm();
+  const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
+  const double least = least_moment(model);
+  return std::sqrt(torque / least) +
+         std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least));
+}
+
 }  // namespace
 
 double typical_rate(const Model& model, const State& start) {
-  const double least_moment =
-      (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
-  double rate =
-      angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least_moment);
+  const double least = least_moment(model);
+  double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
   for (const Load& load : model.loads.turning) {
-    const double arm = load.arm_P.norm();
-    const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
-    const double damping = load.kind == Load::Kind::damp_spin ? load.c / least_moment : load.c;
-    rate += std::sqrt(torque / least_moment) + std::abs(load.rate) + damping +
-            std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least_moment));
+    const double damping = load.kind == Load::Kind::damp_spin ? load.c / least : load.c;
+    rate += driven_rate(model, load) + std::abs(load.rate) + damping;
   }
   return rate;
 }
 
 double momentum_scale(const Model& model, const State& start) {
+  // what the body has, or what drives it will give it: a start almost at rest is no scale
   const double most = model.moments.maxCoeff();
   double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
-  if (scale == 0.0) scale = most * typical_rate(model, start);
+  for (const Load& load : model.loads.turning)
+    scale = std::max(scale, most * driven_rate(model, load));
   return scale > 0.0 ? scale : 1.0;
 }
 

@@ -83,11 +83,14 @@ std::string reason_for(const MotionModel& row, const Model& model) {
   }
   if (row.six) return why_not_ode(model) + ": six degrees of freedom";
   const bool vowel = kind.front() == 'a' || kind.front() == 'o';
+  const bool loaded = !model.loads.turning.empty();
   return fmt::format("no closed form in this version for {} {} body {}{}",
                      vowel ? "an" : "a",
                      kind,
-                     heavy ? "with gravity on a pivot" : "without gravity on a pivot",
-                     model.loads.turning.empty() ? "" : " and other torques");
+                     heavy    ? "with gravity on a pivot"
+                     : loaded ? "with torques"
+                              : "without torque",
+                     heavy && loaded ? " and other torques" : "");
 }
 
 }  // namespace

@@ -14,6 +14,13 @@ Vec3 conserved_momentum(const Model& model, const State& s) {
   return model.up_S.dot(L_S) * model.up_S;
 }
 
+// energy of the centre of mass at the start, J, where the states carry it
+double energy_of_place(const Model& model, const State& s) {
+  if (!model.six) return 0.0;
+  return 0.5 * s.impulse_S.squaredNorm() / model.body.mass +
+         std::abs(potential_of_place(model, s.place_S));
+}
+
 double or_one(double scale) {
   return scale > 0.0 ? scale : 1.0;
 }
@@ -25,7 +32,7 @@ DriftWatch::DriftWatch(const Model& model, const State& start)
       energy_(energy(model, start)),
       momentum_(conserved_momentum(model, start)),
       energy_scale_(or_one(0.5 * start.y.dot(angular_velocity(model, start.y)) +
-                           model.chi_P.norm() +
+                           model.chi_P.norm() + energy_of_place(model, start) +
                            potential_scale(model.loads.turning, start.q, start.place_S))),
       momentum_scale_(or_one(
           std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {

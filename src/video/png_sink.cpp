@@ -3,7 +3,7 @@
 
 #include <deque>
 #include <filesystem>
-#include <regex>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -87,6 +87,20 @@ class PngSequenceSink final : public FrameSink {
   SinkTimes times_;
 };
 
+// A %d or %05d: how many characters it takes, and how many digits it asks for.
+struct Number {
+  std::size_t length = 2;
+  int width = 0;
+};
+
+std::optional<Number> number_at(const std::string& pattern, std::size_t percent) {
+  const std::string rest = pattern.substr(percent + 1, 3);
+  if (rest.starts_with("d")) return Number{};
+  const bool padded = rest.size() == 3 && rest[0] == '0' && rest[1] >= '1' && rest[1] <= '9';
+  if (!padded || rest[2] != 'd') return std::nullopt;
+  return Number{4, rest[1] - '0'};
+}
+
 }  // namespace
 
 std::string NumberedName::of(int index) const {
@@ -94,8 +108,11 @@ std::string NumberedName::of(int index) const {
 }
 
 bool has_frame_number(const std::string& pattern) {
-  static const std::regex number("%(0[1-9])?d");
-  return std::regex_search(pattern, number);
+  std::size_t at = pattern.find('%');
+  for (; at != std::string::npos; at = pattern.find('%', at + 1)) {
+    if (number_at(pattern, at)) return true;
+  }
+  return false;
 }
 
 NumberedName parse_numbered_name(const std::string& pattern) {
@@ -107,12 +124,9 @@ NumberedName parse_numbered_name(const std::string& pattern) {
   if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos)
     throw wrong;
 
-  // %d, or %0 and one digit and d
-  const std::string rest = pattern.substr(percent + 1);
-  const bool padded = rest.size() >= 3 && rest[0] == '0' && rest[1] >= '1' && rest[1] <= '9';
-  const std::size_t letter = padded ? 2 : 0;
-  if (rest.size() <= letter || rest[letter] != 'd') throw wrong;
-  return {pattern.substr(0, percent), rest.substr(letter + 1), padded ? rest[1] - '0' : 0};
+  const std::optional<Number> number = number_at(pattern, percent);
+  if (!number) throw wrong;
+  return {pattern.substr(0, percent), pattern.substr(percent + number->length), number->width};
 }
 
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job) {

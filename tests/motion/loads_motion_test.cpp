@@ -8,39 +8,19 @@
 #include "math/so3.h"
 #include "motion/simulate.h"
 #include "support/expect_error.h"
+#include "support/loads.h"
 #include "support/motions.h"
 #include "support/residual.h"
 
 namespace polhode {
 namespace {
 
+using test::body_with;
 using test::expect_input_error;
 using test::expect_residual;
-
-LoadSpec load(const std::string& kind) {
-  LoadSpec spec;
-  spec.kind = kind;
-  return spec;
-}
-
-// 1 kg with these moments
-BodySpec body_with(const Vec3& moments) {
-  BodySpec body;
-  body.moments = moments;
-  return body;
-}
-
-Simulation solved(const BodySpec& body, const MotionSpec& spec, const NumericsSpec& numerics = {}) {
-  return simulate(make_model(body, spec), spec, numerics, 1e-11);
-}
-
-MotionSpec spun(const Vec3& spin_B, double duration = 4.0) {
-  MotionSpec spec;
-  spec.duration = duration;
-  spec.attitude.zxz = Vec3(0.3, 0.7, -0.2);
-  spec.spin.body = spin_B;
-  return spec;
-}
+using test::load;
+using test::solved;
+using test::spun;
 
 double turn_between(const Sample& a, const Sample& b) {
   return rotation_angle_between(a.q_SB, b.q_SB);
