@@ -46,17 +46,21 @@ std::string aligned(const std::vector<Row>& rows) {
 }
 
 std::string list_methods() {
-  std::vector<Row> rows = {{"name", "order", "steps", "keeps", "source"}};
+  std::vector<Row> rows = {{"name", "order", "steps", "keeps", "besides", "limit", "source"}};
   for (const StepperInfo& m : stepper_table()) {
     Row kept;
     if (m.keeps_energy) kept.emplace_back("energy");
     if (m.keeps_momentum_norm) kept.emplace_back("|L|");
     if (m.keeps_momentum_space) kept.emplace_back("L");
     if (kept.empty()) kept.emplace_back("-");
+    std::string besides = m.symplectic ? "symplectic" : "";
+    if (m.reversible) besides += besides.empty() ? "reversible" : ", reversible";
     rows.push_back({m.name,
                     std::to_string(m.order),
                     m.adaptive ? "adaptive" : "fixed",
                     fmt::format("{}", fmt::join(kept, " ")),
+                    besides.empty() ? "-" : besides,
+                    m.limit,
                     m.source});
   }
   return aligned(rows);

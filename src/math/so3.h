@@ -24,6 +24,13 @@ Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
 // R = Rz(c) Ry(b) Rx(a): turn about x, then y, then z of the fixed axes, radians.
 Mat3 from_xyz_turns(const Vec3& turns);
 
+// The matrix of the cross product: hat(a) b = a x b.
+inline Mat3 hat(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
 // q scaled to unit length; used after steps that leave the sphere.
 Quat normalized(const Quat& q);
 

@@ -63,7 +63,7 @@ Integration refine(const StepperInfo& method,
           method.name,
           report.accuracy_rad,
           duration)
-          .at({{}, 0, "numerics.method"});
+          .at({{}, 0, "numerics.accuracy"});
     }
     Integration fine = run(method, model, start, duration, fineness);
     const double apart = difference(model, *coarse.trajectory, *fine.trajectory, duration);
@@ -97,9 +97,8 @@ Integration integrate(const Model& model,
   });
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
-  if (!method.takes_loads && (model.six || !model.loads.turning.empty())) {
-    throw input_error("{} takes no torques or forces besides gravity; dopri5 and rk4 do",
-                      method.name)
+  if (const std::string wrong = method.why_not(model); !wrong.empty()) {
+    throw input_error("{} cannot take this scene: {}", method.name, wrong)
         .at({{}, 0, "numerics.method"});
   }
   if (method.adaptive && numerics.step) {

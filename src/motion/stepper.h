@@ -37,8 +37,11 @@ struct StepperInfo {
   bool keeps_momentum_norm = false;   // |y| of a free body
   bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
   bool reversible = false;            // a step back undoes a step, to round-off
-  bool takes_loads = false;           // torques and forces besides gravity, six degrees of freedom
+  bool symplectic = false;            // of a free body, and of a heavy one if it takes it
+  std::string limit;                  // where theory says that it ends, for people
   std::string source;                 // where it comes from
+  // "" when it can take the scene, else the reason why not
+  std::string (*why_not)(const Model& model);
   // momentum_scale: a typical |y|, kg m^2/s, for the error norm
   std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale);
 };

@@ -187,6 +187,8 @@ TEST(LoadErrors, NameTheKey) {
   couple.at = Vec3::Zero();
   couple.space = Vec3::UnitX();
   second(couple, "motion.torque[1]", "needs 'opposite'");
+  couple.opposite = couple.at;
+  second(couple, "motion.torque[1].opposite", "cancel");
   LoadSpec wrong = load("constant");
   wrong.body = Vec3::UnitX();
   wrong.k = 1.0;

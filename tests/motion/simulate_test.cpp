@@ -89,7 +89,7 @@ TEST(ModelErrors, NameTheKey) {
   expect_input_error(run(askew, by("heavy_symmetric", "auto")), "numerics.model", "not on the");
   expect_input_error(run(asymmetric, by("auto", "exact")), "numerics.method", "no closed form");
   expect_input_error(run(top, by("symmetric", "rk4")), "numerics.method", "takes no method");
-  expect_input_error(run(top, by("ode", "rk5")), "numerics.method", "rk4");
+  expect_input_error(run(top, by("ode", "rk44")), "numerics.method", "rk4");
 
   NumericsSpec stepped = by("ode", "dopri5");
   stepped.step = 0.01;
@@ -102,7 +102,7 @@ TEST(ModelErrors, NameTheKey) {
   tiny.step = 1e-12;
   expect_input_error(run(top, tiny), "numerics.step", "at most");
   expect_input_error([&] { simulate(top, spinning(100.0), by("ode", "explicit_euler"), 1e-9); },
-                     "numerics.method",
+                     "numerics.accuracy",
                      "cannot reach");
 }
 

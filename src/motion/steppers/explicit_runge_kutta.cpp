@@ -27,6 +27,25 @@ class ExplicitEuler final : public Stepper {
   Model model_;
 };
 
+// The explicit midpoint rule.
+template <int N>
+class RungeKutta2 final : public Stepper {
+ public:
+  explicit RungeKutta2(const Model& model) : model_(model) {}
+
+  void step(double t, double h, State& s) override {
+    const Vector v = to_vector<N>(s);
+    const Vector k1 = derivative<N>(model_, t, v);
+    set_state<N>(v + h * derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1), s);
+    evaluations_ += 2;
+  }
+
+ private:
+  using Vector = StateVector<N>;
+
+  Model model_;
+};
+
 template <int N>
 class RungeKutta4 final : public Stepper {
  public:
@@ -113,6 +132,10 @@ std::unique_ptr<Stepper> make(const Model& model, Arguments... arguments) {
 
 std::unique_ptr<Stepper> make_explicit_euler(const Model& model, double) {
   return make<ExplicitEuler>(model);
+}
+
+std::unique_ptr<Stepper> make_rk2(const Model& model, double) {
+  return make<RungeKutta2>(model);
 }
 
 std::unique_ptr<Stepper> make_rk4(const Model& model, double) {

@@ -14,12 +14,6 @@
 namespace polhode {
 namespace {
 
-Mat3 hat(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 // solves (1 + [a]x) x = b in closed form
 Vec3 solve_one_plus_hat(const Vec3& a, const Vec3& b) {
   return (b - a.cross(b) + a * a.dot(b)) / (1.0 + a.squaredNorm());
