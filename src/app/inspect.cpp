@@ -21,7 +21,7 @@ Json list_of(const Vec3& v) {
 // evaluations that the equations of motion would take at the scene's accuracy; null: out of reach
 Json evaluations_of_ode(const Solved& solved) {
   const SimulationReport& report = solved.simulation.report;
-  if (report.method != "exact") return report.record.evaluations;
+  if (report.model == "ode" || report.model == "ode6") return report.record.evaluations;
   NumericsSpec numerics;
   numerics.model = "ode";
   try {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "motion/motion_model.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/nearest.h"
 #include "motion/exact/exact.h"
+#include "motion/stepper.h"
 
 namespace polhode {
 namespace {
@@ -44,6 +47,12 @@ std::string why_not_heavy_symmetric(const Model& model) {
   return "the centre of mass is not on the symmetry axis through the pivot";
 }
 
+std::string why_not_splitting(const Model& model) {
+  if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
+  if (!model.loads.turning.empty()) return "other torques than that of gravity act";
+  return {};
+}
+
 std::string why_not_ode(const Model& model) {
   if (!model.loads.need_place) return {};
   return "the force on the centre of mass depends on where the body is or how it stands";
@@ -60,6 +69,13 @@ std::unique_ptr<Trajectory> maybe_damped(const Model& model, const State& start)
   const double c = model.loads.momentum_damping();
   if (c == 0.0) return Exact(model, start);
   return damped(Exact(model, start), c);
+}
+
+bool is_splitting(const std::string& method) {
+  const std::vector<StepperInfo>& table = stepper_table();
+  return std::any_of(table.begin(), table.end(), [&](const StepperInfo& row) {
+    return row.name == method && row.symplectic;
+  });
 }
 
 const MotionModel& find_model(const std::string& name) {
@@ -80,6 +96,10 @@ std::string reason_for(const MotionModel& row, const Model& model) {
       return kind + " body with damping -c L: closed form in rescaled time";
     }
     return kind + " body without torque: closed form";
+  }
+  if (row.splits) {
+    return "no closed form in this version for this body with gravity on a pivot; kicks and free "
+           "motion are both known exactly";
   }
   if (row.six) return why_not_ode(model) + ": six degrees of freedom";
   const bool vowel = kind.front() == 'a' || kind.front() == 'o';
@@ -117,13 +137,21 @@ const std::vector<MotionModel>& motion_models() {
        .closed_form = true,
        .why_not = why_not_heavy_symmetric,
        .make = exact_heavy_symmetric},
+      {.name = "splitting",
+       .doc = "any body that gravity turns, by kicks and free motions, each known exactly",
+       .splits = true,
+       .method = "kick_srkn11",
+       .why_not = why_not_splitting,
+       .make = nullptr},
       {.name = "ode",
        .doc = "any rotation, equations of motion integrated, three degrees of freedom",
+       .method = "dopri5",
        .why_not = why_not_ode,
        .make = nullptr},
       {.name = "ode6",
        .doc = "any free body, equations of motion integrated, six degrees of freedom",
        .six = true,
+       .method = "dopri5",
        .why_not = why_not_ode6,
        .make = nullptr},
   };
@@ -147,12 +175,21 @@ const MotionModel& choose_model(const Model& model,
       throw input_error("model '{}' cannot take this scene: {}", asked.name, wrong)
           .at({{}, 0, "numerics.model"});
     }
+    const bool automatic = numerics.method == "auto" || numerics.method == "exact";
+    if (asked.splits && !automatic && !is_splitting(numerics.method)) {
+      throw input_error(
+          "model 'splitting' takes symplectic methods only, and {} is none; use "
+          "kick_srkn11, or model = \"ode\"",
+          numerics.method)
+          .at({{}, 0, "numerics.method"});
+    }
     reason = "asked for";
     return asked;
   }
   const bool wants_stepper = numerics.method != "auto" && numerics.method != "exact";
   for (const MotionModel& row : motion_models()) {
     if (wants_stepper && row.closed_form) continue;
+    if (wants_stepper && row.splits && !is_splitting(numerics.method)) continue;
     if (!row.why_not(model).empty()) continue;
     reason = reason_for(row, model);
     if (wants_stepper && !row.six) {

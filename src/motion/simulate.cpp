@@ -50,7 +50,9 @@ Integration refine(const StepperInfo& method,
                    SimulationReport& report) {
   const double rate = typical_rate(model, start) + 1.0 / duration;
   const double factor = method.adaptive ? 1.0 / 32.0 : 0.5;
-  double fineness = method.adaptive ? 0.01 * report.accuracy_rad : std::min(0.1 / rate, duration);
+  double fineness = method.adaptive
+                        ? 0.01 * report.accuracy_rad
+                        : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
   Integration coarse = run(method, model, start, duration, fineness);
   while (true) {
     fineness *= factor;
@@ -87,16 +89,19 @@ decltype(auto) with_key(const char* key, const Work& work) {
 }
 
 Integration integrate(const Model& model,
+                      const char* automatic_method,
                       const State& start,
                       const MotionSpec& motion,
                       const NumericsSpec& numerics,
                       SimulationReport& report) {
   const bool automatic = numerics.method == "auto";
   const StepperInfo& method = with_key("numerics.method", [&]() -> const StepperInfo& {
-    return find_stepper(automatic ? "dopri5" : numerics.method);
+    return find_stepper(automatic ? automatic_method : numerics.method);
   });
   report.method = method.name;
-  report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
+  report.method_reason = !automatic        ? "asked for"
+                         : method.adaptive ? "adaptive, general purpose"
+                                           : "splitting of high order with exact parts";
   if (const std::string wrong = method.why_not(model); !wrong.empty()) {
     throw input_error("{} cannot take this scene: {}", method.name, wrong)
         .at({{}, 0, "numerics.method"});
@@ -160,7 +165,7 @@ Simulation simulate(const Model& body,
                         report.model_reason)
           .at({{}, 0, "numerics.method"});
     }
-    Integration found = integrate(model, start, motion, numerics, report);
+    Integration found = integrate(model, chosen.method, start, motion, numerics, report);
     report.record = found.record;
     return {Motion(model, found.trajectory, motion), report};
   }

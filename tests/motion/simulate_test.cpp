@@ -49,10 +49,23 @@ TEST(ModelChoice, TakesTheLeastThatAnswers) {
   EXPECT_EQ(chosen(heavy_body({1, 1.8, 1}, {0, 0.4, 0})), "heavy_symmetric");
   EXPECT_EQ(chosen(heavy_body({1, 1, 1}, {0.3, 0.2, 0.1})), "heavy_symmetric");
   // the centre of mass off the axis, and no symmetry at all
-  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0.1, 0, 0.4})), "ode");
-  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1})), "ode");
+  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0.1, 0, 0.4})), "splitting");
+  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1})), "splitting");
   // a balanced body on a pivot is free
   EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0, 0, 0})), "asymmetric");
+}
+
+// a method that is no splitting integrates the equations of motion
+TEST(ModelChoice, FollowsTheMethod) {
+  const Model heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
+  EXPECT_EQ(simulate(heavy, spinning(1.0), by("auto", "rk4"), 1e-6).report.model, "ode");
+  EXPECT_EQ(simulate(heavy, spinning(1.0), by("auto", "kick_srkn6"), 1e-6).report.model,
+            "splitting");
+  const SimulationReport ode = simulate(heavy, spinning(1.0), by("ode", "auto"), 1e-6).report;
+  EXPECT_EQ(ode.method, "dopri5");
+  expect_input_error([&] { simulate(heavy, spinning(1.0), by("splitting", "rk4"), 1e-6); },
+                     "numerics.method",
+                     "symplectic methods only");
 }
 
 TEST(ModelChoice, SaysWhy) {
