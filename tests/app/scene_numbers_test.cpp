@@ -300,5 +300,20 @@ TEST(SceneNumbers, TwoMethodsAgreeWhereThereIsNoClosedForm) {
   }
 }
 
+TEST(SceneNumbers, OscillatingTorqueLeavesTheSpinAlone) {
+  const Motion motion = solved_scene("oscillating_torque").simulation.motion;
+  for (double t = 0.0; t <= 8.0; t += 0.31)
+    EXPECT_NEAR(motion.at(t).w_B.z(), 12.0, 1e-9);
+}
+
+TEST(SceneNumbers, FrictionOnlyTakesEnergyAway) {
+  const Motion motion = solved_scene("friction_on_a_pivot").simulation.motion;
+  double before = motion.at(0.0).energy;
+  for (double t = 0.01; t <= 5.0; t += 0.01) {
+    EXPECT_LT(motion.at(t).energy, before);
+    before = motion.at(t).energy;
+  }
+}
+
 }  // namespace
 }  // namespace polhode
