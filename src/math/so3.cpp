@@ -51,6 +51,12 @@ Mat3 from_xyz_turns(const Vec3& turns) {
       .toRotationMatrix();
 }
 
+Mat3 hat(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
 Quat normalized(const Quat& q) {
   return Quat(q.coeffs() / q.coeffs().norm());
 }

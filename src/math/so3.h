@@ -24,6 +24,9 @@ Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
 // R = Rz(c) Ry(b) Rx(a): turn about x, then y, then z of the fixed axes, radians.
 Mat3 from_xyz_turns(const Vec3& turns);
 
+// The matrix [v]x with [v]x a = v x a.
+Mat3 hat(const Vec3& v);
+
 // q scaled to unit length; used after steps that leave the sphere.
 Quat normalized(const Quat& q);
 

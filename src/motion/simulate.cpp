@@ -97,11 +97,8 @@ Integration integrate(const Model& model,
   });
   report.method = method.name;
   report.method_reason = automatic ? "adaptive, general purpose" : "asked for";
-  if (!method.takes_loads && (model.six || !model.loads.turning.empty())) {
-    throw input_error("{} takes no torques or forces besides gravity; dopri5 and rk4 do",
-                      method.name)
-        .at({{}, 0, "numerics.method"});
-  }
+  const std::string obstacle = why_not(method, model);
+  if (!obstacle.empty()) throw input_error("{}", obstacle).at({{}, 0, "numerics.method"});
   if (method.adaptive && numerics.step) {
     throw input_error(
         "{} chooses its own steps; give a tolerance, or a fixed-step method such as rk4",

@@ -50,7 +50,7 @@ const BadScene kBadScenes[] = {
      "0"},
     {"unknown_method",
      "[video]",
-     "[numerics]\nmethod = \"rk5\"\n[video]",
+     "[numerics]\nmethod = \"rk44\"\n[video]",
      ":10: numerics.method:",
      "did you mean 'rk4'?"},
     {"unknown_load",

@@ -7,18 +7,12 @@
 
 #include <Eigen/LU>
 
-#include "base/error.h"
 #include "math/so3.h"
 #include "motion/steppers/all.h"
+#include "motion/steppers/no_solution.h"
 
 namespace polhode {
 namespace {
-
-Mat3 hat(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 // solves (1 + [a]x) x = b in closed form
 Vec3 solve_one_plus_hat(const Vec3& a, const Vec3& b) {
@@ -71,12 +65,7 @@ class ImplicitMidpoint final : public Stepper {
       if (!std::isfinite(size)) break;
       last = size;
     }
-    throw Error(Fault::check_failed,
-                fmt::format("implicit_midpoint found no solution of its step at t = {} s with step "
-                            "{} s; h |omega| is {:.3g} rad there, take a step with less than 1",
-                            t,
-                            h,
-                            std::abs(h) * angular_velocity(model_, y).norm()));
+    throw no_solution("implicit_midpoint", t, h, model_, y, "take a step with less than 1");
   }
 
   static constexpr int kMostIterations = 50;
