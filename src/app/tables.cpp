@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,22 +46,39 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
+// the words whose condition holds, or a dash
+std::string words(const std::vector<std::pair<bool, const char*>>& all) {
+  Row kept;
+  for (const auto& [holds, word] : all) {
+    if (holds) kept.emplace_back(word);
+  }
+  return kept.empty() ? "-" : fmt::format("{}", fmt::join(kept, " "));
+}
+
 std::string list_methods() {
-  std::vector<Row> rows = {{"name", "order", "steps", "keeps", "besides", "limit", "source"}};
+  std::vector<Row> rows = {{"name",
+                            "order",
+                            "steps",
+                            "keeps",
+                            "takes",
+                            "cost of a step",
+                            "limit of the step",
+                            "source"}};
   for (const StepperInfo& m : stepper_table()) {
-    Row kept;
-    if (m.keeps_energy) kept.emplace_back("energy");
-    if (m.keeps_momentum_norm) kept.emplace_back("|L|");
-    if (m.keeps_momentum_space) kept.emplace_back("L");
-    if (kept.empty()) kept.emplace_back("-");
-    std::string besides = m.symplectic ? "symplectic" : "";
-    if (m.reversible) besides += besides.empty() ? "reversible" : ", reversible";
     rows.push_back({m.name,
                     std::to_string(m.order),
                     m.adaptive ? "adaptive" : "fixed",
-                    fmt::format("{}", fmt::join(kept, " ")),
-                    besides.empty() ? "-" : besides,
-                    m.limit,
+                    words({{m.keeps_energy, "energy"},
+                           {m.keeps_momentum_norm, "|L|"},
+                           {m.keeps_momentum_space, "L"},
+                           {m.symplectic, "symplectic"},
+                           {m.reversible, "reversible"}}),
+                    words({{true, "free"},
+                           {m.takes_heavy, "heavy"},
+                           {m.takes_loads, "loads"},
+                           {m.takes_rotator, "rotators"}}),
+                    m.cost,
+                    m.limit.empty() ? "-" : m.limit,
                     m.source});
   }
   return aligned(rows);

@@ -102,10 +102,8 @@ Integration integrate(const Model& model,
   report.method_reason = !automatic        ? "asked for"
                          : method.adaptive ? "adaptive, general purpose"
                                            : "splitting of high order with exact parts";
-  if (const std::string wrong = method.why_not(model); !wrong.empty()) {
-    throw input_error("{} cannot take this scene: {}", method.name, wrong)
-        .at({{}, 0, "numerics.method"});
-  }
+  const std::string obstacle = why_not(method, model);
+  if (!obstacle.empty()) throw input_error("{}", obstacle).at({{}, 0, "numerics.method"});
   if (method.adaptive && numerics.step) {
     throw input_error(
         "{} chooses its own steps; give a tolerance, or a fixed-step method such as rk4",

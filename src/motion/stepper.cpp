@@ -1,97 +1,123 @@
 // SPDX-License-Identifier: MIT
 #include "motion/stepper.h"
 
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
 #include "base/check.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "motion/steppers/all.h"
 
 namespace polhode {
+namespace {
+
+// "" or what the method cannot do with the model
+std::string obstacle(const StepperInfo& method, const Model& model) {
+  if (!method.takes_loads && (model.six || !model.loads.turning.empty()))
+    return method.name + " takes no torques or forces besides gravity";
+  if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
+    return method.name + " takes free bodies only, and gravity turns this one about its pivot";
+  if (!method.takes_rotator && model.kind.rotator)
+    return method.name + " takes no body with all its mass on a line";
+  return {};
+}
+
+}  // namespace
 
 double Stepper::step_with_error(double, double, State&) {
   CHECK(false && "only adaptive methods estimate their error");
   return 0.0;
 }
 
-namespace {
-
-std::string nothing_against(const Model&) {
-  return {};
-}
-std::string against_loads(const Model& model) {
-  if (!model.six && model.loads.turning.empty()) return {};
-  return "it integrates three degrees of freedom under gravity only, no other torques or forces; "
-         "dopri5 and rk4 do";
-}
-std::string against_all_but_free(const Model& model) {
-  if (std::string loads = against_loads(model); !loads.empty()) return loads;
-  if (model.chi_P.squaredNorm() > 0.0)
-    return "it takes free bodies only, and gravity turns this one";
-  if (model.kind.rotator) return "it divides by all three moments, and one is zero";
-  return {};
-}
-std::string against_all_but_heavy(const Model& model) {
-  if (std::string loads = against_loads(model); !loads.empty()) return loads;
-  if (model.chi_P.squaredNorm() == 0.0) return "it is for bodies that gravity turns";
-  return {};
-}
-
-// what a method keeps to round-off, whatever the step
-struct Kept {
-  bool energy = false, norm = false, space = false;
-};
-constexpr Kept kNothing{};
-constexpr Kept kAll{true, true, true};
-constexpr Kept kMomentum{false, true, true};
-
-}  // namespace
-
 const std::vector<StepperInfo>& stepper_table() {
-  constexpr bool kAdaptive = true, kReversible = true, kSymplectic = true;
-  const auto row = [](const char* name,
-                      int order,
-                      bool adaptive,
-                      const Kept& kept,
-                      bool reversible,
-                      bool symplectic,
-                      const char* limit,
-                      const char* source,
-                      auto why_not,
-                      auto make) {
-    return StepperInfo{name,
-                       order,
-                       adaptive,
-                       kept.energy,
-                       kept.norm,
-                       kept.space,
-                       reversible,
-                       symplectic,
-                       limit,
-                       source,
-                       why_not,
-                       make};
-  };
   // clang-format off
   static const std::vector<StepperInfo> table = {
-      row("explicit_euler", 1, false, kNothing, false, false, "none: |y| grows at every step", "Euler 1768; kept to show how it fails", nothing_against, make_explicit_euler),
-      row("semi_implicit_euler", 1, false, kNothing, false, false, "none: energy grows", "game engines; kept to show how it fails", against_loads, make_semi_implicit_euler),
-      row("linearly_implicit_euler", 1, false, kNothing, false, false, "none, but tumbling dies out", "Catto, GDC 2015; Bullet, Box3D, MuJoCo", against_loads, make_linearly_implicit_euler),
-      row("renormalised_explicit", 1, false, {false, true, false}, false, false, "none, but energy goes to the middle axis", "Jolt, Avian", against_loads, make_renormalised_explicit),
-      row("rk2", 2, false, kNothing, false, false, "none: grows at every step", "Runge 1895", nothing_against, make_rk2),
-      row("rk4", 4, false, kNothing, false, false, "h omega < 2.83", "Kutta 1901", nothing_against, make_rk4),
-      row("dopri5", 5, kAdaptive, kNothing, false, false, "h omega < 1.0", "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", nothing_against, make_dopri5),
-      row("implicit_midpoint", 2, false, kAll, kReversible, false, "a solution of its equations", "Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5", against_loads, make_implicit_midpoint),
-      row("three_rotations", 2, false, kMomentum, kReversible, kSymplectic, "resonance, h omega of 2 to 6", "McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375", against_loads, make_three_rotations),
-      row("symmetric_remainder2", 2, false, kMomentum, kReversible, kSymplectic, "resonance, h omega of 2 to 6", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.5.3", against_loads, make_symmetric_remainder2),
-      row("symmetric_remainder4", 4, false, kMomentum, kReversible, kSymplectic, "as of order 2, per stage", "the same, composed by Suzuki, Phys. Lett. A 146 (1990) 319", against_loads, make_symmetric_remainder4),
-      row("symmetric_remainder6", 6, false, kMomentum, kReversible, kSymplectic, "as of order 2, per stage", "the same, composed by Yoshida, Phys. Lett. A 150 (1990) 262", against_loads, make_symmetric_remainder6),
-      row("dmv2", 2, false, kAll, kReversible, kSymplectic, "h omega < 1", "Moser and Veselov, Commun. Math. Phys. 139 (1991) 217", against_all_but_free, make_dmv2),
-      row("dmv4", 4, false, kAll, kReversible, false, "h omega < 1", "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", against_all_but_free, make_dmv4),
-      row("dmv6", 6, false, kAll, kReversible, false, "h omega < 1", "the same", against_all_but_free, make_dmv6),
-      row("dmv8", 8, false, kAll, kReversible, false, "h omega < 1", "the same", against_all_but_free, make_dmv8),
-      row("dmv10", 10, false, kAll, kReversible, false, "h omega < 1", "the same", against_all_but_free, make_dmv10),
-      row("kick_srkn6", 4, false, kMomentum, kReversible, kSymplectic, "h below half a slow precession", "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313", against_all_but_heavy, make_kick_srkn6),
-      row("kick_srkn11", 6, false, kMomentum, kReversible, kSymplectic, "h below half a slow precession", "the same", against_all_but_heavy, make_kick_srkn11),
+      {.name = "explicit_euler", .order = 1, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "1 evaluation", .limit = "unstable for every step",
+       .source = "Euler 1768; kept to show how it fails", .make = make_explicit_euler},
+      {.name = "semi_implicit_euler", .order = 1, .takes_heavy = true, .takes_rotator = true,
+       .cost = "1 evaluation", .limit = "unstable for every step",
+       .source = "game engines; MuJoCo's Euler without implicit terms", .make = make_semi_implicit_euler},
+      {.name = "linearly_implicit_euler", .order = 1, .takes_heavy = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "none, but damps tumbling",
+       .source = "Catto, Numerical Methods, GDC 2015 (Bullet, Box3D, MuJoCo implicit)", .make = make_linearly_implicit_euler},
+      {.name = "renormalised_explicit", .order = 1, .keeps_momentum_norm = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "1 evaluation", .limit = "energy goes to that of the middle axis",
+       .source = "the gyroscopic step of Jolt and Avian", .make = make_renormalised_explicit},
+      {.name = "rk2", .order = 2, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "2 evaluations", .limit = "unstable for every step",
+       .source = "Runge 1895, the midpoint method", .make = make_rk2},
+      {.name = "rk4", .order = 4, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "4 evaluations", .limit = "h |Omega| < 2 sqrt 2",
+       .source = "Kutta 1901", .make = make_rk4},
+      {.name = "rk4_euler_angles", .order = 4, .takes_heavy = true, .takes_rotator = true,
+       .cost = "4 evaluations", .limit = "fails at tilt 0 and 180 degrees",
+       .source = "Kutta 1901 on zxz angles; kept to show where a chart fails", .make = make_rk4_euler_angles},
+      {.name = "dopri5", .order = 5, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "7 evaluations", .limit = "h |Omega| < 0.997",
+       .source = "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", .make = make_dopri5},
+      {.name = "dop853", .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "12 evaluations", .limit = "h |Omega| < 5.9",
+       .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.10", .make = make_dop853},
+      {.name = "implicit_midpoint", .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "Newton, 3x3", .limit = "Newton, h |omega| < 1 is safe",
+       .source = "Hairer, Lubich, Wanner, GNI, IV.2.1 and VII.5", .make = make_implicit_midpoint},
+      {.name = "gauss4", .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "fixed point, 2 evaluations each", .limit = "fixed point, h |omega| < 1 is safe",
+       .source = "Hairer, Lubich, Wanner, GNI, II.1.3 and IV.2.1", .make = make_gauss4},
+      {.name = "gauss6", .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+       .cost = "fixed point, 3 evaluations each", .limit = "fixed point, h |omega| < 1 is safe",
+       .source = "Hairer, Lubich, Wanner, GNI, II.1.3 and IV.2.1", .make = make_gauss6},
+      {.name = "rkmk4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "4 evaluations, 4 exponentials",
+       .source = "Munthe-Kaas, Appl. Numer. Math. 29 (1999) 115", .make = make_rkmk4},
+      {.name = "cf4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "4 evaluations, 5 exponentials",
+       .source = "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003) 341", .make = make_cf4},
+      {.name = "three_rotations", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true,
+       .cost = "5 turns about axes", .limit = "resonances, first at h |omega| about 2",
+       .source = "Hairer, Lubich, Wanner, GNI, VII.5.3; McLachlan 1993, Reich 1994", .make = make_three_rotations},
+      {.name = "symmetric_remainder2", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "4 turns", .limit = "resonances, first at h |omega| about 2",
+       .source = "Dullweber, Leimkuhler, McLachlan, J. Chem. Phys. 107 (1997) 5840", .make = make_symmetric_remainder2},
+      {.name = "symmetric_remainder4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "20 turns",
+       .source = "the same, composed by Suzuki, Phys. Lett. A 146 (1990) 319", .make = make_symmetric_remainder4},
+      {.name = "symmetric_remainder6", .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "36 turns",
+       .source = "the same, composed by Kahan and Li, Math. Comp. 66 (1997) 1089", .make = make_symmetric_remainder6},
+      {.name = "dmv2", .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true,
+       .cost = "Newton, 3x3", .limit = "no solution beyond h |omega| = 1",
+       .source = "Moser and Veselov, Comm. Math. Phys. 139 (1991) 217", .make = make_dmv2},
+      {.name = "dmv4", .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+       .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
+       .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv4},
+      {.name = "dmv6", .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+       .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
+       .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv6},
+      {.name = "dmv8", .order = 8, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+       .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
+       .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv8},
+      {.name = "dmv10", .order = 10, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+       .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
+       .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv10},
+      {.name = "kick_strang", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "1 free motion, 2 kicks", .limit = "resonance at h pi / slow precession",
+       .source = "Strang, SIAM J. Numer. Anal. 5 (1968) 506", .make = make_kick_strang},
+      {.name = "kick_suzuki4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "5 free motions, 6 kicks",
+       .source = "Suzuki, Phys. Lett. A 146 (1990) 319", .make = make_kick_suzuki4},
+      {.name = "kick_chin4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "2 free motions, 3 kicks",
+       .source = "Chin, Phys. Lett. A 226 (1997) 344, scheme A", .make = make_kick_chin4},
+      {.name = "kick_srkn6", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "6 free motions, 7 kicks",
+       .source = "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 6b", .make = make_kick_srkn6},
+      {.name = "kick_srkn11", .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "11 free motions, 12 kicks",
+       .source = "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 11b", .make = make_kick_srkn11},
   };
   // clang-format on
   return table;
@@ -104,6 +130,23 @@ const StepperInfo& find_stepper(const std::string& name) {
     names.push_back(row.name);
   }
   throw input_error("no method is called '{}'{}", name, suggestion(name, names));
+}
+
+std::string why_not(const StepperInfo& method, const Model& model) {
+  const std::string reason = obstacle(method, model);
+  if (reason.empty()) return {};
+  // of those that can, the highest orders first
+  std::vector<const StepperInfo*> able;
+  for (const StepperInfo& row : stepper_table()) {
+    if (obstacle(row, model).empty()) able.push_back(&row);
+  }
+  std::stable_sort(
+      able.begin(), able.end(), [](const auto* a, const auto* b) { return a->order > b->order; });
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(able.size(), 4); ++i)
+    names.push_back(able[i]->name);
+  return fmt::format(
+      "{}; {} can, and others of `polhode list methods`", reason, fmt::join(names, ", "));
 }
 
 }  // namespace polhode

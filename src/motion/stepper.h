@@ -30,25 +30,31 @@ class Stepper {
 // One row per method. To add one: its file in motion/steppers/, and a row in stepper.cpp. Help,
 // names and the test kit derive from this table.
 struct StepperInfo {
-  std::string name;
+  std::string name = {};
   int order = 0;
   bool adaptive = false;
   bool keeps_energy = false;          // to round-off, whatever the step
   bool keeps_momentum_norm = false;   // |y| of a free body
   bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
+  bool symplectic = false;            // keeps the canonical form of (q, y)
   bool reversible = false;            // a step back undoes a step, to round-off
-  bool symplectic = false;            // of a free body, and of a heavy one if it takes it
-  std::string limit;                  // where theory says that it ends, for people
-  std::string source;                 // where it comes from
-  // "" when it can take the scene, else the reason why not
-  std::string (*why_not)(const Model& model);
+  bool exact_when_free = false;       // no error but round-off without gravity
+  bool takes_heavy = false;           // gravity on a pivot
+  bool takes_loads = false;           // torques and forces besides, six degrees of freedom
+  bool takes_rotator = false;         // bodies with all mass on a line
+  std::string cost = {};              // of a step
+  std::string limit = {};             // of the step, where theory gives one; else empty
+  std::string source = {};            // where it comes from
   // momentum_scale: a typical |y|, kg m^2/s, for the error norm
-  std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale);
+  std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale) = nullptr;
 };
 
 const std::vector<StepperInfo>& stepper_table();
 
 // The row of that name. Throws Error (input) naming the nearest one.
 const StepperInfo& find_stepper(const std::string& name);
+
+// "" when the method can step the model, else the reason why not, and which methods can.
+std::string why_not(const StepperInfo& method, const Model& model);
 
 }  // namespace polhode

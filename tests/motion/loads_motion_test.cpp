@@ -308,7 +308,7 @@ TEST(Models, BiggerOnesGiveTheSameAndSmallerOnesAreRefused) {
   expect_input_error(refused(held, numerics), "numerics.model", "fixed point");
   numerics = {};
   numerics.method = "implicit_midpoint";
-  expect_input_error(refused(sprung, numerics), "numerics.method", "dopri5 and rk4 do");
+  expect_input_error(refused(sprung, numerics), "numerics.method", "dop853");
 }
 
 }  // namespace

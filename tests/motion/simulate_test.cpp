@@ -137,6 +137,10 @@ INSTANTIATE_TEST_SUITE_P(Methods,
                                          Claim{"rk4", 1e-8},
                                          Claim{"implicit_midpoint", 1e-3},
                                          Claim{"implicit_midpoint", 1e-4},
+                                         Claim{"dop853", 1e-9},
+                                         Claim{"gauss6", 1e-8},
+                                         Claim{"dmv6", 1e-9},
+                                         Claim{"rkmk4", 1e-6},
                                          Claim{"explicit_euler", 1e-2}),
                          [](const auto& claim) {
                            return fmt::format("{}_{}_digits",
@@ -158,6 +162,26 @@ TEST_P(Refinement, MeetsTheAccuracyItClaims) {
     // and not absurdly finer than asked for
     EXPECT_GE(error, 1e-5 * accuracy);
   }
+}
+
+// a method that cannot take the scene is refused with the reason and those that can
+TEST(Simulate, RefusesAMethodThatCannotTakeTheScene) {
+  const auto refused = [](const Model& model, const char* method) {
+    return [=] {
+      simulate(model, spinning(1.0), by("ode", method), 1e-3);
+    };
+  };
+  const Model heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7});
+  for (const char* words : {"takes free bodies only", "dop853", "kick_srkn11", "list methods"})
+    expect_input_error(refused(heavy, "dmv10"), "numerics.method", words);
+  const auto rotating = [](const char* method) {
+    MotionSpec spec;
+    spec.duration = 1.0;
+    spec.spin.body = Vec3(0.3, 1.2, 0.0);
+    return simulate(free_body({1, 1, 0}), spec, by("ode", method), 1e-3);
+  };
+  expect_input_error([&] { rotating("dmv6"); }, "numerics.method", "all its mass on a line");
+  EXPECT_EQ(rotating("kick_strang").report.method, "kick_strang");
 }
 
 TEST(Simulate, AnAskedForStepIsTaken) {

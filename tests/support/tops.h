@@ -49,6 +49,13 @@ inline Problem heavy_asymmetric() {
           {exp_rotation({0.4, 1.1, -0.3}), {1.0, 0.4, -0.9}}};
 }
 
+// The same with its angular momentum up: the third axis then stays away from the vertical if it
+// stays away from L, and angles about it exist.
+inline Problem upright(Problem p) {
+  p.start.q = Quat::FromTwoVectors(p.start.y, Vec3::UnitZ());
+  return p;
+}
+
 // Attitude difference in rad and relative difference of y, as one length; NaN if one of them is.
 inline double distance(const State& a, const State& b) {
   return std::hypot(rotation_angle_between(a.q, b.q),

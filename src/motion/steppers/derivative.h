@@ -3,8 +3,13 @@
 // when the centre of mass moves by forces that depend on it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "math/so3.h"
 #include "model/model.h"
+#include "motion/stepper.h"
 
 namespace polhode {
 
@@ -49,6 +54,12 @@ void set_state(const StateVector<N>& v, State& s) {
   }
 }
 
+// Up in the body for an attitude off the unit sphere, as a form of second degree in q. Its rate is
+// then gamma x w there too, and the field keeps its quadratic invariants in all of space.
+inline Vec3 up_in_body_off_sphere(const Model& m, const Quat& q) {
+  return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
+}
+
 // The right-hand side. Stages leave the unit sphere by the order of the step; gravity is seen
 // through q as it is, so that the vector field is smooth and the order of the method is kept.
 template <int N>
@@ -57,7 +68,7 @@ StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
   const Vec3 y = v.template segment<3>(4);
   StateVector<N> rate;
   rate.template head<4>() = attitude_rate(q, angular_velocity(m, y)).coeffs();
-  rate.template segment<3>(4) = momentum_rate(m, y, up_in_body(m, q));
+  rate.template segment<3>(4) = momentum_rate(m, y, up_in_body_off_sphere(m, q));
   if (!m.loads.turning.empty()) {
     rate.template segment<3>(4) += torque_of_loads(m, t, raw_state<N>(v));
   }
@@ -66,6 +77,38 @@ StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
     rate.template segment<3>(10) = force(m, t, raw_state<N>(v));
   }
   return rate;
+}
+
+// How large a difference of two states is: the largest of its parts, each over its scale.
+class ErrorNorm {
+ public:
+  // momentum_scale: a typical |y|, kg m^2/s
+  ErrorNorm(const Model& model, double momentum_scale)
+      : momentum_scale_(momentum_scale),
+        length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
+
+  template <int N>
+  double of(const StateVector<N>& v) const {
+    double size =
+        std::max(v.template head<4>().norm(), v.template segment<3>(4).norm() / momentum_scale_);
+    if constexpr (N == kSixDegrees) {
+      size = std::max({size,
+                       v.template segment<3>(7).norm() / length_scale_,
+                       v.template segment<3>(10).norm() * length_scale_ / momentum_scale_});
+    }
+    return size;
+  }
+
+ private:
+  double momentum_scale_;  // kg m^2/s
+  double length_scale_;    // m
+};
+
+// A method on the vector with the least degrees of freedom that the model needs.
+template <template <int> class Method, class... Arguments>
+std::unique_ptr<Stepper> make_on_vector(const Model& model, Arguments... arguments) {
+  if (model.six) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
+  return std::make_unique<Method<kThreeDegrees>>(model, arguments...);
 }
 
 }  // namespace polhode

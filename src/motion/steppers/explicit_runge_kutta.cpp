@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Explicit Euler, the classical Runge-Kutta method, and Dormand and Prince's pair 5(4), all on the
-// state as a vector, with q scaled back to unit length after the step.
-#include <algorithm>
-#include <cmath>
-
+// Explicit Euler, the explicit midpoint method, the classical Runge-Kutta method, and Dormand and
+// Prince's pair 5(4), all on the state as a vector, with q scaled back to unit length after the
+// step.
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
 
@@ -27,7 +25,7 @@ class ExplicitEuler final : public Stepper {
   Model model_;
 };
 
-// The explicit midpoint rule.
+// The midpoint method.
 template <int N>
 class RungeKutta2 final : public Stepper {
  public:
@@ -72,9 +70,7 @@ template <int N>
 class DormandPrince5 final : public Stepper {
  public:
   DormandPrince5(const Model& model, double momentum_scale)
-      : model_(model),
-        momentum_scale_(momentum_scale),
-        length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
+      : model_(model), norm_(model, momentum_scale) {}
 
   void step(double t, double h, State& s) override { step_with_error(t, h, s); }
 
@@ -103,47 +99,32 @@ class DormandPrince5 final : public Stepper {
     const Vector error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
                               17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7);
     set_state<N>(end, s);
-    double size = std::max(error.template head<4>().norm(),
-                           error.template segment<3>(4).norm() / momentum_scale_);
-    if constexpr (N == kSixDegrees) {
-      size = std::max({size,
-                       error.template segment<3>(7).norm() / length_scale_,
-                       error.template segment<3>(10).norm() * length_scale_ / momentum_scale_});
-    }
-    return size;
+    return norm_.template of<N>(error);
   }
 
  private:
   using Vector = StateVector<N>;
 
   Model model_;
-  double momentum_scale_;  // kg m^2/s
-  double length_scale_;    // m
+  ErrorNorm norm_;
 };
-
-// the least degrees of freedom that the model needs
-template <template <int> class Method, class... Arguments>
-std::unique_ptr<Stepper> make(const Model& model, Arguments... arguments) {
-  if (model.six) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
-  return std::make_unique<Method<kThreeDegrees>>(model, arguments...);
-}
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_explicit_euler(const Model& model, double) {
-  return make<ExplicitEuler>(model);
+  return make_on_vector<ExplicitEuler>(model);
 }
 
 std::unique_ptr<Stepper> make_rk2(const Model& model, double) {
-  return make<RungeKutta2>(model);
+  return make_on_vector<RungeKutta2>(model);
 }
 
 std::unique_ptr<Stepper> make_rk4(const Model& model, double) {
-  return make<RungeKutta4>(model);
+  return make_on_vector<RungeKutta4>(model);
 }
 
 std::unique_ptr<Stepper> make_dopri5(const Model& model, double momentum_scale) {
-  return make<DormandPrince5>(model, momentum_scale);
+  return make_on_vector<DormandPrince5>(model, momentum_scale);
 }
 
 }  // namespace polhode

@@ -7,9 +7,9 @@
 
 #include <Eigen/LU>
 
-#include "base/error.h"
 #include "math/so3.h"
 #include "motion/steppers/all.h"
+#include "motion/steppers/no_solution.h"
 
 namespace polhode {
 namespace {
@@ -65,12 +65,7 @@ class ImplicitMidpoint final : public Stepper {
       if (!std::isfinite(size)) break;
       last = size;
     }
-    throw Error(Fault::check_failed,
-                fmt::format("implicit_midpoint found no solution of its step at t = {} s with step "
-                            "{} s; h |omega| is {:.3g} rad there, take a step with less than 1",
-                            t,
-                            h,
-                            std::abs(h) * angular_velocity(model_, y).norm()));
+    throw no_solution("implicit_midpoint", t, h, model_, y, "take a step with less than 1");
   }
 
   static constexpr int kMostIterations = 50;

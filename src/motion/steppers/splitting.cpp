@@ -1,234 +1,162 @@
 // SPDX-License-Identifier: MIT
-// Splittings of H = T(y) + V(gamma) into flows that are known exactly: rotations about one
-// principal axis (McLachlan 1993, Reich 1994), the symmetric top and a remainder (Hairer, Lubich,
-// Wanner, Geometric Numerical Integration, VII.5.3), and the kick by gravity. All are symmetric,
-// symplectic and exact in L.
-#include <array>
-#include <cmath>
-#include <limits>
+// The splitting methods of the table: three rotations, a symmetric body and a remainder, and kicks
+// between exact motions of the free body.
+#include "motion/steppers/splitting.h"
 
-#include "math/so3.h"
+#include <cmath>
+
 #include "motion/steppers/all.h"
+#include "motion/steppers/free_flow.h"
 
 namespace polhode {
 namespace {
 
-// v turned by minus this angle about a coordinate axis
-void turn_back(Vec3& v, int axis, double angle) {
-  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const double c = std::cos(angle), s = std::sin(angle);
-  const double vi = v[i], vj = v[j];
-  v[i] = c * vi + s * vj;
-  v[j] = c * vj - s * vi;
-}
-
-// the flow of k y_axis^2 / 2: the body turns about that axis
-void axis_flow(int axis, double k, double h, State& s) {
-  const double angle = h * k * s.y[axis];
-  turn_back(s.y, axis, angle);
-  s.q = s.q * exp_rotation(angle * Vec3::Unit(axis));
-}
-
-// the flow of V: gravity turns y, the attitude stands
-void kick(const Model& m, double h, State& s) {
-  s.y += h * up_in_body(m, s.q).cross(m.chi_P);
-}
-
-// T as three rotations, of second order.
-struct ThreeRotations {
-  explicit ThreeRotations(const Model& m) : inverse(m.inverse_moments) {}
-
-  void flow(double h, State& s) const {
-    axis_flow(0, inverse[0], 0.5 * h, s);
-    axis_flow(1, inverse[1], 0.5 * h, s);
-    axis_flow(2, inverse[2], h, s);
-    axis_flow(1, inverse[1], 0.5 * h, s);
-    axis_flow(0, inverse[0], 0.5 * h, s);
-  }
-
-  Vec3 inverse;
-};
-
-// T as that of a symmetric top and what is left, of second order; exact when two moments are equal.
-// The two are those with the nearest 1/I.
-struct SymmetricAndRemainder {
-  explicit SymmetricAndRemainder(const Model& m) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int third = 0; third < 3; ++third) {
-      const int one = (third + 1) % 3, other = (third + 2) % 3;
-      const double apart = m.inverse_moments[one] - m.inverse_moments[other];
-      // a rotator's zero is no 1/I
-      const bool real = m.moments[one] > 0.0 && m.moments[other] > 0.0;
-      if (!real || std::abs(apart) >= least) continue;
-      least = std::abs(apart);
-      figure = third;
-      odd = one;
-      remainder = apart;
-      across = m.inverse_moments[other];
-      along = m.moments[third] > 0.0 ? m.inverse_moments[third] - across : 0.0;
-    }
-  }
-
-  void flow(double h, State& s) const {
-    if (remainder != 0.0) axis_flow(odd, remainder, 0.5 * h, s);
-    const double spin = h * along * s.y[figure];
-    s.q = s.q * exp_rotation(h * across * s.y) * exp_rotation(spin * Vec3::Unit(figure));
-    turn_back(s.y, figure, spin);
-    if (remainder != 0.0) axis_flow(odd, remainder, 0.5 * h, s);
-  }
-
-  int figure = 2, odd = 0;  // axis of the symmetric top; of the remainder
-  double across = 1.0;      // 1/I across the figure axis
-  double along = 0.0;       // 1/I3 - 1/I1
-  double remainder = 0.0;   // 1/I of the odd axis beyond `across`
-};
-
-// Palindromic compositions of a method of second order: w1, w2, ..., w_middle, ..., w2, w1.
-struct Once {
-  static constexpr std::array<double, 1> kWeights = {1.0};
-};
-// M. Suzuki, Phys. Lett. A 146 (1990) 319: five stages of 1/(4 - 4^(1/3))
-struct Suzuki4 {
-  static constexpr double kOuter = 0.41449077179437573714;
-  static constexpr std::array<double, 3> kWeights = {kOuter, kOuter, 1.0 - 4.0 * kOuter};
-};
-// H. Yoshida, Phys. Lett. A 150 (1990) 262, table 1, solution A
-struct Yoshida6 {
-  static constexpr double k1 = 0.78451361047755726382;
-  static constexpr double k2 = 0.23557321335935813368;
-  static constexpr double k3 = -1.17767998417887100695;
-  static constexpr std::array<double, 4> kWeights = {k1, k2, k3, 1.0 - 2.0 * (k1 + k2 + k3)};
-};
-
-// runs `flow` with each weight in order and back
-template <class Composition, class Flow>
-void composed_flow(double h, const Flow& flow) {
-  constexpr auto& weights = Composition::kWeights;
-  for (const double weight : weights)
-    flow(weight * h);
-  for (std::size_t i = weights.size() - 1; i-- > 0;)
-    flow(weights[i] * h);
-}
-
-// A composition of half a kick, the flow of T, half a kick.
-template <class Kinetic, class Composition>
-class Splitting final : public Stepper {
+// T = sum y_i^2 / 2 I_i: each term turns the body about an axis, GNI VII.5.3; symmetric order
+// 1 2 3 2 1 (McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375).
+class ThreeRotations {
  public:
-  explicit Splitting(const Model& model)
-      : model_(model), kinetic_(model), heavy_(model.chi_P.squaredNorm() > 0.0) {}
+  explicit ThreeRotations(const Model& model) : inverse_(model.inverse_moments) {}
 
-  void step(double, double h, State& s) override {
-    composed_flow<Composition>(h, [&](double part) {
-      if (heavy_) kick(model_, 0.5 * part, s);
-      kinetic_.flow(part, s);
-      if (heavy_) kick(model_, 0.5 * part, s);
-      ++evaluations_;
-    });
-    s.q = normalized(s.q);
+  void operator()(double h, Quat& q, Vec3& y) const {
+    turn(0, 0.5 * h, q, y);
+    turn(1, 0.5 * h, q, y);
+    turn(2, h, q, y);
+    turn(1, 0.5 * h, q, y);
+    turn(0, 0.5 * h, q, y);
   }
 
  private:
-  Model model_;
-  Kinetic kinetic_;
-  bool heavy_;
+  Vec3 inverse_;
+
+  void turn(int k, double h, Quat& q, Vec3& y) const {
+    turn_about_axis(k, h * y[k] * inverse_[k], q, y);
+  }
 };
 
-// Kicks between flows of T that are exact, or of order six: b1 a1 b2 a2 ... with the lists
-// mirrored. Legal because {V, {V, T}} depends on the attitude alone (Runge-Kutta-Nystroem). S.
-// Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, tables 2 and 3.
-struct Srkn6b {
-  static constexpr std::array<double, 3> kFlow = {
-      0.245298957184271, 0.604872665711080, -0.350171622895351};
-  static constexpr std::array<double, 3> kKick = {
-      0.0829844064174052, 0.396309801498368, -0.0390563049223486};
-  static constexpr bool kEndsInFlow = false;  // the middle is a kick
-};
-struct Srkn11b {
-  static constexpr std::array<double, 5> kFlow = {0.123229775946271,
-                                                  0.290553797799558,
-                                                  -0.127049212625417,
-                                                  -0.246331761062075,
-                                                  0.357208872795928};
-  static constexpr std::array<double, 6> kKick = {0.0414649985182624,
-                                                  0.198128671918067,
-                                                  -0.0400061921041533,
-                                                  0.0752539843015807,
-                                                  -0.0115113874206879,
-                                                  0.23666992478693110};
-  static constexpr bool kEndsInFlow = true;  // the middle is a flow
-};
-
-template <class Table>
-class KickAndFlow final : public Stepper {
+// T = T of a symmetric body + (1/I_j - 1/I_i) y_j^2 / 2, the remainder being a turn about axis j
+// (Dullweber, Leimkuhler, McLachlan, J. Chem. Phys. 107 (1997) 5840; GNI VII.5.3). i and j are the
+// two axes whose inverse moments are closest; among the splittings this has the least remainder
+// (Fasso, J. Comput. Phys. 189 (2003) 527).
+class SymmetricRemainder {
  public:
-  explicit KickAndFlow(const Model& model) : model_(model), kinetic_(model) {}
+  explicit SymmetricRemainder(const Model& model) {
+    const Vec3& inverse = model.inverse_moments;
+    double least = std::abs(inverse[0] - inverse[1]);
+    for (int k = 0; k < 2; ++k) {
+      const double apart = std::abs(inverse[k + 1] - inverse[(k + 2) % 3]);
+      if (apart >= least) continue;
+      least = apart;
+      axis_ = k;
+    }
+    const int i = (axis_ + 1) % 3;
+    aside_ = (axis_ + 2) % 3;
+    across_ = inverse[i];
+    difference_ = inverse[axis_] - across_;
+    remainder_ = inverse[aside_] - across_;
+  }
 
-  void step(double, double h, State& s) override {
-    constexpr auto& flows = Table::kFlow;
-    constexpr auto& kicks = Table::kKick;
-    for (std::size_t i = 0; i < flows.size(); ++i) {
-      kick(model_, kicks[i] * h, s);
-      flow(flows[i] * h, s);
-    }
-    if constexpr (Table::kEndsInFlow) {
-      double rest = 1.0;
-      for (const double a : flows)
-        rest -= 2.0 * a;
-      kick(model_, kicks.back() * h, s);
-      flow(rest * h, s);
-      kick(model_, kicks.back() * h, s);
-    } else {
-      double rest = 1.0;
-      for (const double b : kicks)
-        rest -= 2.0 * b;
-      kick(model_, rest * h, s);
-    }
-    for (std::size_t i = flows.size(); i-- > 0;) {
-      flow(flows[i] * h, s);
-      kick(model_, kicks[i] * h, s);
-    }
-    s.q = normalized(s.q);
+  void operator()(double h, Quat& q, Vec3& y) const {
+    turn_about_axis(aside_, 0.5 * h * remainder_ * y[aside_], q, y);
+    q = q * turn_by(h * across_ * y);
+    turn_about_axis(axis_, h * difference_ * y[axis_], q, y);
+    turn_about_axis(aside_, 0.5 * h * remainder_ * y[aside_], q, y);
   }
 
  private:
-  void flow(double h, State& s) {
-    // exact in one go when two moments are equal
-    if (kinetic_.remainder == 0.0) {
-      kinetic_.flow(h, s);
-    } else {
-      composed_flow<Yoshida6>(h, [&](double part) { kinetic_.flow(part, s); });
-    }
-    ++evaluations_;
-  }
-
-  Model model_;
-  SymmetricAndRemainder kinetic_;
+  int axis_ = 2;       // of symmetry
+  int aside_ = 0;      // of the remainder
+  double across_;      // 1 / moment across the axis of symmetry
+  double difference_;  // 1 / moment along it, less across_
+  double remainder_;   // 1 / I_j - 1 / I_i
 };
+
+constexpr SplittingScheme kStrang = composition<1>({1.0});
+
+// Suzuki, Phys. Lett. A 146 (1990) 319: 1 / (4 - 4^(1/3))
+constexpr double kSuzuki = 0.41449077179437573714;
+constexpr SplittingScheme kSuzuki4 =
+    composition<5>({kSuzuki, kSuzuki, 1.0 - 4.0 * kSuzuki, kSuzuki, kSuzuki});
+
+// Kahan and Li, Math. Comp. 66 (1997) 1089: order 6 with 9 stages (GNI V.3.11)
+constexpr double kKahanLi[] = {0.39216144400731413928,
+                               0.33259913678935943860,
+                               -0.70624617255763935981,
+                               0.08221359629355080023};
+constexpr SplittingScheme kKahanLi6 = composition<9>({kKahanLi[0],
+                                                      kKahanLi[1],
+                                                      kKahanLi[2],
+                                                      kKahanLi[3],
+                                                      0.79854399093482996340,
+                                                      kKahanLi[3],
+                                                      kKahanLi[2],
+                                                      kKahanLi[1],
+                                                      kKahanLi[0]});
+
+// Chin, Phys. Lett. A 226 (1997) 344, scheme A: kick h/6, kick 2h/3 with gradient, kick h/6
+constexpr SplittingScheme kChin4 = {2, {0.5, 0.5}, {1.0 / 6, 2.0 / 3, 1.0 / 6}, 1.0 / 36};
+
+// Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, table 3: Runge-Kutta-Nystroem splittings
+// SRKN 6b (order 4) and 11b (order 6). Legal here: [V, [V, [T, V]]] depends on the attitude alone.
+// clang-format off
+constexpr SplittingScheme kSrkn6 = {
+    6,
+    { 0.245298957184271, 0.604872665711080, -0.350171622895351, -0.350171622895351,
+      0.604872665711080, 0.245298957184271},
+    { 0.0829844064174052, 0.396309801498368, -0.0390563049223486, 0.1195241940131508,
+     -0.0390563049223486, 0.396309801498368, 0.0829844064174052},
+    0.0};
+constexpr SplittingScheme kSrkn11 = {
+    11,
+    { 0.123229775946271,  0.290553797799558, -0.127049212625417, -0.246331761062075,
+      0.357208872795928,  0.204777054291470,  0.357208872795928, -0.246331761062075,
+     -0.127049212625417,  0.290553797799558,  0.123229775946271},
+    { 0.0414649985182624,  0.198128671918067, -0.0400061921041533, 0.0752539843015807,
+     -0.0115113874206879,  0.2366699247869311, 0.2366699247869311, -0.0115113874206879,
+      0.0752539843015807, -0.0400061921041533, 0.198128671918067,  0.0414649985182624},
+    0.0};
+// clang-format on
+
+template <class Flow>
+std::unique_ptr<Stepper> make(const Model& model, const SplittingScheme& scheme) {
+  return std::make_unique<Splitting<Flow>>(model, scheme);
+}
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_three_rotations(const Model& model, double) {
-  return std::make_unique<Splitting<ThreeRotations, Once>>(model);
+  return make<ThreeRotations>(model, kStrang);
 }
 
 std::unique_ptr<Stepper> make_symmetric_remainder2(const Model& model, double) {
-  return std::make_unique<Splitting<SymmetricAndRemainder, Once>>(model);
+  return make<SymmetricRemainder>(model, kStrang);
 }
 
 std::unique_ptr<Stepper> make_symmetric_remainder4(const Model& model, double) {
-  return std::make_unique<Splitting<SymmetricAndRemainder, Suzuki4>>(model);
+  return make<SymmetricRemainder>(model, kSuzuki4);
 }
 
 std::unique_ptr<Stepper> make_symmetric_remainder6(const Model& model, double) {
-  return std::make_unique<Splitting<SymmetricAndRemainder, Yoshida6>>(model);
+  return make<SymmetricRemainder>(model, kKahanLi6);
+}
+
+std::unique_ptr<Stepper> make_kick_strang(const Model& model, double) {
+  return make<FreeFlow>(model, kStrang);
+}
+
+std::unique_ptr<Stepper> make_kick_suzuki4(const Model& model, double) {
+  return make<FreeFlow>(model, kSuzuki4);
+}
+
+std::unique_ptr<Stepper> make_kick_chin4(const Model& model, double) {
+  return make<FreeFlow>(model, kChin4);
 }
 
 std::unique_ptr<Stepper> make_kick_srkn6(const Model& model, double) {
-  return std::make_unique<KickAndFlow<Srkn6b>>(model);
+  return make<FreeFlow>(model, kSrkn6);
 }
 
 std::unique_ptr<Stepper> make_kick_srkn11(const Model& model, double) {
-  return std::make_unique<KickAndFlow<Srkn11b>>(model);
+  return make<FreeFlow>(model, kSrkn11);
 }
 
 }  // namespace polhode

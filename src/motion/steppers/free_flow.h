@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The motion of a free body over a time h, exact to round-off and cheap to start anew at every
+// step: what the kick methods are made of.
+#pragma once
+
+#include "model/model.h"
+
+namespace polhode {
+
+// Spherical and symmetric bodies (rotators too) by their closed form. Asymmetric ones by the Taylor
+// series of Euler's equations, with the attitude from one more quadrature: in the rotation
+// q = q0 o p0^-1 o exp(psi e) o p, where p is the least turn that carries the momentum onto the
+// principal axis e with moment I closest to it,
+//   dpsi/dt = |y| / I + (2 T - |y|^2 / I) / (|y| + y.e),   T the kinetic energy,
+// (from w = dpsi/dt y/|y| + w_p; compare van Zon and Schofield, J. Comput. Phys. 225 (2007) 145,
+// section 2). Gravity is not seen.
+class FreeFlow {
+ public:
+  explicit FreeFlow(const Model& model);
+
+  // Advances attitude and momentum by h, of either sign and any length.
+  void operator()(double h, Quat& q, Vec3& y) const {
+    if (asymmetric_) {
+      by_series(h, q, y);
+    } else {
+      by_turns(h, q, y);
+    }
+  }
+
+ private:
+  Vec3 inverse_;  // 1 / moments
+  bool asymmetric_;
+  int axis_;           // of symmetry
+  double across_;      // 1 / moment across that axis
+  double difference_;  // 1 / moment along it, less across_
+  Vec3 gyration_;      // dy_i/dt = gyration_i y_j y_k
+
+  void by_turns(double h, Quat& q, Vec3& y) const;
+  void by_series(double h, Quat& q, Vec3& y) const;
+  void series_step(double h, Quat& q, Vec3& y) const;
+};
+
+}  // namespace polhode

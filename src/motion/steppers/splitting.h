@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Splitting methods: kicks by gravity between motions of the free body, each exact or itself split.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "motion/stepper.h"
+#include "motion/steppers/turn.h"
+
+namespace polhode {
+
+// Coefficients: kick b[0] h, flow a[0] h, kick b[1] h, ..., flow a[n-1] h, kick b[n] h. Symmetric.
+struct SplittingScheme {
+  static constexpr std::size_t kMostFlows = 12;
+  std::size_t flows = 0;
+  std::array<double, kMostFlows> a = {};
+  std::array<double, kMostFlows + 1> b = {};
+  // of the middle kick: minus h^3 times this is the weight of the gradient of |torque|^2
+  double gradient = 0.0;
+};
+
+// Symmetric composition of (kick h/2, flow h, kick h/2) with these step fractions.
+template <std::size_t N>
+constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
+  SplittingScheme scheme;
+  scheme.flows = N;
+  for (std::size_t i = 0; i < N; ++i) {
+    scheme.a[i] = fractions[i];
+    scheme.b[i] += 0.5 * fractions[i];
+    scheme.b[i + 1] += 0.5 * fractions[i];
+  }
+  return scheme;
+}
+
+// Flow: constructed from a Model; flow(h, q, y) is the motion of the free body, exact or to the
+// second order, and symmetric in time. A kick leaves L.up, a flow leaves L in space; both are
+// symplectic maps, so the whole is, if Flow is.
+template <class Flow>
+class Splitting final : public Stepper {
+ public:
+  Splitting(const Model& model, const SplittingScheme& scheme)
+      : flow_(model),
+        scheme_(scheme),
+        heavy_(model.chi_P.squaredNorm() > 0.0),
+        up_S_(model.up_S),
+        chi_P_(model.chi_P),
+        inverse_(model.inverse_moments) {}
+
+  void step(double, double h, State& s) override {
+    for (std::size_t i = 0; i < scheme_.flows; ++i) {
+      if (heavy_) kick(i, h, s);
+      flow_(scheme_.a[i] * h, s.q, s.y);
+    }
+    if (heavy_) kick(scheme_.flows, h, s);
+    trim(s.q);
+    evaluations_ += static_cast<long>(scheme_.flows) + (heavy_ ? 1 : 0);
+  }
+
+ private:
+  Flow flow_;
+  SplittingScheme scheme_;
+  bool heavy_;
+  Vec3 up_S_, chi_P_, inverse_;
+
+  // dy/dt = gamma x chi with gamma at rest; the gradient kick is that of the potential
+  // V - gradient / (2 b) h^2 torque . I^-1 torque
+  void kick(std::size_t i, double h, State& s) const {
+    const Vec3 gamma = s.q.conjugate() * up_S_;
+    const Vec3 torque = gamma.cross(chi_P_);
+    s.y += scheme_.b[i] * h * torque;
+    if (scheme_.gradient != 0.0 && 2 * i == scheme_.flows) {
+      const Vec3 turned = inverse_.cwiseProduct(torque);
+      s.y -= scheme_.gradient * h * h * h * gamma.cross(chi_P_.cross(turned));
+    }
+  }
+};
+
+}  // namespace polhode
