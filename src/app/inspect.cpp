@@ -100,6 +100,8 @@ nlohmann::ordered_json inspection(const Solved& solved) {
   facts["kind"] = model.kind.name();
   facts["model"] = report.model;
   facts["model_reason"] = report.model_reason;
+  facts["method"] = report.method;
+  facts["method_reason"] = report.method_reason;
   facts["accuracy_rad"] = report.accuracy_rad;
   facts["evaluations"] = report.record.evaluations;
   facts["evaluations_of_ode"] = evaluations_of_ode(solved);

@@ -11,16 +11,6 @@ double positive(double value) {
   throw input_error("must be a number greater than 0, got {}", value);
 }
 
-// the attitude error that the picture allows, rad
-double accuracy_in_radians(const Scene& scene, const Model& model) {
-  const Accuracy& accuracy = scene.numerics.accuracy;
-  if (!accuracy.pixels) return accuracy.value;
-  constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
-  const double radius =
-      body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
-  return attitude_tolerance(scene.camera, accuracy.value, radius, frame_size(scene));
-}
-
 }  // namespace
 
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
@@ -69,6 +59,15 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
     replace("video.fps", "--fps", [&] { scene.video.fps = parse_frame_rate(*overrides.fps); });
   }
   return scene;
+}
+
+double accuracy_in_radians(const Scene& scene, const Model& model) {
+  const Accuracy& accuracy = scene.numerics.accuracy;
+  if (!accuracy.pixels) return accuracy.value;
+  constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
+  const double radius =
+      body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
+  return attitude_tolerance(scene.camera, accuracy.value, radius, frame_size(scene));
 }
 
 Error placed(const Scene& scene, const Error& error) {

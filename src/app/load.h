@@ -46,6 +46,10 @@ void refuse_same_file(const std::string& written,
 // Finds the motion. Errors name the place in the scene file.
 Solved solve(const Scene& scene);
 
+// The attitude error that the scene allows, rad: given, or what moves nothing in the picture by
+// more than its pixels.
+double accuracy_in_radians(const Scene& scene, const Model& model);
+
 // The error with the place of its key: file and line, or the option that the value came from.
 Error placed(const Scene& scene, const Error& error);
 

@@ -22,8 +22,8 @@ ProgressKind parse_progress(const std::string& text) {
       .at({{}, 0, "--progress"});
 }
 
-Progress::Progress(ProgressKind kind, int frames)
-    : kind_(kind), frames_(frames), start_(Clock::now()), last_(start_) {
+Progress::Progress(ProgressKind kind, int total, std::string things)
+    : kind_(kind), total_(total), things_(std::move(things)), start_(Clock::now()), last_(start_) {
   if (kind_ == ProgressKind::automatic) {
     kind_ = isatty(STDERR_FILENO) != 0 ? ProgressKind::bar : ProgressKind::none;
   }
@@ -37,7 +37,7 @@ Progress::~Progress() {
 void Progress::show(int done) {
   if (kind_ == ProgressKind::none) return;
   const Clock::time_point now = Clock::now();
-  if (done < frames_ && now - last_ < std::chrono::milliseconds(100)) return;
+  if (done < total_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   drawn_ = true;
   print(done, std::chrono::duration<double>(now - start_).count());
@@ -45,26 +45,29 @@ void Progress::show(int done) {
 
 void Progress::print(int done, double seconds) const {
   const double rate = seconds > 0.0 ? done / seconds : 0.0;
-  const double left = rate > 0.0 ? (frames_ - done) / rate : 0.0;
+  const double left = rate > 0.0 ? (total_ - done) / rate : 0.0;
   if (kind_ == ProgressKind::json) {
-    print_err(
-        fmt::format("{{\"frame\":{},\"frames\":{},\"frames_per_s\":{:.2f},\"left_s\":{:.1f}}}\n",
-                    done,
-                    frames_,
-                    rate,
-                    left));
+    print_err(fmt::format("{{\"{0}\":{1},\"{2}\":{3},\"{2}_per_s\":{4:.2f},\"left_s\":{5:.1f}}}\n",
+                          things_.substr(0, things_.size() - 1),
+                          done,
+                          things_,
+                          total_,
+                          rate,
+                          left));
     return;
   }
   constexpr int kCells = 30;
-  const int full = frames_ > 0 ? kCells * done / frames_ : kCells;
-  print_err(fmt::format("\r[{:=<{}}{: <{}}] {}/{} frames, {:.0f} frames/s, {:.0f} s left ",
+  const int full = total_ > 0 ? kCells * done / total_ : kCells;
+  print_err(fmt::format("\r[{:=<{}}{: <{}}] {}/{} {}, {:.0f} {}/s, {:.0f} s left ",
                         "",
                         full,
                         "",
                         kCells - full,
                         done,
-                        frames_,
+                        total_,
+                        things_,
                         rate,
+                        things_,
                         left));
 }
 

@@ -15,7 +15,8 @@ ProgressKind parse_progress(const std::string& text);
 // Prints at most ten times a second; automatic means a bar on a terminal and nothing elsewhere.
 class Progress {
  public:
-  Progress(ProgressKind kind, int frames);
+  // total: how many there are of `things`, in the plural
+  Progress(ProgressKind kind, int total, std::string things = "frames");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -27,7 +28,8 @@ class Progress {
   void print(int done, double seconds) const;
 
   ProgressKind kind_;
-  int frames_;
+  int total_;
+  std::string things_;
   Clock::time_point start_;
   Clock::time_point last_;
   bool drawn_ = false;

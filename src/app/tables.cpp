@@ -13,6 +13,7 @@
 #include "app/report.h"
 #include "base/error.h"
 #include "base/nearest.h"
+#include "chart/gnuplot.h"
 #include "model/solids.h"
 #include "motion/simulate.h"
 #include "render/context.h"
@@ -183,6 +184,8 @@ Diagnosis examine() {
   for (const Backend& backend : backends()) {
     rows.push_back({"back end " + backend.name, examine_backend(backend, draws)});
   }
+  const std::string gnuplot = gnuplot_version();
+  rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
   const bool encodes = has_encoder("libx264");
   rows.push_back({"encoder libx264",
                   encodes ? "ok"

@@ -36,7 +36,7 @@ Action define_render(CLI::App& command) {
            job->report,
            "write what was done, how exact and how fast, as JSON; - for standard output")
       ->type_name("FILE.json");
-  add_text(command, "--progress", *progress, "auto, bar, json or none")->type_name("KIND");
+  add_progress(command, *progress);
   return [job, progress] {
     job->progress = parse_progress(*progress);
     render_film(*job);

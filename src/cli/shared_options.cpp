@@ -98,6 +98,14 @@ void add_scene(CLI::App& command, std::filesystem::path& scene) {
   command.add_option("scene", scene, "scene file")->required()->type_name("SCENE");
 }
 
+void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
+  command.add_option("scenes", scenes, "scene files")->required()->type_name("SCENE");
+}
+
+void add_progress(CLI::App& command, std::string& progress) {
+  add_text(command, "--progress", progress, "auto, bar, json or none")->type_name("KIND");
+}
+
 void add_numerics_options(CLI::App& command, Overrides& overrides) {
   add_text(command, "--method", overrides.method, "integrator, see `polhode list methods`")
       ->type_name("NAME");

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -34,6 +35,12 @@ CLI::Option* add_text(CLI::App& command,
 
 // The scene file, which every command on a scene needs.
 void add_scene(CLI::App& command, std::filesystem::path& scene);
+
+// One or more of them.
+void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes);
+
+// --progress, to be read by parse_progress
+void add_progress(CLI::App& command, std::string& progress);
 
 // --method, --step, --tolerance, --accuracy
 void add_numerics_options(CLI::App& command, Overrides& overrides);

@@ -2,6 +2,7 @@
 #include "image/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "base/error.h"
@@ -21,19 +22,21 @@ Difference compare(const Image& a, const Image& b, int threshold) {
   refuse_sizes(a, b);
   Difference difference;
   std::size_t over = 0;
-  double sum = 0.0;
+  double sum = 0.0, squares = 0.0;
   for (std::size_t pixel = 0; pixel < a.pixels.size(); pixel += 4) {
     int worst = 0;
     for (std::size_t c = pixel; c < pixel + 4; ++c) {
       const int apart = std::abs(a.pixels[c] - b.pixels[c]);
       worst = std::max(worst, apart);
       sum += apart;
+      squares += static_cast<double>(apart) * apart;
     }
     difference.largest = std::max(difference.largest, worst);
     over += worst > threshold ? 1 : 0;
   }
   if (!a.pixels.empty()) {
     difference.mean = sum / static_cast<double>(a.pixels.size());
+    difference.rms = std::sqrt(squares / static_cast<double>(a.pixels.size()));
     difference.fraction_over =
         4.0 * static_cast<double>(over) / static_cast<double>(a.pixels.size());
   }

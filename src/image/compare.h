@@ -10,6 +10,7 @@ namespace polhode {
 struct Difference {
   int largest = 0;             // greatest absolute difference
   double mean = 0.0;           // mean absolute difference
+  double rms = 0.0;            // root mean square difference
   double fraction_over = 0.0;  // share of pixels with some channel over the threshold
 };
 

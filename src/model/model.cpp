@@ -349,4 +349,11 @@ bool keeps_momentum(const Model& m) {
   return m.loads.turning.empty();
 }
 
+bool center_on_symmetry_axis(const Model& model) {
+  if (!model.kind.symmetric()) return false;
+  Vec3 aside = model.chi_P;
+  aside[model.kind.axis] = 0.0;
+  return aside.norm() <= kEqualMoments * model.chi_P.norm();
+}
+
 }  // namespace polhode

@@ -78,6 +78,9 @@ inline Vec3 angular_velocity(const Model& m, const Vec3& y) {
   return m.inverse_moments.cwiseProduct(y);
 }
 
+// A symmetric body whose centre of mass is on its axis through the reference point, or at it.
+bool center_on_symmetry_axis(const Model& model);
+
 // Up, seen from the body: gamma = Q^T up.
 inline Vec3 up_in_body(const Model& m, const Quat& q) {
   return q.conjugate() * m.up_S;

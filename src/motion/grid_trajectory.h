@@ -45,11 +45,4 @@ Integration integrate_adaptive(const StepperInfo& method,
                                double duration,
                                double tolerance);
 
-// How fast the motion changes: a sum of the rates that the start, gravity and the loads give,
-// rad/s.
-double typical_rate(const Model& model, const State& start);
-
-// A typical size of the angular momentum, for error norms: kg m^2/s, never 0.
-double momentum_scale(const Model& model, const State& start);
-
 }  // namespace polhode

@@ -41,9 +41,7 @@ std::string why_not_heavy_symmetric(const Model& model) {
   if (!model.loads.turning.empty()) return "other torques than that of gravity act";
   if (model.kind.shape == TopKind::Shape::spherical) return {};
   if (!model.kind.symmetric()) return "no two moments are equal (" + model.kind.name() + ")";
-  Vec3 aside = model.chi_P;
-  aside[model.kind.axis] = 0.0;
-  if (aside.norm() <= kEqualMoments * model.chi_P.norm()) return {};
+  if (center_on_symmetry_axis(model)) return {};
   return "the centre of mass is not on the symmetry axis through the pivot";
 }
 
@@ -140,18 +138,15 @@ const std::vector<MotionModel>& motion_models() {
       {.name = "splitting",
        .doc = "any body that gravity turns, by kicks and free motions, each known exactly",
        .splits = true,
-       .method = "kick_srkn11",
        .why_not = why_not_splitting,
        .make = nullptr},
       {.name = "ode",
        .doc = "any rotation, equations of motion integrated, three degrees of freedom",
-       .method = "dopri5",
        .why_not = why_not_ode,
        .make = nullptr},
       {.name = "ode6",
        .doc = "any free body, equations of motion integrated, six degrees of freedom",
        .six = true,
-       .method = "dopri5",
        .why_not = why_not_ode6,
        .make = nullptr},
   };

@@ -16,9 +16,8 @@ struct MotionModel {
   std::string name;
   std::string doc;
   bool closed_form = false;
-  bool six = false;              // integrates place and momentum of the centre of mass too
-  bool splits = false;           // into flows that are known exactly; takes symplectic methods only
-  const char* method = "exact";  // when the scene names none
+  bool six = false;     // integrates place and momentum of the centre of mass too
+  bool splits = false;  // into flows that are known exactly; takes symplectic methods only
   // "" when it can take the scene, else the reason why not
   std::string (*why_not)(const Model& model);
   // closed forms only

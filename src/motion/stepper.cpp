@@ -26,7 +26,7 @@ std::string obstacle(const StepperInfo& method, const Model& model) {
 
 }  // namespace
 
-double Stepper::step_with_error(double, double, State&) {
+double Stepper::step_with_error(double, double, State&, Work&) const {
   CHECK(false && "only adaptive methods estimate their error");
   return 0.0;
 }
@@ -61,6 +61,12 @@ const std::vector<StepperInfo>& stepper_table() {
       {.name = "dop853", .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "12 evaluations", .limit = "h |Omega| < 5.9",
        .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.10", .make = make_dop853},
+      {.name = "taylor10", .order = 10, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "10 terms of a series", .limit = "h below the radius of convergence",
+       .source = "Jorba and Zou, Experiment. Math. 14 (2005) 99", .make = make_taylor10},
+      {.name = "taylor16", .order = 16, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
+       .cost = "16 terms of a series", .limit = "h below the radius of convergence",
+       .source = "Jorba and Zou, Experiment. Math. 14 (2005) 99", .make = make_taylor16},
       {.name = "implicit_midpoint", .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "Newton, 3x3", .limit = "Newton, h |omega| < 1 is safe",
        .source = "Hairer, Lubich, Wanner, GNI, IV.2.1 and VII.5", .make = make_implicit_midpoint},

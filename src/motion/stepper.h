@@ -10,21 +10,25 @@
 
 namespace polhode {
 
-// A method applied to one model. Steps of any length and sign; nothing is kept between steps but
-// the count of work, so a step is a function of the state.
+// What stepping has cost so far.
+struct Work {
+  long evaluations = 0;  // of the right-hand side, of residuals, of partial flows
+};
+
+// A method applied to one model. Steps of any length and sign, each a function of the state alone;
+// immutable, so one may step many trajectories, from any thread, and allocates nothing.
 class Stepper {
  public:
   virtual ~Stepper() = default;
   // Advances s from t by h. Throws Error (check failed) when an implicit solve finds no solution.
-  virtual void step(double t, double h, State& s) = 0;
+  virtual void step(double t, double h, State& s, Work& work) const = 0;
+  void step(double t, double h, State& s) const {
+    Work uncounted;
+    step(t, h, s, uncounted);
+  }
   // The same for an adaptive method; returns an estimate of the local error: the larger of
   // |error of q| and |error of y| / momentum_scale.
-  virtual double step_with_error(double t, double h, State& s);
-  // Evaluations of the right-hand side so far.
-  long evaluations() const { return evaluations_; }
-
- protected:
-  long evaluations_ = 0;
+  virtual double step_with_error(double t, double h, State& s, Work& work) const;
 };
 
 // One row per method. To add one: its file in motion/steppers/, and a row in stepper.cpp. Help,

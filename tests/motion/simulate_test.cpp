@@ -62,7 +62,7 @@ TEST(ModelChoice, FollowsTheMethod) {
   EXPECT_EQ(simulate(heavy, spinning(1.0), by("auto", "kick_srkn6"), 1e-6).report.model,
             "splitting");
   const SimulationReport ode = simulate(heavy, spinning(1.0), by("ode", "auto"), 1e-6).report;
-  EXPECT_EQ(ode.method, "dopri5");
+  EXPECT_EQ(ode.method, "taylor10");
   expect_input_error([&] { simulate(heavy, spinning(1.0), by("splitting", "rk4"), 1e-6); },
                      "numerics.method",
                      "symplectic methods only");
@@ -159,8 +159,10 @@ TEST_P(Refinement, MeetsTheAccuracyItClaims) {
     ASSERT_TRUE(found.report.error_estimate_rad.has_value());
     EXPECT_LE(*found.report.error_estimate_rad, accuracy);
     EXPECT_LE(error, 1.5 * *found.report.error_estimate_rad);
-    // and not absurdly finer than asked for
-    EXPECT_GE(error, 1e-5 * accuracy);
+    // and not absurdly finer than asked for; a series of high order jumps
+    if (find_stepper(found.report.method).order < 10) {
+      EXPECT_GE(error, 1e-5 * accuracy);
+    }
   }
 }
 
@@ -172,7 +174,7 @@ TEST(Simulate, RefusesAMethodThatCannotTakeTheScene) {
     };
   };
   const Model heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7});
-  for (const char* words : {"takes free bodies only", "dop853", "kick_srkn11", "list methods"})
+  for (const char* words : {"takes free bodies only", "dop853", "taylor16", "list methods"})
     expect_input_error(refused(heavy, "dmv10"), "numerics.method", words);
   const auto rotating = [](const char* method) {
     MotionSpec spec;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/grid_trajectory.h"
+#include "motion/scales.h"
 #include "support/expect_error.h"
 #include "support/residual.h"
 #include "support/stepper_rows.h"
@@ -60,6 +61,18 @@ double measured_order(const std::function<double(int)>& error, const StepperInfo
   return std::log2(error(n) / error(2 * n));
 }
 
+// the same from single steps, for orders so high that many steps are round-off or far off
+double measured_local_order(const StepperInfo& row, const Problem& p) {
+  const auto error = [&](double h) {
+    return distance(after(row, p, h, 1), TaylorOracle(p.model, p.start).at(h));
+  };
+  double h = 1.0;
+  while (error(h) > 2e-10)
+    h *= 0.98;
+  const double ratio = 0.75;
+  return std::log(error(h) / error(ratio * h)) / std::log(1.0 / ratio) - 1.0;
+}
+
 // the problems that a method is measured on: without and with gravity, with and without symmetry
 std::vector<Problem> problems_for(const StepperInfo& row) {
   std::vector<Problem> problems;
@@ -82,6 +95,10 @@ TEST_P(EveryStepper, HasItsOrder) {
     };
     if (row.exact_when_free && is_free(p)) {
       expect_residual(row.name + ": one step for all", error(1), 1e-14);
+      continue;
+    }
+    if (row.order >= 10 && row.adaptive) {
+      EXPECT_NEAR(measured_local_order(row, p), row.order, 0.06 * row.order) << is_free(p);
       continue;
     }
     EXPECT_NEAR(measured_order(error, row), row.order, 0.35) << is_free(p);
@@ -157,7 +174,7 @@ void expect_claim(const std::string& what, bool claimed, double drift) {
 // a step, as an angle, that is large for the method: errors of high orders must show too
 double large_turn(const StepperInfo& row) {
   const bool all = row.keeps_energy && row.keeps_momentum_norm && row.keeps_momentum_space;
-  return all || row.order < 6 ? 0.25 : 1.2;
+  return all || row.order < 6 ? 0.25 : row.order <= 10 ? 1.2 : 3.5;
 }
 
 TEST_P(EveryStepper, KeepsWhatTheTableClaimsAndNothingElse) {
@@ -229,15 +246,14 @@ TEST_P(EveryStepper, CountsItsWorkAndKeepsNoState) {
   const Problem p = problems_for(row).back();
   const std::unique_ptr<Stepper> stepper = row.make(p.model, 1.0);
   State first = p.start;
-  stepper->step(0.0, 0.1, first);
-  const long work = stepper->evaluations();
-  EXPECT_GT(work, 0);
+  Work work;
+  stepper->step(0.0, 0.1, first, work);
+  EXPECT_GT(work.evaluations, 0);
   State other = upright(hairer_vilmart()).start;
   stepper->step(0.0, 0.3, other);
   State second = p.start;
   stepper->step(0.0, 0.1, second);
   EXPECT_TRUE(same_bits(first, second));
-  EXPECT_GT(stepper->evaluations(), work);
 }
 
 TEST_P(EveryStepper, NeverFormsTheInverseOfARotatorsMissingMoment) {
@@ -248,7 +264,7 @@ TEST_P(EveryStepper, NeverFormsTheInverseOfARotatorsMissingMoment) {
   }
   const State s = after(GetParam(), p, 1e-3, 100);
   EXPECT_TRUE(s.q.coeffs().allFinite());
-  EXPECT_LE((s.y - p.start.y).norm(), 1e-14);  // no torque, and y x w = 0
+  EXPECT_LE((s.y - p.start.y).norm(), 3e-14);  // no torque, and y x w = 0
 }
 
 TEST(StepperTable, FindsByNameAndSuggestsTheNearest) {
@@ -259,12 +275,14 @@ TEST(StepperTable, FindsByNameAndSuggestsTheNearest) {
 // the estimate of an adaptive method bounds what the step really did wrong, and is not wild
 TEST(AdaptiveSteppers, EstimateTheirLocalError) {
   const Problem p = heavy_asymmetric();
-  const State exact = TaylorOracle(p.model, p.start).at(0.1L);
   for (const StepperInfo& row : stepper_table()) {
     if (!row.adaptive) continue;
+    const double h = row.order < 10 ? 0.1 : 0.8;
+    const State exact = TaylorOracle(p.model, p.start).at(h);
     State s = p.start;
     const double scale = momentum_scale(p.model, p.start);
-    const double estimate = row.make(p.model, scale)->step_with_error(0.0, 0.1, s);
+    Work work;
+    const double estimate = row.make(p.model, scale)->step_with_error(0.0, h, s, work);
     const double error =
         std::hypot((s.q.coeffs() - exact.q.coeffs()).norm(), (s.y - exact.y).norm() / scale);
     EXPECT_GE(estimate, error);

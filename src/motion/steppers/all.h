@@ -17,6 +17,8 @@ std::unique_ptr<Stepper> make_rk4(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_rk4_euler_angles(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_dopri5(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_dop853(const Model& model, double momentum_scale);
+std::unique_ptr<Stepper> make_taylor10(const Model& model, double momentum_scale);
+std::unique_ptr<Stepper> make_taylor16(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_implicit_midpoint(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_gauss4(const Model& model, double momentum_scale);
 std::unique_ptr<Stepper> make_gauss6(const Model& model, double momentum_scale);

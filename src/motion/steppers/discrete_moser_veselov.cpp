@@ -89,7 +89,7 @@ class DiscreteMoserVeselov final : public Stepper {
   DiscreteMoserVeselov(const Model& model, int order)
       : model_(model), order_(order), modified_(model.moments, order) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vec3 w = angular_velocity(model_, s.y);
     Vec3 inverse = model_.inverse_moments;
     if (order_ > 2) {
@@ -108,7 +108,7 @@ class DiscreteMoserVeselov final : public Stepper {
     s.q = s.q * Quat(1.0, c.x(), c.y(), c.z());
     s.q.coeffs() /= s.q.norm();
     s.y += 4.0 / (h * alpha) * rest.cwiseProduct(products(c));
-    ++evaluations_;
+    ++work.evaluations;
   }
 
  private:

@@ -58,9 +58,11 @@ class DormandPrince853 final : public Stepper {
   DormandPrince853(const Model& model, double momentum_scale)
       : model_(model), norm_(model, momentum_scale) {}
 
-  void step(double t, double h, State& s) override { step_with_error(t, h, s); }
+  void step(double t, double h, State& s, Work& work) const override {
+    step_with_error(t, h, s, work);
+  }
 
-  double step_with_error(double t, double h, State& s) override {
+  double step_with_error(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     std::array<Vector, kStages> k;
     k[0] = derivative<N>(model_, t, v);
@@ -71,7 +73,7 @@ class DormandPrince853 final : public Stepper {
         sum += row.rest[j] * k[row.from + j];
       k[i + 1] = derivative<N>(model_, t + row.c * h, v + h * sum);
     }
-    evaluations_ += kStages;
+    work.evaluations += kStages;
 
     Vector slope = kStep[0] * k[0];
     Vector error5 = kError5[0] * k[0];

@@ -18,11 +18,11 @@ class EngineEuler final : public Stepper {
  public:
   explicit EngineEuler(const Model& model) : model_(model) {}
 
-  void step(double, double h, State& s) override {
+  void step(double, double h, State& s, Work& work) const override {
     const Vec3 torque = up_in_body(model_, s.q).cross(model_.chi_P);
     s.y = Momentum::next(model_, h, s.y, torque);
     s.q = normalized(s.q * turn_by(h * angular_velocity(model_, s.y)));
-    ++evaluations_;
+    ++work.evaluations;
   }
 
  private:

@@ -17,7 +17,7 @@ class RungeKutta4Angles final : public Stepper {
  public:
   explicit RungeKutta4Angles(const Model& model) : model_(model) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     Vec6 v;
     v << zxz_angles(s.q), s.y;
     double fastest = 0.0;
@@ -38,7 +38,7 @@ class RungeKutta4Angles final : public Stepper {
     const Vec6 end = v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
     s.q = normalized(from_zxz_angles(end.head<3>()));
     s.y = end.tail<3>();
-    evaluations_ += 4;
+    work.evaluations += 4;
   }
 
  private:

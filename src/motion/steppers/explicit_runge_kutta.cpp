@@ -13,10 +13,10 @@ class ExplicitEuler final : public Stepper {
  public:
   explicit ExplicitEuler(const Model& model) : model_(model) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     set_state<N>(v + h * derivative<N>(model_, t, v), s);
-    ++evaluations_;
+    ++work.evaluations;
   }
 
  private:
@@ -31,11 +31,11 @@ class RungeKutta2 final : public Stepper {
  public:
   explicit RungeKutta2(const Model& model) : model_(model) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     set_state<N>(v + h * derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1), s);
-    evaluations_ += 2;
+    work.evaluations += 2;
   }
 
  private:
@@ -49,14 +49,14 @@ class RungeKutta4 final : public Stepper {
  public:
   explicit RungeKutta4(const Model& model) : model_(model) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1);
     const Vector k3 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k2);
     const Vector k4 = derivative<N>(model_, t + h, v + h * k3);
     set_state<N>(v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4), s);
-    evaluations_ += 4;
+    work.evaluations += 4;
   }
 
  private:
@@ -72,9 +72,11 @@ class DormandPrince5 final : public Stepper {
   DormandPrince5(const Model& model, double momentum_scale)
       : model_(model), norm_(model, momentum_scale) {}
 
-  void step(double t, double h, State& s) override { step_with_error(t, h, s); }
+  void step(double t, double h, State& s, Work& work) const override {
+    step_with_error(t, h, s, work);
+  }
 
-  double step_with_error(double t, double h, State& s) override {
+  double step_with_error(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + h / 5.0, v + h * (1.0 / 5 * k1));
@@ -93,7 +95,7 @@ class DormandPrince5 final : public Stepper {
     const Vector end = v + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
                                 2187.0 / 6784 * k5 + 11.0 / 84 * k6);
     const Vector k7 = derivative<N>(model_, t + h, end);
-    evaluations_ += 7;
+    work.evaluations += 7;
 
     // difference of the two embedded solutions
     const Vector error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/exact/exact.h"
 #include "motion/steppers/turn.h"
 
 namespace polhode {
@@ -14,6 +15,8 @@ namespace {
 // a series step turns the body by at most this; the terms then fall by more than a factor of two
 constexpr double kMostTurn = 0.4;
 constexpr int kMostTerms = 48;
+// beyond this the closed form, which takes its time to set up, is cheaper than the series
+constexpr double kManyTurns = 8.0;
 
 }  // namespace
 
@@ -22,7 +25,9 @@ FreeFlow::FreeFlow(const Model& model)
       asymmetric_(model.kind.shape == TopKind::Shape::asymmetric),
       axis_(model.kind.axis),
       across_(inverse_[(axis_ + 1) % 3]),
-      difference_(model.kind.symmetric() ? inverse_[axis_] - across_ : 0.0) {
+      difference_(model.kind.symmetric() ? inverse_[axis_] - across_ : 0.0),
+      free_(model) {
+  free_.chi_P.setZero();
   for (int i = 0; i < 3; ++i)
     gyration_[i] = inverse_[(i + 2) % 3] - inverse_[(i + 1) % 3];
 }
@@ -33,8 +38,17 @@ void FreeFlow::by_turns(double h, Quat& q, Vec3& y) const {
   if (difference_ != 0.0) turn_about_axis(axis_, h * difference_ * y[axis_], q, y);
 }
 
-void FreeFlow::by_series(double h, Quat& q, Vec3& y) const {
+void FreeFlow::by_series_or_closed_form(double h, Quat& q, Vec3& y) const {
   const double turn = std::abs(h) * y.norm() * inverse_.maxCoeff();
+  if (turn > kManyTurns) {
+    State s;
+    s.q = q;
+    s.y = y;
+    s = exact_asymmetric(free_, s)->at(h);
+    q = s.q;
+    y = s.y;
+    return;
+  }
   const int pieces = static_cast<int>(std::ceil(std::max(turn / kMostTurn, 1.0)));
   for (int i = 0; i < pieces; ++i)
     series_step(h / pieces, q, y);

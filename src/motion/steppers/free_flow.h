@@ -13,7 +13,7 @@ namespace polhode {
 // principal axis e with moment I closest to it,
 //   dpsi/dt = |y| / I + (2 T - |y|^2 / I) / (|y| + y.e),   T the kinetic energy,
 // (from w = dpsi/dt y/|y| + w_p; compare van Zon and Schofield, J. Comput. Phys. 225 (2007) 145,
-// section 2). Gravity is not seen.
+// section 2), or where h is many turns by their closed form. Gravity is not seen.
 class FreeFlow {
  public:
   explicit FreeFlow(const Model& model);
@@ -21,7 +21,7 @@ class FreeFlow {
   // Advances attitude and momentum by h, of either sign and any length.
   void operator()(double h, Quat& q, Vec3& y) const {
     if (asymmetric_) {
-      by_series(h, q, y);
+      by_series_or_closed_form(h, q, y);
     } else {
       by_turns(h, q, y);
     }
@@ -33,10 +33,11 @@ class FreeFlow {
   int axis_;           // of symmetry
   double across_;      // 1 / moment across that axis
   double difference_;  // 1 / moment along it, less across_
+  Model free_;         // the body without gravity, for the closed form
   Vec3 gyration_;      // dy_i/dt = gyration_i y_j y_k
 
   void by_turns(double h, Quat& q, Vec3& y) const;
-  void by_series(double h, Quat& q, Vec3& y) const;
+  void by_series_or_closed_form(double h, Quat& q, Vec3& y) const;
   void series_step(double h, Quat& q, Vec3& y) const;
 };
 

@@ -44,11 +44,11 @@ class Gauss final : public Stepper {
  public:
   Gauss(const Model& model, double momentum_scale) : model_(model), norm_(model, momentum_scale) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
     std::array<Vector, Stages> k;
     k.fill(derivative<N>(model_, t, v));
-    solve(t, h, v, k);
+    solve(t, h, v, k, work);
     Vector change = Vector::Zero();
     for (int i = 0; i < Stages; ++i)
       change += Table::b[i] * k[i];
@@ -65,7 +65,7 @@ class Gauss final : public Stepper {
   ErrorNorm norm_;
 
   // fixed-point iteration for the slopes of the stages, until round-off stops it
-  void solve(double t, double h, const Vector& v, std::array<Vector, Stages>& k) {
+  void solve(double t, double h, const Vector& v, std::array<Vector, Stages>& k, Work& work) const {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
       double change = 0.0;
@@ -77,7 +77,7 @@ class Gauss final : public Stepper {
         next[i] = derivative<N>(model_, t + Table::c[i] * h, v + h * stage);
         change = std::max(change, norm_.template of<N>(h * (next[i] - k[i])));
       }
-      evaluations_ += Stages;
+      work.evaluations += Stages;
       k = next;
       if (change <= std::numeric_limits<double>::epsilon()) return;
       if (change >= last && change <= 1e-13) return;

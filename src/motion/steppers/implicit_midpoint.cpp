@@ -23,9 +23,9 @@ class ImplicitMidpoint final : public Stepper {
  public:
   explicit ImplicitMidpoint(const Model& model) : model_(model) {}
 
-  void step(double t, double h, State& s) override {
+  void step(double t, double h, State& s, Work& work) const override {
     const Vec3 gamma = up_in_body(model_, s.q);
-    const Vec3 middle = solve(t, h, s.y, gamma);
+    const Vec3 middle = solve(t, h, s.y, gamma, work);
     const Vec3 half_turn = 0.5 * h * angular_velocity(model_, middle);
     s.q = normalized(s.q * Quat(1.0, half_turn.x(), half_turn.y(), half_turn.z()));
     s.y = 2.0 * middle - s.y;
@@ -34,7 +34,7 @@ class ImplicitMidpoint final : public Stepper {
  private:
   // Newton's method for the midpoint momentum m:  m = y + h/2 (m x w + gamma_m x chi), where
   // (1 + h/2 [w]x) gamma_m = gamma is the midpoint of gamma turned by the Cayley transform.
-  Vec3 solve(double t, double h, const Vec3& y, const Vec3& gamma) {
+  Vec3 solve(double t, double h, const Vec3& y, const Vec3& gamma, Work& work) const {
     const Mat3 inverse = model_.inverse_moments.asDiagonal();
     const double scale = y.norm() + 0.5 * std::abs(h) * model_.chi_P.norm();
     Vec3 m = y;
@@ -44,7 +44,7 @@ class ImplicitMidpoint final : public Stepper {
       const Vec3 half_turn = 0.5 * h * w;
       const Vec3 gamma_m = solve_one_plus_hat(half_turn, gamma);
       const Vec3 residual = m - y - 0.5 * h * (m.cross(w) + gamma_m.cross(model_.chi_P));
-      ++evaluations_;
+      ++work.evaluations;
 
       // d(m x w) = [m]x I^-1 dm - [w]x dm;  d gamma_m = (1 + [a]x)^-1 [gamma_m]x da, a = h/2 I^-1 m
       Mat3 jacobian = Mat3::Identity() - 0.5 * h * (hat(m) * inverse - hat(w));

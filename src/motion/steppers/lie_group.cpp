@@ -22,8 +22,8 @@ class GroupMethod : public Stepper {
   explicit GroupMethod(const Model& model) : model_(model) {}
 
  protected:
-  GroupRate rate(const Vec3& up, const Quat& r, const Vec3& L) {
-    ++evaluations_;
+  GroupRate rate(const Vec3& up, const Quat& r, const Vec3& L, Work& work) const {
+    ++work.evaluations;
     return {angular_velocity(model_, r.conjugate() * L), up.cross(r * model_.chi_P)};
   }
 
@@ -47,10 +47,10 @@ class MuntheKaas4 final : public GroupMethod {
  public:
   using GroupMethod::GroupMethod;
 
-  void step(double, double h, State& s) override {
+  void step(double, double h, State& s, Work& work) const override {
     const Vec3 L0 = s.y, up0 = up(s);
     const auto at = [&](const Vec3& u, const Vec3& L) {
-      GroupRate k = rate(up0, turn_by(u), L);
+      GroupRate k = rate(up0, turn_by(u), L, work);
       const Vec3 bracket = u.cross(k.w);
       k.w += 0.5 * bracket + u.cross(bracket) / 12.0;
       return k;
@@ -71,13 +71,14 @@ class CommutatorFree4 final : public GroupMethod {
  public:
   using GroupMethod::GroupMethod;
 
-  void step(double, double h, State& s) override {
+  void step(double, double h, State& s, Work& work) const override {
     const Vec3 L0 = s.y, up0 = up(s);
-    const GroupRate k1 = rate(up0, Quat::Identity(), L0);
+    const GroupRate k1 = rate(up0, Quat::Identity(), L0, work);
     const Quat half_way = turn_by(0.5 * h * k1.w);
-    const GroupRate k2 = rate(up0, half_way, L0 + 0.5 * h * k1.torque);
-    const GroupRate k3 = rate(up0, turn_by(0.5 * h * k2.w), L0 + 0.5 * h * k2.torque);
-    const GroupRate k4 = rate(up0, half_way * turn_by(h * (k3.w - 0.5 * k1.w)), L0 + h * k3.torque);
+    const GroupRate k2 = rate(up0, half_way, L0 + 0.5 * h * k1.torque, work);
+    const GroupRate k3 = rate(up0, turn_by(0.5 * h * k2.w), L0 + 0.5 * h * k2.torque, work);
+    const GroupRate k4 =
+        rate(up0, half_way * turn_by(h * (k3.w - 0.5 * k1.w)), L0 + h * k3.torque, work);
     const Vec3 first = h / 12.0 * (3.0 * k1.w + 2.0 * (k2.w + k3.w) - k4.w);
     const Vec3 second = h / 12.0 * (3.0 * k4.w + 2.0 * (k2.w + k3.w) - k1.w);
     const Vec3 change = h / 6.0 * (k1.torque + 2.0 * (k2.torque + k3.torque) + k4.torque);

@@ -47,14 +47,14 @@ class Splitting final : public Stepper {
         chi_P_(model.chi_P),
         inverse_(model.inverse_moments) {}
 
-  void step(double, double h, State& s) override {
+  void step(double, double h, State& s, Work& work) const override {
     for (std::size_t i = 0; i < scheme_.flows; ++i) {
       if (heavy_) kick(i, h, s);
       flow_(scheme_.a[i] * h, s.q, s.y);
     }
     if (heavy_) kick(scheme_.flows, h, s);
     trim(s.q);
-    evaluations_ += static_cast<long>(scheme_.flows) + (heavy_ ? 1 : 0);
+    work.evaluations += static_cast<long>(scheme_.flows) + (heavy_ ? 1 : 0);
   }
 
  private:

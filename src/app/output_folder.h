@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A folder of files that are made together.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/atomic_file.h"
+
+namespace polhode {
+
+// Made when it is missing. Its files keep their old content until commit(): a run that fails or is
+// interrupted changes none, and two runs on the same folder do not mix.
+class OutputFolder {
+ public:
+  // Throws Error (input) as AtomicFile does, before any work is done.
+  OutputFolder(const std::filesystem::path& folder, const std::vector<std::string>& names);
+  // One content per name, in their order.
+  void commit(const std::vector<std::string>& contents);
+
+ private:
+  std::vector<std::unique_ptr<AtomicFile>> files_;
+};
+
+}  // namespace polhode

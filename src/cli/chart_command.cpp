@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/chart.h"
+#include "base/console.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+
+Action define_chart(CLI::App& command) {
+  auto job = std::make_shared<ChartJob>();
+  auto progress = std::make_shared<std::string>("auto");
+  add_scenes(command, job->scenes);
+  add_text(command, "-o,--output", job->output, "folder for chart.csv, .svg, .png and .pdf")
+      ->required()
+      ->type_name("DIR");
+  add_text(command, "--methods", job->methods, "only these, with commas between")
+      ->type_name("NAMES");
+  command.add_flag("--pictures", job->pictures, "drawing settings instead of methods");
+  add_text(command, "--size", job->overrides.size, "of --pictures; default: the scene's")
+      ->type_name("WxH");
+  add_text(command, "--accuracy", job->overrides.accuracy, "the line: what the scene needs")
+      ->type_name("RAD|PX");
+  add_progress(command, *progress);
+  return [job, progress] {
+    job->progress = parse_progress(*progress);
+    print_out(chart(*job));
+    return 0;
+  };
+}
+
+}  // namespace polhode

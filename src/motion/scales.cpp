@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "motion/scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+double least_moment(const Model& model) {
+  return (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
+}
+
+// how fast a load makes a body at rest swing, 1/s; 0 for damping
+double driven_rate(const Model& model, const Load& load) {
+  const double arm = load.arm_P.norm();
+  const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
+  const double least = least_moment(model);
+  return std::sqrt(torque / least) +
+         std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least));
+}
+
+}  // namespace
+
+double typical_rate(const Model& model, const State& start) {
+  const double least = least_moment(model);
+  double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
+  for (const Load& load : model.loads.turning) {
+    const double damping = load.kind == Load::Kind::damp_spin ? load.c / least : load.c;
+    rate += driven_rate(model, load) + std::abs(load.rate) + damping;
+  }
+  return rate;
+}
+
+double momentum_scale(const Model& model, const State& start) {
+  // what the body has, or what drives it will give it: a start almost at rest is no scale
+  const double most = model.moments.maxCoeff();
+  double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
+  for (const Load& load : model.loads.turning)
+    scale = std::max(scale, most * driven_rate(model, load));
+  return scale > 0.0 ? scale : 1.0;
+}
+
+double first_step(const Model& model, const State& start, double tolerance, int order) {
+  const double rate = typical_rate(model, start);
+  return rate > 0.0 ? 0.5 * std::pow(tolerance, 1.0 / order) / rate
+                    : std::numeric_limits<double>::infinity();
+}
+
+double deviation(const Model& model, const State& a, const State& b) {
+  const double turned = rotation_angle_between(a.q, b.q);
+  if (!model.six) return turned;
+  const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
+  const double moved = (a.place_S - b.place_S).norm() / gyration;
+  return turned > moved || std::isnan(turned) ? turned : moved;
+}
+
+}  // namespace polhode

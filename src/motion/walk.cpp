@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "motion/walk.h"
+
+#include "base/error.h"
+
+namespace polhode {
+
+void refuse_nan(const State& s, const StepperInfo& method, double t) {
+  const bool finite = s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
+                      s.impulse_S.allFinite();
+  if (finite) return;
+  throw Error(
+      Fault::check_failed,
+      fmt::format("the motion is not a number at t = {:.6g} s with method {}; take a smaller "
+                  "step or another method",
+                  t,
+                  method.name));
+}
+
+void refuse_tolerance(const StepperInfo& method, double tolerance, double t) {
+  throw Error(Fault::check_failed,
+              fmt::format("{} cannot reach tolerance {} at t = {:.6g} s: its step fell to "
+                          "round-off; ask for a larger tolerance",
+                          method.name,
+                          tolerance,
+                          t));
+}
+
+}  // namespace polhode

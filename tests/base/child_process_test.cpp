@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "base/child_process.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+
+namespace polhode::test {
+namespace {
+
+TEST(ChildProcess, TextGoesInAndComesOut) {
+  // more than a pipe holds, so that reading and writing must go hand in hand
+  std::string text;
+  for (int i = 0; i < 200'000; ++i)
+    text += std::to_string(i) + '\n';
+  const ChildResult result = run_child({"cat"}, text);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.out == text);
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(ChildProcess, WordsAreNotReadByAShell) {
+  const ChildResult result = run_child({"printf", "%s|", "a b", "$(echo no)", "`id`", "'"}, "");
+  EXPECT_EQ(result.out, "a b|$(echo no)|`id`|'|");
+}
+
+TEST(ChildProcess, ExitCodeAndSignalAreTold) {
+  EXPECT_EQ(run_child({"sh", "-c", "echo word >&2; exit 7"}, "").status, 7);
+  EXPECT_EQ(run_child({"sh", "-c", "echo word >&2; exit 7"}, "").err, "word\n");
+  EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, "").status, 128 + 9);
+}
+
+// a program that does not read its input is no error of ours
+TEST(ChildProcess, InputMayBeLeftUnread) {
+  EXPECT_EQ(run_child({"true"}, std::string(1 << 20, 'x')).status, 0);
+}
+
+TEST(ChildProcess, AMissingProgramIsTheEnvironment) {
+  expect_error([] { run_child({"polhode-no-such-program"}, ""); },
+               Fault::environment,
+               "",
+               "polhode-no-such-program");
+}
+
+}  // namespace
+}  // namespace polhode::test

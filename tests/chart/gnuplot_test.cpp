@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "chart/gnuplot.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode::test {
+namespace {
+
+TEST(Gnuplot, DrawsEveryFormat) {
+  const std::string script = "plot [0:1] x title " + gnuplot_text("a line") + "\n";
+  EXPECT_EQ(draw_with_gnuplot(script, PlotFormat::png, 200, 100).substr(1, 3), "PNG");
+  EXPECT_EQ(draw_with_gnuplot(script, PlotFormat::pdf, 200, 100).substr(0, 5), "%PDF-");
+  const std::string svg = draw_with_gnuplot(script, PlotFormat::svg, 200, 100);
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_NE(svg.find("a line"), std::string::npos);
+}
+
+TEST(Gnuplot, UnknownNumbersAreNotDrawn) {
+  EXPECT_EQ(gnuplot_number(0.5), "0.5");
+  EXPECT_EQ(gnuplot_number(std::nan("")), "NaN");
+  EXPECT_EQ(gnuplot_number(INFINITY), "NaN");
+}
+
+// whatever stands in a scene's title stays text: no command runs, and every script still draws
+TEST(Gnuplot, TextRunsNoCommands) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "pwned";
+  const std::string attacks[] = {
+      "'; system('touch " + file + "'); '",
+      "`touch " + file + "`",
+      "\"; system(\"touch " + file + "\"); \"",
+      "x'\nsystem('touch " + file + "')\n'",
+      "\\' ; ! touch " + file + " #",
+      "@macro $var %n {/:Bold x} ^_&~",
+      "$(touch " + file + ")",
+      "' . system('touch " + file + "') . '",
+      std::string("nul\0byte", 8),
+      "\xff\xfe broken utf-8",
+  };
+  for (const std::string& attack : attacks) {
+    SCOPED_TRACE(attack);
+    const std::string text = gnuplot_text(attack);
+    const std::string script = "set label 1 " + text + " at 0,0\nset title " + text +
+                               "\nplot [0:1] x title " + text + "\n";
+    for (const PlotFormat format : {PlotFormat::svg, PlotFormat::png})
+      EXPECT_FALSE(draw_with_gnuplot(script, format, 200, 100).empty());
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+}
+
+TEST(Gnuplot, TitlesAreEscapedInSvg) {
+  const std::string svg = draw_with_gnuplot(
+      "plot [0:1] x title " + gnuplot_text("<script>alert(1)</script> & co") + "\n",
+      PlotFormat::svg,
+      300,
+      200);
+  EXPECT_EQ(svg.find("<script>alert"), std::string::npos);
+}
+
+TEST(Gnuplot, ABrokenScriptIsTold) {
+  expect_error([] { draw_with_gnuplot("plot nonsense(\n", PlotFormat::svg, 200, 100); },
+               Fault::environment,
+               "",
+               "gnuplot did not draw");
+}
+
+}  // namespace
+}  // namespace polhode::test

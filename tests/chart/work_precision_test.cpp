@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "chart/work_precision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "chart/plot_work_precision.h"
+#include "support/tops.h"
+
+namespace polhode::test {
+namespace {
+
+WorkOptions quick() {
+  WorkOptions options;
+  options.least_work_s = 1e-4;
+  options.most_run_s = 1e-3;
+  return options;
+}
+
+WorkProblem free_problem() {
+  const Problem p = upright(hairer_vilmart());
+  return {p.model, p.start, 10.0};
+}
+
+// the slope of the drawn points is the order, for methods of every kind
+TEST(WorkPrecision, PointsFollowTheOrder) {
+  const WorkProblem p = free_problem();
+  const Judge judge(p.model, p.start, p.duration);
+  for (const char* name : {"rk4", "symmetric_remainder2", "cf4", "gauss6", "dmv8"}) {
+    const StepperInfo& method = find_stepper(name);
+    std::vector<WorkPoint> good;
+    for (const WorkPoint& point : work_precision(method, p, judge, quick())) {
+      if (point.status == kPointOk && point.error_rad < 1e-3 && point.error_rad > 1e-11)
+        good.push_back(point);
+    }
+    ASSERT_GE(good.size(), 2U) << name;
+    const double slope = std::log(good.front().error_rad / good.back().error_rad) /
+                         std::log(good.front().step / good.back().step);
+    EXPECT_NEAR(slope, method.order, 0.5) << name;
+    for (std::size_t i = 1; i < good.size(); ++i)
+      EXPECT_LT(good[i].step, good[i - 1].step) << name;
+  }
+}
+
+TEST(WorkPrecision, EveryMethodGivesPointsAndEnds) {
+  const WorkProblem p = free_problem();
+  const Judge judge(p.model, p.start, p.duration);
+  for (const StepperInfo& method : stepper_table()) {
+    const std::vector<WorkPoint> points = work_precision(method, p, judge, quick());
+    EXPECT_GE(points.size(), 3U) << method.name;
+    for (const WorkPoint& point : points) {
+      EXPECT_EQ(point.method, method.name);
+      if (point.status != kPointOk && point.status != kPointBelowJudge) continue;
+      EXPECT_GT(point.time_us, 0.0) << method.name;
+      EXPECT_GT(point.evaluations, 0) << method.name;
+      EXPECT_EQ(point.status == kPointBelowJudge, point.error_rad < judge.least_error());
+    }
+  }
+}
+
+// steps without a solution and charts at their poles are rows, not numbers
+TEST(WorkPrecision, FailuresAreTold) {
+  const Problem pole = hairer_vilmart();  // upright third axis: Euler angles have no rates
+  const WorkProblem p{pole.model, pole.start, 10.0};
+  const Judge judge(p.model, p.start, p.duration);
+  for (const WorkPoint& point : work_precision(find_stepper("rk4_euler_angles"), p, judge, quick()))
+    EXPECT_EQ(point.status, "no_solution");
+  const std::vector<WorkPoint> dmv = work_precision(find_stepper("dmv2"), p, judge, quick());
+  EXPECT_EQ(dmv.front().status, "no_solution");
+  EXPECT_TRUE(std::isnan(dmv.front().error_rad));
+  EXPECT_EQ(dmv.back().status, kPointOk);
+}
+
+WorkPoint drawn(const char* method, double time_us, double error_rad, const char* status) {
+  WorkPoint p;
+  p.method = method;
+  p.time_us = time_us;
+  p.error_rad = error_rad;
+  p.evaluations = 10;
+  p.status = status;
+  return p;
+}
+
+TEST(WorkPrecision, TheCheapestIsTheFastestThatIsKnownToBeGoodEnough) {
+  const std::vector<WorkPoint> points = {drawn("rk4", 5.0, 1e-3, kPointOk),
+                                         drawn("rk4", 50.0, 1e-7, kPointOk),
+                                         drawn("gauss4", 1.0, NAN, "no_judge"),
+                                         drawn("dop853", 20.0, 1e-15, kPointBelowJudge),
+                                         drawn("cf4", 2.0, 1e-2, kPointOk)};
+  EXPECT_EQ(cheapest(points, 1e-1)->method, "cf4");
+  EXPECT_EQ(cheapest(points, 1e-3)->method, "rk4");
+  EXPECT_EQ(cheapest(points, 1e-4)->method, "dop853");
+  EXPECT_EQ(cheapest(points, 1e-16), nullptr);
+}
+
+TEST(WorkPrecision, TableHasTheContractsColumns) {
+  WorkPanel panel;
+  panel.scene = "with, comma";
+  panel.points = {drawn("rk4", 5.0, 1e-3, kPointOk), drawn("rk4", 5.0, NAN, "no_solution")};
+  const std::string csv = work_precision_csv({panel});
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "scene,method,order,step,evaluations,time_us,error_rad,energy_drift,momentum_drift,"
+            "status");
+  EXPECT_NE(csv.find("\"with, comma\",rk4,0,0,10,5,0.001,0,0,ok\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",nan,0,0,no_solution\n"), std::string::npos) << csv;
+}
+
+// names of methods, the title and the judge are in the picture; a panel without points is drawn too
+TEST(WorkPrecision, PictureNamesWhatItShows) {
+  WorkPanel full, empty;
+  full.title = "A title";
+  full.judge = "closed form";
+  full.accuracy_rad = 1e-4;
+  full.accuracy_why = "0.1 px";
+  full.points = {drawn("rk4", 5.0, 1e-3, kPointOk), drawn("rk4", 50.0, 1e-7, kPointOk)};
+  empty.title = "Empty one";
+  empty.judge = "nobody";
+  const std::string svg = plot_work_precision({full, empty}, PlotFormat::svg);
+  for (const char* words : {"A title", "closed form", "rk4", "0.1 px", "Empty one", "nobody"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace polhode::test
