@@ -17,25 +17,6 @@
 namespace polhode {
 namespace {
 
-// "a,b" to rows of the table
-std::vector<const StepperInfo*> parse_methods(const std::string& names) {
-  std::vector<const StepperInfo*> methods;
-  for (std::size_t start = 0; start < names.size();) {
-    const std::size_t end = std::min(names.find(',', start), names.size());
-    try {
-      methods.push_back(&find_stepper(names.substr(start, end - start)));
-    } catch (const Error& error) {
-      throw error.at({{}, 0, "--methods"});
-    }
-    start = end + 1;
-  }
-  if (methods.empty()) {
-    for (const StepperInfo& row : stepper_table())
-      methods.push_back(&row);
-  }
-  return methods;
-}
-
 // A scene as a problem to measure, with its panel still without points.
 struct Task {
   Scene scene;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <spdlog/spdlog.h>
+
 namespace polhode {
 namespace {
 
@@ -100,12 +102,38 @@ Solved solve(const Scene& scene) {
     StageTime time;
     Model model = make_model(scene.body, scene.motion);
     const double accuracy = accuracy_in_radians(scene, model);
+    const auto warn = [&](const std::string& words, const char* key) {
+      spdlog::warn("{}", placed(scene, input_error("{}", words).at({{}, 0, key})).what());
+    };
+    const std::optional<std::string> too_long =
+        step_beyond_limit(model, start_state(model, scene.motion), scene.numerics);
+    if (too_long) warn(*too_long, "numerics.step");
     auto found = [&] {
       const StageTimer timer(time);
       return simulate(model, scene.motion, scene.numerics, accuracy);
     }();
+    for (const std::string& doubt : found.report.trust.doubts)
+      warn("the motion cannot be trusted: " + doubt, "numerics.method");
     return Solved{scene, model, std::move(found), time};
   });
+}
+
+std::vector<const StepperInfo*> parse_methods(const std::string& names) {
+  std::vector<const StepperInfo*> methods;
+  for (std::size_t start = 0; start < names.size();) {
+    const std::size_t end = std::min(names.find(',', start), names.size());
+    try {
+      methods.push_back(&find_stepper(names.substr(start, end - start)));
+    } catch (const Error& error) {
+      throw error.at({{}, 0, "--methods"});
+    }
+    start = end + 1;
+  }
+  if (methods.empty()) {
+    for (const StepperInfo& row : stepper_table())
+      methods.push_back(&row);
+  }
+  return methods;
 }
 
 }  // namespace polhode

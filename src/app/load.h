@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/stage_clock.h"
@@ -32,6 +33,10 @@ struct Solved {
   Simulation simulation;
   StageTime simulate_time;
 };
+
+// The methods of a list such as "rk4,dop853", all of them for "". Throws Error (input), naming
+// --methods.
+std::vector<const StepperInfo*> parse_methods(const std::string& names);
 
 // Scene with the overrides applied. Throws Error (input) with file, line and key, or the option.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);

@@ -143,6 +143,22 @@ Scene shrunk(Scene scene, int factor) {
   return scene;
 }
 
+// the wheels of coaches in films
+void warn_of_backward_turning(const Scene& scene, const Motion& motion, const FrameTimes& times) {
+  if (times.count < 2) return;
+  double fastest = 0.0;
+  const int looks = std::min(times.count, 200);
+  for (int i = 0; i < looks; ++i) {
+    const double t = times.from + (times.to - times.from) * i / looks;
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  }
+  const std::optional<std::string> words = turns_backwards(fastest, times.step);
+  if (!words) return;
+  const Error warning =
+      input_error("{}: take a higher video.fps or a smaller video.time_scale", *words);
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
+}
+
 double process_cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -194,6 +210,7 @@ void render_film(const RenderJob& job) {
 
   for (const Error& warning : composer.warnings())
     spdlog::warn("{}", placed(scene, warning).what());
+  warn_of_backward_turning(scene, solved.simulation.motion, times);
 
   // open the drawing side; the threads that start here are the rasteriser's
   const std::set<int> threads_before = thread_ids();

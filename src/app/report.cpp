@@ -42,7 +42,10 @@ nlohmann::ordered_json motion_report(const SimulationReport& report) {
           {"accuracy_rad", report.accuracy_rad},
           {"error_estimate_rad", maybe(report.error_estimate_rad)},
           {"energy_drift", maybe(report.record.drift.energy)},
-          {"momentum_drift", maybe(report.record.drift.momentum)}};
+          {"momentum_drift", maybe(report.record.drift.momentum)},
+          {"attitude_error_rad", maybe(report.trust.attitude_error_rad)},
+          {"trusted", report.trust.doubts.empty()},
+          {"doubts", report.trust.doubts}};
 }
 
 nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts) {

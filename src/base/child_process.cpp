@@ -15,8 +15,6 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 
-extern char** environ;
-
 namespace polhode {
 namespace {
 
@@ -52,6 +50,7 @@ class Child {
  public:
   Child(const std::vector<std::string>& words, const Pipe& in, const Pipe& out, const Pipe& err) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words)
       arguments.push_back(const_cast<char*>(word.c_str()));  // posix_spawn does not write to them
     arguments.push_back(nullptr);

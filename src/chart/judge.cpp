@@ -39,6 +39,7 @@ std::vector<State> finest(const StepperInfo& method,
                               ? integrate_adaptive(method, model, start, duration, kTolerance)
                               : integrate_fixed(method, model, start, duration, h);
   std::vector<State> states;
+  states.reserve(times.size());
   for (const double t : times)
     states.push_back(run.trajectory->at(t));
   return states;

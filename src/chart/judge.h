@@ -22,6 +22,9 @@ class Judge {
   double doubt() const { return doubt_; }
   // Errors smaller than this cannot be told from the judge's own: ten times its doubt.
   double least_error() const { return 10.0 * doubt_; }
+  // The times over the motion, first and last included, and the states there.
+  const std::vector<double>& times() const { return times_; }
+  const std::vector<State>& states() const { return states_; }
   // The largest deviation (motion/scales.h) at the times of the judge; NaN if one is.
   double error_of(const Trajectory& run) const;
   // The deviation of this state from the end of the motion.

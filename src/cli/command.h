@@ -25,6 +25,7 @@ Action define_render(CLI::App& command);
 Action define_simulate(CLI::App& command);
 Action define_inspect(CLI::App& command);
 Action define_chart(CLI::App& command);
+Action define_stability(CLI::App& command);
 Action define_list(CLI::App& command);
 Action define_schema(CLI::App& command);
 Action define_doctor(CLI::App& command);

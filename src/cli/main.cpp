@@ -25,6 +25,7 @@ const std::vector<Command>& commands() {
       {"simulate", "write the motion of a scene as a table (CSV)", define_simulate},
       {"inspect", "tell what the body of a scene is and what theory says of it", define_inspect},
       {"chart", "chart speed against accuracy of the methods on scenes", define_chart},
+      {"stability", "map where methods fail, over step and spin or any two keys", define_stability},
       {"list", "list methods, models, shapes, scenes or formats", define_list},
       {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
       {"doctor", "tell what works here and what is missing", define_doctor},

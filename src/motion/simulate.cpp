@@ -222,6 +222,7 @@ Simulation simulate(const Model& body,
     }
     Integration found = integrate(model, chosen, start, motion.duration, numerics, report);
     report.record = found.record;
+    report.trust = trust_in(model, start, motion.duration, report.accuracy_rad, found);
     return {Motion(model, found.trajectory, motion), report};
   }
 

@@ -9,6 +9,7 @@
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
 #include "motion/motion_model.h"
+#include "motion/trust.h"
 
 namespace polhode {
 
@@ -23,6 +24,7 @@ struct SimulationReport {
   double accuracy_rad = 0.0;                 // what was asked for
   std::optional<double> error_estimate_rad;  // attitude, against a finer run; absent: not estimated
   IntegrationRecord record;
+  Trust trust;  // nothing stands against a closed form
 };
 
 struct Simulation {

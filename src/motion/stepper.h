@@ -31,6 +31,10 @@ class Stepper {
   virtual double step_with_error(double t, double h, State& s, Work& work) const;
 };
 
+// What a limit of the step is a limit of: nothing, how far the angular momentum goes round in the
+// body in a step, or how far the body turns.
+enum class StepLimit { none, oscillation, spin };
+
 // One row per method. To add one: its file in motion/steppers/, and a row in stepper.cpp. Help,
 // names and the test kit derive from this table.
 struct StepperInfo {
@@ -48,7 +52,9 @@ struct StepperInfo {
   bool takes_rotator = false;         // bodies with all mass on a line
   std::string cost = {};              // of a step
   std::string limit = {};             // of the step, where theory gives one; else empty
-  std::string source = {};            // where it comes from
+  StepLimit limit_of = StepLimit::none;
+  double limit_turn = 0.0;  // rad; see motion/step_limit.h
+  std::string source = {};  // where it comes from
   // momentum_scale: a typical |y|, kg m^2/s, for the error norm
   std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale) = nullptr;
 };

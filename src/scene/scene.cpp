@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
@@ -44,10 +46,77 @@ void record_lines(const toml::node& node,
   }
 }
 
-}  // namespace
+// "motion.spin.body[2]" to its parts "motion", "spin", "body" and 2
+struct PathPart {
+  std::string key;
+  long index = -1;  // in the list of the part before; -1: a key
+};
+std::vector<PathPart> parts_of(const std::string& path) {
+  std::vector<PathPart> parts;
+  for (std::size_t i = 0; i < path.size();) {
+    if (path[i] == '[') {
+      const std::size_t end = path.find(']', i);
+      const std::string inside = path.substr(i + 1, end == std::string::npos ? end : end - i - 1);
+      const bool digits = !inside.empty() && inside.size() < 6 &&
+                          inside.find_first_not_of("0123456789") == std::string::npos;
+      if (end == std::string::npos || !digits)
+        throw input_error("'{}' is no key; write motion.spin.body[2] or the like", path);
+      parts.push_back({"", std::stol(inside)});
+      i = end + 1;
+    } else {
+      if (path[i] == '.') ++i;
+      const std::size_t end = std::min(path.find_first_of(".[", i), path.size());
+      if (end == i)
+        throw input_error("'{}' is no key; write motion.spin.body[2] or the like", path);
+      parts.push_back({path.substr(i, end - i), -1});
+      i = end;
+    }
+  }
+  return parts;
+}
 
-Scene parse_scene(std::string_view text, const std::string& name) {
-  const toml::table tree = parse_toml(text, name);
+// the node inside `node` that a part names; null if it is not there
+toml::node* inside(toml::node& node, const PathPart& part) {
+  if (part.index < 0) {
+    toml::table* table = node.as_table();
+    return table == nullptr ? nullptr : table->get(part.key);
+  }
+  toml::array* array = node.as_array();
+  return array == nullptr ? nullptr : array->get(static_cast<std::size_t>(part.index));
+}
+
+// a key that is not there yet is made, for the strict reader to judge; a place in a list is not
+void replace_number(toml::table& tree, const std::string& path, double value) {
+  const std::vector<PathPart> parts = parts_of(path);
+  if (parts.empty()) throw input_error("'' is no key");
+  toml::node* node = &tree;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const PathPart& part = parts[i];
+    const bool last = i + 1 == parts.size();
+    toml::node* next = inside(*node, part);
+    toml::table* table = node->as_table();
+    if (part.index >= 0) {
+      if (next == nullptr || (last && !next->is_number()))
+        throw input_error("the scene has no number at '{}'", path);
+      if (last) {
+        toml::array& array = *node->as_array();
+        const auto place = array.begin() + part.index;
+        array.replace(place, value);
+        return;
+      }
+    } else if (table == nullptr || (last && next != nullptr && !next->is_number())) {
+      throw input_error("the scene has no number at '{}'", path);
+    } else if (last) {
+      table->insert_or_assign(part.key, value);
+      return;
+    } else if (next == nullptr) {
+      next = &table->insert_or_assign(part.key, toml::table{}).first->second;
+    }
+    node = next;
+  }
+}
+
+Scene scene_from(const toml::table& tree, const std::string& name) {
   Scene scene;
   scene.file = name;
   Reader reader(tree, {name, 0, {}}, keys_of<Scene>());
@@ -56,8 +125,31 @@ Scene parse_scene(std::string_view text, const std::string& name) {
   return scene;
 }
 
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& name) {
+  return scene_from(parse_toml(text, name), name);
+}
+
 Scene load_scene(const std::filesystem::path& file) {
-  Scene scene = parse_scene(read_file(file, kLargestScene), file.string());
+  return load_scene(file, {});
+}
+
+std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path) {
+  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
+  toml::node* node = &tree;
+  for (const PathPart& part : parts_of(path)) {
+    node = inside(*node, part);
+    if (node == nullptr) return {};
+  }
+  return node->value<double>();
+}
+
+Scene load_scene(const std::filesystem::path& file, const Replacements& numbers) {
+  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
+  for (const auto& [path, value] : numbers)
+    replace_number(tree, path, value);
+  Scene scene = scene_from(tree, file.string());
 
   // the files that it names stand beside it
   try {

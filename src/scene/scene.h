@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "frame/view_spec.h"
 #include "model/body_spec.h"
@@ -45,6 +48,12 @@ void fields(Visitor& v, Scene& s) {
 // Reads a scene. Throws Error (input) with file, line and key for everything that is wrong in it.
 // Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
+// Numbers to put in place of those in the file, by the path of the key as the file spells it:
+// "motion.spin.body[2]", "body.solid.radius_cm".
+using Replacements = std::vector<std::pair<std::string, double>>;
+Scene load_scene(const std::filesystem::path& file, const Replacements& numbers);
+// The number that stands at such a path; none if the file has none there.
+std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
 // The same for text in memory; `name` stands for the file in messages.
 Scene parse_scene(std::string_view text, const std::string& name);
 

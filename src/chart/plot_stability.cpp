@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "chart/plot_stability.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/csv.h"
+
+namespace polhode {
+namespace {
+
+// fine is calm, the rest told apart by the colour-blind too: lightness rises along the list
+constexpr std::array<const char*, kVerdicts> kColors = {
+    "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222"};
+
+double shown(const MapAxis& axis, double value) {
+  return axis.logarithmic() ? std::log10(value) : value;
+}
+
+// "set xrange [...]" and tics, for axes that gnuplot sees as logarithms
+std::string axis_script(const char* letter, const MapAxis& axis, bool with_name) {
+  const double first = shown(axis, axis.at(0)), last = shown(axis, axis.at(axis.cells - 1));
+  const double half = 0.5 * (last - first) / std::max(1, axis.cells - 1);
+  std::string text = fmt::format("set {}range [{}:{}]\nset {}label {}\n",
+                                 letter,
+                                 gnuplot_number(first - half),
+                                 gnuplot_number(last + half),
+                                 letter,
+                                 gnuplot_text(with_name ? axis.key : ""));
+  if (!axis.logarithmic()) return text + fmt::format("set {}tics auto\n", letter);
+  // 1, 2, 5 of every power of ten inside
+  std::string tics;
+  for (int power = static_cast<int>(std::floor(first)); power <= static_cast<int>(last) + 1;
+       ++power) {
+    for (const int digit : {1, 2, 5}) {
+      const double place = power + std::log10(static_cast<double>(digit));
+      if (place < first - half || place > last + half) continue;
+      tics += fmt::format("{}'{:g}' {}",
+                          tics.empty() ? "" : ", ",
+                          digit * std::pow(10.0, power),
+                          gnuplot_number(place));
+    }
+  }
+  return text + fmt::format("set {}tics ({})\n", letter, tics);
+}
+
+// one map, with its axes named or not
+std::string map_script(
+    const StabilityMap& map, std::size_t index, const MapAxis& x, const MapAxis& y, bool alone) {
+  std::string text = fmt::format("$map{} << EOD\n", index);
+  const auto columns = static_cast<std::size_t>(x.cells);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    text += std::to_string(static_cast<int>(map.cells[i].verdict));
+    text += (i + 1) % columns == 0 ? '\n' : ' ';
+  }
+  text += "EOD\n";
+  if (!map.limit.empty()) {
+    text += fmt::format("$limit{} << EOD\n", index);
+    for (const LimitPoint& p : map.limit)
+      text += fmt::format("{} {}\n", gnuplot_number(shown(x, p.x)), gnuplot_number(shown(y, p.y)));
+    text += "EOD\n";
+  }
+  text += axis_script("x", x, alone) + axis_script("y", y, alone);
+  text += "set title " +
+          gnuplot_text(alone ? fmt::format("{}: {}{}{}",
+                                           map.title,
+                                           map.method,
+                                           map.limit_words.empty() ? "" : "; ",
+                                           map.limit_words)
+                             : map.method) +
+          "\n";
+  const double x0 = shown(x, x.at(0)), y0 = shown(y, y.at(0));
+  const double dx = (shown(x, x.at(x.cells - 1)) - x0) / std::max(1, x.cells - 1);
+  const double dy = (shown(y, y.at(y.cells - 1)) - y0) / std::max(1, y.cells - 1);
+  text += fmt::format("plot $map{} matrix using ({}+$1*{}):({}+$2*{}):3 with image notitle",
+                      index,
+                      gnuplot_number(x0),
+                      gnuplot_number(dx),
+                      gnuplot_number(y0),
+                      gnuplot_number(dy));
+  if (!map.limit.empty()) {
+    text += fmt::format(
+        ", $limit{} using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb 'black' title {}",
+        index,
+        gnuplot_text(alone ? "limit of theory" : ""));
+  }
+  if (alone) {
+    for (int v = 0; v < kVerdicts; ++v) {
+      std::string words = name_of(static_cast<Verdict>(v));
+      std::replace(words.begin(), words.end(), '_', ' ');
+      text += fmt::format(", NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}",
+                          kColors[static_cast<std::size_t>(v)],
+                          gnuplot_text(words));
+    }
+  }
+  return text + "\n";
+}
+
+std::string palette() {
+  std::string text;
+  for (int v = 0; v < kVerdicts; ++v)
+    text += fmt::format("{}{} '{}'", v == 0 ? "" : ", ", v, kColors[static_cast<std::size_t>(v)]);
+  return fmt::format(
+      "set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\nunset colorbox\n",
+      kVerdicts,
+      text,
+      kVerdicts - 0.5);
+}
+
+}  // namespace
+
+double MapAxis::at(int i) const {
+  if (cells == 1) return from;
+  const double part = static_cast<double>(i) / (cells - 1);
+  return logarithmic() ? from * std::pow(to / from, part) : from + part * (to - from);
+}
+
+std::string plot_stability(const std::vector<const StabilityMap*>& maps,
+                           const MapAxis& x,
+                           const MapAxis& y,
+                           PlotFormat format) {
+  std::string script = palette() + "set key outside right top vertical Left reverse noenhanced\n";
+  if (maps.size() == 1) {
+    script += map_script(*maps[0], 0, x, y, true);
+    return draw_with_gnuplot(script, format, 1000, 700);
+  }
+  // a grid; what the colours and axes are stands in a last panel
+  const int columns = 6;
+  const int rows = (static_cast<int>(maps.size()) + 1 + columns - 1) / columns;
+  script += fmt::format("set multiplot layout {},{}\nunset key\n", rows, columns);
+  for (std::size_t i = 0; i < maps.size(); ++i)
+    script += map_script(*maps[i], i, x, y, false);
+  script += fmt::format(
+      "set title {}\nset key inside left top\nunset xtics\nunset ytics\nunset border\n"
+      "set xlabel {}\nset ylabel {}\nplot [0:1][0:1] ",
+      gnuplot_text(maps[0]->title),
+      gnuplot_text("across: " + x.key),
+      gnuplot_text("up: " + y.key));
+  for (int v = 0; v < kVerdicts; ++v) {
+    std::string words = name_of(static_cast<Verdict>(v));
+    std::replace(words.begin(), words.end(), '_', ' ');
+    script += fmt::format("NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}, ",
+                          kColors[static_cast<std::size_t>(v)],
+                          gnuplot_text(words));
+  }
+  script += "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n";
+  script += "unset multiplot\n";
+  return draw_with_gnuplot(script, format, 290 * columns, 260 * rows);
+}
+
+std::string stability_csv(const std::vector<StabilityMap>& maps,
+                          const MapAxis& x,
+                          const MapAxis& y) {
+  std::string text = "scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift\n";
+  for (const StabilityMap& map : maps) {
+    for (int row = 0; row < y.cells; ++row) {
+      for (int column = 0; column < x.cells; ++column) {
+        const StabilityCell& cell =
+            map.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(x.cells) +
+                      static_cast<std::size_t>(column)];
+        fmt::format_to(std::back_inserter(text),
+                       "{},{},{:.10g},{:.10g},{},{:.6g},{:.6g},{:.6g}\n",
+                       csv_field(map.scene),
+                       map.method,
+                       x.at(column),
+                       y.at(row),
+                       name_of(cell.verdict),
+                       cell.error_rad,
+                       cell.energy_drift,
+                       cell.momentum_drift);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace polhode

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "chart/stability.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "base/nearest.h"
+#include "motion/scales.h"
+#include "motion/walk.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kKept = 1e-3;     // drift of what passes for fine where nobody knows the truth
+constexpr double kChanged = 0.02;  // drift of energy that makes it the reason
+constexpr double kHopeless = 1e6;  // drift at which a run that blows up is left
+
+constexpr std::array<const char*, kVerdicts> kNames = {"fine",
+                                                       "phase_wrong",
+                                                       "flips_wrongly",
+                                                       "energy_grows",
+                                                       "energy_decays",
+                                                       "solver_failed",
+                                                       "not_a_number"};
+
+// Which way the body points, as a number between -1 and 1: towards its centre of mass against the
+// vertical, or for a free body its angular momentum along the axis that it is closest to at first.
+class Pointing {
+ public:
+  Pointing(const Model& model, const State& start) : model_(model) {
+    start.y.cwiseAbs().maxCoeff(&axis_);
+  }
+  double of(const State& s) const {
+    if (model_.chi_P.squaredNorm() > 0.0)
+      return up_in_body(model_, s.q).dot(model_.chi_P) / model_.chi_P.norm();
+    return s.y[axis_] / s.y.norm();
+  }
+
+ private:
+  const Model& model_;
+  Eigen::Index axis_ = 0;
+};
+
+bool finite(const State& s) {
+  return s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
+         s.impulse_S.allFinite();
+}
+
+// the states at the times of the judge, one after the other; false when they end early
+template <class Visit>
+void states_at(const std::vector<double>& times,
+               const Stepper& stepper,
+               State s,
+               double h,
+               const Visit& visit) {
+  long i = 0;
+  Work work;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    for (; (static_cast<double>(i) + 1.0) * h <= times[k] * (1.0 + 1e-12); ++i)
+      stepper.step(static_cast<double>(i) * h, h, s, work);
+    stop_if_interrupted();
+    State now = s;
+    const double t = static_cast<double>(i) * h;
+    if (times[k] - t > 1e-9 * h) stepper.step(t, times[k] - t, now, work);
+    if (!visit(k, now)) return;
+  }
+}
+
+Verdict verdict_of(const StabilityCell& cell, bool flipped, double allowed_rad) {
+  const bool known = !std::isnan(cell.error_rad);
+  const bool kept = !(std::abs(cell.energy_drift) > kKept) && !(cell.momentum_drift > kKept);
+  if (known ? cell.error_rad <= allowed_rad : kept) return Verdict::fine;
+  if (cell.energy_drift > kChanged) return Verdict::energy_grows;
+  if (cell.energy_drift < -kChanged) return Verdict::energy_decays;
+  return flipped ? Verdict::flips_wrongly : Verdict::phase_wrong;
+}
+
+}  // namespace
+
+const char* name_of(Verdict verdict) {
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+Verdict parse_verdict(const std::string& name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (name == kNames[i]) return static_cast<Verdict>(i);
+  }
+  throw input_error("no verdict is called '{}'{}",
+                    name,
+                    suggestion(name, std::vector<std::string>(kNames.begin(), kNames.end())));
+}
+
+StabilityProblem::StabilityProblem(const Model& m, const State& s, double T)
+    : model(m), start(s), duration(T), judge(m, s, T) {}
+
+StabilityCell try_method(const StepperInfo& method,
+                         const StabilityProblem& problem,
+                         double h,
+                         double allowed_rad) {
+  const Model& model = problem.model;
+  const std::unique_ptr<Stepper> stepper = method.make(model, momentum_scale(model, problem.start));
+  const bool judged = std::isfinite(problem.judge.doubt());
+  const Pointing pointing(model, problem.start);
+  DriftWatch drift(model, problem.start);
+  const double energy_at_start = energy(model, problem.start);
+  double last_energy = energy_at_start;
+  double error = 0.0;
+  bool flipped = false, nan = false, blown_up = false;
+  StabilityCell cell;
+  try {
+    states_at(
+        problem.judge.times(), *stepper, problem.start, h, [&](std::size_t k, const State& s) {
+          if (!finite(s)) {
+            nan = true;
+            return false;
+          }
+          drift.look_at(s);
+          last_energy = energy(model, s);
+          const State& truth = problem.judge.states()[k];
+          error = std::max(error, deviation(model, s, truth));
+          // on opposite sides, and both clearly
+          constexpr double kClearly = 0.3;
+          const double found = pointing.of(s), wanted = pointing.of(truth);
+          flipped = flipped || (found * wanted < 0.0 && std::abs(found) > kClearly &&
+                                std::abs(wanted) > kClearly);
+          blown_up = drift.worst().energy.value_or(0.0) > kHopeless;
+          return !blown_up;
+        });
+  } catch (const Error& failure) {
+    if (failure.fault() == Fault::interrupted) throw;
+    return {Verdict::solver_failed, kUnknown, kUnknown, kUnknown};
+  }
+  if (nan) return {Verdict::not_a_number, kUnknown, kUnknown, kUnknown};
+  const double sign = last_energy < energy_at_start ? -1.0 : 1.0;
+  cell.error_rad = judged && !blown_up ? error : kUnknown;
+  cell.energy_drift = sign * drift.worst().energy.value_or(kUnknown);
+  cell.momentum_drift = drift.worst().momentum.value_or(kUnknown);
+  cell.verdict =
+      blown_up ? Verdict::energy_grows : verdict_of(cell, flipped && judged, allowed_rad);
+  return cell;
+}
+
+}  // namespace polhode

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/stability.h"
+#include "base/console.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+
+Action define_stability(CLI::App& command) {
+  auto job = std::make_shared<StabilityJob>();
+  auto progress = std::make_shared<std::string>("auto");
+  auto turns = std::make_shared<std::optional<double>>();
+  auto allowed = std::make_shared<std::optional<double>>();
+  auto jobs = std::make_shared<std::optional<int>>();
+  add_scenes(command, job->scenes);
+  add_text(command, "-o,--output", job->output, "folder for stability.csv and the pictures")
+      ->required()
+      ->type_name("DIR");
+  add_text(command, "--methods", job->methods, "only these, with commas between")
+      ->type_name("NAMES");
+  add_text(command, "--x", job->x, "key of the scene that changes across; spin: a factor on it")
+      ->type_name("KEY");
+  add_text(command, "--y", job->y, "key that changes upwards")->type_name("KEY");
+  add_text(command, "--x-range", job->x_range, "default: around the scene's own")->type_name("A:B");
+  add_text(command, "--y-range", job->y_range, "default: around the scene's own")->type_name("A:B");
+  add_text(command, "--cells", job->cells, "cells across and upwards")->type_name("NxM");
+  add_number(command, "--turns", *turns, "how far the body turns in every run (default: 100)");
+  add_number(command, "--allowed", *allowed, "attitude error that is fine, rad (default: 0.1)");
+  add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)");
+  add_progress(command, *progress);
+  return [=] {
+    const auto positive = [](const auto& value, const char* option) {
+      if (value && !(*value > 0)) {
+        throw input_error("must be greater than 0, got {}", *value).at({{}, 0, option});
+      }
+    };
+    positive(*turns, "--turns");
+    positive(*allowed, "--allowed");
+    positive(*jobs, "--jobs");
+    job->turns = turns->value_or(job->turns);
+    job->allowed_rad = allowed->value_or(job->allowed_rad);
+    job->jobs = jobs->value_or(job->jobs);
+    job->progress = parse_progress(*progress);
+    print_out(stability(*job));
+    return 0;
+  };
+}
+
+}  // namespace polhode

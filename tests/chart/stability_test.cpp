@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Every verdict on a motion that deserves it.
+#include "chart/stability.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "chart/plot_stability.h"
+#include "motion/step_limit.h"
+#include "support/expect_error.h"
+#include "support/tops.h"
+
+namespace polhode::test {
+namespace {
+
+constexpr double kAllowed = 0.1;
+
+StabilityProblem problem(const Problem& p, double duration) {
+  return {p.model, p.start, duration};
+}
+
+StabilityCell tried(const char* method, const StabilityProblem& p, double h) {
+  return try_method(find_stepper(method), p, h, kAllowed);
+}
+
+TEST(Stability, VerdictsHaveNames) {
+  for (int v = 0; v < kVerdicts; ++v)
+    EXPECT_EQ(parse_verdict(name_of(static_cast<Verdict>(v))), static_cast<Verdict>(v));
+  expect_input_error([] { parse_verdict("fien"); }, "", "fine");
+}
+
+TEST(Stability, FineAndThenOutOfPhase) {
+  const StabilityProblem p = problem({free_body({1, 1, 2}), {Quat::Identity(), {1, 0, 4}}}, 100.0);
+  const StabilityCell fine = tried("rk4", p, 0.05);
+  EXPECT_EQ(fine.verdict, Verdict::fine);
+  EXPECT_LT(fine.error_rad, kAllowed);
+  EXPECT_EQ(tried("implicit_midpoint", p, 0.2).verdict, Verdict::phase_wrong);
+}
+
+// R0: below 2 sqrt 2 the classical method loses energy, beyond it gains
+TEST(Stability, EnergyDecaysBelowTheLimitAndGrowsBeyond) {
+  const StabilityProblem p = problem({free_body({1, 1, 2}), {Quat::Identity(), {1, 0, 4}}}, 400.0);
+  const double limit = step_limit(find_stepper("rk4"), p.model, p.start);
+  EXPECT_NEAR(limit, std::sqrt(2.0), 1e-6);
+  const StabilityCell below = tried("rk4", p, 0.95 * limit), beyond = tried("rk4", p, 1.05 * limit);
+  EXPECT_EQ(below.verdict, Verdict::energy_decays);
+  EXPECT_LT(below.energy_drift, 0.0);
+  EXPECT_EQ(beyond.verdict, Verdict::energy_grows);
+  EXPECT_GT(beyond.energy_drift, 0.0);
+}
+
+// long steps keep energy and momentum, and turn the body over at the wrong times
+TEST(Stability, FlipsWrongly) {
+  const StabilityProblem p =
+      problem({free_body({1, 2, 3}), {Quat::Identity(), {0.01, 2.0, 0.01}}}, 200.0);
+  EXPECT_EQ(tried("implicit_midpoint", p, 1.0).verdict, Verdict::flips_wrongly);
+}
+
+TEST(Stability, SolverFailedAndNotANumber) {
+  const StabilityProblem p =
+      problem({free_body({1, 2, 3}), {Quat::Identity(), {0.1, 0.1, 3}}}, 100.0);
+  EXPECT_EQ(tried("dmv2", p, 1.1).verdict, Verdict::solver_failed);
+  EXPECT_NE(tried("dmv2", p, 0.9).verdict, Verdict::solver_failed);
+  const StabilityProblem fast =
+      problem({free_body({1, 2, 3}), {Quat::Identity(), {40, 50, 60}}}, 1000.0);
+  const StabilityCell lost = tried("explicit_euler", fast, 1.0);
+  EXPECT_EQ(lost.verdict, Verdict::not_a_number);
+  EXPECT_TRUE(std::isnan(lost.error_rad));
+}
+
+// without a judge the invariants speak
+TEST(Stability, WithoutAJudgeInvariantsDecide) {
+  const StabilityProblem p = problem({heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7}),
+                                      {exp_rotation({0.4, 1.1, -0.3}), {0.3, 0.1, -0.2}}},
+                                     1500.0);
+  ASSERT_TRUE(std::isinf(p.judge.doubt()));
+  const StabilityCell kept = tried("gauss6", p, 0.2), lost = tried("rk4", p, 0.5);
+  EXPECT_EQ(kept.verdict, Verdict::fine);
+  EXPECT_TRUE(std::isnan(kept.error_rad));
+  EXPECT_NE(lost.verdict, Verdict::fine);
+}
+
+TEST(Stability, AxesAndTable) {
+  MapAxis x{"numerics.step", 0.01, 1.0, 3}, y{"motion.position[0]", -1.0, 1.0, 2};
+  EXPECT_TRUE(x.logarithmic());
+  EXPECT_FALSE(y.logarithmic());
+  EXPECT_NEAR(x.at(1), 0.1, 1e-15);
+  EXPECT_EQ(y.at(0), -1.0);
+  EXPECT_EQ(y.at(1), 1.0);
+  StabilityMap map;
+  map.scene = "top";
+  map.method = "rk4";
+  map.cells.resize(6);
+  map.cells[4].verdict = Verdict::phase_wrong;
+  const std::string csv = stability_csv({map}, x, y);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift");
+  EXPECT_NE(csv.find("top,rk4,0.1,1,phase_wrong,0,0,0\n"), std::string::npos) << csv;
+  map.title = "Title";
+  map.limit = {{0.05, -1.0}, {0.2, 1.0}};
+  for (const std::vector<const StabilityMap*>& maps :
+       {std::vector<const StabilityMap*>{&map}, {&map, &map}}) {
+    const std::string svg = plot_stability(maps, x, y, PlotFormat::svg);
+    for (const char* words : {"Title", "rk4", "phase wrong", "numerics.step", "limit of theory"})
+      EXPECT_NE(svg.find(words), std::string::npos) << words;
+  }
+}
+
+}  // namespace
+}  // namespace polhode::test

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// `polhode stability` as a user calls it.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+
+class StabilityRun : public ::testing::Test {
+ protected:
+  StabilityRun() { write_text(folder_ / "scene.toml", test::kSmallScene); }
+  Ran stability(const std::string& options,
+                const std::string& out = "out",
+                const std::string& before = "") const {
+    return run_polhode(
+        fmt::format("stability '{}' -o '{}' {}", folder_ / "scene.toml", folder_ / out, options),
+        before);
+  }
+  std::string table(const std::string& out = "out") const {
+    return read_text(folder_ / (out + "/stability.csv"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StabilityRun, WritesTableAndMaps) {
+  const Ran ran = stability("--methods rk4,explicit_euler --cells 8x4 --turns 5");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("rk4"), std::string::npos) << ran.out;
+  const std::string csv = table();
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 8 * 4);
+  for (const char* name : {"stability_scene.png",
+                           "stability_scene.svg",
+                           "stability_scene_rk4.png",
+                           "stability_scene_explicit_euler.png"})
+    EXPECT_GT(std::filesystem::file_size(folder_ / (std::string("out/") + name)), 1000U) << name;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 5);
+}
+
+TEST_F(StabilityRun, TakesAnyTwoKeys) {
+  const Ran ran = stability(
+      "--methods rk4 --cells 4x3 --turns 3 --x motion.spin.body[2] "
+      "--y body.solid.semi_axes[0] --y-range 0.1:0.15");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(table().find("\nscene,rk4,0.3,0.1,"), std::string::npos) << table();
+  EXPECT_NE(table().find("\nscene,rk4,30,0.15,"), std::string::npos) << table();
+}
+
+// the same table for any number of threads, and from a run that was stopped and taken up again
+TEST_F(StabilityRun, GoesOnWhereItWasStopped) {
+  const std::string options = "--methods rk4,gauss6 --cells 48x48 --turns 60";
+  ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
+  const Ran stopped =
+      stability(options + " --jobs 1", "out", "timeout --preserve-status -s INT 0.7");
+  ASSERT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.csv"));
+  const std::string kept = read_text(folder_ / "out/stability.resume");
+  EXPECT_GT(std::count(kept.begin(), kept.end(), '\n'), 1);
+  ASSERT_EQ(stability(options).code, 0);
+  EXPECT_TRUE(table() == table("whole"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.resume"));
+}
+
+// what is left of other words, or is nonsense, is not believed
+TEST_F(StabilityRun, DoesNotTakeUpAnotherRun) {
+  const std::string options = "--methods rk4 --cells 6x3 --turns 3";
+  ASSERT_EQ(stability(options, "whole").code, 0);
+  std::filesystem::create_directory(folder_ / "out");
+  write_text(folder_ / "out/stability.resume", "something else\n0 0 not_a_number 0 0 0\n");
+  ASSERT_EQ(stability(options).code, 0);
+  EXPECT_EQ(table(), table("whole"));
+}
+
+TEST_F(StabilityRun, BadInputIsOneLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"--methods rk44", "did you mean 'rk4'?"},
+      {"--cells 0x5", "--cells"},
+      {"--cells 5", "--cells"},
+      {"--x-range 3:1", "--x-range"},
+      {"--x-range abc", "--x-range"},
+      {"--x-range=-1:1", "greater than 0"},
+      {"--y motion.spin.body[9]", "no number at"},
+      {"--y motion.spn --y-range 1:2", "motion.spn"},
+      {"--x spin", "two different keys"},
+      {"--turns 0", "--turns"},
+      {"--allowed -1", "--allowed"},
+  };
+  for (const auto& [options, words] : cases) {
+    SCOPED_TRACE(options);
+    const Ran ran = stability(std::string("--cells 4x4 ") + options);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

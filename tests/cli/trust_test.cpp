@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What a user hears of a motion that cannot be trusted.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+
+// a symmetric body, spun so that rk4 ends at a step of 1.41 s
+constexpr const char* kTop =
+    "format = 1\n[body]\nmoments = [1, 1, 2]\n[motion]\nduration = 40\n"
+    "attitude = {{ zxz_deg = [0, 30, 0] }}\nspin = {{ body = [0.5, 0, 2] }}\n"
+    "[numerics]\nmethod = \"{}\"\nstep = {}\n[video]\nsize = \"64x36\"\nfps = {}\n";
+
+class UntrustedRun : public ::testing::Test {
+ protected:
+  Ran render(const std::string& method, double step, const std::string& out, int fps = 5) const {
+    write_text(folder_ / "top.toml",
+               fmt::format(fmt::runtime(std::string(kTop)), method, step, fps));
+    return run_polhode(fmt::format("render '{}' -o '{}' --to 1 --report '{}'",
+                                   folder_ / "top.toml",
+                                   out == "null" ? out : folder_ / out,
+                                   folder_ / "r.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(UntrustedRun, IsWarnedOfAndReported) {
+  const Ran ran = render("explicit_euler", 0.01, "null");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("top.toml:9: numerics.method: the motion cannot be trusted"),
+            std::string::npos)
+      << ran.err;
+  const auto report = nlohmann::json::parse(read_text(folder_ / "r.json"));
+  EXPECT_EQ(report["trusted"], false);
+  EXPECT_GE(report["doubts"].size(), 2U);
+  EXPECT_GT(report["attitude_error_rad"].get<double>(), 0.1);
+}
+
+TEST_F(UntrustedRun, GoodOnesAreQuiet) {
+  const Ran ran = render("dmv8", 0.05, "null");
+  EXPECT_EQ(ran.err, "");
+  const auto report = nlohmann::json::parse(read_text(folder_ / "r.json"));
+  EXPECT_EQ(report["trusted"], true);
+  EXPECT_TRUE(report["doubts"].empty());
+}
+
+TEST_F(UntrustedRun, AStepBeyondTheLimitIsToldWithTheLimit) {
+  const Ran ran = render("rk4", 1.6, "null");
+  EXPECT_NE(ran.err.find("top.toml:10: numerics.step: a step of 1.6 s is beyond 1.41 s"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST_F(UntrustedRun, NotANumberEndsTheRunAndLeavesNoFilm) {
+  const Ran ran = render("explicit_euler", 1.5, "a.mp4");
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  EXPECT_NE(ran.err.find("explicit_euler"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("t = "), std::string::npos) << ran.err;
+  EXPECT_EQ(folder_.entries(), 1) << "the scene alone";
+}
+
+// 2.06 rad/s at one frame in two seconds
+TEST_F(UntrustedRun, BackwardTurningIsTold) {
+  write_text(folder_ / "top.toml",
+             fmt::format(fmt::runtime(std::string(kTop)), "dmv8", 0.05, 5) + "time_scale = 10\n");
+  const Ran ran = run_polhode(fmt::format("render '{}' -o null", folder_ / "top.toml"));
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_NE(ran.err.find("backwards"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("video.fps"), std::string::npos) << ran.err;
+}
+
+}  // namespace
+}  // namespace polhode
