@@ -386,12 +386,14 @@ std::string stability(const StabilityJob& job) {
       maps[map].limit = limit_curve(place, *method);
       of_scene.push_back(&maps[map++]);
     }
-    for (const PlotFormat format : {PlotFormat::png, PlotFormat::svg})
+    for (const PlotFormat format : {PlotFormat::png, PlotFormat::svg}) {
       drawings.emplace_back(
           [=, &place] { return plot_stability(of_scene, place.x, place.y, format); });
-    for (const StabilityMap* one : of_scene)
+    }
+    for (const StabilityMap* one : of_scene) {
       drawings.emplace_back(
           [=, &place] { return plot_stability({one}, place.x, place.y, PlotFormat::png); });
+    }
   }
   parallel_for(static_cast<long>(drawings.size()), job.jobs, [&](long i) {
     contents[static_cast<std::size_t>(i) + 1] = drawings[static_cast<std::size_t>(i)]();

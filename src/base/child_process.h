@@ -15,8 +15,9 @@ struct ChildResult {
 };
 
 // Runs words[0], found on PATH, with the other words as its arguments; `input` is its standard
-// input. SIGPIPE must be ignored (base/interrupt.h). Returns when it has ended. Throws Error (environment) when it cannot be started,
-// (interrupted) when a signal asks us to stop; the program is then ended too.
+// input. SIGPIPE must be ignored (base/interrupt.h). Returns when it has ended. Throws Error
+// (environment) when it cannot be started, (interrupted) when a signal asks us to stop; the program
+// is then ended too.
 ChildResult run_child(const std::vector<std::string>& words, std::string_view input);
 
 }  // namespace polhode

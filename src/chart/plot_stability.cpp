@@ -21,7 +21,7 @@ double shown(const MapAxis& axis, double value) {
 }
 
 // "set xrange [...]" and tics, for axes that gnuplot sees as logarithms
-std::string axis_script(const char* letter, const MapAxis& axis, bool with_name) {
+std::string axis_script(const char* letter, const MapAxis& axis, bool alone) {
   const double first = shown(axis, axis.at(0)), last = shown(axis, axis.at(axis.cells - 1));
   const double half = 0.5 * (last - first) / std::max(1, axis.cells - 1);
   std::string text = fmt::format("set {}range [{}:{}]\nset {}label {}\n",
@@ -29,13 +29,15 @@ std::string axis_script(const char* letter, const MapAxis& axis, bool with_name)
                                  gnuplot_number(first - half),
                                  gnuplot_number(last + half),
                                  letter,
-                                 gnuplot_text(with_name ? axis.key : ""));
+                                 gnuplot_text(alone ? axis.key : ""));
   if (!axis.logarithmic()) return text + fmt::format("set {}tics auto\n", letter);
-  // 1, 2, 5 of every power of ten inside
+  // 1, 2, 5 of every power of ten inside; in a small panel the powers alone, if there are two
+  const bool crowded = !alone && last - first >= 1.0;
   std::string tics;
   for (int power = static_cast<int>(std::floor(first)); power <= static_cast<int>(last) + 1;
        ++power) {
     for (const int digit : {1, 2, 5}) {
+      if (crowded && digit != 1) continue;
       const double place = power + std::log10(static_cast<double>(digit));
       if (place < first - half || place > last + half) continue;
       tics += fmt::format("{}'{:g}' {}",

@@ -19,15 +19,18 @@ using test::write_text;
 
 // a symmetric body, spun so that rk4 ends at a step of 1.41 s
 constexpr const char* kTop =
-    "format = 1\n[body]\nmoments = [1, 1, 2]\n[motion]\nduration = 40\n"
+    "format = 1\n[body]\nmoments = {}\n[motion]\nduration = 40\n"
     "attitude = {{ zxz_deg = [0, 30, 0] }}\nspin = {{ body = [0.5, 0, 2] }}\n"
-    "[numerics]\nmethod = \"{}\"\nstep = {}\n[video]\nsize = \"64x36\"\nfps = {}\n";
+    "[numerics]\nmethod = \"{}\"\nstep = {}\n[video]\nsize = \"64x36\"\nfps = 5\n";
 
 class UntrustedRun : public ::testing::Test {
  protected:
-  Ran render(const std::string& method, double step, const std::string& out, int fps = 5) const {
+  Ran render(const std::string& method,
+             double step,
+             const std::string& out,
+             const std::string& moments = "[1, 1, 2]") const {
     write_text(folder_ / "top.toml",
-               fmt::format(fmt::runtime(std::string(kTop)), method, step, fps));
+               fmt::format(fmt::runtime(std::string(kTop)), moments, method, step));
     return run_polhode(fmt::format("render '{}' -o '{}' --to 1 --report '{}'",
                                    folder_ / "top.toml",
                                    out == "null" ? out : folder_ / out,
@@ -65,7 +68,7 @@ TEST_F(UntrustedRun, AStepBeyondTheLimitIsToldWithTheLimit) {
 }
 
 TEST_F(UntrustedRun, NotANumberEndsTheRunAndLeavesNoFilm) {
-  const Ran ran = render("explicit_euler", 1.5, "a.mp4");
+  const Ran ran = render("explicit_euler", 1.5, "a.mp4", "[1, 2, 3]");
   EXPECT_EQ(ran.code, 1) << ran.err;
   EXPECT_NE(ran.err.find("explicit_euler"), std::string::npos) << ran.err;
   EXPECT_NE(ran.err.find("t = "), std::string::npos) << ran.err;
@@ -75,7 +78,8 @@ TEST_F(UntrustedRun, NotANumberEndsTheRunAndLeavesNoFilm) {
 // 2.06 rad/s at one frame in two seconds
 TEST_F(UntrustedRun, BackwardTurningIsTold) {
   write_text(folder_ / "top.toml",
-             fmt::format(fmt::runtime(std::string(kTop)), "dmv8", 0.05, 5) + "time_scale = 10\n");
+             fmt::format(fmt::runtime(std::string(kTop)), "[1, 1, 2]", "dmv8", 0.05) +
+                 "time_scale = 10\n");
   const Ran ran = run_polhode(fmt::format("render '{}' -o null", folder_ / "top.toml"));
   EXPECT_EQ(ran.code, 0);
   EXPECT_NE(ran.err.find("backwards"), std::string::npos) << ran.err;

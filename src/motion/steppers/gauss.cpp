@@ -21,9 +21,9 @@ template <>
 struct GaussTable<2> {
   static constexpr double kRoot = 1.73205080756887729353;  // of 3
   static constexpr const char* kName = "gauss4";
-  static constexpr std::array<double, 2> b = {0.5, 0.5};
-  static constexpr std::array<double, 2> c = {0.5 - kRoot / 6, 0.5 + kRoot / 6};
-  static constexpr std::array<std::array<double, 2>, 2> a = {
+  static constexpr std::array<double, 2> kB = {0.5, 0.5};
+  static constexpr std::array<double, 2> kC = {0.5 - kRoot / 6, 0.5 + kRoot / 6};
+  static constexpr std::array<std::array<double, 2>, 2> kA = {
       {{0.25, 0.25 - kRoot / 6}, {0.25 + kRoot / 6, 0.25}}};
 };
 
@@ -31,9 +31,9 @@ template <>
 struct GaussTable<3> {
   static constexpr double kRoot = 3.87298334620741688518;  // of 15
   static constexpr const char* kName = "gauss6";
-  static constexpr std::array<double, 3> b = {5.0 / 18, 4.0 / 9, 5.0 / 18};
-  static constexpr std::array<double, 3> c = {0.5 - kRoot / 10, 0.5, 0.5 + kRoot / 10};
-  static constexpr std::array<std::array<double, 3>, 3> a = {
+  static constexpr std::array<double, 3> kB = {5.0 / 18, 4.0 / 9, 5.0 / 18};
+  static constexpr std::array<double, 3> kC = {0.5 - kRoot / 10, 0.5, 0.5 + kRoot / 10};
+  static constexpr std::array<std::array<double, 3>, 3> kA = {
       {{5.0 / 36, 2.0 / 9 - kRoot / 15, 5.0 / 36 - kRoot / 30},
        {5.0 / 36 + kRoot / 24, 2.0 / 9, 5.0 / 36 - kRoot / 24},
        {5.0 / 36 + kRoot / 30, 2.0 / 9 + kRoot / 15, 5.0 / 36}}};
@@ -51,7 +51,7 @@ class Gauss final : public Stepper {
     solve(t, h, v, k, work);
     Vector change = Vector::Zero();
     for (int i = 0; i < Stages; ++i)
-      change += Table::b[i] * k[i];
+      change += Table::kB[i] * k[i];
     set_state<N>(v + h * change, s);
   }
 
@@ -73,8 +73,8 @@ class Gauss final : public Stepper {
       for (int i = 0; i < Stages; ++i) {
         Vector stage = Vector::Zero();
         for (int j = 0; j < Stages; ++j)
-          stage += Table::a[i][j] * k[j];
-        next[i] = derivative<N>(model_, t + Table::c[i] * h, v + h * stage);
+          stage += Table::kA[i][j] * k[j];
+        next[i] = derivative<N>(model_, t + Table::kC[i] * h, v + h * stage);
         change = std::max(change, norm_.template of<N>(h * (next[i] - k[i])));
       }
       work.evaluations += Stages;
