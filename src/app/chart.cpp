@@ -90,7 +90,8 @@ std::string chart(const ChartJob& job) {
     runs += static_cast<int>(tasks.back().methods.size());
   }
   require_gnuplot();
-  OutputFolder folder(job.output, {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
+  OutputFolder folder(folder_or_default(job.output, job.scenes.front(), "chart"),
+                      {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
 
   // one after the other: what is timed has the machine to itself
   Progress progress(job.progress, runs, "methods");

@@ -91,20 +91,29 @@ PicturePoint judged(const DrawingSetting& setting, const Drawn& drawn, const Dra
 std::string chart_pictures(const ChartJob& job) {
   std::vector<Solved> solved;
   for (const std::filesystem::path& file : job.scenes) {
-    const Scene scene = load_with_overrides(file, job.overrides);
-    const PictureSize& size = scene.video.size;
-    if (size.width * size.height > kMostPixelsOfPictures) {
+    Scene scene = load_with_overrides(file, job.overrides);
+    PictureSize& size = scene.video.size;
+    const auto too_large = [&] {
+      return size.width * size.height > kMostPixelsOfPictures;
+    };
+    if (job.overrides.size && too_large()) {
       throw input_error(
-          "{} x {} is too large: the reference has 64 times as many pixels; give --size 640x360 or "
-          "the like, at most 960x540",
+          "{} x {} is too large: the reference has 64 times as many pixels; at most 960x540",
           size.width,
           size.height)
           .at({{}, 0, "--size"});
     }
+    // a scene's own size is shrunk, its sides even
+    const PictureSize own = size;
+    for (int factor = 2; too_large(); ++factor) {
+      size.width = std::max(2, own.width / (2 * factor) * 2);
+      size.height = std::max(2, own.height / (2 * factor) * 2);
+    }
     solved.push_back(solve(scene));
   }
   require_gnuplot();
-  OutputFolder folder(job.output, {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
+  OutputFolder folder(folder_or_default(job.output, job.scenes.front(), "chart"),
+                      {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
   const std::unique_ptr<Context> context = open_context("auto");
 
   Progress progress(
@@ -117,7 +126,9 @@ std::string chart_pictures(const ChartJob& job) {
         std::filesystem::path(scene.scene.file).stem().string(), scene.scene.title, {}};
     const Drawn truth = draw(scene, *context, kReference);
     progress.show(++done);
-    text += fmt::format("{}: error against {}\n", panel.scene, kReference.name);
+    const PictureSize& size = scene.scene.video.size;
+    text += fmt::format(
+        "{} at {}x{}: error against {}\n", panel.scene, size.width, size.height, kReference.name);
     for (const DrawingSetting& setting : kSettings) {
       const PicturePoint p = judged(setting, draw(scene, *context, setting), truth);
       text += fmt::format("  {:<26} {:>8.1f} ms a frame, RMSE {:.3f} levels of 255\n",

@@ -26,4 +26,11 @@ void OutputFolder::commit(const std::vector<std::string>& contents) {
     files_[i]->commit_with(contents[i]);
 }
 
+std::filesystem::path folder_or_default(const std::string& asked,
+                                        const std::filesystem::path& scene,
+                                        const std::string& what) {
+  if (!asked.empty()) return asked;
+  return std::filesystem::path("output") / (scene.stem().string() + "_" + what);
+}
+
 }  // namespace polhode

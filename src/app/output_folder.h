@@ -24,4 +24,9 @@ class OutputFolder {
   std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
+// The folder that is asked for, else output/SCENE_what.
+std::filesystem::path folder_or_default(const std::string& asked,
+                                        const std::filesystem::path& scene,
+                                        const std::string& what);
+
 }  // namespace polhode

@@ -104,7 +104,8 @@ Setup make_setup(const MappedScene& place, double x, double y, const StabilityJo
     State start = start_state(model, scene.motion);
     start.y *= spin;
     const double rate = typical_rate(model, start);
-    if (rate <= 0.0) throw input_error("the body rests, and nothing can fail");
+    if (rate <= 0.0)
+      throw input_error("the body rests, and nothing can fail").at({{}, 0, "motion.spin"});
     Setup setup;
     setup.problem = std::make_unique<StabilityProblem>(model, start, job.turns * 2.0 * kPi / rate);
     setup.step = step.value_or(scene.numerics.step.value_or(0.1 / rate));
@@ -159,7 +160,8 @@ MappedScene make_place(const std::filesystem::path& file,
           "{} cannot take this scene: {}", methods.front()->name, why_not(*methods.front(), model));
     }
     const double found = typical_rate(model, start_state(model, place.scene.motion));
-    if (found <= 0.0) throw input_error("the body rests, and nothing can fail");
+    if (found <= 0.0)
+      throw input_error("the body rests, and nothing can fail").at({{}, 0, "motion.spin"});
     return found;
   });
   const std::array<int, 2> cells = parse_cells(job.cells);
@@ -340,8 +342,10 @@ std::string stability(const StabilityJob& job) {
     }
   }
   require_gnuplot();
-  OutputFolder folder(job.output, files);
-  Finished finished(std::filesystem::path(job.output) / "stability.resume", words_of(places, job));
+  const std::filesystem::path where =
+      folder_or_default(job.output, job.scenes.front(), "stability");
+  OutputFolder folder(where, files);
+  Finished finished(where / "stability.resume", words_of(places, job));
 
   // the cells, a row at a time on every processor
   const int columns = places[0].x.cells, rows = places[0].y.cells;

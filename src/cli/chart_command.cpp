@@ -12,13 +12,18 @@ Action define_chart(CLI::App& command) {
   auto job = std::make_shared<ChartJob>();
   auto progress = std::make_shared<std::string>("auto");
   add_scenes(command, job->scenes);
-  add_text(command, "-o,--output", job->output, "folder for chart.csv, .svg, .png and .pdf")
-      ->required()
+  add_text(command,
+           "-o,--output",
+           job->output,
+           "folder for chart.csv, .svg, .png and .pdf (default: output/SCENE_chart)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
       ->type_name("NAMES");
   command.add_flag("--pictures", job->pictures, "drawing settings instead of methods");
-  add_text(command, "--size", job->overrides.size, "of --pictures; default: the scene's")
+  add_text(command,
+           "--size",
+           job->overrides.size,
+           "of --pictures; default: the scene's, shrunk to 960x540")
       ->type_name("WxH");
   add_text(command, "--accuracy", job->overrides.accuracy, "the line: what the scene needs")
       ->type_name("RAD|PX");

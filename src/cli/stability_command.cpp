@@ -15,8 +15,10 @@ Action define_stability(CLI::App& command) {
   auto allowed = std::make_shared<std::optional<double>>();
   auto jobs = std::make_shared<std::optional<int>>();
   add_scenes(command, job->scenes);
-  add_text(command, "-o,--output", job->output, "folder for stability.csv and the pictures")
-      ->required()
+  add_text(command,
+           "-o,--output",
+           job->output,
+           "folder for stability.csv and the pictures (default: output/SCENE_stability)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
       ->type_name("NAMES");
