@@ -32,9 +32,7 @@ Task make_task(const std::filesystem::path& file,
   task.scene = load_with_overrides(file, job.overrides);
   const Scene& scene = task.scene;
   with_place(scene, [&] {
-    Model model = make_model(scene.body, scene.motion);
-    std::string reason;
-    model.six = choose_model(model, {}, reason).six;
+    const Model model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};
     for (const StepperInfo* method : methods) {

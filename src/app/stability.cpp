@@ -98,9 +98,7 @@ Setup make_setup(const MappedScene& place, double x, double y, const StabilityJo
   apply(place.y.key, y);
   const Scene scene = load_scene(place.file, numbers);
   return with_place(scene, [&] {
-    Model model = make_model(scene.body, scene.motion);
-    std::string reason;
-    model.six = choose_model(model, {}, reason).six;
+    const Model model = with_needed_degrees(make_model(scene.body, scene.motion));
     State start = start_state(model, scene.motion);
     start.y *= spin;
     const double rate = typical_rate(model, start);
@@ -149,9 +147,7 @@ MappedScene make_place(const std::filesystem::path& file,
   place.file = file;
   place.scene = load_scene(file);
   const double rate = with_place(place.scene, [&] {
-    Model model = make_model(place.scene.body, place.scene.motion);
-    std::string reason;
-    model.six = choose_model(model, {}, reason).six;
+    const Model model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     for (const StepperInfo* method : methods) {
       if (why_not(*method, model).empty()) place.methods.push_back(method);
     }

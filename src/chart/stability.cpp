@@ -45,11 +45,6 @@ class Pointing {
   Eigen::Index axis_ = 0;
 };
 
-bool finite(const State& s) {
-  return s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
-         s.impulse_S.allFinite();
-}
-
 // the states at the times of the judge, one after the other; false when they end early
 template <class Visit>
 void states_at(const std::vector<double>& times,
@@ -114,7 +109,7 @@ StabilityCell try_method(const StepperInfo& method,
   try {
     states_at(
         problem.judge.times(), *stepper, problem.start, h, [&](std::size_t k, const State& s) {
-          if (!finite(s)) {
+          if (!is_finite(s)) {
             nan = true;
             return false;
           }

@@ -195,4 +195,10 @@ const MotionModel& choose_model(const Model& model,
   throw Error(Fault::input, "no model takes this scene");
 }
 
+Model with_needed_degrees(Model model) {
+  std::string reason;
+  model.six = choose_model(model, {}, reason).six;
+  return model;
+}
+
 }  // namespace polhode

@@ -32,4 +32,7 @@ const MotionModel& choose_model(const Model& model,
                                 const NumericsSpec& numerics,
                                 std::string& reason);
 
+// The model with as many degrees of freedom as its loads need.
+Model with_needed_degrees(Model model);
+
 }  // namespace polhode

@@ -5,10 +5,13 @@
 
 namespace polhode {
 
+bool is_finite(const State& s) {
+  return s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
+         s.impulse_S.allFinite();
+}
+
 void refuse_nan(const State& s, const StepperInfo& method, double t) {
-  const bool finite = s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
-                      s.impulse_S.allFinite();
-  if (finite) return;
+  if (is_finite(s)) return;
   throw Error(
       Fault::check_failed,
       fmt::format("the motion is not a number at t = {:.6g} s with method {}; take a smaller "

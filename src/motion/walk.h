@@ -16,6 +16,8 @@ struct WalkRecord {
   Work work;
 };
 
+// Is every number of it finite?
+bool is_finite(const State& s);
 // Error (check failed) with time and method when the state is not a number.
 void refuse_nan(const State& s, const StepperInfo& method, double t);
 // Error (check failed): the step of an adaptive method fell to round-off.

@@ -45,9 +45,7 @@ std::vector<WorkProblem> problems() {
   const auto add_loaded = [&](const Vec3& moments, const std::vector<LoadSpec>& loads) {
     MotionSpec spec = test::spun({0.7, 1.9, 1.1});
     spec.torque = loads;
-    Model model = make_model(test::body_with(moments), spec);
-    std::string reason;
-    model.six = choose_model(model, {}, reason).six;
+    const Model model = with_needed_degrees(make_model(test::body_with(moments), spec));
     all.push_back(problem(model, start_state(model, spec)));
   };
   LoadSpec constant = test::load("constant");
