@@ -2,6 +2,7 @@
 #include "chart/plot_picture_error.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -11,32 +12,47 @@ namespace polhode {
 
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format) {
   constexpr int kWidth = 1000;
-  constexpr int kHeight = 550;
+  constexpr int kHeight = 500;
+  constexpr std::array<const char*, 7> kColors = {
+      "#7F7F7F", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#5D3A9B"};
+  constexpr std::array<int, 7> kMarks = {7, 5, 9, 11, 13, 15, 6};
   std::string script = fmt::format(
       "set multiplot layout {},1\n"
-      "set logscale xy\nset grid linecolor rgb '#dddddd' linewidth 0.5\nunset key\n"
-      "set offsets graph 0.05, graph 0.4, graph 0.1, graph 0.1\n"
+      "set logscale xy\nset grid linecolor rgb '#dddddd' linewidth 0.5\n"
+      "set key outside right top vertical Left reverse noenhanced\n"
       "set xlabel 'time of a frame, ms'\n"
       "set ylabel 'root mean square error, levels of 255'\n",
       panels.size());
   for (const PicturePanel& panel : panels) {
-    script += "unset label\nset title " + gnuplot_text(panel.title) + "\n$points << EOD\n";
-    for (const PicturePoint& p : panel.points)
-      script += fmt::format("{} {}\n", gnuplot_number(p.time_ms), gnuplot_number(p.rmse_levels));
-    script += "EOD\n";
-    // names above and below in turn, from the fastest on, so that neighbours do not meet
-    std::vector<PicturePoint> sorted = panel.points;
-    std::sort(sorted.begin(), sorted.end(), [](const PicturePoint& a, const PicturePoint& b) {
-      return a.time_ms < b.time_ms;
-    });
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-      script += fmt::format("set label {} at {},{} left offset 0.7,{}\n",
-                            gnuplot_text(sorted[i].setting),
-                            gnuplot_number(sorted[i].time_ms),
-                            gnuplot_number(sorted[i].rmse_levels),
-                            i % 2 == 0 ? 0.7 : -0.7);
+    script += "set title " + gnuplot_text(panel.title) + "\n";
+    double least = panel.points.front().rmse_levels, most = least;
+    double fastest = panel.points.front().time_ms, slowest = fastest;
+    std::string plots;
+    for (std::size_t i = 0; i < panel.points.size(); ++i) {
+      const PicturePoint& p = panel.points[i];
+      least = std::min(least, p.rmse_levels);
+      most = std::max(most, p.rmse_levels);
+      fastest = std::min(fastest, p.time_ms);
+      slowest = std::max(slowest, p.time_ms);
+      script += fmt::format("$setting{} << EOD\n{} {}\nEOD\n",
+                            i,
+                            gnuplot_number(p.time_ms),
+                            gnuplot_number(p.rmse_levels));
+      plots += fmt::format(
+          "{}$setting{} using 1:2 with points pointtype {} pointsize 1.5 linecolor rgb '{}' title "
+          "{}",
+          plots.empty() ? "plot " : ", ",
+          i,
+          kMarks[i % kMarks.size()],
+          kColors[i % kColors.size()],
+          gnuplot_text(p.setting));
     }
-    script += "plot $points using 1:2 with points pointtype 7 linecolor rgb '#0072B2'\n";
+    script += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
+                          gnuplot_number(0.5 * fastest),
+                          gnuplot_number(2.0 * slowest),
+                          gnuplot_number(std::max(0.5 * least, 1e-3)),
+                          gnuplot_number(std::max(2.0 * most, 2e-3)));
+    script += plots + "\n";
   }
   script += "unset multiplot\n";
   return draw_with_gnuplot(script, format, kWidth, kHeight * static_cast<int>(panels.size()));
