@@ -21,7 +21,7 @@ TEST(PictureError, EveryPointIsDrawnAndNamed) {
   for (const char* words : {"A title", "plain", "four samples"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   // marks in the panel and in its key
-  EXPECT_EQ(count(svg, "<use xlink:href='#gpPt"), 4) << svg;
+  EXPECT_EQ(count(svg, "' transform='translate("), 4) << svg;
 }
 
 TEST(PictureError, Table) {
