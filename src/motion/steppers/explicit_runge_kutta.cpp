@@ -72,11 +72,23 @@ class DormandPrince5 final : public Stepper {
   DormandPrince5(const Model& model, double momentum_scale)
       : model_(model), norm_(model, momentum_scale) {}
 
+  // without the seventh stage, which only the estimate needs
   void step(double t, double h, State& s, Work& work) const override {
-    step_with_error(t, h, s, work);
+    advance<false>(t, h, s, work);
   }
 
   double step_with_error(double t, double h, State& s, Work& work) const override {
+    return advance<true>(t, h, s, work);
+  }
+
+ private:
+  using Vector = StateVector<N>;
+
+  Model model_;
+  ErrorNorm norm_;
+
+  template <bool WithError>
+  double advance(double t, double h, State& s, Work& work) const {
     const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + h / 5.0, v + h * (1.0 / 5 * k1));
@@ -94,21 +106,17 @@ class DormandPrince5 final : public Stepper {
                                49.0 / 176 * k4 - 5103.0 / 18656 * k5));
     const Vector end = v + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
                                 2187.0 / 6784 * k5 + 11.0 / 84 * k6);
+    set_state<N>(end, s);
+    work.evaluations += 6;
+    if constexpr (!WithError) return 0.0;
     const Vector k7 = derivative<N>(model_, t + h, end);
-    work.evaluations += 7;
+    ++work.evaluations;
 
     // difference of the two embedded solutions
     const Vector error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
                               17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7);
-    set_state<N>(end, s);
     return norm_.template of<N>(error);
   }
-
- private:
-  using Vector = StateVector<N>;
-
-  Model model_;
-  ErrorNorm norm_;
 };
 
 }  // namespace
