@@ -15,7 +15,7 @@ namespace {
 WorkOptions quick() {
   WorkOptions options;
   options.least_work_s = 1e-4;
-  options.most_run_s = 1e-3;
+  options.most_run_s = 0.03;
   return options;
 }
 
