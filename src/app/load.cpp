@@ -38,6 +38,7 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
         numerics.tolerance.reset();
       }
       numerics.method = *overrides.method;
+      numerics.compare.clear();
     });
   }
   if (overrides.step) {
@@ -105,12 +106,18 @@ Solved solve(const Scene& scene) {
     const auto warn = [&](const std::string& words, const char* key) {
       spdlog::warn("{}", placed(scene, input_error("{}", words).at({{}, 0, key})).what());
     };
+    // where methods are compared, steps and tolerances are theirs, and this is the truth
+    NumericsSpec numerics = scene.numerics;
+    if (!numerics.compare.empty()) {
+      numerics.step.reset();
+      numerics.tolerance.reset();
+    }
     const std::optional<std::string> too_long =
-        step_beyond_limit(model, start_state(model, scene.motion), scene.numerics);
+        step_beyond_limit(model, start_state(model, scene.motion), numerics);
     if (too_long) warn(*too_long, "numerics.step");
     auto found = [&] {
       const StageTimer timer(time);
-      return simulate(model, scene.motion, scene.numerics, accuracy);
+      return simulate(model, scene.motion, numerics, accuracy);
     }();
     for (const std::string& doubt : found.report.trust.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "app/comparison.h"
 #include "app/report.h"
 #include "app/version.h"
 #include "base/atomic_file.h"
@@ -16,7 +17,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/nearest.h"
-#include "frame/compose.h"
+#include "frame/film.h"
 #include "render/renderer.h"
 #include "video/pipeline.h"
 #include "video/plain_sinks.h"
@@ -133,6 +134,14 @@ SinkJob sink_job(const RenderJob& job,
   return sink;
 }
 
+Scene without_text(Scene scene) {
+  scene.show.labels = false;
+  scene.show.title = false;
+  scene.show.clock = false;
+  scene.show.caption.clear();
+  return scene;
+}
+
 Scene shrunk(Scene scene, int factor) {
   // even sides stay even
   PictureSize& size = scene.video.size;
@@ -141,6 +150,51 @@ Scene shrunk(Scene scene, int factor) {
     size.height = std::max(kSmallestSide, size.height / (2 * factor) * 2);
   }
   return scene;
+}
+
+// one panel, or one for each method that is compared
+Film make_film(const Solved& solved, const Comparison* comparison, bool with_text) {
+  const Scene& scene = solved.scene;
+  const FrameSize size = frame_size(scene);
+  const FilmText text = film_text(scene.show, scene.title, scene.video.time_scale);
+  const std::size_t count = comparison == nullptr ? 1 : comparison->contenders().size();
+  const std::vector<PixelBox> places = panel_places(size, static_cast<int>(count));
+  const bool noted = comparison != nullptr && with_text;
+  const int notes = noted ? Comparison::kNoteLines : 0;
+  // the widest margins serve all panels
+  FrameMargins margins;
+  for (const PixelBox& place : places) {
+    const FrameMargins needed = text_margins(text, place, size, notes);
+    margins.left = std::max(margins.left, needed.left);
+    margins.right = std::max(margins.right, needed.right);
+    margins.top = std::max(margins.top, needed.top);
+    margins.bottom = std::max(margins.bottom, needed.bottom);
+  }
+  std::vector<FilmPanel> panels;
+  for (std::size_t i = 0; i < count; ++i) {
+    const FrameSize panel_size{places[i].width, places[i].height};
+    FilmPanel panel;
+    panel.place = places[i];
+    panel.composer = std::make_shared<const Composer>(solved.simulation.motion,
+                                                      scene.body,
+                                                      scene.camera,
+                                                      scene.show,
+                                                      scene.theme,
+                                                      panel_size,
+                                                      margins);
+    panel.end = scene.motion.duration;
+    if (comparison != nullptr) {
+      const Contender& one = comparison->contenders()[i];
+      panel.composer = std::make_shared<const Composer>(*panel.composer, one.motion);
+      panel.end = one.end;
+      if (noted)
+        panel.notes = [comparison, &one](double t) {
+          return comparison->notes(one, t);
+        };
+    }
+    panels.push_back(std::move(panel));
+  }
+  return {std::move(panels), text, size};
 }
 
 // the wheels of coaches in films
@@ -184,7 +238,9 @@ void render_film(const RenderJob& job) {
   const Quality& quality = find_quality(job.quality);
 
   // load and check everything that can be checked before work begins
-  const Scene scene = shrunk(load_with_overrides(job.scene, job.overrides), quality.shrink);
+  Scene asked = load_with_overrides(job.scene, job.overrides);
+  if (!job.text) asked = without_text(std::move(asked));
+  const Scene scene = shrunk(std::move(asked), quality.shrink);
   const std::string output = output_of(job);
   const bool still = is_still(job, output);
   const FrameTimes times = frame_times(job, scene, still);
@@ -199,16 +255,15 @@ void render_film(const RenderJob& job) {
 
   // simulate
   const Solved solved = solve(scene);
-  const Composer composer = with_place(scene, [&] {
-    return Composer(solved.simulation.motion,
-                    scene.body,
-                    scene.camera,
-                    scene.show,
-                    scene.theme,
-                    frame_size(scene));
-  });
+  std::unique_ptr<Comparison> comparison;
+  if (!scene.numerics.compare.empty()) {
+    const double frame_s = scene.video.time_scale / scene.video.fps.value();
+    comparison = std::make_unique<Comparison>(solved, frame_s);
+  }
+  const Film film =
+      with_place(scene, [&] { return make_film(solved, comparison.get(), job.text); });
 
-  for (const Error& warning : composer.warnings())
+  for (const Error& warning : film.panels().front().composer->warnings())
     spdlog::warn("{}", placed(scene, warning).what());
   warn_of_backward_turning(scene, solved.simulation.motion, times);
 
@@ -225,11 +280,11 @@ void render_film(const RenderJob& job) {
   StageTime compose_time;
   Progress progress(job.progress, times.count);
   const auto produce = [&](int index, Image& image) {
-    const DrawList list = [&] {
+    const Picture picture = [&] {
       const StageTimer timer(compose_time);
-      return composer.at(times.at(index));
+      return film.at(times.at(index));
     }();
-    renderer.draw(list, image);
+    renderer.draw(picture, image);
   };
   run_pipeline(times.count, produce, *sink, [&](int done) { progress.show(done); });
 
@@ -254,7 +309,9 @@ void render_film(const RenderJob& job) {
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();
-  const std::string report = film_report(solved, facts).dump(2) + "\n";
+  nlohmann::ordered_json told = film_report(solved, facts);
+  if (comparison) told["compare"] = comparison->report();
+  const std::string report = told.dump(2) + "\n";
   if (report_file == nullptr) {
     print_out(report);
   } else {

@@ -34,6 +34,7 @@ struct RenderJob {
   std::optional<int> crf;
   std::string backend = "auto";
   bool transparent = false;
+  bool text = true;    // false: no labels, clock, title or caption
   std::string report;  // file for the JSON report; empty: none
   ProgressKind progress = ProgressKind::automatic;
 };

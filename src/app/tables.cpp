@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "scene/schema.h"
+#include "text/typesetter.h"
 #include "video/film_sink.h"
 #include "video/frame_sink.h"
 
@@ -186,6 +187,13 @@ Diagnosis examine() {
   }
   const std::string gnuplot = gnuplot_version();
   rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
+  for (const FontFound& font : examine_fonts()) {
+    rows.push_back({"font " + font.wanted,
+                    font.there ? "ok"
+                               : fmt::format("missing: {} serves instead; install {}",
+                                             font.found.empty() ? "nothing" : font.found,
+                                             font.package)});
+  }
   const bool encodes = has_encoder("libx264");
   rows.push_back({"encoder libx264",
                   encodes ? "ok"

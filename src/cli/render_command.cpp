@@ -31,6 +31,8 @@ Action define_render(CLI::App& command) {
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("NAME");
   command.add_flag("--transparent", job->transparent, "no background, where the format has alpha");
+  command.add_flag_callback(
+      "--no-text", [job] { job->text = false; }, "no labels, clock, title or caption");
   add_text(command,
            "--report",
            job->report,

@@ -23,27 +23,33 @@ Mat3 camera_axes(const Vec3& back) {
   return R_CS;
 }
 
-// Tangents of the half-angles, across and upwards, that points may fill.
-using Tangents = std::array<double, 2>;
+// Tangents of the angles from the line of sight, across and upwards, that points may fill.
+struct Tangents {
+  std::array<double, 2> low, high;  // left and down, right and up
+};
 
 // In the plane of one picture axis a, with z towards the camera, a point is inside the frame when
-// |a - a_eye| <= tan * (z_eye - z). The two sides give the tightest a_eye and z_eye at once.
+// -low * (z_eye - z) <= a - a_eye <= high * (z_eye - z). The two sides give the tightest z_eye;
+// what room is left is shared between them.
 Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent) {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  std::array<double, 2> sum = {kNone, kNone};
-  std::array<double, 2> difference = {kNone, kNone};
+  std::array<double, 2> above = {kNone, kNone};
+  std::array<double, 2> below = {kNone, kNone};
   Vec3 eye_C(0, 0, kNone);
   for (const Vec3& p : points_C) {
     eye_C.z() = std::max(eye_C.z(), p.z());
     for (std::size_t a = 0; a < 2; ++a) {
       const double across = p[static_cast<Eigen::Index>(a)];
-      sum[a] = std::max(sum[a], p.z() * tangent[a] + across);
-      difference[a] = std::max(difference[a], p.z() * tangent[a] - across);
+      above[a] = std::max(above[a], p.z() * tangent.high[a] + across);
+      below[a] = std::max(below[a], p.z() * tangent.low[a] - across);
     }
   }
+  for (std::size_t a = 0; a < 2; ++a)
+    eye_C.z() = std::max(eye_C.z(), (above[a] + below[a]) / (tangent.low[a] + tangent.high[a]));
   for (std::size_t a = 0; a < 2; ++a) {
-    eye_C[static_cast<Eigen::Index>(a)] = 0.5 * (sum[a] - difference[a]);
-    eye_C.z() = std::max(eye_C.z(), 0.5 * (sum[a] + difference[a]) / tangent[a]);
+    const double least = above[a] - eye_C.z() * tangent.high[a];
+    const double most = eye_C.z() * tangent.low[a] - below[a];
+    eye_C[static_cast<Eigen::Index>(a)] = 0.5 * (least + most);
   }
   return eye_C;
 }
@@ -54,7 +60,9 @@ Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent, con
   for (const Vec3& p : points_C) {
     for (std::size_t a = 0; a < 2; ++a) {
       const auto axis = static_cast<Eigen::Index>(a);
-      eye_C.z() = std::max(eye_C.z(), p.z() + std::abs(p[axis] - target_C[axis]) / tangent[a]);
+      const double across = p[axis] - target_C[axis];
+      const double slope = across < 0.0 ? tangent.low[a] : tangent.high[a];
+      eye_C.z() = std::max(eye_C.z(), p.z() + std::abs(across) / slope);
     }
   }
   return eye_C;
@@ -126,7 +134,7 @@ Camera framing_camera(const std::vector<Vec3>& points,
                       const Vec3& direction,
                       double fov,
                       FrameSize size,
-                      double margin) {
+                      const FrameMargins& margins) {
   CHECK(!points.empty());
   const Mat3 R_CS = camera_axes(direction);
   std::vector<Vec3> points_C;
@@ -135,8 +143,11 @@ Camera framing_camera(const std::vector<Vec3>& points,
     points_C.push_back(R_CS * point);
     front = std::max(front, points_C.back().z());
   }
-  const double tan_v = (1.0 - 2.0 * margin) * std::tan(0.5 * fov);
-  const Tangents tangent = {tan_v * size.width / size.height, tan_v};
+  const double up = std::tan(0.5 * fov);
+  const double across = up * size.width / size.height;
+  const Tangents tangent = {
+      {(1.0 - 2.0 * margins.left) * across, (1.0 - 2.0 * margins.bottom) * up},
+      {(1.0 - 2.0 * margins.right) * across, (1.0 - 2.0 * margins.top) * up}};
   Vec3 eye_C =
       target ? nearest_eye(points_C, tangent, R_CS * *target) : nearest_eye(points_C, tangent);
 

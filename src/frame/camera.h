@@ -16,6 +16,12 @@ struct FrameSize {
   int height = 1080;  // pixels
 };
 
+// What is left free at the sides of a picture, as fractions of its width and height.
+struct FrameMargins {
+  double left = 0.045, right = 0.045;
+  double top = 0.045, bottom = 0.045;
+};
+
 // Where drawing coordinates are in space: origin and unit near those of what is drawn, so that a
 // molecule, and a body far from the origin, keep their digits in single precision.
 struct DrawingFrame {
@@ -57,14 +63,14 @@ class Camera {
   Eigen::Matrix4d clip_from_world_;
 };
 
-// The nearest camera with this line of sight that keeps every point inside the frame less a margin
-// (a fraction of the frame on each side). direction: from the scene towards the camera; target: in
+// The nearest camera with this line of sight that keeps every point inside the frame less its
+// margins. direction: from the scene towards the camera; target: in
 // the middle of the picture, when there is one.
 Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,
                       double fov,
                       FrameSize size,
-                      double margin);
+                      const FrameMargins& margins);
 
 }  // namespace polhode

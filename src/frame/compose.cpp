@@ -10,8 +10,6 @@
 namespace polhode {
 namespace {
 
-constexpr double kFrameMargin = 0.045;  // of the frame, on each side
-
 // what a scene shows, with every default resolved
 std::map<std::string, bool> resolve(const ShowSpec& spec, const Stage& stage) {
   std::map<std::string, bool> shown;
@@ -44,13 +42,16 @@ DrawingFrame make_drawing_frame(const Stage& stage) {
   return {origin, size};
 }
 
-Camera make_camera(const CameraSpec& spec, const std::vector<Vec3>& points, FrameSize size) {
+Camera make_camera(const CameraSpec& spec,
+                   const std::vector<Vec3>& points,
+                   FrameSize size,
+                   const FrameMargins& margins) {
   if (!spec.eye) {
     const Vec3 direction = spec.direction.value_or(kDefaultDirection);
     if (direction.stableNorm() == 0.0) {
       throw input_error("must not be zero").at({{}, 0, "camera.direction"});
     }
-    return framing_camera(points, spec.target, direction, spec.fov, size, kFrameMargin);
+    return framing_camera(points, spec.target, direction, spec.fov, size, margins);
   }
 
   // the scene's own camera; the ball of what is drawn sets the clip planes
@@ -75,13 +76,18 @@ Composer::Composer(const Motion& motion,
                    const CameraSpec& camera,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
-                   FrameSize size)
+                   FrameSize size,
+                   const FrameMargins& margins)
     : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, stage_)),
       meshes_{arrow_meshes(circle_segments(0.05 * size.height)),
               cone_meshes(circle_segments(0.5 * size.height))},
       drawing_(make_drawing_frame(stage_)),
-      camera_(make_camera(camera, points_to_frame(), size)) {}
+      camera_(make_camera(camera, points_to_frame(), size, margins)) {}
+
+Composer::Composer(const Composer& other, const Motion& motion) : Composer(other) {
+  stage_.motion = motion;
+}
 
 Marks Composer::marks_at(const Sample& sample) const {
   Marks marks;
@@ -92,12 +98,28 @@ Marks Composer::marks_at(const Sample& sample) const {
   return marks;
 }
 
-DrawList Composer::at(double t) const {
-  DrawList list;
-  list.view = camera_.view(drawing_);
-  list.background = stage_.theme.background;
-  add_items(marks_at(stage_.motion.at(t)), meshes_, drawing_, camera_.eye(), list);
-  return list;
+Shot Composer::shot(double t) const {
+  Shot shot;
+  const Marks marks = marks_at(stage_.motion.at(t));
+  shot.list.view = camera_.view(drawing_);
+  shot.list.background = stage_.theme.background;
+  add_items(marks, meshes_, drawing_, camera_.eye(), shot.list);
+  for (const LabelMark& label : marks.labels) {
+    if (camera_.sees(label.at)) shot.labels.push_back(seen(label));
+  }
+  return shot;
+}
+
+SeenLabel Composer::seen(const LabelMark& label) const {
+  const Vec2 at = camera_.project(label.at);
+  // a little way along; where that is towards the eye, the label stands above
+  const Vec3 step = 0.05 * stage_.scale.body * label.away.stableNormalized();
+  const Vec2 along = camera_.project(label.at + step) - at;
+  const double pixel = 0.05 * stage_.scale.body * camera_.pixels_per_metre(label.at);
+  const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
+  const Vec2 from =
+      camera_.sees(label.at - label.away) ? camera_.project(label.at - label.away) : at;
+  return {from, at, away.normalized(), label.markup, label.color};
 }
 
 std::vector<Vec3> Composer::points_to_frame() const {

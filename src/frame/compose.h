@@ -11,7 +11,22 @@
 
 namespace polhode {
 
-// Immutable; at() is a pure function of t and may be called from any thread.
+// A label where the camera sees it: pixels, x to the right, y down.
+struct SeenLabel {
+  Vec2 from;  // where the vector that it names begins; `at` if it names a point
+  Vec2 at;
+  Vec2 away;  // unit
+  std::string markup;
+  glm::vec3 color;
+};
+
+// What a camera sees at one moment.
+struct Shot {
+  DrawList list;
+  std::vector<SeenLabel> labels;
+};
+
+// Immutable; shot() and at() are pure functions of t and may be called from any thread.
 class Composer {
  public:
   // Throws Error (input) when [show] asks for what this motion does not have.
@@ -20,9 +35,13 @@ class Composer {
            const CameraSpec& camera,
            const ShowSpec& show,
            const ThemeSpec& theme,
-           FrameSize size);
+           FrameSize size,
+           const FrameMargins& margins = {});
+  // The same picture, with the same camera and scale, of another motion of the same body.
+  Composer(const Composer& other, const Motion& motion);
 
-  DrawList at(double t) const;
+  Shot shot(double t) const;
+  DrawList at(double t) const { return shot(t).list; }
   // What a viewer of this film may miss, with the key at fault: a camera of the scene's own that
   // sees nothing or is inside the body, a body smaller than a pixel.
   std::vector<Error> warnings() const;
@@ -36,6 +55,7 @@ class Composer {
 
  private:
   std::vector<Vec3> points_to_frame() const;
+  SeenLabel seen(const LabelMark& label) const;
 
   Stage stage_;
   std::map<std::string, bool> shown_;

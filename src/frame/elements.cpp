@@ -2,6 +2,7 @@
 #include "frame/elements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,15 @@ constexpr ArrowShape kMomentumShape{0.018, 0.054, 0.17};
 constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
 constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
 constexpr double kRimRadius = 0.008;
+constexpr double kLongestVector = 50.0;
+constexpr double kShortestNamed = 0.05;  // shorter vectors are no more than a dot
+
+// names of what is shown, as the notes write them
+constexpr const char* kOmegaName = "<b>Ω</b>";
+constexpr const char* kMomentumName = "<b>L</b>";
+constexpr std::array<const char*, 3> kBodyAxisNames = {
+    "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
+constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
 
 constexpr int kFramingTimes = 240;
 constexpr std::size_t kFieldPoints = 48;
@@ -57,11 +67,18 @@ ArrowShape times(const ArrowShape& shape, double factor) {
 
 void add_vector(const Stage& stage,
                 const Vec3& from,
-                const Vec3& tip,
+                const Vec3& end,
                 const ArrowShape& shape,
                 const Material& material,
-                Marks& marks) {
+                Marks& marks,
+                const char* name = nullptr) {
+  // a vector that a failing method has blown up still fits single precision
+  const double most = kLongestVector * stage.scale.body;
+  const double length = (end - from).norm();
+  const Vec3 tip = length > most ? Vec3(from + (end - from) * (most / length)) : end;
   marks.arrows.push_back({from, tip, times(shape, stage.scale.body), material});
+  if (name == nullptr || length < kShortestNamed * stage.scale.body) return;
+  marks.labels.push_back({tip, tip - from, name, material.color});
 }
 
 // the axis that a picture follows: of symmetry, else towards the centre of mass, else the third
@@ -113,14 +130,26 @@ void add_body_axes(const Stage& stage, const Sample& sample, Marks& marks) {
   const Vec3& from = sample.reference_S;
   for (int i = 0; i < 3; ++i) {
     const Vec3 along = kBodyAxisLength * stage.scale.body * (sample.q_SB * Vec3::Unit(i));
-    add_vector(stage, from, from + along, kAxisShape, plain(stage.theme.body_axes, 0.2f), marks);
+    add_vector(stage,
+               from,
+               from + along,
+               kAxisShape,
+               plain(stage.theme.body_axes, 0.2f),
+               marks,
+               kBodyAxisNames[static_cast<std::size_t>(i)]);
   }
 }
 
 void add_axes_at(const Stage& stage, const Vec3& from, Marks& marks) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 along = kSpaceAxisLength * stage.scale.body * Vec3::Unit(i);
-    add_vector(stage, from, from + along, kAxisShape, plain(stage.theme.space_axes, 0.1f), marks);
+    add_vector(stage,
+               from,
+               from + along,
+               kAxisShape,
+               plain(stage.theme.space_axes, 0.1f),
+               marks,
+               kSpaceAxisNames[static_cast<std::size_t>(i)]);
   }
 }
 
@@ -131,7 +160,8 @@ void add_fixed_frame(const Stage& stage, const Sample& sample, Marks& marks) {
              sample.reference_S,
              kAxisShape,
              plain(stage.theme.position, 0.2f),
-             marks);
+             marks,
+             "<b>R</b>");
 }
 
 // between each axis of space and that of the body with the same number
@@ -234,7 +264,7 @@ void add_forces(const Stage& stage, const Sample& sample, Marks& marks) {
     if (load.kind == Load::Kind::spring) {
       marks.rods.push_back({at, load.anchor_S, 0.012 * stage.scale.body, material});
     } else if (force.squaredNorm() > 0.0) {
-      add_vector(stage, at, at + force, kMomentumShape, material, marks);
+      add_vector(stage, at, at + force, kMomentumShape, material, marks, "<b>F</b>");
     }
     if (load.kind == Load::Kind::couple) {
       const Vec3 opposite = at - q_SP * load.arm_P;
@@ -369,7 +399,7 @@ void add_points(const Stage& stage, const Sample& sample, bool from_origin, Mark
       marks.reach.push_back(place * Vec3::Unit(i));
       marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
-    add_vector(stage, sample.reference_S, at, kAxisShape, material, marks);
+    add_vector(stage, sample.reference_S, at, kAxisShape, material, marks, "<b>r</b>");
     if (from_origin) add_vector(stage, Vec3::Zero(), at, kAxisShape, material, marks);
   }
 }
@@ -395,7 +425,8 @@ const std::vector<Element>& elements() {
                     omega_tip(stage, sample),
                     kOmegaShape,
                     plain(stage.theme.omega, 0.25f),
-                    marks);
+                    marks,
+                    kOmegaName);
        }},
       {"momentum",
        "angular momentum",
@@ -407,7 +438,8 @@ const std::vector<Element>& elements() {
                     momentum_tip(stage, sample),
                     kMomentumShape,
                     plain(stage.theme.momentum, 0.25f),
-                    marks);
+                    marks,
+                    kMomentumName);
        }},
       {"space_cone",
        "the cone that omega draws in space (symmetric free top)",

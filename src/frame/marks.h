@@ -4,6 +4,7 @@
 // same marks, so what is shown is what is framed.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "frame/arrow.h"
@@ -41,6 +42,14 @@ struct ArcMark {
   Material material;
 };
 
+// The name of a thing, beside the point `at`.
+struct LabelMark {
+  Vec3 at;    // space, m
+  Vec3 away;  // the vector that it names, from its foot to `at`; zero: none, it stands above
+  std::string markup;  // see text/typesetter.h
+  glm::vec3 color;
+};
+
 struct Marks {
   std::vector<ArrowMark> arrows;
   std::vector<MeshMark> meshes;
@@ -48,6 +57,7 @@ struct Marks {
   std::vector<ArcMark> arcs;
   std::vector<Cone> cones;  // with a common apex
   std::vector<Vec3> reach;  // points that the meshes do not go beyond
+  std::vector<LabelMark> labels;
 };
 
 // The point at the fraction `part` (0..1) of an arc.

@@ -28,6 +28,11 @@ struct ShowSpec {
   std::map<std::string, std::optional<bool>> asked;
   std::vector<Vec3> points;   // of the body, drawn as balls with their vectors, m
   double body_opacity = 1.0;  // under 1: what is inside the body is seen through it
+  bool labels = true;         // names beside vectors
+  bool title = false;         // the scene's title, above
+  bool clock = true;          // the time of the motion, and the scale of time if it is not 1
+  std::string caption;        // a line below; empty: none
+  double text_size = 1.0;     // all text is enlarged by this
 
   std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
@@ -70,6 +75,12 @@ void fields(Visitor& v, ShowSpec& s) {
           Doc{"1: solid; less: what is inside the body is seen through it, without cones",
               Unit::none,
               Range{0.05, 1.0}});
+  v.field("labels", s.labels, Doc{"names beside vectors"});
+  v.field("title", s.title, Doc{"the scene's title, at the top"});
+  v.field("clock", s.clock, Doc{"the time of the motion, and how much slower it is shown"});
+  v.field("caption", s.caption, Doc{"words at the bottom; empty: none"});
+  v.field(
+      "text_size", s.text_size, Doc{"all text is enlarged by this", Unit::none, Range{0.3, 4.0}});
   v.field("points", s.points, Doc{"points of the body with their vectors", Unit::length});
 }
 

@@ -28,6 +28,8 @@ class Motion {
   Motion(const Model& model, std::shared_ptr<const Trajectory> trajectory, const MotionSpec& spec);
 
   Sample at(double t) const;
+  // The same moment as the trajectory knows it.
+  State state_at(double t) const { return trajectory_->at(t); }
   const Model& model() const { return model_; }
   double duration() const { return duration_; }
 

@@ -52,6 +52,8 @@ struct NumericsSpec {
   std::optional<double> step;       // s, fixed-step methods
   std::optional<double> tolerance;  // per step, adaptive methods
   Accuracy accuracy;
+  // methods that a film shows side by side, with the step or tolerance above where they take one
+  std::vector<std::string> compare;
 };
 
 // Names for docs, the schema and strict reading, "auto" first.
@@ -103,6 +105,13 @@ void fields(Visitor& v, NumericsSpec& s) {
   v.field("accuracy",
           s.accuracy,
           Doc{"attitude error over the whole film: radians, or \"0.1px\" of the picture"});
+  v.field(
+      "compare",
+      s.compare,
+      Doc{"methods that the film shows side by side, at most nine; step and tolerance are theirs",
+          Unit::none,
+          kAny,
+          method_names()});
 }
 
 }  // namespace polhode

@@ -39,6 +39,7 @@ enum class StepLimit { none, oscillation, spin };
 // names and the test kit derive from this table.
 struct StepperInfo {
   std::string name = {};
+  std::string title = {};  // for people, in pictures
   int order = 0;
   bool adaptive = false;
   bool keeps_energy = false;          // to round-off, whatever the step

@@ -41,14 +41,23 @@ DriftWatch::DriftWatch(const Model& model, const State& start)
 }
 
 void DriftWatch::look_at(const State& s) {
-  const double energy_now = std::abs(energy(model_, s) - energy_) / energy_scale_;
-  const double momentum = (conserved_momentum(model_, s) - momentum_).norm() / momentum_scale_;
+  const Drift now = of(s);
   // a NaN, once seen, is kept: nothing is greater than it
-  const auto keep = [](std::optional<double>& worst, double now) {
-    if (worst && (now > *worst || std::isnan(now))) worst = now;
+  const auto keep = [](std::optional<double>& worst, const std::optional<double>& drift) {
+    if (!worst || !drift) return;
+    if (std::abs(*drift) > *worst || std::isnan(*drift)) worst = std::abs(*drift);
   };
-  keep(worst_.energy, energy_now);
-  keep(worst_.momentum, momentum);
+  keep(worst_.energy, now.energy);
+  keep(worst_.momentum, now.momentum);
+}
+
+Drift DriftWatch::of(const State& s) const {
+  Drift drift;
+  if (worst_.energy) drift.energy = (energy(model_, s) - energy_) / energy_scale_;
+  if (worst_.momentum) {
+    drift.momentum = (conserved_momentum(model_, s) - momentum_).norm() / momentum_scale_;
+  }
+  return drift;
 }
 
 }  // namespace polhode

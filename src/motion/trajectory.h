@@ -28,6 +28,8 @@ class DriftWatch {
  public:
   DriftWatch(const Model& model, const State& start);
   void look_at(const State& s);
+  // The drift of this state alone; that of energy with its sign.
+  Drift of(const State& s) const;
   const Drift& worst() const { return worst_; }
 
  private:

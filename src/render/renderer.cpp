@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -47,6 +47,10 @@ struct Region {
   int width() const { return right - left; }
   int height() const { return bottom - top; }
 };
+
+Region all_of(const PixelBox& box) {
+  return {box.x, box.y, box.right(), box.bottom()};
+}
 
 Region united(const Region& a, const Region& b) {
   if (a.empty()) return b;
@@ -113,29 +117,23 @@ class Renderer::Implementation {
     info_.samples = samples_;
   }
 
-  void draw(const DrawList& list, Image& image) {
+  void draw(const Picture& picture, Image& image) {
     {
       const StageTimer timer(times_.draw);
-      choose_region(list);
-      begin(list);
-      for (const DrawItem& item : list.opaque)
-        draw_item(item);
-
-      // translucent shells come back to front and leave the depth of what is behind them
-      gl_.Enable(GL_BLEND);
-      gl_.DepthMask(GL_FALSE);
-      for (const DrawItem& item : list.translucent)
-        draw_item(item);
-      gl_.DepthMask(GL_TRUE);
-      gl_.Disable(GL_BLEND);
+      choose_regions(picture);
+      for (std::size_t i = 0; i < picture.panels.size(); ++i)
+        draw_panel(picture.panels[i], regions_[i]);
       gl_.Finish();
     }
     const StageTimer timer(times_.read_back);
     read_back(image);
     refuse_errors();
     forget_unused_meshes();
+    for (const Stamp& stamp : picture.stamps)
+      lay_over(image, stamp);
   }
 
+  PixelBox whole() const { return {0, 0, settings_.width, settings_.height}; }
   const RendererInfo& info() const { return info_; }
   const RenderTimes& times() const { return times_; }
 
@@ -165,11 +163,18 @@ class Renderer::Implementation {
     bool used = true;
   };
 
-  Region whole() const { return {0, 0, settings_.width, settings_.height}; }
+  // what was drawn in a panel of the frame before
+  struct Drawn {
+    PixelBox place;
+    Region covered;
+    glm::vec3 background{0.0f};
+  };
 
-  // the pixels that the items may cover
-  Region covered(const DrawList& list) {
-    const glm::vec2 size(settings_.width, settings_.height);
+  // the pixels that the items of a panel may cover
+  Region covered(const Panel& panel) {
+    const DrawList& list = panel.list;
+    const glm::vec2 upper_left(panel.place.x, panel.place.y);
+    const glm::vec2 size(panel.place.width, panel.place.height);
     glm::vec2 low(size);
     glm::vec2 high(0.0f);
     for (const std::vector<DrawItem>* items : {&list.opaque, &list.translucent}) {
@@ -177,7 +182,7 @@ class Renderer::Implementation {
         const glm::mat4 clip_from_mesh = list.view.clip_from_world * item.world_from_mesh;
         for (const glm::vec3& corner : uploaded(item.mesh).corners) {
           const glm::vec4 clip = clip_from_mesh * glm::vec4(corner, 1.0f);
-          if (clip.w <= 0.0f) return whole();  // behind the eye: no rectangle
+          if (clip.w <= 0.0f) return all_of(panel.place);  // behind the eye: no rectangle
           const glm::vec2 pixel = (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
           low = glm::min(low, pixel);
           high = glm::max(high, pixel);
@@ -185,8 +190,8 @@ class Renderer::Implementation {
       }
     }
     // a pixel more on each side for rounding
-    low = glm::clamp(low - 1.0f, glm::vec2(0.0f), size);
-    high = glm::clamp(high + 1.0f, glm::vec2(0.0f), size);
+    low = upper_left + glm::clamp(low - 1.0f, glm::vec2(0.0f), size);
+    high = upper_left + glm::clamp(high + 1.0f, glm::vec2(0.0f), size);
     return {static_cast<int>(low.x),
             static_cast<int>(low.y),
             static_cast<int>(std::ceil(high.x)),
@@ -195,19 +200,46 @@ class Renderer::Implementation {
 
   // only what this frame or the one before covers is cleared, drawn and resolved; the rest of both
   // framebuffers is background already
-  void choose_region(const DrawList& list) {
-    const Region now = covered(list);
-    const bool same_ground = last_background_ && *last_background_ == list.background;
-    region_ = same_ground ? united(now, last_covered_) : whole();
-    last_covered_ = now;
-    last_background_ = list.background;
+  void choose_regions(const Picture& picture) {
+    const bool same_panels =
+        std::equal(picture.panels.begin(),
+                   picture.panels.end(),
+                   before_.begin(),
+                   before_.end(),
+                   [](const Panel& now, const Drawn& last) { return now.place == last.place; });
+    regions_.clear();
+    std::vector<Drawn> now;
+    for (const Panel& panel : picture.panels) {
+      const Drawn drawn{panel.place, covered(panel), panel.list.background};
+      const Drawn* last = same_panels ? &before_[now.size()] : nullptr;
+      const bool same_ground = last != nullptr && last->background == drawn.background;
+      regions_.push_back(same_ground ? united(drawn.covered, last->covered) : all_of(panel.place));
+      now.push_back(drawn);
+    }
+    before_ = std::move(now);
   }
 
-  void begin(const DrawList& list) {
+  void draw_panel(const Panel& panel, const Region& region) {
+    if (region.empty()) return;
+    begin(panel, region);
+    for (const DrawItem& item : panel.list.opaque)
+      draw_item(item);
+
+    // translucent shells come back to front and leave the depth of what is behind them
+    gl_.Enable(GL_BLEND);
+    gl_.DepthMask(GL_FALSE);
+    for (const DrawItem& item : panel.list.translucent)
+      draw_item(item);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_BLEND);
+  }
+
+  void begin(const Panel& panel, const Region& region) {
+    const DrawList& list = panel.list;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-    gl_.Viewport(0, 0, settings_.width, settings_.height);
+    gl_.Viewport(panel.place.x, panel.place.y, panel.place.width, panel.place.height);
     gl_.Enable(GL_SCISSOR_TEST);
-    gl_.Scissor(region_.left, region_.top, region_.width(), region_.height());
+    gl_.Scissor(region.left, region.top, region.width(), region.height());
     const float alpha = settings_.transparent ? 0.0f : 1.0f;
     const glm::vec3 ground = list.background * alpha;
     gl_.ClearColor(ground.r, ground.g, ground.b, alpha);
@@ -274,9 +306,12 @@ class Renderer::Implementation {
     const int h = settings_.height;
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    const auto& [left, top, right, bottom] = region_;
-    gl_.BlitFramebuffer(
-        left, top, right, bottom, left, top, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.Disable(GL_SCISSOR_TEST);  // it clips copies too
+    for (const auto& [left, top, right, bottom] : regions_) {
+      if (left >= right || top >= bottom) continue;
+      gl_.BlitFramebuffer(
+          left, top, right, bottom, left, top, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
     if (image.width != w || image.height != h) image = Image(w, h);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -297,9 +332,8 @@ class Renderer::Implementation {
   Framebuffer resolved_;
   Uniforms u_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;
-  Region region_;        // of the frame being drawn
-  Region last_covered_;  // by the items of the frame before
-  std::optional<glm::vec3> last_background_;
+  std::vector<Region> regions_;  // of the panels of the frame being drawn
+  std::vector<Drawn> before_;    // the panels of the frame before
   RendererInfo info_;
   RenderTimes times_;
 };
@@ -309,8 +343,12 @@ Renderer::Renderer(const Context& context, const RenderSettings& settings)
 
 Renderer::~Renderer() = default;
 
+void Renderer::draw(const Picture& picture, Image& image) {
+  implementation_->draw(picture, image);
+}
+
 void Renderer::draw(const DrawList& list, Image& image) {
-  implementation_->draw(list, image);
+  implementation_->draw(Picture{{{implementation_->whole(), list}}, {}}, image);
 }
 
 const RendererInfo& Renderer::info() const {

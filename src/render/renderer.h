@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a DrawList into an Image.
+// Draws a Picture into an Image.
 #pragma once
 
 #include <memory>
@@ -42,7 +42,9 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Draws into `image`, which gets the right size. The same list gives the same pixels.
+  // Draws into `image`, which gets the right size. The same picture gives the same pixels.
+  void draw(const Picture& picture, Image& image);
+  // A picture of one panel.
   void draw(const DrawList& list, Image& image);
 
   const RendererInfo& info() const;

@@ -32,6 +32,9 @@ struct Key;
 // The most tables in one list: parts, points.
 inline constexpr std::size_t kMostTables = 1000;
 
+// The most names in one list: methods that a film compares.
+inline constexpr std::size_t kMostNames = 9;
+
 // The keys of one table.
 struct KeyList {
   std::vector<Key> keys;

@@ -74,6 +74,10 @@ Json schema_of(Of<std::vector<Eigen::Matrix<double, N, 1>>>,
   return list_schema(schema_of(Of<Eigen::Matrix<double, N, 1>>{}, doc, unit), 1, std::nullopt);
 }
 
+Json schema_of(Of<std::vector<std::string>>, const Doc& doc, const UnitSuffix& unit) {
+  return list_schema(schema_of(Of<std::string>{}, doc, unit), 1, kMostNames);
+}
+
 Json schema_of(Of<PictureSize>, const Doc&, const UnitSuffix& unit) {
   const Json side = number_schema("integer", Range{kSmallestSide, kLargestSide}, unit);
   const Json text{{"type", "string"}, {"pattern", "^[0-9]+x[0-9]+$"}};

@@ -7,6 +7,7 @@
 
 #include "base/color.h"
 #include "base/nearest.h"
+#include "scene/keys.h"
 #include "scene/text.h"
 
 namespace polhode {
@@ -212,6 +213,17 @@ void read_value(const Found& found, const Doc& doc, std::vector<Vec3>& value) {
   value.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     read_value(element_of(found, points, i), doc, value[i]);
+}
+
+void read_value(const Found& found, const Doc& doc, std::vector<std::string>& value) {
+  const std::string example = doc.choices.empty() ? "a" : doc.choices.back();
+  const toml::array& names =
+      array_of(found, 0, fmt::format("a list of names, such as [\"{}\"]", example));
+  if (names.size() > kMostNames)
+    refuse(found, fmt::format("has {} names; at most {} are allowed", names.size(), kMostNames));
+  value.resize(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    read_value(element_of(found, names, i), doc, value[i]);
 }
 
 void read_value(const Found& found, const Doc&, PictureSize& value) {

@@ -46,6 +46,7 @@ void read_value(const Found& found, const Doc& doc, Eigen::Vector4d& value);  //
 void read_value(const Found& found, const Doc& doc, Mat3& value);
 void read_value(const Found& found, const Doc& doc, std::vector<Vec2>& value);
 void read_value(const Found& found, const Doc& doc, std::vector<Vec3>& value);
+void read_value(const Found& found, const Doc& doc, std::vector<std::string>& value);
 void read_value(const Found& found, const Doc& doc, PictureSize& value);
 void read_value(const Found& found, const Doc& doc, FrameRate& value);
 void read_value(const Found& found, const Doc& doc, Accuracy& value);

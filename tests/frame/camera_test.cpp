@@ -56,7 +56,8 @@ TEST_P(Framing, HoldsEveryPointAndWastesNothing) {
   const std::vector<Vec3> points = random_points(static_cast<unsigned>(GetParam()), 1.0);
   const Vec3 directions[] = {{1, 0, 0}, {0.82, 0.46, 0.34}, {0, -1, 0.2}, {0, 0, 1}, {-1, 2, -3}};
   for (const Vec3& direction : directions) {
-    const Camera camera = framing_camera(points, {}, direction, 0.5, kSize, 0.05);
+    const Camera camera =
+        framing_camera(points, {}, direction, 0.5, kSize, {0.05, 0.05, 0.05, 0.05});
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (const Vec3& point : points) {
       const Vec2 p = camera.project(point);
@@ -79,7 +80,8 @@ TEST_P(Framing, HoldsEveryPointAndWastesNothing) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Framing, ::testing::Range(1, 6));
 
 TEST(Framing, OnePointIsNotACrash) {
-  const Camera camera = framing_camera({Vec3(1, 2, 3)}, {}, Vec3(1, 0, 0), 0.5, kSize, 0.05);
+  const Camera camera =
+      framing_camera({Vec3(1, 2, 3)}, {}, Vec3(1, 0, 0), 0.5, kSize, {0.05, 0.05, 0.05, 0.05});
   EXPECT_NEAR((camera.project(Vec3(1, 2, 3)) - Vec2(320, 180)).norm(), 0.0, 1e-6);
 }
 

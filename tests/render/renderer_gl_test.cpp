@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "frame/compose.h"
+#include "image/compare.h"
 #include "render/renderer.h"
 #include "support/motions.h"
 
@@ -68,6 +69,37 @@ TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
       Image image;
       renderer.draw(lists[i], image);
       ASSERT_TRUE(image.pixels == alone[i].pixels) << i;
+    }
+  }
+}
+
+// a panel is drawn as if it were a picture by itself, whatever its neighbours do
+TEST(Renderer, PanelsAreTheirPicturesSideBySide) {
+  const std::vector<double> times = {0.4, 0.7, 3.1};
+  std::vector<Image> alone;
+  for (const double t : times) {
+    alone.push_back(draw(example(t), "auto"));
+    alone.push_back(draw(example(2.0 * t), "auto"));
+  }
+  const std::unique_ptr<Context> context = open_context("auto");
+  Renderer whole(*context, {2 * kSize.width, kSize.height, 4, false});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Picture picture;
+    picture.panels.push_back({{0, 0, kSize.width, kSize.height}, example(times[i])});
+    picture.panels.push_back(
+        {{kSize.width, 0, kSize.width, kSize.height}, example(2.0 * times[i])});
+    Image together;
+    whole.draw(picture, together);
+    for (std::size_t side = 0; side < 2; ++side) {
+      // places are rounded to 1/256 of a pixel elsewhere: a sample on an edge may fall otherwise
+      Image part(kSize.width, kSize.height);
+      for (int y = 0; y < kSize.height; ++y) {
+        const std::uint8_t* from = together.at(static_cast<int>(side) * kSize.width, y);
+        std::copy_n(from, 4 * kSize.width, part.at(0, y));
+      }
+      const Difference difference = compare(alone[2 * i + side], part, 3);
+      EXPECT_LT(difference.fraction_over, 2e-4) << times[i] << ' ' << side;
+      EXPECT_LE(difference.largest, 70) << times[i] << ' ' << side;
     }
   }
 }

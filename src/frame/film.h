@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A film as a function of time: its panels, and the text that is laid over them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frame/compose.h"
+#include "frame/labels.h"
+#include "text/typesetter.h"
+
+namespace polhode {
+
+// Words about a moment, for a panel that is compared with others. Plain text.
+struct PanelNotes {
+  std::vector<std::string> lines;  // at the top
+  std::string stamp;               // under them, in an alarming colour; empty: none
+};
+
+struct FilmPanel {
+  PixelBox place;
+  std::shared_ptr<const Composer> composer;
+  double end = 0.0;  // s: the last moment that is known; the picture stands still behind it
+  std::function<PanelNotes(double t)> notes = {};
+};
+
+// Text of the whole frame. Plain text.
+struct FilmText {
+  std::string title;    // empty: none
+  std::string caption;  // empty: none
+  bool clock = true;
+  bool labels = true;
+  double time_scale = 1.0;  // seconds of motion per second of film
+  double size = 1.0;        // all text is enlarged by this
+};
+
+// The text that a scene's [show] asks for.
+FilmText film_text(const ShowSpec& show, const std::string& title, double time_scale);
+
+// Equal panels side by side, or in rows where that leaves them less narrow. Together they cover the
+// frame.
+std::vector<PixelBox> panel_places(FrameSize size, int count);
+
+// The room that text needs at the sides of one panel: what an automatic camera leaves free.
+// note_lines: of PanelNotes.
+FrameMargins text_margins(const FilmText& text,
+                          const PixelBox& panel,
+                          FrameSize size,
+                          int note_lines);
+
+// Immutable; at() is a pure function of t and may be called from any thread.
+class Film {
+ public:
+  Film(std::vector<FilmPanel> panels, const FilmText& text, FrameSize size);
+
+  Picture at(double t) const;
+  const std::vector<FilmPanel>& panels() const { return panels_; }
+  // Where text stands at this moment, labels last; for tests.
+  std::vector<TextRoom> text_rooms(double t) const;
+
+ private:
+  struct Page;
+  void add_frame_text(double t, Page& page) const;
+  void add_notes(const FilmPanel& panel, double t, Page& page) const;
+  void add_labels(const FilmPanel& panel, const std::vector<SeenLabel>& labels, Page& page) const;
+  Page page_at(double t) const;
+
+  std::vector<FilmPanel> panels_;
+  FilmText text_;
+  FrameSize size_;
+  std::unique_ptr<Typesetter> typesetter_;
+};
+
+}  // namespace polhode

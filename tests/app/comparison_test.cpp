@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "app/comparison.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+
+Solved solved(const std::string& name) {
+  return solve(load_scene(POLHODE_SOURCE_DIR "/scenes/" + name + ".toml"));
+}
+
+// explicit Euler on the transverse Omega of a free symmetric body multiplies it by
+// sqrt(1 + (h lambda)^2) in each step, and leaves Omega_3 alone
+TEST(Comparison, ExplicitEulerGainsEnergyAsTheorySays) {
+  const Solved truth = solved("compare_euler");
+  const Comparison comparison(truth, kFrame);
+  const Contender& euler = comparison.contenders()[0];
+  const Model& model = truth.model;
+  const double I1 = 0.01, I3 = 0.004, h = 0.1;
+  const Vec3 w = euler.motion.at(0.0).w_B;
+  const double lambda = w.z() * (I3 - I1) / I1;
+  const double across = I1 * (w.x() * w.x() + w.y() * w.y());
+  const double growth = std::pow(1.0 + h * h * lambda * lambda, 30.0) - 1.0;
+  const double expected = across * growth / (across + I3 * w.z() * w.z());
+  const DriftWatch drift(model, euler.motion.state_at(0.0));
+  EXPECT_NEAR(*drift.of(euler.motion.state_at(3.0)).energy, expected, 1e-9 * expected);
+  EXPECT_EQ(comparison.notes(euler, 3.0).lines[2].substr(0, 12), "energy +20 %");
+  EXPECT_NE(comparison.notes(euler, 3.0).stamp, "");
+}
+
+// stamped from the first frame on which the error passes what the scene allows, and not before
+TEST(Comparison, StampsFromTheFrameOnWhichTheErrorPasses) {
+  for (const char* name : {"compare_euler", "compare_engines", "compare_fast_top"}) {
+    const Solved truth = solved(name);
+    const double allowed = truth.simulation.report.accuracy_rad;
+    const Comparison comparison(truth, kFrame);
+    for (const Contender& one : comparison.contenders()) {
+      const auto error = [&](double t) {
+        return rotation_angle_between(one.motion.at(t).q_SB, truth.simulation.motion.at(t).q_SB);
+      };
+      if (!one.untrusted_from) {
+        for (double t = 0.0; t <= one.end; t += kFrame)
+          EXPECT_LE(error(t), allowed) << name << ' ' << one.method;
+        continue;
+      }
+      const double from = *one.untrusted_from;
+      EXPECT_GT(error(from), allowed) << name << ' ' << one.method;
+      if (from > 0.0) {
+        EXPECT_LE(error(from - kFrame), allowed) << name << ' ' << one.method;
+      }
+      EXPECT_EQ(comparison.notes(one, std::max(0.0, from - 1e-9)).stamp, "");
+    }
+    // the closed form is the truth
+    EXPECT_FALSE(comparison.contenders().back().untrusted_from);
+  }
+}
+
+// RK4 at y = h lambda = 3.99 ends in numbers that are none; the splitting does not care
+TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
+  const Solved truth = solved("compare_fast_top");
+  const Comparison comparison(truth, kFrame);
+  const Contender& rk4 = comparison.contenders()[0];
+  EXPECT_NE(rk4.failure.find("not a number"), std::string::npos);
+  EXPECT_GT(rk4.end, 0.0);
+  EXPECT_LT(rk4.end, 0.2);
+  EXPECT_TRUE(std::isfinite(rk4.motion.at(rk4.end).w_B.norm()));
+  EXPECT_NE(comparison.notes(rk4, 1.0).stamp.find("ended"), std::string::npos);
+  EXPECT_EQ(comparison.contenders()[1].failure, "");
+  EXPECT_LT(*comparison.attitude_error(comparison.contenders()[1], 2.0), 0.01);
+  const nlohmann::ordered_json report = comparison.report();
+  EXPECT_EQ(report[0]["end_s"], rk4.end);
+  EXPECT_EQ(report[1]["failure"], "");
+}
+
+// the T-handle: the linearly implicit scheme damps the tumbling, the explicit one feeds it
+TEST(Comparison, EnginesErrInTheirOwnWays) {
+  const Comparison comparison(solved("compare_engines"), kFrame);
+  const auto energy = [&](std::size_t i) {
+    const Contender& one = comparison.contenders()[i];
+    const DriftWatch drift(one.motion.model(), one.motion.state_at(0.0));
+    return *drift.of(one.motion.state_at(6.0)).energy;
+  };
+  EXPECT_GT(energy(0), 0.2);
+  EXPECT_GT(energy(1), 0.2);
+  EXPECT_LT(energy(2), -0.2);
+  EXPECT_LT(std::abs(energy(4)), 1e-13);
+}
+
+}  // namespace
+}  // namespace polhode

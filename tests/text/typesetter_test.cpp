@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "text/typesetter.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+TextStyle style(double size) {
+  TextStyle one;
+  one.size = size;
+  return one;
+}
+
+// the middle of the ink of a stamp, in pixels of the picture
+std::pair<double, double> middle(const Stamp& stamp) {
+  double sum = 0.0, across = 0.0, down = 0.0;
+  const Sprite& sprite = *stamp.sprite;
+  for (int y = 0; y < sprite.height; ++y) {
+    for (int x = 0; x < sprite.width; ++x) {
+      const double alpha = sprite.pixels[4 * static_cast<std::size_t>(y * sprite.width + x) + 3];
+      sum += alpha;
+      across += alpha * (stamp.x + x + 0.5);
+      down += alpha * (stamp.y + y + 0.5);
+    }
+  }
+  return {across / sum, down / sum};
+}
+
+TEST(Typesetter, WantedFontsAreInstalled) {
+  for (const FontFound& font : examine_fonts())
+    EXPECT_TRUE(font.there) << font.wanted << ": " << font.found;
+}
+
+TEST(Typesetter, InkIsWhereMeasureSays) {
+  const Typesetter typesetter;
+  for (const char* text : {"L", "g", "<b>ê</b><sub>3</sub>", "<i>φ̇</i>", "t = 11.25 s"}) {
+    const TextBox box = typesetter.measure(text, style(60.0));
+    const Stamp stamp = typesetter.set(text, style(60.0), 100.0, 50.0);
+    int left = 10000, right = -1, top = 10000, bottom = -1;
+    const Sprite& sprite = *stamp.sprite;
+    for (int y = 0; y < sprite.height; ++y) {
+      for (int x = 0; x < sprite.width; ++x) {
+        if (sprite.pixels[4 * static_cast<std::size_t>(y * sprite.width + x) + 3] == 0) continue;
+        left = std::min(left, stamp.x + x);
+        right = std::max(right, stamp.x + x + 1);
+        top = std::min(top, stamp.y + y);
+        bottom = std::max(bottom, stamp.y + y + 1);
+      }
+    }
+    EXPECT_NEAR(left, 100.0 + box.ink_left, 1.1) << text;
+    EXPECT_NEAR(right, 100.0 + box.ink_right, 1.1) << text;
+    EXPECT_NEAR(top, 50.0 + box.ink_top, 1.1) << text;
+    EXPECT_NEAR(bottom, 50.0 + box.ink_bottom, 1.1) << text;
+  }
+}
+
+// text that moves slowly does not jump from pixel to pixel
+TEST(Typesetter, PlacesAreKeptToAQuarterOfAPixel) {
+  const Typesetter typesetter;
+  const auto start = middle(typesetter.set("L", style(40.0), 10.0, 20.0));
+  for (const double by : {0.25, 0.5, 1.75, 3.0}) {
+    const auto moved = middle(typesetter.set("L", style(40.0), 10.0 + by, 20.0 + by));
+    EXPECT_NEAR(moved.first - start.first, by, 0.05);
+    EXPECT_NEAR(moved.second - start.second, by, 0.05);
+  }
+}
+
+TEST(Typesetter, WhatWasSetBeforeDoesNotMatter) {
+  const Typesetter fresh;
+  const Typesetter used;
+  for (int i = 0; i < 3000; ++i)
+    (void)used.set(std::to_string(i), style(9.0), 0.1 * i, 0.0);
+  const Stamp a = fresh.set("Ω L", style(33.0), 1.3, 2.6);
+  const Stamp b = used.set("Ω L", style(33.0), 1.3, 2.6);
+  EXPECT_EQ(a.sprite->pixels, b.sprite->pixels);
+  EXPECT_EQ(a.x, b.x);
+}
+
+TEST(Typesetter, PlainTextIsNoMarkup) {
+  const Typesetter typesetter;
+  for (const char* text : {"<b>", "a & b", "</span><span size='900%'>", "\"'<i>", "&#x41;", ""}) {
+    const TextBox box = typesetter.measure(plain_text(text), style(20.0));
+    EXPECT_LT(box.height, 40.0) << text;
+    if (*text != 0) {
+      EXPECT_GT(box.ink_width(), 0.0) << text;
+    }
+  }
+}
+
+TEST(Typesetter, LongLinesAreBroken) {
+  const Typesetter typesetter;
+  TextStyle narrow = style(20.0);
+  narrow.width = 200.0;
+  const std::string words(60, 'w');
+  EXPECT_LE(typesetter.measure("many words that do not fit into one line", narrow).width, 200.5);
+  EXPECT_LE(typesetter.measure(words, narrow).width, 200.5);
+  EXPECT_GT(typesetter.measure(words, style(20.0)).width, 500.0);
+}
+
+// digits are equally wide, so that a clock does not shake
+TEST(Typesetter, DigitsAreEquallyWide) {
+  const Typesetter typesetter;
+  const double width = typesetter.measure("0.00", style(30.0)).width;
+  for (int i = 1; i < 10; ++i) {
+    const std::string digit = std::to_string(i);
+    EXPECT_NEAR(typesetter.measure(digit + "." + digit + digit, style(30.0)).width, width, 0.01);
+  }
+}
+
+TEST(Typesetter, ARimStandsAroundTheLetters) {
+  const Typesetter typesetter;
+  TextStyle rimmed = style(40.0);
+  rimmed.halo = 3.0;
+  rimmed.color = {255, 0, 0};
+  rimmed.halo_color = {0, 0, 255};
+  const Stamp stamp = typesetter.set("I", rimmed, 0.0, 0.0);
+  bool red = false, blue = false;
+  for (std::size_t i = 0; i < stamp.sprite->pixels.size(); i += 4) {
+    red = red || stamp.sprite->pixels[i] > 200;
+    blue = blue || stamp.sprite->pixels[i + 2] > 200;
+  }
+  EXPECT_TRUE(red && blue);
+}
+
+}  // namespace
+}  // namespace polhode
