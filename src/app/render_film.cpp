@@ -187,10 +187,11 @@ Film make_film(const Solved& solved, const Comparison* comparison, bool with_tex
       const Contender& one = comparison->contenders()[i];
       panel.composer = std::make_shared<const Composer>(*panel.composer, one.motion);
       panel.end = one.end;
-      if (noted)
+      if (noted) {
         panel.notes = [comparison, &one](double t) {
           return comparison->notes(one, t);
         };
+      }
     }
     panels.push_back(std::move(panel));
   }
