@@ -91,10 +91,12 @@ Composer::Composer(const Composer& other, const Motion& motion) : Composer(other
 
 Marks Composer::marks_at(const Sample& sample) const {
   Marks marks;
+  marks.middle = sample.reference_S;
   for (const Element& element : elements()) {
     if (shows(element.name)) element.add(stage_, sample, marks);
   }
   add_points(stage_, sample, shows("fixed_frame"), marks);
+  add_point_trails(stage_, sample, marks);
   return marks;
 }
 

@@ -13,6 +13,9 @@
 
 namespace polhode {
 
+// How the surface of a body looks.
+enum class Finish { plain, wood, metal, ceramic };
+
 // Colours are sRGB-encoded, 0..1.
 struct Material {
   glm::vec3 color{0.8f};
@@ -20,6 +23,11 @@ struct Material {
   float gloss = 0.3f;          // strength of the highlight
   glm::vec3 mark_color{0.0f};  // of the mark that shows the spin
   float mark_width = 0.0f;     // half-width of the strip x > 0, |y| < width in mesh units; 0 = none
+  Finish finish = Finish::plain;
+  bool flat = false;  // the same colour and alpha from everywhere, without light
+  float fade = 1.0f;  // under 1: the whole thing comes or goes, whatever its alpha
+
+  bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }
 };
 
 // Which faces are drawn.

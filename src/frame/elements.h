@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/body_look.h"
+#include "frame/curves.h"
 #include "frame/marks.h"
 #include "frame/theme.h"
 #include "motion/motion.h"
@@ -20,20 +21,38 @@ struct Scale {
   double momentum = 1.0;  // metres per kg m^2/s
   double velocity = 1.0;  // metres per m/s
   double force = 1.0;     // metres per N
+  double torque = 1.0;    // metres per N m
 };
+
+// Curves of a whole film, made once; those that the scene asks for.
+struct Paths {
+  Trail axis;                     // of the body's axis
+  std::vector<Trail> points;      // of the points in ShowSpec::trail_points
+  Trail herpolhode;               // of the tip of omega
+  MeshPtr polhode, binet;         // in principal axes, in units of the body's radius
+  std::vector<MeshPtr> polhodes;  // the same
+};
+
+// Where the path of the body's axis is drawn, in units of the body's radius.
+inline constexpr double kTrailRadius = 1.25;
+// The longest force and torque of a film.
+inline constexpr double kForceLength = 0.8;
 
 // What all moments of a film share.
 struct Stage {
   Motion motion;
   Theme theme;
   std::vector<LookPart> look;
-  Scale scale;
-  std::vector<Vec3> hull_B;  // of the look, m
-  MeshPtr ball;              // unit sphere
-  MeshPtr stand;             // unit cone, its apex under the pivot
-  double body_opacity = 1.0;
-  std::vector<Vec3> points_B;        // points of the body that the scene names, m
-  std::vector<Vec3> field_points_B;  // where the velocity field is drawn, m
+  Scale scale = {};
+  std::vector<Vec3> hull_B = {};          // of the look, m
+  MeshPtr ball = {};                      // unit sphere, for small ones
+  MeshPtr sphere = {};                    // the same, for large ones
+  MeshPtr disc = {};                      // unit disc about z
+  MeshPtr ring = {};                      // a thin tube along its rim
+  MeshPtr stand = {};                     // unit cone, its apex under the pivot
+  ShowSpec options = {};                  // as the scene gives them
+  std::vector<Vec3> field_points_B = {};  // where the velocity field is drawn, m
+  Paths paths = {};
 };
 
 // Scales are chosen over the whole film, so that vectors keep theirs. segments: pieces of a full
@@ -60,6 +79,9 @@ const std::vector<Element>& elements();
 // Adds the named points: balls, with r from the reference point, and from the origin of space when
 // the fixed frame is shown.
 void add_points(const Stage& stage, const Sample& sample, bool from_origin, Marks& marks);
+
+// Adds the paths of the named points.
+void add_point_trails(const Stage& stage, const Sample& sample, Marks& marks);
 
 // Where the tips of the two vectors are, space, m.
 Vec3 omega_tip(const Stage& stage, const Sample& sample);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/marks.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.h"
@@ -31,7 +32,93 @@ void add_arc(const ArcMark& arc,
   }
 }
 
+DrawItem item_of(const MeshMark& mark, const DrawingFrame& frame, Faces faces) {
+  Placement place = mark.space_from_mesh;
+  place.linear() /= frame.unit;
+  place.translation() = frame.point(place.translation());
+  return {mark.mesh, to_glm(place.matrix()), mark.material, faces};
+}
+
+// Translucent surfaces from far to near, as exactly as whole surfaces can be put in order: sheets
+// that the eye looks at from the side of the rest, ghosts, the far sides of what surrounds the
+// rest, translucent bodies and cones, the near sides, sheets in front.
+void add_translucent(const Marks& marks,
+                     const MarkMeshes& meshes,
+                     const DrawingFrame& frame,
+                     const Vec3& eye,
+                     DrawList& list) {
+  std::vector<DrawItem>& items = list.translucent;
+  for (const MeshMark& mark : marks.shades)
+    items.push_back(item_of(mark, frame, Faces::front));
+  const auto behind = [&](const SheetMark& sheet) {
+    // the reference point is where cones begin; sheets through it count as behind
+    const double rest = (marks.middle - sheet.point).dot(sheet.normal);
+    const double seen = (eye - sheet.point).dot(sheet.normal);
+    return rest * seen >= 0.0;
+  };
+  for (const SheetMark& sheet : marks.sheets) {
+    if (behind(sheet)) items.push_back(item_of(sheet.mesh, frame, Faces::both));
+  }
+  for (const MeshMark& mark : marks.ghosts) {
+    items.push_back(item_of(mark, frame, Faces::back));
+    items.push_back(item_of(mark, frame, Faces::front));
+  }
+  for (const MeshMark& mark : marks.shells)
+    items.push_back(item_of(mark, frame, Faces::back));
+
+  // far sides of all bodies first: right for convex ones, and nearly so for the rest
+  for (const Faces faces : {Faces::back, Faces::front}) {
+    for (const MeshMark& mark : marks.meshes) {
+      if (mark.material.alpha < 1.0f) items.push_back(item_of(mark, frame, faces));
+    }
+  }
+  std::vector<Cone> cones = marks.cones;
+  for (Cone& cone : cones) {
+    cone.apex = frame.point(cone.apex);
+    cone.slant = frame.length(cone.slant);
+    cone.rim_radius = frame.length(cone.rim_radius);
+  }
+  add_cones(list, meshes.cones, cones, frame.point(eye));
+  for (auto mark = marks.shells.rbegin(); mark != marks.shells.rend(); ++mark)
+    items.push_back(item_of(*mark, frame, Faces::front));
+  for (const SheetMark& sheet : marks.sheets) {
+    if (!behind(sheet)) items.push_back(item_of(sheet.mesh, frame, Faces::both));
+  }
+}
+
 }  // namespace
+
+MarkCounts::MarkCounts(const Marks& marks)
+    : arrows(marks.arrows.size()),
+      meshes(marks.meshes.size()),
+      rods(marks.rods.size()),
+      arcs(marks.arcs.size()),
+      cones(marks.cones.size()),
+      shades(marks.shades.size()),
+      ghosts(marks.ghosts.size()),
+      shells(marks.shells.size()),
+      sheets(marks.sheets.size()),
+      labels(marks.labels.size()) {}
+
+void fade_new(Marks& marks, const MarkCounts& before, double presence) {
+  const auto fade = static_cast<float>(presence);
+  const auto materials = [&](auto& list, std::size_t from) {
+    for (std::size_t i = from; i < list.size(); ++i)
+      list[i].material.fade *= fade;
+  };
+  materials(marks.arrows, before.arrows);
+  materials(marks.meshes, before.meshes);
+  materials(marks.rods, before.rods);
+  materials(marks.arcs, before.arcs);
+  materials(marks.cones, before.cones);
+  materials(marks.shades, before.shades);
+  materials(marks.ghosts, before.ghosts);
+  materials(marks.shells, before.shells);
+  for (std::size_t i = before.sheets; i < marks.sheets.size(); ++i)
+    marks.sheets[i].mesh.material.fade *= fade;
+  for (std::size_t i = before.labels; i < marks.labels.size(); ++i)
+    marks.labels[i].fade *= fade;
+}
 
 Vec3 point_of(const ArcMark& arc, double part) {
   const Vec3 across = (arc.to - arc.to.dot(arc.from) * arc.from).normalized();
@@ -72,19 +159,7 @@ void add_items(const Marks& marks,
                const Vec3& eye,
                DrawList& list) {
   for (const MeshMark& mark : marks.meshes) {
-    Placement place = mark.space_from_mesh;
-    place.linear() /= frame.unit;
-    place.translation() = frame.point(place.translation());
-    const glm::mat4 world_from_mesh = to_glm(place.matrix());
-    if (mark.material.alpha >= 1.0f) {
-      list.opaque.push_back({mark.mesh, world_from_mesh, mark.material, Faces::front});
-      continue;
-    }
-    // far sides of all of them first: right for convex bodies, and nearly so for the rest
-    const auto near_sides =
-        list.translucent.begin() + static_cast<std::ptrdiff_t>(list.translucent.size() / 2);
-    list.translucent.insert(near_sides, {mark.mesh, world_from_mesh, mark.material, Faces::back});
-    list.translucent.push_back({mark.mesh, world_from_mesh, mark.material, Faces::front});
+    if (mark.material.alpha >= 1.0f) list.opaque.push_back(item_of(mark, frame, Faces::front));
   }
   for (const ArrowMark& arrow : marks.arrows) {
     add_arrow(list.opaque,
@@ -104,13 +179,15 @@ void add_items(const Marks& marks,
   }
   for (const ArcMark& arc : marks.arcs)
     add_arc(arc, meshes.arrows, frame, list);
-  std::vector<Cone> cones = marks.cones;
-  for (Cone& cone : cones) {
-    cone.apex = frame.point(cone.apex);
-    cone.slant = frame.length(cone.slant);
-    cone.rim_radius = frame.length(cone.rim_radius);
-  }
-  add_cones(list, meshes.cones, cones, frame.point(eye));
+  add_translucent(marks, meshes, frame, eye, list);
+
+  // what is coming or going is blended over what is there
+  const auto fading =
+      std::stable_partition(list.opaque.begin(), list.opaque.end(), [](const DrawItem& item) {
+        return item.material.opaque();
+      });
+  list.translucent.insert(list.translucent.begin(), fading, list.opaque.end());
+  list.opaque.erase(fading, list.opaque.end());
 }
 
 }  // namespace polhode

@@ -48,6 +48,13 @@ struct LabelMark {
   Vec3 away;  // the vector that it names, from its foot to `at`; zero: none, it stands above
   std::string markup;  // see text/typesetter.h
   glm::vec3 color;
+  float fade = 1.0f;
+};
+
+// A flat translucent thing and the plane that it lies in.
+struct SheetMark {
+  MeshMark mesh;
+  Vec3 point, normal;  // space, m
 };
 
 struct Marks {
@@ -55,10 +62,22 @@ struct Marks {
   std::vector<MeshMark> meshes;
   std::vector<RodMark> rods;
   std::vector<ArcMark> arcs;
-  std::vector<Cone> cones;  // with a common apex
-  std::vector<Vec3> reach;  // points that the meshes do not go beyond
+  std::vector<Cone> cones;       // with a common apex
+  std::vector<MeshMark> shades;  // darker places of the floor, lowest first
+  std::vector<MeshMark> ghosts;  // translucent bodies, oldest first
+  std::vector<MeshMark> shells;  // translucent convex surfaces around all cones, outermost first
+  std::vector<SheetMark> sheets;
+  Vec3 middle = Vec3::Zero();  // the reference point
+  std::vector<Vec3> reach;     // points that the meshes do not go beyond
   std::vector<LabelMark> labels;
 };
+
+// Lets what was added to marks behind these sizes come or go: 1 is there, 0 is not.
+struct MarkCounts {
+  explicit MarkCounts(const Marks& marks);
+  std::size_t arrows, meshes, rods, arcs, cones, shades, ghosts, shells, sheets, labels;
+};
+void fade_new(Marks& marks, const MarkCounts& before, double presence);
 
 // The point at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcMark& arc, double part);

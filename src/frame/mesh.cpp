@@ -95,6 +95,22 @@ Mesh unit_cone(int segments) {
   return revolved({{0, 0}, {1, 0}, {0, 1}}, segments);
 }
 
+Mesh unit_disc(int segments) {
+  Mesh mesh;
+  mesh.vertices.push_back({{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}});
+  for (int k = 0; k < segments; ++k) {
+    const double angle = 2.0 * kPi * k / segments;
+    mesh.vertices.push_back(
+        {{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0f},
+         {0.0f, 0.0f, 1.0f}});
+    const auto here = static_cast<std::uint32_t>(k + 1);
+    const auto next = static_cast<std::uint32_t>((k + 1) % segments + 1);
+    for (const std::uint32_t corner : {0u, here, next})
+      mesh.indices.push_back(corner);
+  }
+  return mesh;
+}
+
 Mesh torus(double radius, double tube, int segments) {
   std::vector<Vec2> outline = arc(tube, radius, 0.0, 2.0 * kPi, std::max(12, segments / 4));
   outline.back() = outline.front();

@@ -41,6 +41,8 @@ inline constexpr double kCreaseAngle = 0.6;  // rad
 Mesh unit_sphere(int segments);
 Mesh unit_cylinder(int segments);
 Mesh unit_cone(int segments);
+// The unit disc in the plane z = 0, seen from above.
+Mesh unit_disc(int segments);
 Mesh torus(double radius, double tube, int segments);
 // The open surface r = z for z in 0..1, apex at the origin: half-angle 45 degrees before scaling.
 Mesh unit_cone_shell(int segments);

@@ -31,7 +31,13 @@ const std::vector<Theme>& themes() {
        .stand = hex("#6c7482"),
        .force = hex("#b9a3ff"),
        .velocity = hex("#e8705a"),
-       .position = hex("#f2f4f8")},
+       .position = hex("#f2f4f8"),
+       .ellipsoid = hex("#9fb4c8"),
+       .plane = hex("#8aa0b8"),
+       .polhode = hex("#f0e442"),
+       .herpolhode = hex("#e8705a"),
+       .trail = hex("#2fbf94"),
+       .floor = hex("#262d39")},
       {.name = "light",
        .background = hex("#f6f4ef"),
        .body = hex("#cdbb9c"),
@@ -46,9 +52,71 @@ const std::vector<Theme>& themes() {
        .stand = hex("#8b9097"),
        .force = hex("#5b3fb0"),
        .velocity = hex("#b5402c"),
-       .position = hex("#22262c")},
+       .position = hex("#22262c"),
+       .ellipsoid = hex("#7f95ad"),
+       .plane = hex("#8f9aa6"),
+       .polhode = hex("#a07800"),
+       .herpolhode = hex("#b5402c"),
+       .trail = hex("#007a5a"),
+       .floor = hex("#e2ddd2")},
+      // for weak lamps and bright rooms: black on white, strong colours, no pale surface
+      {.name = "projector",
+       .background = hex("#ffffff"),
+       .body = hex("#c9a878"),
+       .mark = hex("#7a0f1c"),
+       .omega = hex("#c44e00"),
+       .momentum = hex("#004f9e"),
+       .body_axes = hex("#006044"),
+       .space_axes = hex("#3c4046"),
+       .space_cone = hex("#0072b2"),
+       .body_cone = hex("#a8327c"),
+       .precession_cone = hex("#8a6d00"),
+       .stand = hex("#62676e"),
+       .force = hex("#4a2ca0"),
+       .velocity = hex("#9e2a16"),
+       .position = hex("#000000"),
+       .ellipsoid = hex("#4d6a88"),
+       .plane = hex("#5f6b78"),
+       .polhode = hex("#7a5c00"),
+       .herpolhode = hex("#9e2a16"),
+       .trail = hex("#006044"),
+       .floor = hex("#d9d9d9")},
+      // for paper: white ground, and greys that stay apart without colour
+      {.name = "print",
+       .background = hex("#ffffff"),
+       .body = hex("#d8d8d8"),
+       .mark = hex("#404040"),
+       .omega = hex("#b85400"),
+       .momentum = hex("#003f7d"),
+       .body_axes = hex("#00694c"),
+       .space_axes = hex("#707070"),
+       .space_cone = hex("#5a9bc7"),
+       .body_cone = hex("#b0709a"),
+       .precession_cone = hex("#a89030"),
+       .stand = hex("#9a9a9a"),
+       .force = hex("#5a3fb0"),
+       .velocity = hex("#a04030"),
+       .position = hex("#101010"),
+       .ellipsoid = hex("#a8b4c0"),
+       .plane = hex("#b0b6bc"),
+       .polhode = hex("#6a5200"),
+       .herpolhode = hex("#802010"),
+       .trail = hex("#00694c"),
+       .floor = hex("#ececec")},
   };
   return table;
+}
+
+std::vector<std::string> material_names() {
+  return {"plain", "painted_wood", "brushed_metal", "ceramic"};
+}
+
+Finish finish_named(const std::string& material) {
+  const std::vector<std::string> names = material_names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == material) return static_cast<Finish>(i);
+  }
+  return Finish::plain;
 }
 
 std::vector<std::string> theme_names() {

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "frame/draw_list.h"
 #include "frame/view_spec.h"
 
 namespace polhode {
@@ -29,9 +30,18 @@ struct Theme {
   glm::vec3 force;     // on points of the body
   glm::vec3 velocity;  // of points of the body
   glm::vec3 position;  // position vectors, points, angles
+  glm::vec3 ellipsoid;
+  glm::vec3 plane;
+  glm::vec3 polhode;
+  glm::vec3 herpolhode;
+  glm::vec3 trail;
+  glm::vec3 floor;
 };
 
 const std::vector<Theme>& themes();
+
+// How a body of that material looks; a name from material_names().
+Finish finish_named(const std::string& material);
 
 // The theme with the scene's own background, if it gives one. Throws Error (input).
 Theme make_theme(const ThemeSpec& spec);

@@ -26,13 +26,18 @@ inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 // What is drawn: names of the table in frame/elements.h. Absent: the scene's kind decides.
 struct ShowSpec {
   std::map<std::string, std::optional<bool>> asked;
-  std::vector<Vec3> points;   // of the body, drawn as balls with their vectors, m
-  double body_opacity = 1.0;  // under 1: what is inside the body is seen through it
-  bool labels = true;         // names beside vectors
-  bool title = false;         // the scene's title, above
-  bool clock = true;          // the time of the motion, and the scale of time if it is not 1
-  std::string caption;        // a line below; empty: none
-  double text_size = 1.0;     // all text is enlarged by this
+  std::vector<Vec3> points;        // of the body, drawn as balls with their vectors, m
+  double body_opacity = 1.0;       // under 1: what is inside the body is seen through it
+  bool labels = true;              // names beside vectors
+  bool title = false;              // the scene's title, above
+  bool clock = true;               // the time of the motion, and the scale of time if it is not 1
+  std::string caption;             // a line below; empty: none
+  double text_size = 1.0;          // all text is enlarged by this
+  std::string material = "plain";  // a name from material_names()
+  std::vector<Vec3> trail_points;  // of the body, whose paths are drawn, m
+  std::optional<double> trail_s;   // paths are drawn so far back; absent: from the start, s
+  int ghost_count = 5;             // how many former bodies are drawn
+  std::optional<double> ghost_s;   // so far apart in time; absent: a 40th of the motion, s
 
   std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
@@ -51,6 +56,7 @@ struct ThemeSpec {
 };
 
 std::vector<std::string> theme_names();
+std::vector<std::string> material_names();
 
 template <class Visitor>
 void fields(Visitor& v, CameraSpec& s) {
@@ -75,6 +81,22 @@ void fields(Visitor& v, ShowSpec& s) {
           Doc{"1: solid; less: what is inside the body is seen through it, without cones",
               Unit::none,
               Range{0.05, 1.0}});
+  v.field("material",
+          s.material,
+          Doc{"how the body's surface looks", Unit::none, kAny, material_names()});
+  v.field("trail_points",
+          s.trail_points,
+          Doc{"points of the body whose paths are drawn", Unit::length});
+  v.field("trail_length",
+          s.trail_s,
+          Doc{"how far back in time paths are drawn; absent: to the start", Unit::time, kPositive});
+  v.field("ghost_count",
+          s.ghost_count,
+          Doc{"how many former bodies are drawn", Unit::none, Range{1, 50}});
+  v.field(
+      "ghost_interval",
+      s.ghost_s,
+      Doc{"how far they are apart in time; absent: a 40th of the motion", Unit::time, kPositive});
   v.field("labels", s.labels, Doc{"names beside vectors"});
   v.field("title", s.title, Doc{"the scene's title, at the top"});
   v.field("clock", s.clock, Doc{"the time of the motion, and how much slower it is shown"});

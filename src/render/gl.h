@@ -59,6 +59,7 @@ namespace polhode {
   X(PFNGLSCISSORPROC, Scissor)                                                                     \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                           \
   X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                 \
+  X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                 \
   X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                               \
   X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                                                   \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                   \

@@ -151,9 +151,12 @@ class Renderer::Implementation {
           alpha(p.uniform("u_alpha")),
           gloss(p.uniform("u_gloss")),
           mark_color(p.uniform("u_mark_color")),
-          mark_width(p.uniform("u_mark_width")) {}
+          mark_width(p.uniform("u_mark_width")),
+          finish(p.uniform("u_finish")),
+          flat(p.uniform("u_flat")),
+          fade(p.uniform("u_fade")) {}
     GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width;
+        alpha, gloss, mark_color, mark_width, finish, flat, fade;
   };
 
   struct Uploaded {
@@ -271,6 +274,9 @@ class Renderer::Implementation {
     gl_.Uniform1f(u_.gloss, material.gloss);
     gl_.Uniform3fv(u_.mark_color, 1, glm::value_ptr(material.mark_color));
     gl_.Uniform1f(u_.mark_width, material.mark_width);
+    gl_.Uniform1i(u_.finish, static_cast<GLint>(material.finish));
+    gl_.Uniform1i(u_.flat, material.flat ? 1 : 0);
+    gl_.Uniform1f(u_.fade, material.fade);
     if (item.faces == Faces::both) {
       gl_.Disable(GL_CULL_FACE);
     } else {

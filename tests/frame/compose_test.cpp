@@ -164,6 +164,7 @@ MotionSpec pulled() {
 TEST(Shown, EachNameAddsItsOwnMarks) {
   struct Count {
     std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
+    std::size_t shades = 0, ghosts = 0, shells = 0, sheets = 0;
     bool operator==(const Count&) const = default;
   };
   const std::map<std::string, Count> wanted = {{"", {}},
@@ -179,21 +180,51 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
                                                {"forces", {.arrows = 3, .rods = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
-                                               {"angles", {.arcs = 3}}};
+                                               {"angles", {.arcs = 3}},
+                                               {"tilt", {.arcs = 1}},
+                                               {"ghosts", {.ghosts = 5}},
+                                               {"omega_components", {.arrows = 3}},
+                                               {"euler_rates", {.arrows = 3}},
+                                               {"torque", {.arrows = 1}},
+                                               {"gravity", {.arrows = 1}},
+                                               {"axis_plane", {.meshes = 1, .sheets = 1}},
+                                               {"ellipsoid", {.shells = 1}},
+                                               {"plane", {.meshes = 1, .sheets = 1}},
+                                               {"polhode", {.meshes = 1}},
+                                               {"polhodes", {.meshes = 36}},
+                                               {"herpolhode", {.meshes = 1}},
+                                               {"binet", {.meshes = 2, .shells = 1}},
+                                               {"trail", {.meshes = 1}},
+                                               {"trail_sphere", {.shells = 1}},
+                                               {"floor", {.meshes = 1, .shades = 24}}};
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its marks here";
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
-    const bool heavy = name == "precession_cone" || name == "pivot";
+    const bool heavy = name == "precession_cone" || name == "pivot" || name == "gravity" ||
+                       name == "torque" || name == "ghosts";
     const MotionSpec motion = heavy              ? spinning_on_pivot()
                               : name == "forces" ? pulled()
                                                  : wobbling();
     const Composer picture = composer(heavy ? cone_body() : prolate_body(), motion, only(name));
     const Marks marks = picture.marks_at(picture.stage().motion.at(0.5));
-    EXPECT_TRUE((Count{marks.arrows.size(),
-                       marks.meshes.size(),
-                       marks.rods.size(),
-                       marks.arcs.size(),
-                       marks.cones.size()} == count));
+    const Count found{marks.arrows.size(),
+                      marks.meshes.size(),
+                      marks.rods.size(),
+                      marks.arcs.size(),
+                      marks.cones.size(),
+                      marks.shades.size(),
+                      marks.ghosts.size(),
+                      marks.shells.size(),
+                      marks.sheets.size()};
+    EXPECT_TRUE(found == count) << ::testing::PrintToString(std::vector<std::size_t>{found.arrows,
+                                                                                     found.meshes,
+                                                                                     found.rods,
+                                                                                     found.arcs,
+                                                                                     found.cones,
+                                                                                     found.shades,
+                                                                                     found.ghosts,
+                                                                                     found.shells,
+                                                                                     found.sheets});
   }
 }
 

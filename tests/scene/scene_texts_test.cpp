@@ -85,7 +85,7 @@ std::vector<BadSceneText> unknown_keys() {
       {"a top key in a table", "[body]\nformat = 1\n",
        2, "body.format", "'format' is a key of the top of the file"},
       {"nothing near", kBody + "[show]\nxylophone = true\n",
-       4, "show.xylophone", "(known: body, axes, "},
+       4, "show.xylophone", "(known: body, ghosts, axes, "},
       {"first by line", kBody + "[video]\nzzz = 1\naaa = 2\n", 4, "video.zzz", "unknown key"},
       {"unit that the key has not", "[body]\nmoments_cm = [1, 2, 3]\n",
        2, "body.moments_cm", "did you mean"},

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "frame/curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "base/units.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kMostHalvings = 12;
+constexpr std::size_t kMostPoints = 200'000;
+constexpr std::size_t kPointsOfPiece = 64;
+constexpr int kSides = 8;
+
+double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double length2 = along.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp((point - from).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (point - from - s * along).norm();
+}
+
+// what of a path is not needed: points that lie on the line between those kept
+Path thinned(const Path& path, double tolerance) {
+  Path kept;
+  const auto keep = [&](std::size_t i) {
+    kept.parameters.push_back(path.parameters[i]);
+    kept.points.push_back(path.points[i]);
+  };
+  keep(0);
+  std::size_t start = 0;
+  for (std::size_t i = 2; i < path.points.size(); ++i) {
+    bool straight = i - start < 64;
+    for (std::size_t k = start + 1; straight && k < i; ++k) {
+      straight =
+          distance_to_segment(path.points[k], path.points[start], path.points[i]) <= tolerance;
+    }
+    if (straight) continue;
+    start = i - 1;
+    keep(start);
+  }
+  keep(path.points.size() - 1);
+  return kept;
+}
+
+}  // namespace
+
+Path sampled(const std::function<Vec3(double)>& curve,
+             double from,
+             double to,
+             int pieces,
+             double tolerance) {
+  Path path;
+  const auto add = [&](double parameter, const Vec3& point) {
+    path.parameters.push_back(parameter);
+    path.points.push_back(point);
+  };
+  // adds the end of a piece, and what is needed inside it
+  const std::function<void(double, const Vec3&, double, const Vec3&, int)> refine =
+      [&](double a, const Vec3& at_a, double b, const Vec3& at_b, int depth) {
+        const double m = 0.5 * (a + b);
+        const Vec3 at_m = curve(m);
+        const bool off = distance_to_segment(at_m, at_a, at_b) > tolerance ||
+                         distance_to_segment(curve(0.5 * (a + m)), at_a, at_b) > tolerance ||
+                         distance_to_segment(curve(0.5 * (m + b)), at_a, at_b) > tolerance;
+        if (off && depth < kMostHalvings && path.points.size() < kMostPoints) {
+          refine(a, at_a, m, at_m, depth + 1);
+          refine(m, at_m, b, at_b, depth + 1);
+        } else {
+          add(b, at_b);
+        }
+      };
+  double a = from;
+  Vec3 at_a = curve(from);
+  add(a, at_a);
+  for (int i = 1; i <= pieces; ++i) {
+    const double b = from + (to - from) * i / pieces;
+    const Vec3 at_b = curve(b);
+    refine(a, at_a, b, at_b, 0);
+    a = b;
+    at_a = at_b;
+  }
+  return thinned(path, 0.5 * tolerance);
+}
+
+Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed) {
+  CHECK(points.size() >= 2);
+  const std::size_t n = points.size();
+  const auto tangent = [&](std::size_t i) {
+    const std::size_t before = i > 0 ? i - 1 : closed ? n - 1 : 0;
+    const std::size_t after = i + 1 < n ? i + 1 : closed ? 0 : n - 1;
+    const Vec3 along = points[after] - points[before];
+    return along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3::UnitX();
+  };
+
+  // a normal that is carried along without turning about the tangent
+  Mesh mesh;
+  Vec3 t = tangent(0);
+  Vec3 normal = t.unitOrthogonal();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 now = tangent(i);
+    if (t.dot(now) > -0.999999) normal = Quat::FromTwoVectors(t, now) * normal;
+    t = now;
+    const Vec3 across = t.cross(normal);
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2.0 * kPi * k / sides;
+      const Vec3 out = std::cos(angle) * normal + std::sin(angle) * across;
+      mesh.vertices.push_back({to_glm(Vec3(points[i] + radius * out)), to_glm(out)});
+    }
+  }
+
+  const auto quad = [&](std::size_t ring, std::size_t next) {
+    for (int k = 0; k < sides; ++k) {
+      const auto a = static_cast<std::uint32_t>(ring * static_cast<std::size_t>(sides)) + k;
+      const auto b =
+          static_cast<std::uint32_t>(ring * static_cast<std::size_t>(sides)) + (k + 1) % sides;
+      const auto c = static_cast<std::uint32_t>(next * static_cast<std::size_t>(sides)) + k;
+      const auto d =
+          static_cast<std::uint32_t>(next * static_cast<std::size_t>(sides)) + (k + 1) % sides;
+      for (const std::uint32_t corner : {a, b, c, b, d, c})
+        mesh.indices.push_back(corner);
+    }
+  };
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    quad(i, i + 1);
+  if (closed) quad(n - 1, 0);
+  return mesh;
+}
+
+Trail::Trail(Path path, double tube_radius, double unit)
+    : path_(std::move(path)), tube_radius_(tube_radius) {
+  if (path_.points.size() < 2) return;
+  place_.translation() = path_.points.front();
+  place_.linear() *= unit;
+  for (std::size_t start = 0; start + 1 < path_.points.size(); start += kPointsOfPiece) {
+    const std::size_t end = std::min(start + kPointsOfPiece + 1, path_.points.size());
+    pieces_.push_back(std::make_shared<const Mesh>(
+        tube({path_.points.begin() + static_cast<std::ptrdiff_t>(start),
+              path_.points.begin() + static_cast<std::ptrdiff_t>(end)})));
+  }
+}
+
+Mesh Trail::tube(const std::vector<Vec3>& points) const {
+  const double unit = place_.linear()(0, 0);
+  std::vector<Vec3> scaled;
+  scaled.reserve(points.size());
+  for (const Vec3& point : points)
+    scaled.emplace_back((point - place_.translation()) / unit);
+  return tube_along(scaled, tube_radius_ / unit, kSides, false);
+}
+
+Vec3 Trail::at(double parameter) const {
+  const auto after = std::upper_bound(path_.parameters.begin(), path_.parameters.end(), parameter);
+  if (after == path_.parameters.begin()) return path_.points.front();
+  if (after == path_.parameters.end()) return path_.points.back();
+  const auto i = static_cast<std::size_t>(after - path_.parameters.begin());
+  const double part =
+      (parameter - path_.parameters[i - 1]) / (path_.parameters[i] - path_.parameters[i - 1]);
+  return path_.points[i - 1] + part * (path_.points[i] - path_.points[i - 1]);
+}
+
+std::vector<MeshPtr> Trail::part(double from, double to) const {
+  std::vector<MeshPtr> meshes;
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const std::size_t start = k * kPointsOfPiece;
+    const std::size_t end = std::min(start + kPointsOfPiece, path_.points.size() - 1);
+    const double low = path_.parameters[start];
+    const double high = path_.parameters[end];
+    if (high <= from || low >= to) continue;
+    if (low >= from && high <= to) {
+      meshes.push_back(pieces_[k]);
+      continue;
+    }
+    // cut at one end or both
+    std::vector<Vec3> points = {at(std::max(low, from))};
+    for (std::size_t i = start; i <= end; ++i) {
+      const double parameter = path_.parameters[i];
+      if (parameter > std::max(low, from) && parameter < std::min(high, to))
+        points.push_back(path_.points[i]);
+    }
+    points.push_back(at(std::min(high, to)));
+    meshes.push_back(std::make_shared<const Mesh>(tube(points)));
+  }
+  return meshes;
+}
+
+std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces) {
+  const Vec3 y = moments.cwiseProduct(w_P);
+  const double energy2 = y.dot(w_P);
+  const double momentum2 = y.squaredNorm();
+  if (energy2 == 0.0) return {};
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(
+      order.begin(), order.end(), [&](int i, int k) { return moments[i] < moments[k]; });
+
+  // round the axis of the largest moment, or of the smallest
+  const bool about_largest = momentum2 >= energy2 * moments[order[1]];
+  const int axis = about_largest ? order[2] : order[0];
+  const int a = about_largest ? order[0] : order[1];
+  const int b = about_largest ? order[1] : order[2];
+  const double sign = w_P[axis] < 0.0 ? -1.0 : 1.0;
+  const double room = std::abs(energy2 * moments[axis] - momentum2);
+  const auto semi_axis = [&](int i) {
+    const double slope = moments[i] * std::abs(moments[axis] - moments[i]);
+    return slope > 0.0 ? std::sqrt(room / slope) : 0.0;
+  };
+  if (room < 1e-12 * energy2 * moments[axis]) return {};
+  std::vector<Vec3> points;
+  for (int k = 0; k < pieces; ++k) {
+    const double angle = 2.0 * kPi * k / pieces;
+    Vec3 w = Vec3::Zero();
+    w[a] = semi_axis(a) * std::cos(angle);
+    w[b] = semi_axis(b) * std::sin(angle);
+    const double rest = energy2 - moments[a] * w[a] * w[a] - moments[b] * w[b] * w[b];
+    w[axis] = sign * std::sqrt(std::max(0.0, rest) / moments[axis]);
+    points.push_back(w);
+  }
+  return points;
+}
+
+}  // namespace polhode

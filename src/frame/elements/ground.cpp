@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What the body stands on, and the body itself.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "frame/elements/parts.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kStandHeight = 0.55;
+constexpr double kStandRadius = 0.17;
+constexpr double kFloorRadius = 1.9;
+constexpr double kFreeFloor = 1.25;    // below the centre of a free body
+constexpr double kShadowRadius = 0.9;  // of the body's shadow on the floor
+constexpr int kShadowRings = 24;
+constexpr double kShadowDepth = 0.55;  // how dark its middle is
+constexpr float kGhostAlpha = 0.16f;
+
+// where the floor is: under the stand, or below all that a free body reaches
+double floor_depth(const Stage& stage) {
+  return (stage.motion.model().on_pivot ? kStandHeight : kFreeFloor) * stage.scale.body;
+}
+
+}  // namespace
+
+void add_body(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Placement space_from_body = body_placement(stage, sample);
+  for (const LookPart& part : stage.look) {
+    Material material = part.material;
+    material.alpha = static_cast<float>(stage.options.body_opacity);
+    marks.meshes.push_back({part.mesh, space_from_body * part.body_from_mesh, material});
+  }
+  for (const Vec3& point_B : stage.hull_B)
+    marks.reach.push_back(space_from_body * point_B);
+}
+
+// the body where it was, at equal times back from now
+void add_ghosts(const Stage& stage, const Sample& sample, Marks& marks) {
+  const double apart = stage.options.ghost_s.value_or(stage.motion.duration() / 40.0);
+  for (int k = stage.options.ghost_count; k >= 1; --k) {
+    const double t = sample.t - k * apart;
+    if (t < 0.0) continue;
+    const Placement place = body_placement(stage, stage.motion.at(t));
+    for (const LookPart& part : stage.look) {
+      Material material = part.material;
+      material.alpha =
+          kGhostAlpha * static_cast<float>(1.0 - 0.6 * (k - 1.0) / stage.options.ghost_count);
+      marks.ghosts.push_back({part.mesh, place * part.body_from_mesh, material});
+    }
+    for (const Vec3& point_B : stage.hull_B)
+      marks.reach.push_back(place * point_B);
+  }
+}
+
+void add_stand(const Stage& stage, const Sample&, Marks& marks) {
+  const Vec3& up = stage.motion.model().up_S;
+  const double size = stage.scale.body;
+  Placement place = Placement::Identity();
+  place.translation() = -kStandHeight * size * up;
+  place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix() *
+                   (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
+  marks.meshes.push_back({stage.stand, place, plain(stage.theme.stand, 0.3f)});
+  // corners around the foot
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0})
+      marks.reach.push_back(place * Vec3(x, y, 0.0));
+  }
+}
+
+// a disc, with a shadow that is darkest where the body is near
+void add_floor(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Vec3& up = stage.motion.model().up_S;
+  const double depth = floor_depth(stage);
+  const Vec3 start = stage.motion.at(0.0).reference_S;
+  const Mat3 turned = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix();
+  const Vec3 center = start - depth * up;
+  Placement place = Placement::Identity();
+  place.translation() = center;
+  place.linear() = turned * (kFloorRadius * stage.scale.body);
+  marks.meshes.push_back({stage.disc, place, plain(stage.theme.floor, 0.0f)});
+  for (int k = 0; k < 16; ++k) {
+    const double angle = 2.0 * kPi * k / 16;
+    marks.reach.push_back(place * Vec3(std::cos(angle), std::sin(angle), 0.0));
+  }
+
+  // under the middle of the body; rings of shade that add up to a soft edge
+  Vec3 middle = Vec3::Zero();
+  double lowest = std::numeric_limits<double>::infinity();
+  const Placement body = body_placement(stage, sample);
+  for (const Vec3& point_B : stage.hull_B) {
+    const Vec3 point = body * point_B - center;
+    middle += (point - point.dot(up) * up) / static_cast<double>(stage.hull_B.size());
+    lowest = std::min(lowest, point.dot(up));
+  }
+  const double high = std::clamp(lowest / depth, 0.0, 1.0);
+  const double wide = kShadowRadius * (0.75 + 0.5 * high) * stage.scale.body;
+  const double dark = kShadowDepth * (1.0 - 0.6 * high);
+  for (int k = 0; k < kShadowRings; ++k) {
+    const double part = (k + 1.0) / kShadowRings;
+    Material shade = plain(glm::vec3(0.0f), 0.0f);
+    shade.flat = true;
+    shade.alpha = static_cast<float>(1.0 - std::pow(1.0 - dark, 1.0 / kShadowRings));
+    Placement ring = Placement::Identity();
+    ring.translation() = center + middle + (1e-3 + 1e-4 * k) * stage.scale.body * up;
+    ring.linear() = turned * (wide * part);
+    marks.shades.push_back({stage.disc, ring, shade});
+  }
+}
+
+}  // namespace polhode

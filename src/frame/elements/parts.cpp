@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "frame/elements/parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr double kLongestVector = 50.0;
+constexpr double kShortestNamed = 0.05;  // shorter vectors are no more than a dot
+constexpr double kSmallestCone = 1e-4;   // rad; below this there is no wobble to draw
+
+bool is_free_top(const Stage& stage) {
+  const Model& model = stage.motion.model();
+  return model.chi_P.squaredNorm() == 0.0 && model.loads.turning.empty() && !model.six;
+}
+
+}  // namespace
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Material plain(const glm::vec3& color, float gloss) {
+  Material material;
+  material.color = color;
+  material.gloss = gloss;
+  return material;
+}
+
+Material shell(const glm::vec3& color, float alpha) {
+  Material material = plain(color, 0.15f);
+  material.alpha = alpha;
+  return material;
+}
+
+ArrowShape times(const ArrowShape& shape, double factor) {
+  return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
+}
+
+void add_vector(const Stage& stage,
+                const Vec3& from,
+                const Vec3& end,
+                const ArrowShape& shape,
+                const Material& material,
+                Marks& marks,
+                const char* name) {
+  // a vector that a failing method has blown up still fits single precision
+  const double most = kLongestVector * stage.scale.body;
+  const double length = (end - from).norm();
+  const Vec3 tip = length > most ? Vec3(from + (end - from) * (most / length)) : end;
+  marks.arrows.push_back({from, tip, times(shape, stage.scale.body), material});
+  if (name == nullptr || length < kShortestNamed * stage.scale.body) return;
+  marks.labels.push_back({tip, tip - from, name, material.color});
+}
+
+// the axis that a picture follows: of symmetry, else towards the centre of mass, else the third
+Vec3 figure_axis_B(const Stage& stage) {
+  const Model& model = stage.motion.model();
+  const Vec3 arm = model.body.center - model.pivot_B;
+  const bool off_pivot = model.on_pivot && arm.norm() > 1e-9 * stage.scale.body;
+  if (model.kind.symmetric()) {
+    const Vec3 axis = model.R_BP.col(model.kind.axis);
+    return off_pivot && axis.dot(arm) < 0.0 ? Vec3(-axis) : axis;
+  }
+  if (off_pivot) return arm.normalized();
+  return Vec3::UnitZ();
+}
+
+Placement body_placement(const Stage& stage, const Sample& sample) {
+  Placement place = Placement::Identity();
+  place.linear() = sample.q_SB.toRotationMatrix();
+  place.translation() = sample.reference_S - place.linear() * stage.motion.model().reference_B();
+  return place;
+}
+
+Placement principal_placement(const Stage& stage, const Sample& sample) {
+  Placement place = Placement::Identity();
+  place.linear() = sample.q_SB.toRotationMatrix() * stage.motion.model().R_BP;
+  place.translation() = sample.reference_S;
+  return place;
+}
+
+bool has_cones(const Stage& stage) {
+  const Model& model = stage.motion.model();
+  if (model.chi_P.squaredNorm() > 0.0 || !model.loads.only_damp_momentum()) return false;
+  if (!model.kind.symmetric()) return false;
+  const Sample start = stage.motion.at(0.0);
+  return angle_between(start.w_S, start.L_S) > kSmallestCone;
+}
+
+// a stand under the pivot would be in the way of a body that hangs
+bool stays_above_stand(const Stage& stage) {
+  const Vec3 axis_B = figure_axis_B(stage);
+  const Vec3& up = stage.motion.model().up_S;
+  const std::vector<double> times = framing_times(stage.motion);
+  return std::all_of(times.begin(), times.end(), [&](double t) {
+    return (stage.motion.at(t).q_SB * axis_B).dot(up) >= -0.3;
+  });
+}
+
+bool has_forces(const Stage& stage) {
+  const std::vector<Load>& listed = stage.motion.model().loads.listed;
+  return std::any_of(listed.begin(), listed.end(), [](const Load& load) {
+    return load.kind == Load::Kind::force || load.kind == Load::Kind::couple ||
+           load.kind == Load::Kind::spring;
+  });
+}
+
+std::string needs_forces(const Stage& stage) {
+  return has_forces(stage) ? "" : "needs a force, a couple or a spring in motion.torque";
+}
+
+std::string needs_cones(const Stage& stage) {
+  return has_cones(stage) ? "" : "the space and body cones need a free symmetric top that wobbles";
+}
+
+std::string needs_pivot(const Stage& stage) {
+  return stage.motion.model().on_pivot ? "" : "needs a body on a pivot (motion.hold = \"pivot\")";
+}
+
+std::string needs_free(const Stage& stage) {
+  if (!is_free_top(stage)) return "needs a free body: no torque may turn it";
+  if (stage.motion.model().kind.rotator) return "needs a body that is no thin rod";
+  return stage.motion.at(0.0).w_B.norm() > 0.0 ? "" : "needs a body that turns";
+}
+
+}  // namespace polhode

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the elements of a picture are made of, and the elements themselves; seen by
+// frame/elements.cpp and the files beside this one only.
+#pragma once
+
+#include <string>
+
+#include "frame/elements.h"
+
+namespace polhode {
+
+// Sizes of arrows, in units of the body's radius. Where two are parallel, the shorter one is the
+// thicker one: both are seen.
+inline constexpr ArrowShape kOmegaShape{0.025, 0.064, 0.17};
+inline constexpr ArrowShape kMomentumShape{0.018, 0.054, 0.17};
+inline constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
+inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
+inline constexpr double kRimRadius = 0.008;  // of tubes along rims and curves
+
+double angle_between(const Vec3& a, const Vec3& b);
+Material plain(const glm::vec3& color, float gloss);
+Material shell(const glm::vec3& color, float alpha);
+
+// `shape` is in units of the body's radius. With a name, the arrow gets a label.
+void add_vector(const Stage& stage,
+                const Vec3& from,
+                const Vec3& end,
+                const ArrowShape& shape,
+                const Material& material,
+                Marks& marks,
+                const char* name = nullptr);
+
+// The axis that a picture follows, in body axes: of symmetry, else towards the centre of mass, else
+// the third.
+Vec3 figure_axis_B(const Stage& stage);
+
+// From body axes to space at this moment, the body's origin included.
+Placement body_placement(const Stage& stage, const Sample& sample);
+// From principal axes about the reference point to space.
+Placement principal_placement(const Stage& stage, const Sample& sample);
+
+// Conditions that several elements share: "" or why not.
+std::string needs_cones(const Stage& stage);
+std::string needs_pivot(const Stage& stage);
+std::string needs_free(const Stage& stage);
+std::string needs_forces(const Stage& stage);
+bool has_cones(const Stage& stage);
+bool has_forces(const Stage& stage);
+bool stays_above_stand(const Stage& stage);
+
+// Each adds one element.
+using Add = void(const Stage& stage, const Sample& sample, Marks& marks);
+Add add_body, add_ghosts;
+Add add_body_axes, add_space_axes, add_fixed_frame;
+Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
+Add add_velocity_field, add_forces, add_gravity;
+Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
+Add add_stand, add_floor;
+Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
+Add add_trail, add_trail_sphere;
+
+// tolerance: how far a drawn curve may be from the true one, m.
+Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance);
+
+}  // namespace polhode

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Arrows: axes, angular velocity, angular momentum, torque, forces, velocities.
+#include <array>
+#include <cmath>
+
+#include "frame/elements/parts.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kBodyAxisLength = 1.2;
+constexpr double kSpaceAxisLength = 1.2;
+constexpr double kBallRadius = 0.05;
+
+// names of what is shown, as the notes write them
+constexpr const char* kOmegaName = "<b>Ω</b>";
+constexpr const char* kMomentumName = "<b>L</b>";
+constexpr std::array<const char*, 3> kBodyAxisNames = {
+    "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
+constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
+
+constexpr int kFramingTimes = 240;
+constexpr std::size_t kFieldPoints = 48;
+constexpr double kSmallestCone = 1e-4;  // rad; below this there is no wobble to draw
+constexpr double kWidestCone = 0.995 * kPi / 2.0;
+
+constexpr std::array<const char*, 3> kComponentNames = {
+    "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
+constexpr std::array<const char*, 3> kRateNames = {"<i>φ̇</i>", "<i>θ̇</i>", "<i>ψ̇</i>"};
+
+void add_axes_at(const Stage& stage, const Vec3& from, Marks& marks) {
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 along = kSpaceAxisLength * stage.scale.body * Vec3::Unit(i);
+    add_vector(stage,
+               from,
+               from + along,
+               kAxisShape,
+               plain(stage.theme.space_axes, 0.1f),
+               marks,
+               kSpaceAxisNames[static_cast<std::size_t>(i)]);
+  }
+}
+
+}  // namespace
+
+void add_body_axes(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Vec3& from = sample.reference_S;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 along = kBodyAxisLength * stage.scale.body * (sample.q_SB * Vec3::Unit(i));
+    add_vector(stage,
+               from,
+               from + along,
+               kAxisShape,
+               plain(stage.theme.body_axes, 0.2f),
+               marks,
+               kBodyAxisNames[static_cast<std::size_t>(i)]);
+  }
+}
+
+void add_space_axes(const Stage& stage, const Sample& sample, Marks& marks) {
+  add_axes_at(stage, sample.reference_S, marks);
+}
+
+void add_fixed_frame(const Stage& stage, const Sample& sample, Marks& marks) {
+  add_axes_at(stage, Vec3::Zero(), marks);
+  add_vector(stage,
+             Vec3::Zero(),
+             sample.reference_S,
+             kAxisShape,
+             plain(stage.theme.position, 0.2f),
+             marks,
+             "<b>R</b>");
+}
+
+void add_omega(const Stage& stage, const Sample& sample, Marks& marks) {
+  add_vector(stage,
+             sample.reference_S,
+             omega_tip(stage, sample),
+             kOmegaShape,
+             plain(stage.theme.omega, 0.25f),
+             marks,
+             kOmegaName);
+}
+
+void add_momentum(const Stage& stage, const Sample& sample, Marks& marks) {
+  add_vector(stage,
+             sample.reference_S,
+             momentum_tip(stage, sample),
+             kMomentumShape,
+             plain(stage.theme.momentum, 0.25f),
+             marks,
+             kMomentumName);
+}
+
+// along the body axes; their sum is the angular velocity
+void add_omega_components(const Stage& stage, const Sample& sample, Marks& marks) {
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 along = stage.scale.omega * sample.w_B[i] * (sample.q_SB * Vec3::Unit(i));
+    add_vector(stage,
+               sample.reference_S,
+               sample.reference_S + along,
+               kAxisShape,
+               plain(stage.theme.omega, 0.2f),
+               marks,
+               kComponentNames[static_cast<std::size_t>(i)]);
+  }
+}
+
+// about the vertical, the line of nodes and the third body axis: they too add up to the angular
+// velocity (Landau and Lifshitz, Mechanics, section 35). Upright, the line of nodes is any.
+void add_euler_rates(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Vec3 angles = zxz_angles(sample.q_SB);
+  if (std::sin(angles.y()) < 1e-3) return;
+  const std::array<Vec3, 3> axes_S = {Vec3::UnitZ(),
+                                      Vec3(std::cos(angles.x()), std::sin(angles.x()), 0.0),
+                                      sample.q_SB * Vec3::UnitZ()};
+  // the components along axes that are not square to each other
+  Mat3 basis;
+  for (int i = 0; i < 3; ++i)
+    basis.col(i) = axes_S[static_cast<std::size_t>(i)];
+  const Vec3 rates = basis.inverse() * sample.w_S;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    add_vector(stage,
+               sample.reference_S,
+               sample.reference_S + stage.scale.omega * rates[i] * axes_S[k],
+               kAxisShape,
+               plain(stage.theme.omega, 0.2f),
+               marks,
+               kRateNames[k]);
+  }
+}
+
+// what changes L, about the reference point
+void add_torque(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Model& model = stage.motion.model();
+  const State state = stage.motion.state_at(sample.t);
+  const Vec3 torque_S = state.q * torque(model, sample.t, state);
+  add_vector(stage,
+             sample.reference_S,
+             sample.reference_S + stage.scale.torque * torque_S,
+             kMomentumShape,
+             plain(stage.theme.force, 0.25f),
+             marks,
+             "<b>τ</b>");
+}
+
+// m g on the centre of mass
+void add_gravity(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Vec3 down = -kForceLength * stage.scale.body * stage.motion.model().up_S;
+  add_vector(stage,
+             sample.center_S,
+             sample.center_S + down,
+             kMomentumShape,
+             plain(stage.theme.force, 0.25f),
+             marks,
+             "<i>m</i><b>g</b>");
+}
+
+// V + Omega x r (notes, section 0.1) at points of the body
+void add_velocity_field(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Model& model = stage.motion.model();
+  for (const Vec3& r_B : stage.field_points_B) {
+    const Vec3 from = point_position(model, sample, r_B);
+    const Vec3 along = stage.scale.velocity * point_velocity(model, sample, r_B);
+    add_vector(stage, from, from + along, kFieldShape, plain(stage.theme.velocity, 0.2f), marks);
+  }
+}
+
+// forces at the points where they act; springs as thin rods to where they are held
+void add_forces(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Model& model = stage.motion.model();
+  const Quat q_SP = sample.q_SB * Quat(model.R_BP);
+  const Material material = plain(stage.theme.force, 0.25f);
+  for (const Load& load : model.loads.listed) {
+    const Vec3 at = sample.reference_S + q_SP * load.at_P;
+    const Vec3 force = stage.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
+    if (load.kind == Load::Kind::spring) {
+      marks.rods.push_back({at, load.anchor_S, 0.012 * stage.scale.body, material});
+    } else if (force.squaredNorm() > 0.0) {
+      add_vector(stage, at, at + force, kMomentumShape, material, marks, "<b>F</b>");
+    }
+    if (load.kind == Load::Kind::couple) {
+      const Vec3 opposite = at - q_SP * load.arm_P;
+      add_vector(stage, opposite, opposite - force, kMomentumShape, material, marks);
+    }
+  }
+}
+
+void add_points(const Stage& stage, const Sample& sample, bool from_origin, Marks& marks) {
+  const Material material = plain(stage.theme.position, 0.3f);
+  for (const Vec3& r_B : stage.options.points) {
+    const Vec3 at = point_position(stage.motion.model(), sample, r_B);
+    Placement place = Placement::Identity();
+    place.translation() = at;
+    place.linear() *= kBallRadius * stage.scale.body;
+    marks.meshes.push_back({stage.ball, place, material});
+    for (int i = 0; i < 3; ++i) {
+      marks.reach.push_back(place * Vec3::Unit(i));
+      marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
+    }
+    add_vector(stage, sample.reference_S, at, kAxisShape, material, marks, "<b>r</b>");
+    if (from_origin) add_vector(stage, Vec3::Zero(), at, kAxisShape, material, marks);
+  }
+}
+
+}  // namespace polhode
