@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include "app/comparison.h"
+#include "app/film_plan.h"
 #include "app/report.h"
 #include "app/version.h"
 #include "base/atomic_file.h"
@@ -33,53 +34,6 @@ const Quality& find_quality(const std::string& name) {
   }
   throw input_error("no quality is called '{}'{}", name, suggestion(name, names))
       .at({{}, 0, "--quality"});
-}
-
-// Times of the frames: index i is shown at from + i * step of the motion, in [from, to).
-struct FrameTimes {
-  double from = 0.0;  // s of the motion
-  double to = 0.0;
-  double step = 0.0;  // s of the motion per frame
-  int count = 1;
-
-  double at(int index) const { return from + index * step; }
-};
-
-double time_option(const char* option,
-                   const std::optional<double>& value,
-                   double fallback,
-                   double duration) {
-  const double t = value.value_or(fallback);
-  if (std::isfinite(t) && t >= 0.0 && t <= duration) return t;
-  throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, t)
-      .at({{}, 0, option});
-}
-
-FrameTimes frame_times(const RenderJob& job, const Scene& scene, bool still) {
-  constexpr double kMostFrames = 1e7;
-  const double duration = scene.motion.duration;
-  FrameTimes times;
-  times.from = time_option("--from", job.from, 0.0, duration);
-  times.to = time_option("--to", job.to, duration, duration);
-  if (still) {
-    times.from = time_option("--still", job.still, times.from, duration);
-    times.to = times.from;
-    return times;
-  }
-  if (times.to <= times.from) {
-    throw input_error("must be later than --from ({} s), got {}", times.from, times.to)
-        .at({{}, 0, "--to"});
-  }
-  times.step = scene.video.time_scale / scene.video.fps.value();
-  const double count = std::ceil((times.to - times.from) / times.step - 1e-9);
-  if (count > kMostFrames) {
-    throw input_error(
-        "the film would have {:.3g} frames; take a shorter piece or a larger "
-        "video.time_scale",
-        count);
-  }
-  times.count = std::max(1, static_cast<int>(count));
-  return times;
 }
 
 // a .png without a number in its name is one picture, and only that takes --still
@@ -152,62 +106,17 @@ Scene shrunk(Scene scene, int factor) {
   return scene;
 }
 
-// one panel, or one for each method that is compared
-Film make_film(const Solved& solved, const Comparison* comparison, bool with_text) {
-  const Scene& scene = solved.scene;
-  const FrameSize size = frame_size(scene);
-  const FilmText text = film_text(scene.show, scene.title, scene.video.time_scale);
-  const std::size_t count = comparison == nullptr ? 1 : comparison->contenders().size();
-  const std::vector<PixelBox> places = panel_places(size, static_cast<int>(count));
-  const bool noted = comparison != nullptr && with_text;
-  const int notes = noted ? Comparison::kNoteLines : 0;
-  // the widest margins serve all panels
-  FrameMargins margins;
-  for (const PixelBox& place : places) {
-    const FrameMargins needed = text_margins(text, place, size, notes);
-    margins.left = std::max(margins.left, needed.left);
-    margins.right = std::max(margins.right, needed.right);
-    margins.top = std::max(margins.top, needed.top);
-    margins.bottom = std::max(margins.bottom, needed.bottom);
-  }
-  std::vector<FilmPanel> panels;
-  for (std::size_t i = 0; i < count; ++i) {
-    const FrameSize panel_size{places[i].width, places[i].height};
-    FilmPanel panel;
-    panel.place = places[i];
-    panel.composer = std::make_shared<const Composer>(solved.simulation.motion,
-                                                      scene.body,
-                                                      scene.camera,
-                                                      scene.show,
-                                                      scene.theme,
-                                                      panel_size,
-                                                      margins);
-    panel.end = scene.motion.duration;
-    if (comparison != nullptr) {
-      const Contender& one = comparison->contenders()[i];
-      panel.composer = std::make_shared<const Composer>(*panel.composer, one.motion);
-      panel.end = one.end;
-      if (noted) {
-        panel.notes = [comparison, &one](double t) {
-          return comparison->notes(one, t);
-        };
-      }
-    }
-    panels.push_back(std::move(panel));
-  }
-  return {std::move(panels), text, size};
-}
-
 // the wheels of coaches in films
-void warn_of_backward_turning(const Scene& scene, const Motion& motion, const FrameTimes& times) {
-  if (times.count < 2) return;
+void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Frames& frames) {
+  if (frames.count < 2) return;
   double fastest = 0.0;
-  const int looks = std::min(times.count, 200);
+  const int looks = std::min(frames.count, 200);
   for (int i = 0; i < looks; ++i) {
-    const double t = times.from + (times.to - times.from) * i / looks;
+    const double t = frames.from + (frames.to - frames.from) * i / looks;
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
-  const std::optional<std::string> words = turns_backwards(fastest, times.step);
+  const std::optional<std::string> words =
+      turns_backwards(fastest, scene.video.time_scale / frames.rate);
   if (!words) return;
   const Error warning =
       input_error("{}: take a higher video.fps or a smaller video.time_scale", *words);
@@ -244,7 +153,8 @@ void render_film(const RenderJob& job) {
   const Scene scene = shrunk(std::move(asked), quality.shrink);
   const std::string output = output_of(job);
   const bool still = is_still(job, output);
-  const FrameTimes times = frame_times(job, scene, still);
+  const Piece piece{job.from, job.to, job.still, still};
+  check_piece(scene, piece);
   const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
   refuse_same_file(output, "the output", job.scene);
   refuse_same_file(job.report, "--report", job.scene);
@@ -256,17 +166,25 @@ void render_film(const RenderJob& job) {
 
   // simulate
   const Solved solved = solve(scene);
+  const Frames frames = with_place(scene, [&] { return plan_frames(solved, piece); });
   std::unique_ptr<Comparison> comparison;
-  if (!scene.numerics.compare.empty()) {
-    const double frame_s = scene.video.time_scale / scene.video.fps.value();
-    comparison = std::make_unique<Comparison>(solved, frame_s);
+  if (!scene.numerics.compare.empty())
+    comparison = std::make_unique<Comparison>(solved, scene.video.time_scale / frames.rate);
+  const Film film = with_place(
+      scene, [&] { return make_film(solved, frames.timeline, comparison.get(), job.text); });
+  if (frames.loop && frames.loop->residual > scene.video.loop_residual) {
+    const Error warning = input_error(
+        "the motion comes back to its start only to {:.2g} degrees (after {:.4g} s); give it a "
+        "longer "
+        "motion.duration to look in",
+        frames.loop->residual * 180.0 / kPi,
+        frames.loop->duration);
+    spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
   }
-  const Film film =
-      with_place(scene, [&] { return make_film(solved, comparison.get(), job.text); });
 
   for (const Error& warning : film.panels().front().composer->warnings())
     spdlog::warn("{}", placed(scene, warning).what());
-  warn_of_backward_turning(scene, solved.simulation.motion, times);
+  warn_of_backward_turning(scene, solved.simulation.motion, frames);
 
   // open the drawing side; the threads that start here are the rasteriser's
   const std::set<int> threads_before = thread_ids();
@@ -279,22 +197,22 @@ void render_film(const RenderJob& job) {
 
   // compose and draw here, convert and encode behind the queue
   StageTime compose_time;
-  Progress progress(job.progress, times.count);
+  Progress progress(job.progress, frames.count);
   const auto produce = [&](int index, Image& image) {
     const Picture picture = [&] {
       const StageTimer timer(compose_time);
-      return film.at(times.at(index));
+      return film.at(frames.film_time(index));
     }();
     renderer.draw(picture, image);
   };
-  run_pipeline(times.count, produce, *sink, [&](int done) { progress.show(done); });
+  run_pipeline(frames.count, produce, *sink, [&](int done) { progress.show(done); });
 
   // report
   if (job.report.empty()) return;
   FilmFacts facts{output,
-                  times.count,
-                  times.from,
-                  times.to,
+                  frames.count,
+                  frames.from,
+                  frames.to,
                   job.transparent,
                   sink_settings.encoder,
                   renderer.info(),
@@ -312,6 +230,9 @@ void render_film(const RenderJob& job) {
   facts.times.total.cpu_s = process_cpu_seconds();
   nlohmann::ordered_json told = film_report(solved, facts);
   if (comparison) told["compare"] = comparison->report();
+  if (frames.loop) {
+    told["loop"] = {{"duration_s", frames.loop->duration}, {"residual_rad", frames.loop->residual}};
+  }
   const std::string report = told.dump(2) + "\n";
   if (report_file == nullptr) {
     print_out(report);

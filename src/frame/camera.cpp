@@ -70,20 +70,44 @@ Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent, con
 
 }  // namespace
 
+namespace {
+
+// clip planes close around what is drawn: depth keeps its precision
+double far_of(double depth, double radius) {
+  return std::max(depth + 1.5 * radius, 1e-6 * radius);
+}
+double near_of(double depth, double radius) {
+  return std::max(depth - 1.5 * radius, 1e-3 * far_of(depth, radius));
+}
+
+}  // namespace
+
 Camera::Camera(const Vec3& eye,
                const Vec3& target,
                double fov,
                FrameSize size,
                const Vec3& center,
                double radius)
+    : Camera(camera_axes(eye - target),
+             eye,
+             fov,
+             size,
+             near_of(camera_axes(eye - target).row(2).dot(eye - center), radius),
+             far_of(camera_axes(eye - target).row(2).dot(eye - center), radius)) {}
+
+Camera::Camera(const Mat3& R_CS,
+               const Vec3& eye,
+               double fov,
+               FrameSize size,
+               double near_plane,
+               double far_plane)
     : eye_(eye),
-      R_CS_(camera_axes(eye - target)),
+      R_CS_(R_CS),
       size_(size),
+      fov_(fov),
+      near_(near_plane),
+      far_(far_plane),
       focal_px_(0.5 * size.height / std::tan(0.5 * fov)) {
-  // clip planes close around what is drawn: depth keeps its precision
-  const double depth = R_CS_.row(2).dot(eye - center);
-  const double far_plane = std::max(depth + 1.5 * radius, 1e-6 * radius);
-  const double near_plane = std::max(depth - 1.5 * radius, 1e-3 * far_plane);
   const double f = 1.0 / std::tan(0.5 * fov);
   Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
   projection(0, 0) = f * size.height / size.width;
@@ -95,6 +119,27 @@ Camera::Camera(const Vec3& eye,
   world_to_camera.topLeftCorner<3, 3>() = R_CS_;
   world_to_camera.topRightCorner<3, 1>() = -R_CS_ * eye;
   clip_from_world_ = projection * world_to_camera;
+}
+
+Camera Camera::moved(const Eigen::Isometry3d& rig_from_space) const {
+  return {
+      R_CS_ * rig_from_space.linear(), rig_from_space.inverse() * eye_, fov_, size_, near_, far_};
+}
+
+Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3& focus) {
+  if (part <= 0.0) return a;
+  if (part >= 1.0) return b;
+  const Mat3 R_CS = Quat(a.R_CS_).slerp(part, Quat(b.R_CS_)).toRotationMatrix();
+  // where the focus is as the camera sees it
+  const Vec3 seen_a = a.R_CS_ * (focus - a.eye_);
+  const Vec3 seen_b = b.R_CS_ * (focus - b.eye_);
+  const Vec3 seen = seen_a + part * (seen_b - seen_a);
+  return {R_CS,
+          focus - R_CS.transpose() * seen,
+          a.fov_ + part * (b.fov_ - a.fov_),
+          a.size_,
+          std::min(a.near_, b.near_),
+          std::max(a.far_, b.far_)};
 }
 
 Vec2 Camera::project(const Vec3& point_S) const {
@@ -127,6 +172,10 @@ View Camera::view(const DrawingFrame& frame) const {
   view.key_light = to_glm(Vec3((R_SC * Vec3(-0.45, 0.75, 0.65)).normalized()));
   view.fill_light = to_glm(Vec3((R_SC * Vec3(0.8, -0.1, 0.45)).normalized()));
   return view;
+}
+
+std::vector<std::string> follow_names() {
+  return {"none", "center", "body", "momentum"};
 }
 
 Camera framing_camera(const std::vector<Vec3>& points,

@@ -52,13 +52,28 @@ class Camera {
   const Vec3& eye() const { return eye_; }
   // Is the point in front of the camera and inside the picture?
   bool sees(const Vec3& point_S) const;
+  // The same camera, moved together with a rig: rig_from_space takes space to where the rig stands
+  // still.
+  Camera moved(const Eigen::Isometry3d& rig_from_space) const;
+  // On the way from a to b, part 0..1: directions turn at a constant rate, the distance to `focus`
+  // changes evenly. Both of the same picture size.
+  static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
   // Of a draw list in these coordinates.
   View view(const DrawingFrame& frame = {}) const;
 
  private:
+  Camera(const Mat3& R_CS,
+         const Vec3& eye,
+         double fov,
+         FrameSize size,
+         double near_plane,
+         double far_plane);
+
   Vec3 eye_;
   Mat3 R_CS_;  // rows: right, up, back
   FrameSize size_;
+  double fov_;
+  double near_ = 0.0, far_ = 0.0;
   double focal_px_;
   Eigen::Matrix4d clip_from_world_;
 };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 
 namespace polhode {
@@ -73,87 +75,201 @@ Camera make_camera(const CameraSpec& spec,
 
 Composer::Composer(const Motion& motion,
                    const BodySpec& body,
-                   const CameraSpec& camera,
+                   const Staging& staging,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
-                   FrameSize size,
-                   const FrameMargins& margins)
+                   FrameSize size)
     : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, stage_)),
       meshes_{arrow_meshes(circle_segments(0.05 * size.height)),
               cone_meshes(circle_segments(0.5 * size.height))},
       drawing_(make_drawing_frame(stage_)),
-      camera_(make_camera(camera, points_to_frame(), size, margins)) {}
+      staging_(staging),
+      rigs_(make_rigs(size)),
+      start_camera_(camera_at(0.0)) {}
+
+Composer::Composer(const Motion& motion,
+                   const BodySpec& body,
+                   const CameraSpec& camera,
+                   const ShowSpec& show,
+                   const ThemeSpec& theme,
+                   FrameSize size)
+    : Composer(motion,
+               body,
+               Staging{camera, {}, Timeline({}, motion.duration(), 1.0)},
+               show,
+               theme,
+               size) {}
 
 Composer::Composer(const Composer& other, const Motion& motion) : Composer(other) {
   stage_.motion = motion;
 }
 
 Marks Composer::marks_at(const Sample& sample) const {
+  return marks_at(sample, staging_.timeline.film_time(sample.t));
+}
+
+Marks Composer::marks_at(const Sample& sample, double film) const {
   Marks marks;
   marks.middle = sample.reference_S;
   for (const Element& element : elements()) {
-    if (shows(element.name)) element.add(stage_, sample, marks);
+    if (!shows(element.name)) continue;
+    const double presence = staging_.timeline.presence(element.name, film);
+    if (presence <= 0.0) continue;
+    const MarkCounts before(marks);
+    element.add(stage_, sample, marks);
+    if (presence < 1.0) fade_new(marks, before, presence);
   }
   add_points(stage_, sample, shows("fixed_frame"), marks);
   add_point_trails(stage_, sample, marks);
   return marks;
 }
 
-Shot Composer::shot(double t) const {
+DrawList Composer::at(double t) const {
+  return shot(staging_.timeline.film_time(t), stage_.motion.duration()).list;
+}
+
+Shot Composer::shot(double film, double end) const {
   Shot shot;
-  const Marks marks = marks_at(stage_.motion.at(t));
-  shot.list.view = camera_.view(drawing_);
+  const double t = std::min(staging_.timeline.motion_time(film), end);
+  const Marks marks = marks_at(stage_.motion.at(t), film);
+  const Camera camera = camera_at(film);
+  shot.list.view = camera.view(drawing_);
   shot.list.background = stage_.theme.background;
-  add_items(marks, meshes_, drawing_, camera_.eye(), shot.list);
+  add_items(marks, meshes_, drawing_, camera.eye(), shot.list);
   for (const LabelMark& label : marks.labels) {
-    if (camera_.sees(label.at)) shot.labels.push_back(seen(label));
+    if (camera.sees(label.at)) shot.labels.push_back(seen(label, camera));
   }
   return shot;
 }
 
-SeenLabel Composer::seen(const LabelMark& label) const {
-  const Vec2 at = camera_.project(label.at);
-  // a little way along; where that is towards the eye, the label stands above
-  const Vec3 step = 0.05 * stage_.scale.body * label.away.stableNormalized();
-  const Vec2 along = camera_.project(label.at + step) - at;
-  const double pixel = 0.05 * stage_.scale.body * camera_.pixels_per_metre(label.at);
-  const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
-  const Vec2 from =
-      camera_.sees(label.at - label.away) ? camera_.project(label.at - label.away) : at;
-  return {from, at, away.normalized(), label.markup, label.color};
+// Where the rig of a camera stands still: space for most, turned or moved for those that go along.
+Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) const {
+  Eigen::Isometry3d rig = Eigen::Isometry3d::Identity();
+  const Sample start = stage_.motion.at(staging_.timeline.motion_time(0.0));
+  const Sample now = stage_.motion.at(staging_.timeline.motion_time(film));
+  if (spec.follow != "none") {
+    Mat3 turn = Mat3::Identity();
+    if (spec.follow == "body") {
+      turn = (start.q_SB * now.q_SB.conjugate()).toRotationMatrix();
+    } else if (spec.follow == "momentum" && now.L_S.norm() > 0.0 && start.L_S.norm() > 0.0) {
+      turn = Quat::FromTwoVectors(now.L_S, start.L_S).toRotationMatrix();
+    }
+    rig.linear() = turn;
+    rig.translation() = start.reference_S - turn * now.reference_S;
+  }
+  if (spec.orbit != 0.0) {
+    const Vec3 center = spec.target.value_or(start.reference_S);
+    const Eigen::AngleAxisd back(-spec.orbit * film, Vec3::UnitZ());
+    rig = Eigen::Translation3d(center) * back * Eigen::Translation3d(-center) * rig;
+  }
+  return rig;
 }
 
-std::vector<Vec3> Composer::points_to_frame() const {
+std::vector<Composer::Rig> Composer::make_rigs(FrameSize size) const {
+  std::vector<Rig> rigs;
+  const auto add = [&](CameraSpec spec, double begins, double move) {
+    // looking along L means from the side that it points to
+    const Vec3 L = stage_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
+    if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
+      spec.direction = L.normalized();
+    rigs.push_back(
+        {spec, begins, move, make_camera(spec, points_to_frame(spec), size, staging_.margins)});
+  };
+  add(staging_.camera, 0.0, 0.0);
+  for (std::size_t i = 0; i < staging_.shots.size(); ++i) {
+    const ShotSpec& shot = staging_.shots[i];
+    try {
+      add(shot.camera, staging_.timeline.film_time(shot.at), shot.move);
+    } catch (const Error& error) {
+      // "camera.eye" of this shot
+      const std::string key = error.place().key.substr(error.place().key.find('.') + 1);
+      throw Error(error.fault(), error.message(), {{}, 0, fmt::format("shots[{}].{}", i, key)});
+    }
+  }
+  std::stable_sort(
+      rigs.begin() + 1, rigs.end(), [](const Rig& a, const Rig& b) { return a.begins < b.begins; });
+  return rigs;
+}
+
+Camera Composer::camera_at(double film) const {
+  const auto placed = [&](const Rig& rig) {
+    return rig.camera.moved(rig_from_space(rig.spec, film));
+  };
+  std::size_t last = 0;
+  while (last + 1 < rigs_.size() && rigs_[last + 1].begins <= film)
+    ++last;
+  const Rig& rig = rigs_[last];
+  if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig);
+  const Vec3 focus = stage_.motion.at(staging_.timeline.motion_time(film)).reference_S;
+  return Camera::between(
+      placed(rigs_[last - 1]), placed(rig), eased((film - rig.begins) / rig.move), focus);
+}
+
+SeenLabel Composer::seen(const LabelMark& label, const Camera& camera) const {
+  const Vec2 at = camera.project(label.at);
+  // a little way along; where that is towards the eye, the label stands above
+  const Vec3 step = 0.05 * stage_.scale.body * label.away.stableNormalized();
+  const Vec2 along = camera.project(label.at + step) - at;
+  const double pixel = 0.05 * stage_.scale.body * camera.pixels_per_metre(label.at);
+  const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
+  const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
+  return {from, at, away.normalized(), label.markup, label.color, label.fade};
+}
+
+std::vector<double> Composer::film_times() const {
+  constexpr int kTimes = 240;
+  std::vector<double> times;
+  const double duration = staging_.timeline.film_duration();
+  for (int i = 0; i <= kTimes; ++i)
+    times.push_back(duration * i / kTimes);
+  return times;
+}
+
+std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
   std::vector<Vec3> points;
-  for (const double t : framing_times(stage_.motion)) {
-    const Sample sample = stage_.motion.at(t);
-    points.push_back(sample.reference_S);
-    add_extent(marks_at(sample), points);
+  for (const double film : film_times()) {
+    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    std::vector<Vec3> now = {sample.reference_S};
+    // all that will ever be shown: nothing jumps when it comes
+    Marks marks;
+    for (const Element& element : elements()) {
+      if (shows(element.name)) element.add(stage_, sample, marks);
+    }
+    add_points(stage_, sample, shows("fixed_frame"), marks);
+    add_point_trails(stage_, sample, marks);
+    add_extent(marks, now);
+    const Eigen::Isometry3d rig = rig_from_space(spec, film);
+    for (const Vec3& point : now)
+      points.push_back(rig * point);
   }
   return points;
 }
 
 std::vector<Error> Composer::warnings() const {
-  const std::vector<Vec3> points = points_to_frame();
-  const auto seen = [&](const Vec3& point) {
-    return camera_.sees(point);
-  };
-  if (std::none_of(points.begin(), points.end(), seen)) {
+  bool any_seen = false;
+  double nearest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;  // pixels
+  for (const double film : film_times()) {
+    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    const Camera camera = camera_at(film);
+    std::vector<Vec3> points;
+    add_extent(marks_at(sample, film), points);
+    points.push_back(sample.reference_S);
+    any_seen = any_seen || std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
+                 return camera.sees(point);
+               });
+    const Vec3& middle = sample.reference_S;
+    nearest = std::min(nearest, (camera.eye() - middle).norm());
+    if (camera.sees(middle))
+      largest = std::max(largest, stage_.scale.body * camera.pixels_per_metre(middle));
+  }
+  if (!any_seen) {
     return {input_error("the camera sees nothing of the scene; without camera.eye it frames the "
                         "film by itself")
                 .at({{}, 0, "camera.eye"})};
   }
   if (!shows("body")) return {};
-  double nearest = std::numeric_limits<double>::infinity();
-  double largest = 0.0;  // pixels
-  for (const double t : framing_times(stage_.motion)) {
-    const Vec3 middle = stage_.motion.at(t).reference_S;
-    nearest = std::min(nearest, (camera_.eye() - middle).norm());
-    if (camera_.sees(middle)) {
-      largest = std::max(largest, stage_.scale.body * camera_.pixels_per_metre(middle));
-    }
-  }
   if (nearest < stage_.scale.body) {
     return {input_error("the camera comes within {:.3g} m of the body's middle, but the body "
                         "reaches {:.3g} m; move it away",

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "frame/elements.h"
+#include "frame/timeline.h"
 
 namespace polhode {
 
@@ -18,6 +19,7 @@ struct SeenLabel {
   Vec2 away;  // unit
   std::string markup;
   glm::vec3 color;
+  float fade = 1.0f;
 };
 
 // What a camera sees at one moment.
@@ -26,42 +28,75 @@ struct Shot {
   std::vector<SeenLabel> labels;
 };
 
-// Immutable; shot() and at() are pure functions of t and may be called from any thread.
+// How a picture is taken: cameras, and the room that they leave at the sides.
+struct Staging {
+  CameraSpec camera;
+  std::vector<ShotSpec> shots = {};
+  Timeline timeline;
+  FrameMargins margins = {};
+};
+
+// Immutable; all of it are pure functions of time and may be called from any thread.
 class Composer {
  public:
   // Throws Error (input) when [show] asks for what this motion does not have.
   Composer(const Motion& motion,
            const BodySpec& body,
+           const Staging& staging,
+           const ShowSpec& show,
+           const ThemeSpec& theme,
+           FrameSize size);
+  // With one camera, the film's clock that of the motion.
+  Composer(const Motion& motion,
+           const BodySpec& body,
            const CameraSpec& camera,
            const ShowSpec& show,
            const ThemeSpec& theme,
-           FrameSize size,
-           const FrameMargins& margins = {});
+           FrameSize size);
   // The same picture, with the same camera and scale, of another motion of the same body.
   Composer(const Composer& other, const Motion& motion);
 
-  Shot shot(double t) const;
-  DrawList at(double t) const { return shot(t).list; }
+  // At a moment of the film; the motion stands still behind `end` (s of the motion).
+  Shot shot(double film, double end) const;
+  // At a moment of the motion.
+  DrawList at(double t) const;
   // What a viewer of this film may miss, with the key at fault: a camera of the scene's own that
   // sees nothing or is inside the body, a body smaller than a pixel.
   std::vector<Error> warnings() const;
 
-  const Camera& camera() const { return camera_; }
+  // The camera at the start.
+  const Camera& camera() const { return start_camera_; }
+  // The camera at a moment of the film.
+  Camera camera_at(double film) const;
+  const Timeline& timeline() const { return staging_.timeline; }
   const Stage& stage() const { return stage_; }
   // Is the element of that name shown?
   bool shows(const std::string& name) const { return shown_.at(name); }
   // The geometry of this moment, as drawn; for tests and for at().
   Marks marks_at(const Sample& sample) const;
+  Marks marks_at(const Sample& sample, double film) const;
 
  private:
-  std::vector<Vec3> points_to_frame() const;
-  SeenLabel seen(const LabelMark& label) const;
+  // A camera of the scene: where it stands in its rig, and how the rig moves.
+  struct Rig {
+    CameraSpec spec;
+    double begins = 0.0;  // s of the film
+    double move = 0.0;
+    Camera camera;
+  };
+  std::vector<double> film_times() const;
+  Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
+  std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
+  std::vector<Rig> make_rigs(FrameSize size) const;
+  SeenLabel seen(const LabelMark& label, const Camera& camera) const;
 
   Stage stage_;
   std::map<std::string, bool> shown_;
   MarkMeshes meshes_;
   DrawingFrame drawing_;
-  Camera camera_;
+  Staging staging_;
+  std::vector<Rig> rigs_;  // in the order in which they come
+  Camera start_camera_;
 };
 
 // How far the attitude may be off, in rad, so that no drawn point moves by more than this many

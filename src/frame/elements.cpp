@@ -246,4 +246,11 @@ std::vector<ShowName> show_names() {
   return names;
 }
 
+std::vector<std::string> element_names() {
+  std::vector<std::string> names;
+  for (const Element& element : elements())
+    names.push_back(element.name);
+  return names;
+}
+
 }  // namespace polhode

@@ -115,7 +115,8 @@ FrameMargins text_margins(const FilmText& text,
   double below = 0.0;
   if (panel.y == 0 && !text.title.empty()) above += kLineHeight * kTitleSize * whole;
   const bool at_bottom = panel.bottom() == size.height;
-  if (at_bottom && !text.caption.empty()) below += kLineHeight * kCaptionSize * whole;
+  if (at_bottom && (text.captions || !text.caption.empty()))
+    below += kLineHeight * kCaptionSize * whole;
   margins.top += above / panel.height;
   margins.bottom += below / panel.height;
   return margins;
@@ -127,29 +128,33 @@ Film::Film(std::vector<FilmPanel> panels, const FilmText& text, FrameSize size)
       size_(size),
       typesetter_(std::make_unique<Typesetter>()) {}
 
-Film::Page Film::page_at(double t) const {
+Film::Page Film::page_at(double film) const {
+  const double t = panels_.front().composer->timeline().motion_time(film);
   Page page;
   // the text that keeps its place comes first: labels give way to it
-  add_frame_text(t, page);
+  add_frame_text(film, page);
   for (const FilmPanel& panel : panels_)
     add_notes(panel, t, page);
   for (const FilmPanel& panel : panels_) {
-    Shot shot = panel.composer->shot(std::min(t, panel.end));
+    Shot shot = panel.composer->shot(film, panel.end);
     if (text_.labels) add_labels(panel, shot.labels, page);
     page.picture.panels.push_back({panel.place, std::move(shot.list)});
   }
   return page;
 }
 
-Picture Film::at(double t) const {
-  return page_at(t).picture;
+Picture Film::at(double film) const {
+  return page_at(film).picture;
 }
 
-std::vector<TextRoom> Film::text_rooms(double t) const {
-  return page_at(t).taken;
+std::vector<TextRoom> Film::text_rooms(double film) const {
+  return page_at(film).taken;
 }
 
-void Film::add_frame_text(double t, Page& page) const {
+void Film::add_frame_text(double film, Page& page) const {
+  const Timeline& timeline = panels_.front().composer->timeline();
+  const double t = timeline.motion_time(film);
+  const std::string caption = timeline.caption(film).value_or(text_.caption);
   const double unit = text_.size * type_size(size_.width, size_.height);
   const double edge = kEdge * type_size(size_.width, size_.height);
   const Theme& theme = panels_.front().composer->stage().theme;
@@ -182,10 +187,10 @@ void Film::add_frame_text(double t, Page& page) const {
     add(plain_text(text_.title), style, edge, 0.6 * edge);
   }
   double bottom = size_.height - 0.6 * edge;
-  if (!text_.caption.empty()) {
+  if (!caption.empty()) {
     TextStyle style = style_of(theme, kCaptionSize * unit, theme.position);
     style.width = 0.72 * size_.width;
-    const std::string markup = plain_text(text_.caption);
+    const std::string markup = plain_text(caption);
     bottom -= typesetter_->measure(markup, style).height;
     add(markup, style, edge, bottom);
     bottom = size_.height - 0.6 * edge;
@@ -267,8 +272,10 @@ void Film::add_labels(const FilmPanel& panel,
   const std::vector<TextRoom> rooms = place_labels(wishes, page.taken, shafts, frame, 0.2 * size);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const TextBox box = typesetter_->measure(labels[i].markup, styles[i]);
-    page.picture.stamps.push_back(typesetter_->set(
-        labels[i].markup, styles[i], rooms[i].left - box.ink_left, rooms[i].top - box.ink_top));
+    Stamp stamp = typesetter_->set(
+        labels[i].markup, styles[i], rooms[i].left - box.ink_left, rooms[i].top - box.ink_top);
+    stamp.opacity = labels[i].fade;
+    page.picture.stamps.push_back(stamp);
     page.taken.push_back(rooms[i]);
   }
 }

@@ -28,8 +28,9 @@ struct FilmPanel {
 
 // Text of the whole frame. Plain text.
 struct FilmText {
-  std::string title;    // empty: none
-  std::string caption;  // empty: none
+  std::string title;      // empty: none
+  std::string caption;    // where the story has none; empty: none
+  bool captions = false;  // the story has some: room is kept for them
   bool clock = true;
   bool labels = true;
   double time_scale = 1.0;  // seconds of motion per second of film
@@ -55,17 +56,18 @@ class Film {
  public:
   Film(std::vector<FilmPanel> panels, const FilmText& text, FrameSize size);
 
-  Picture at(double t) const;
+  // At a moment of the film, s.
+  Picture at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
   // Where text stands at this moment, labels last; for tests.
-  std::vector<TextRoom> text_rooms(double t) const;
+  std::vector<TextRoom> text_rooms(double film) const;
 
  private:
   struct Page;
-  void add_frame_text(double t, Page& page) const;
+  void add_frame_text(double film, Page& page) const;
   void add_notes(const FilmPanel& panel, double t, Page& page) const;
   void add_labels(const FilmPanel& panel, const std::vector<SeenLabel>& labels, Page& page) const;
-  Page page_at(double t) const;
+  Page page_at(double film) const;
 
   std::vector<FilmPanel> panels_;
   FilmText text_;

@@ -18,6 +18,29 @@ struct CameraSpec {
   std::optional<Vec3> target;       // m, space axes; in the middle of the picture
   double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
   std::optional<Vec3> direction;    // from the scene towards the automatic camera
+  double orbit = 0.0;               // about the vertical through the target, rad per s of film
+  std::string follow = "none";      // a name from follow_names(): what the camera moves with
+};
+
+// "none", or what the camera goes along with: "center" the reference point, "body" every turn of
+// the body, "momentum" the direction of L, along which it looks.
+std::vector<std::string> follow_names();
+
+// A camera from some moment on.
+struct ShotSpec {
+  double at = 0.0;    // s of the motion
+  double move = 0.0;  // s of film in which the camera goes there; 0: a cut
+  CameraSpec camera;
+};
+
+// A step of an explanation.
+struct StoryStep {
+  double at = 0.0;                     // s of the motion
+  double hold = 0.0;                   // the motion stands still for so many s of film
+  double fade = 0.5;                   // s of film in which things come and go
+  std::vector<std::string> show;       // names of [show] that come now, and were not there before
+  std::vector<std::string> hide;       // that go
+  std::optional<std::string> caption;  // words from now on; "" for none
 };
 
 // Where an automatic camera stands when the scene does not say: in front, to the right, above.
@@ -26,18 +49,19 @@ inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 // What is drawn: names of the table in frame/elements.h. Absent: the scene's kind decides.
 struct ShowSpec {
   std::map<std::string, std::optional<bool>> asked;
-  std::vector<Vec3> points;        // of the body, drawn as balls with their vectors, m
-  double body_opacity = 1.0;       // under 1: what is inside the body is seen through it
-  bool labels = true;              // names beside vectors
-  bool title = false;              // the scene's title, above
-  bool clock = true;               // the time of the motion, and the scale of time if it is not 1
-  std::string caption;             // a line below; empty: none
-  double text_size = 1.0;          // all text is enlarged by this
-  std::string material = "plain";  // a name from material_names()
-  std::vector<Vec3> trail_points;  // of the body, whose paths are drawn, m
-  std::optional<double> trail_s;   // paths are drawn so far back; absent: from the start, s
-  int ghost_count = 5;             // how many former bodies are drawn
-  std::optional<double> ghost_s;   // so far apart in time; absent: a 40th of the motion, s
+  std::vector<Vec3> points;   // of the body, drawn as balls with their vectors, m
+  double body_opacity = 1.0;  // under 1: what is inside the body is seen through it
+  bool labels = true;         // names beside vectors
+  bool title = false;         // the scene's title, above
+  bool clock = true;          // the time of the motion, and the scale of time if it is not 1
+  std::string caption;        // a line below; empty: none
+  double text_size = 1.0;     // all text is enlarged by this
+  std::vector<std::string> views = {"space"};  // side by side: "space", "body"
+  std::string material = "plain";              // a name from material_names()
+  std::vector<Vec3> trail_points;              // of the body, whose paths are drawn, m
+  std::optional<double> trail_s;  // paths are drawn so far back; absent: from the start, s
+  int ghost_count = 5;            // how many former bodies are drawn
+  std::optional<double> ghost_s;  // so far apart in time; absent: a 40th of the motion, s
 
   std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
@@ -48,6 +72,7 @@ struct ShowName {
   std::string doc;
 };
 std::vector<ShowName> show_names();
+std::vector<std::string> element_names();
 
 // Colours of the picture.
 struct ThemeSpec {
@@ -70,6 +95,36 @@ void fields(Visitor& v, CameraSpec& s) {
   v.field("direction",
           s.direction,
           Doc{"from the scene towards an automatic camera; absent: [0.82, 0.46, 0.34]"});
+  v.field("orbit",
+          s.orbit,
+          Doc{"how fast the camera goes round the vertical, per second of film",
+              Unit::angular_velocity});
+  v.field("follow", s.follow, Doc{"what it moves with", Unit::none, kAny, follow_names()});
+}
+
+template <class Visitor>
+void fields(Visitor& v, ShotSpec& s) {
+  v.required("at", s.at, Doc{"from when on, in the motion", Unit::time, kNonNegative});
+  v.field("move",
+          s.move,
+          Doc{"how long the camera takes to get there, in the film; 0: a cut",
+              Unit::time,
+              kNonNegative});
+  fields(v, s.camera);
+}
+
+template <class Visitor>
+void fields(Visitor& v, StoryStep& s) {
+  v.required("at", s.at, Doc{"when, in the motion", Unit::time, kNonNegative});
+  v.field("hold",
+          s.hold,
+          Doc{"how long the motion stands still, in the film", Unit::time, kNonNegative});
+  v.field("fade",
+          s.fade,
+          Doc{"how long things take to come and go, in the film", Unit::time, kNonNegative});
+  v.field("show", s.show, Doc{"what comes now", Unit::none, kAny, element_names()});
+  v.field("hide", s.hide, Doc{"what goes now", Unit::none, kAny, element_names()});
+  v.field("caption", s.caption, Doc{"words from now on; empty: none"});
 }
 
 template <class Visitor>
@@ -97,6 +152,12 @@ void fields(Visitor& v, ShowSpec& s) {
       "ghost_interval",
       s.ghost_s,
       Doc{"how far they are apart in time; absent: a 40th of the motion", Unit::time, kPositive});
+  v.field("views",
+          s.views,
+          Doc{"pictures side by side: of space, and as the body sees it",
+              Unit::none,
+              kAny,
+              {"space", "body"}});
   v.field("labels", s.labels, Doc{"names beside vectors"});
   v.field("title", s.title, Doc{"the scene's title, at the top"});
   v.field("clock", s.clock, Doc{"the time of the motion, and how much slower it is shown"});

@@ -25,6 +25,8 @@ struct Scene {
   NumericsSpec numerics;
   CameraSpec camera;
   ShowSpec show;
+  std::vector<ShotSpec> shots;
+  std::vector<StoryStep> story;
   VideoSpec video;
   ThemeSpec theme;  // shares the [video] table
 
@@ -42,6 +44,8 @@ void fields(Visitor& v, Scene& s) {
   v.field("numerics", s.numerics, Doc{"how the motion is found; leave it out"});
   v.field("camera", s.camera, Doc{"where the picture is taken from"});
   v.field("show", s.show, Doc{"what is drawn"});
+  v.field("shots", s.shots, Doc{"cameras one after another"});
+  v.field("story", s.story, Doc{"pauses, captions, what comes and goes"});
   v.merged("video", s.video, s.theme, Doc{"size, rate and colours of the picture"});
 }
 

@@ -54,7 +54,10 @@ const std::vector<std::string>& encoder_presets();
 struct VideoSpec {
   PictureSize size;
   FrameRate fps;
-  double time_scale = 1.0;  // seconds of motion per second of film
+  double time_scale = 1.0;        // seconds of motion per second of film
+  bool loop = false;              // the film ends where it began
+  double loop_residual = 0.0349;  // rad: how exactly
+  double shutter = 0.0;           // part of a turn of the shutter that is open, rad; 0: an instant
 };
 
 template <class Visitor>
@@ -66,6 +69,17 @@ void fields(Visitor& v, VideoSpec& s) {
           Doc{"seconds of motion per second of film; 0.1 is ten times slow motion",
               Unit::none,
               kPositive});
+  v.field("loop",
+          s.loop,
+          Doc{"end the film where the motion is as it was at its start, so that it repeats"});
+  v.field("loop_residual",
+          s.loop_residual,
+          Doc{"how far the attitude may be off where a loop closes", Unit::angle, kPositive});
+  v.field("shutter",
+          s.shutter,
+          Doc{"angle of the open shutter: 360 degrees blur all that happens from frame to frame",
+              Unit::angle,
+              Range{0.0, 6.2831853071795872}});
 }
 
 }  // namespace polhode

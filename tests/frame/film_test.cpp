@@ -82,7 +82,7 @@ TEST(Film, PanelsShareCameraAndScale) {
   const Motion one = test::moving(body, test::wobbling());
   MotionSpec faster = test::wobbling();
   faster.spin.body = Vec3(2.2, 0.8, 4.0);
-  const Composer first(one, body, {}, {}, {}, {320, 180});
+  const Composer first(one, body, CameraSpec{}, {}, {}, {320, 180});
   const Composer second(first, test::moving(body, faster));
   const Vec3 point(0.1, 0.05, 0.2);
   EXPECT_EQ(first.camera().project(point), second.camera().project(point));

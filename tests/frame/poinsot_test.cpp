@@ -32,7 +32,7 @@ ShowSpec poinsot() {
 Composer picture_of(const BodySpec& body, const Vec3& spin) {
   MotionSpec spec = test::wobbling();
   spec.spin.body = spin;
-  return {test::moving(body, spec), body, {}, poinsot(), {}, {640, 360}};
+  return {test::moving(body, spec), body, CameraSpec{}, poinsot(), {}, {640, 360}};
 }
 
 const Vec3 kSpins[] = {{1.0, 0.8, 2.0}, {2.0, 0.5, 0.3}, {0.1, 1.5, 0.1}};
@@ -78,7 +78,7 @@ TEST(Cones, TouchAlongOmegaAndRoll) {
   const BodySpec body = test::prolate_body();
   ShowSpec show;
   show["space_cone"] = show["body_cone"] = true;
-  const Composer picture(test::moving(body, test::wobbling()), body, {}, show, {}, {640, 360});
+  const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
   for (const double t : {0.0, 1.3, 3.7}) {
     const Sample now = picture.stage().motion.at(t);
     const Marks marks = picture.marks_at(now);
@@ -152,7 +152,7 @@ TEST(Trails, EndWhereThePointIs) {
   const BodySpec body = test::prolate_body();
   ShowSpec show;
   show["trail"] = true;
-  const Composer picture(test::moving(body, test::wobbling()), body, {}, show, {}, {640, 360});
+  const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
   const Stage& stage = picture.stage();
   for (const double t : {0.3, 1.234, 4.0}) {
     const Sample now = stage.motion.at(t);
@@ -176,7 +176,7 @@ TEST(Components, AddUpToOmega) {
     for (const Element& element : elements())
       show[element.name] = element.name == name;
     const BodySpec body = brick();
-    const Composer picture(test::moving(body, test::wobbling()), body, {}, show, {}, {640, 360});
+    const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
     const Sample now = picture.stage().motion.at(1.1);
     Vec3 sum = Vec3::Zero();
     for (const ArrowMark& arrow : picture.marks_at(now).arrows)
@@ -192,7 +192,7 @@ TEST(Torque, IsTheRateOfL) {
     show[element.name] = element.name == "torque";
   const BodySpec body = test::cone_body();
   const Composer picture(
-      test::moving(body, test::spinning_on_pivot()), body, {}, show, {}, {640, 360});
+      test::moving(body, test::spinning_on_pivot()), body, CameraSpec{}, show, {}, {640, 360});
   const Motion& motion = picture.stage().motion;
   const double h = 1e-5;
   for (const double t : {0.3, 1.0}) {
