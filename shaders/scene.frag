@@ -15,6 +15,7 @@ uniform float u_gloss;
 uniform vec3 u_mark_color;   // sRGB-encoded
 uniform int u_finish;        // 0 plain, 1 wood, 2 brushed metal, 3 ceramic
 uniform bool u_flat;         // colour and alpha as they are
+uniform bool u_soft;         // of a disc: less towards its rim
 uniform float u_fade;        // of the whole thing, 1: there
 uniform float u_mark_width;  // half-width of the strip, mesh units; 0 = no mark
 
@@ -47,7 +48,7 @@ vec3 worn(vec3 color) {
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;
   if (u_finish == 1) {
     float grain = bands(0.8 * radius + 0.25 * v_mesh.z / unit_length);
-    return color * (0.80 + 0.26 * grain * grain);
+    return color * (0.88 + 0.17 * grain * grain);
   }
   if (u_finish == 2) return color * (0.90 + 0.14 * bands(7.0 * radius));
   return color;
@@ -55,7 +56,8 @@ vec3 worn(vec3 color) {
 
 void main() {
   if (u_flat) {
-    o_color = vec4(u_color * u_alpha, u_alpha) * u_fade;
+    float inside = u_soft ? max(1.0 - dot(v_mesh.xy, v_mesh.xy), 0.0) : 1.0;
+    o_color = vec4(u_color, 1.0) * (u_alpha * u_fade * inside * inside);
     return;
   }
   vec3 normal = unit(v_normal);

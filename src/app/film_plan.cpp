@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/film_plots.h"
+
 namespace polhode {
 namespace {
 
@@ -108,7 +110,12 @@ Film make_film(const Solved& solved,
   const std::size_t count = compared ? comparison->contenders().size() : views.size();
   const std::vector<PixelBox> places = panel_places(size, static_cast<int>(count));
   const int lines = !with_text ? 0 : compared ? Comparison::kNoteLines : views.size() > 1 ? 1 : 0;
-  const FrameMargins margins = common_margins(text, places, size, lines);
+  FrameMargins margins = common_margins(text, places, size, lines);
+  if (count > 1 && !scene.show.plots.empty()) {
+    throw input_error("plots stand beside a single picture; leave them out, or show one view")
+        .at({{}, 0, "show.plots"});
+  }
+  margins.right += width_of_plots(scene.show);
 
   std::vector<FilmPanel> panels;
   for (std::size_t i = 0; i < count; ++i) {
@@ -143,7 +150,7 @@ Film make_film(const Solved& solved,
     }
     panels.push_back(std::move(panel));
   }
-  return {std::move(panels), text, size};
+  return {std::move(panels), text, size, make_plots(solved)};
 }
 
 }  // namespace polhode

@@ -19,6 +19,7 @@
 #include "base/log.h"
 #include "base/nearest.h"
 #include "frame/film.h"
+#include "image/average.h"
 #include "render/renderer.h"
 #include "video/pipeline.h"
 #include "video/plain_sinks.h"
@@ -108,7 +109,8 @@ Scene shrunk(Scene scene, int factor) {
 
 // the wheels of coaches in films
 void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Frames& frames) {
-  if (frames.count < 2) return;
+  constexpr double kBlurring = kPi;  // an angle of the shutter beyond which nothing seems to turn
+  if (frames.count < 2 || scene.video.shutter >= kBlurring) return;
   double fastest = 0.0;
   const int looks = std::min(frames.count, 200);
   for (int i = 0; i < looks; ++i) {
@@ -118,9 +120,23 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
   const std::optional<std::string> words =
       turns_backwards(fastest, scene.video.time_scale / frames.rate);
   if (!words) return;
-  const Error warning =
-      input_error("{}: take a higher video.fps or a smaller video.time_scale", *words);
+  const Error warning = input_error(
+      "{}: take a higher video.fps, a smaller video.time_scale, or blur it with "
+      "video.shutter_deg = 360",
+      *words);
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
+}
+
+// as many as leave no gaps: the body turns by a few degrees from one to the next
+int moments_of_shutter(const Motion& motion, const Scene& scene, double open) {
+  constexpr double kTurn = 0.06;  // rad
+  constexpr int kMost = 48;
+  if (open <= 0.0) return 1;
+  double fastest = 0.0;
+  for (const double t : framing_times(motion))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  const double turned = fastest * open * scene.video.time_scale;
+  return std::clamp(static_cast<int>(std::ceil(turned / kTurn)), 4, kMost);
 }
 
 double process_cpu_seconds() {
@@ -195,15 +211,34 @@ void render_film(const RenderJob& job) {
   for (const int id : threads_before)
     rasteriser.erase(id);
 
+  // how long the shutter is open, s of film, and in how many pictures that is seen
+  const double open = scene.video.shutter / (2.0 * kPi) / frames.rate;
+  const int moments = moments_of_shutter(solved.simulation.motion, scene, open);
+  AveragePicture blurred;
+
   // compose and draw here, convert and encode behind the queue
   StageTime compose_time;
   Progress progress(job.progress, frames.count);
   const auto produce = [&](int index, Image& image) {
-    const Picture picture = [&] {
+    const auto composed = [&](double film_time) {
       const StageTimer timer(compose_time);
-      return film.at(frames.film_time(index));
-    }();
-    renderer.draw(picture, image);
+      return film.at(film_time);
+    };
+    Picture picture = composed(frames.film_time(index));
+    if (moments == 1) {
+      renderer.draw(picture, image);
+      return;
+    }
+    // what moves while the shutter is open; the text stands still
+    for (int k = 0; k < moments; ++k) {
+      Picture moment = composed(frames.film_time(index) + open * (k + 0.5) / moments);
+      moment.stamps.clear();
+      renderer.draw(moment, image);
+      blurred.add(image);
+    }
+    blurred.mean(image);
+    for (const Stamp& stamp : picture.stamps)
+      lay_over(image, stamp);
   };
   run_pipeline(frames.count, produce, *sink, [&](int done) { progress.show(done); });
 

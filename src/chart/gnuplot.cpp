@@ -22,6 +22,8 @@ std::string terminal(PlotFormat format, int width, int height) {
           "svg enhanced size {},{} font '{},12' background rgb 'white'", width, height, kFont);
     case PlotFormat::png:
       return fmt::format("pngcairo enhanced size {},{} font '{},10'", width, height, kFont);
+    case PlotFormat::overlay:
+      return fmt::format("pngcairo enhanced transparent size {},{} font 'Inter,10'", width, height);
     case PlotFormat::pdf:
       return fmt::format("pdfcairo enhanced size {:.3f}in,{:.3f}in font '{},8'",
                          width / kPixelsPerInch,

@@ -20,7 +20,8 @@ std::string gnuplot_version();
 // Throws Error (environment) when there is none: before work, not after it.
 void require_gnuplot();
 
-enum class PlotFormat { svg, png, pdf };
+// overlay: a PNG without ground, in the font of the text in pictures
+enum class PlotFormat { svg, png, pdf, overlay };
 
 // The picture that a script draws, as the bytes of a file; `width` and `height` in pixels. Nothing
 // of the user's own settings is read. Throws Error (environment) when gnuplot is missing or fails.

@@ -25,6 +25,7 @@ struct Material {
   float mark_width = 0.0f;     // half-width of the strip x > 0, |y| < width in mesh units; 0 = none
   Finish finish = Finish::plain;
   bool flat = false;  // the same colour and alpha from everywhere, without light
+  bool soft = false;  // of a flat disc: alpha falls to nothing at its rim
   float fade = 1.0f;  // under 1: the whole thing comes or goes, whatever its alpha
 
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }

@@ -122,16 +122,21 @@ FrameMargins text_margins(const FilmText& text,
   return margins;
 }
 
-Film::Film(std::vector<FilmPanel> panels, const FilmText& text, FrameSize size)
+Film::Film(std::vector<FilmPanel> panels,
+           const FilmText& text,
+           FrameSize size,
+           std::vector<FilmPlot> plots)
     : panels_(std::move(panels)),
       text_(text),
       size_(size),
+      plots_(std::move(plots)),
       typesetter_(std::make_unique<Typesetter>()) {}
 
 Film::Page Film::page_at(double film) const {
   const double t = panels_.front().composer->timeline().motion_time(film);
   Page page;
   // the text that keeps its place comes first: labels give way to it
+  add_plots(t, page);
   add_frame_text(film, page);
   for (const FilmPanel& panel : panels_)
     add_notes(panel, t, page);
@@ -149,6 +154,19 @@ Picture Film::at(double film) const {
 
 std::vector<TextRoom> Film::text_rooms(double film) const {
   return page_at(film).taken;
+}
+
+void Film::add_plots(double t, Page& page) const {
+  for (const FilmPlot& plot : plots_) {
+    const double part = std::clamp((t - plot.begins) / (plot.ends - plot.begins), 0.0, 1.0);
+    const int now = plot.first + static_cast<int>(std::lround(part * (plot.last - plot.first)));
+    page.picture.stamps.push_back({plot.axes, plot.place.x, plot.place.y});
+    page.picture.stamps.push_back({plot.curves, plot.place.x, plot.place.y, 1.0, now + 1});
+    page.taken.push_back({static_cast<double>(plot.place.x),
+                          static_cast<double>(plot.place.y),
+                          static_cast<double>(plot.place.right()),
+                          static_cast<double>(plot.place.bottom())});
+  }
 }
 
 void Film::add_frame_text(double film, Page& page) const {

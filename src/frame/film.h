@@ -26,6 +26,14 @@ struct FilmPanel {
   std::function<PanelNotes(double t)> notes = {};
 };
 
+// A plot that is drawn once and revealed from left to right.
+struct FilmPlot {
+  PixelBox place;
+  SpritePtr axes, curves;           // as large as the place
+  int first = 0, last = 0;          // columns of the place where time begins and ends
+  double begins = 0.0, ends = 0.0;  // those times, s of the motion
+};
+
 // Text of the whole frame. Plain text.
 struct FilmText {
   std::string title;      // empty: none
@@ -54,7 +62,10 @@ FrameMargins text_margins(const FilmText& text,
 // Immutable; at() is a pure function of t and may be called from any thread.
 class Film {
  public:
-  Film(std::vector<FilmPanel> panels, const FilmText& text, FrameSize size);
+  Film(std::vector<FilmPanel> panels,
+       const FilmText& text,
+       FrameSize size,
+       std::vector<FilmPlot> plots = {});
 
   // At a moment of the film, s.
   Picture at(double film) const;
@@ -64,6 +75,7 @@ class Film {
 
  private:
   struct Page;
+  void add_plots(double t, Page& page) const;
   void add_frame_text(double film, Page& page) const;
   void add_notes(const FilmPanel& panel, double t, Page& page) const;
   void add_labels(const FilmPanel& panel, const std::vector<SeenLabel>& labels, Page& page) const;
@@ -72,6 +84,7 @@ class Film {
   std::vector<FilmPanel> panels_;
   FilmText text_;
   FrameSize size_;
+  std::vector<FilmPlot> plots_;
   std::unique_ptr<Typesetter> typesetter_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/fields.h"
 #include "math/notation.h"
+#include "motion/recorded.h"
 
 namespace polhode {
 
@@ -57,6 +58,7 @@ struct ShowSpec {
   std::string caption;        // a line below; empty: none
   double text_size = 1.0;     // all text is enlarged by this
   std::vector<std::string> views = {"space"};  // side by side: "space", "body"
+  std::vector<std::string> plots;              // names from recorded_names(), beside the picture
   std::string material = "plain";              // a name from material_names()
   std::vector<Vec3> trail_points;              // of the body, whose paths are drawn, m
   std::optional<double> trail_s;  // paths are drawn so far back; absent: from the start, s
@@ -158,6 +160,9 @@ void fields(Visitor& v, ShowSpec& s) {
               Unit::none,
               kAny,
               {"space", "body"}});
+  v.field("plots",
+          s.plots,
+          Doc{"quantities over time, beside the picture", Unit::none, kAny, recorded_names()});
   v.field("labels", s.labels, Doc{"names beside vectors"});
   v.field("title", s.title, Doc{"the scene's title, at the top"});
   v.field("clock", s.clock, Doc{"the time of the motion, and how much slower it is shown"});

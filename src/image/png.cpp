@@ -74,8 +74,11 @@ void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path, 5 * kMostPngPixels);
-  const Place place{path.string(), 0, {}};
+  return decode_png(read_file(path, 5 * kMostPngPixels), path.string());
+}
+
+Image decode_png(const std::string& bytes, const std::string& name) {
+  const Place place{name, 0, {}};
   Reader png;
   const auto refuse = [&] {
     return input_error("is no PNG picture: {}", png.message).at(place);

@@ -46,6 +46,17 @@ void lay_over(Image& picture, const Stamp& stamp) {
   }
 }
 
+Sprite sprite_of(const Image& image) {
+  Sprite sprite(image.width, image.height);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const unsigned alpha = image.pixels[i + 3];
+    for (std::size_t c = 0; c < 3; ++c)
+      sprite.pixels[i + c] = static_cast<std::uint8_t>(times(image.pixels[i + c], alpha));
+    sprite.pixels[i + 3] = image.pixels[i + 3];
+  }
+  return sprite;
+}
+
 Sprite filled_sprite(int width,
                      int height,
                      const std::array<std::uint8_t, 3>& rgb,

@@ -37,6 +37,9 @@ struct Stamp {
 // Source over: lays the stamp over a picture of straight alpha; what lies outside is cut off.
 void lay_over(Image& picture, const Stamp& stamp);
 
+// A picture as a sprite.
+Sprite sprite_of(const Image& image);
+
 // A sprite of one colour.
 Sprite filled_sprite(int width, int height, const std::array<std::uint8_t, 3>& rgb, double opacity);
 

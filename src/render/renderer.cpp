@@ -154,9 +154,10 @@ class Renderer::Implementation {
           mark_width(p.uniform("u_mark_width")),
           finish(p.uniform("u_finish")),
           flat(p.uniform("u_flat")),
+          soft(p.uniform("u_soft")),
           fade(p.uniform("u_fade")) {}
     GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width, finish, flat, fade;
+        alpha, gloss, mark_color, mark_width, finish, flat, soft, fade;
   };
 
   struct Uploaded {
@@ -276,6 +277,7 @@ class Renderer::Implementation {
     gl_.Uniform1f(u_.mark_width, material.mark_width);
     gl_.Uniform1i(u_.finish, static_cast<GLint>(material.finish));
     gl_.Uniform1i(u_.flat, material.flat ? 1 : 0);
+    gl_.Uniform1i(u_.soft, material.soft ? 1 : 0);
     gl_.Uniform1f(u_.fade, material.fade);
     if (item.faces == Faces::both) {
       gl_.Disable(GL_CULL_FACE);

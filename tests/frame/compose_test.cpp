@@ -196,7 +196,7 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
                                                {"binet", {.meshes = 2, .shells = 1}},
                                                {"trail", {.meshes = 1}},
                                                {"trail_sphere", {.shells = 1}},
-                                               {"floor", {.meshes = 1, .shades = 24}}};
+                                               {"floor", {.meshes = 1, .shades = 1}}};
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its marks here";
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);

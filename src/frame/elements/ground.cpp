@@ -13,9 +13,8 @@ constexpr double kStandHeight = 0.55;
 constexpr double kStandRadius = 0.17;
 constexpr double kFloorRadius = 1.9;
 constexpr double kFreeFloor = 1.25;    // below the centre of a free body
-constexpr double kShadowRadius = 0.9;  // of the body's shadow on the floor
-constexpr int kShadowRings = 24;
-constexpr double kShadowDepth = 0.55;  // how dark its middle is
+constexpr double kShadowRadius = 1.3;  // of the body's shadow on the floor
+constexpr double kShadowDepth = 0.75;  // how dark its middle is
 constexpr float kGhostAlpha = 0.16f;
 
 // where the floor is: under the stand, or below all that a free body reaches
@@ -85,7 +84,7 @@ void add_floor(const Stage& stage, const Sample& sample, Marks& marks) {
     marks.reach.push_back(place * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
 
-  // under the middle of the body; rings of shade that add up to a soft edge
+  // under the middle of the body, wider and paler the higher it is
   Vec3 middle = Vec3::Zero();
   double lowest = std::numeric_limits<double>::infinity();
   const Placement body = body_placement(stage, sample);
@@ -96,17 +95,13 @@ void add_floor(const Stage& stage, const Sample& sample, Marks& marks) {
   }
   const double high = std::clamp(lowest / depth, 0.0, 1.0);
   const double wide = kShadowRadius * (0.75 + 0.5 * high) * stage.scale.body;
-  const double dark = kShadowDepth * (1.0 - 0.6 * high);
-  for (int k = 0; k < kShadowRings; ++k) {
-    const double part = (k + 1.0) / kShadowRings;
-    Material shade = plain(glm::vec3(0.0f), 0.0f);
-    shade.flat = true;
-    shade.alpha = static_cast<float>(1.0 - std::pow(1.0 - dark, 1.0 / kShadowRings));
-    Placement ring = Placement::Identity();
-    ring.translation() = center + middle + (1e-3 + 1e-4 * k) * stage.scale.body * up;
-    ring.linear() = turned * (wide * part);
-    marks.shades.push_back({stage.disc, ring, shade});
-  }
+  Material shade = plain(glm::vec3(0.0f), 0.0f);
+  shade.flat = shade.soft = true;
+  shade.alpha = static_cast<float>(kShadowDepth * (1.0 - 0.6 * high));
+  Placement shadow = Placement::Identity();
+  shadow.translation() = center + middle + 1e-3 * stage.scale.body * up;
+  shadow.linear() = turned * wide;
+  marks.shades.push_back({stage.disc, shadow, shade});
 }
 
 }  // namespace polhode

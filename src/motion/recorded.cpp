@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "motion/recorded.h"
+
+#include <cmath>
+
+#include "base/units.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+std::vector<double> parts(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+// the axis of symmetry, or the third axis of the body
+Vec3 axis_S(const Motion& motion, const Sample& sample) {
+  const Model& model = motion.model();
+  const Vec3 axis = model.kind.symmetric() ? Vec3(model.R_BP.col(model.kind.axis)) : Vec3::UnitZ();
+  return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
+}
+
+Drift drift_at(const Motion& motion, const Sample& sample) {
+  const DriftWatch watch(motion.model(), motion.state_at(0.0));
+  return watch.of(motion.state_at(sample.t));
+}
+
+}  // namespace
+
+const std::vector<Recorded>& recorded_quantities() {
+  static const std::vector<Recorded> table = {
+      {"omega",
+       "angular velocity in body axes",
+       "rad/s",
+       {"Ω₁", "Ω₂", "Ω₃"},
+       [](const Motion&, const Sample& now) {
+         return parts(now.w_B);
+       }},
+      {"omega_space",
+       "angular velocity in space axes",
+       "rad/s",
+       {"Ωx", "Ωy", "Ωz"},
+       [](const Motion&, const Sample& now) {
+         return parts(now.w_S);
+       }},
+      {"momentum",
+       "angular momentum in space axes",
+       "kg m²/s",
+       {"Lx", "Ly", "Lz"},
+       [](const Motion&, const Sample& now) {
+         return parts(now.L_S);
+       }},
+      {"momentum_body",
+       "angular momentum in body axes",
+       "kg m²/s",
+       {"L₁", "L₂", "L₃"},
+       [](const Motion&, const Sample& now) {
+         return parts(now.q_SB.conjugate() * now.L_S);
+       }},
+      {"tilt",
+       "tilt of the axis",
+       "°",
+       {"θ"},
+       [](const Motion& motion, const Sample& now) {
+         const Vec3& up = motion.model().up_S;
+         const Vec3 axis = axis_S(motion, now);
+         return std::vector<double>{std::atan2(axis.cross(up).norm(), axis.dot(up)) * 180.0 / kPi};
+       }},
+      {"euler_angles",
+       "zxz angles",
+       "°",
+       {"φ", "θ", "ψ"},
+       [](const Motion&, const Sample& now) {
+         return parts(zxz_angles(now.q_SB) * 180.0 / kPi);
+       }},
+      {"energy",
+       "energy",
+       "J",
+       {"total", "kinetic", "potential"},
+       [](const Motion& motion, const Sample& now) {
+         const double turning = 0.5 * now.w_S.dot(now.L_S);
+         const double moving =
+             0.5 * motion.model().body.mass * now.reference_velocity_S.squaredNorm();
+         const double kinetic = turning + moving;
+         return std::vector<double>{now.energy, kinetic, now.energy - kinetic};
+       }},
+      {"drift",
+       "drift from the start",
+       "",
+       {"energy", "L"},
+       [](const Motion& motion, const Sample& now) {
+         const Drift drift = drift_at(motion, now);
+         return std::vector<double>{drift.energy.value_or(NAN), drift.momentum.value_or(NAN)};
+       }},
+      {"position",
+       "centre of mass",
+       "m",
+       {"x", "y", "z"},
+       [](const Motion&, const Sample& now) {
+         return parts(now.center_S);
+       }},
+  };
+  return table;
+}
+
+std::vector<std::string> recorded_names() {
+  std::vector<std::string> names;
+  for (const Recorded& row : recorded_quantities())
+    names.push_back(row.name);
+  return names;
+}
+
+}  // namespace polhode
