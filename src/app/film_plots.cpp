@@ -16,7 +16,7 @@ constexpr double kWidth = 0.36;  // of the frame
 constexpr double kTop = 0.12;    // free above and below, of the frame's height: title and clock
 constexpr double kBottom = 0.10;
 // of a plot, where its axes are
-constexpr double kLeft = 0.19, kRight = 0.96, kFloor = 0.17, kCeiling = 0.86;
+constexpr double kLeft = 0.19, kRight = 0.96;
 constexpr int kPoints = 800;
 
 std::string hex(const glm::vec3& color) {
@@ -66,6 +66,9 @@ FilmPlot draw(const Recorded& quantity,
   const Table table = table_of(quantity, motion);
   // gnuplot's points are 1/72 inch of 96 pixels each
   const double font = 0.75 * text_size * 0.058 * std::min<double>(place.height * 1.3, place.width);
+  const double line_height = font / 0.75 / place.height;  // in parts of the plot
+  const double floor = 2.0 * line_height;
+  const double ceiling = 1.0 - 1.7 * line_height;
   const double line = std::max(1.0, place.height / 100.0);
   const std::string ink = hex(theme.space_axes);
   const std::string unit = quantity.unit.empty() ? "" : fmt::format(", {}", quantity.unit);
@@ -77,8 +80,8 @@ FilmPlot draw(const Recorded& quantity,
       table.rows,
       kLeft,
       kRight,
-      kFloor,
-      kCeiling,
+      floor,
+      ceiling,
       gnuplot_number(motion.duration()),
       gnuplot_number(table.low),
       gnuplot_number(table.high));
@@ -89,16 +92,17 @@ FilmPlot draw(const Recorded& quantity,
                    "set border 3 linecolor rgb '{0}' linewidth {1}\n"
                    "set tics nomirror out font ',{2}' textcolor rgb '{0}'\n"
                    "set xtics autofreq\nset format y '%.4g'\nset ytics autofreq\nset mxtics 1\n"
-                   "set key at screen {3},screen 0.985 right top horizontal samplen 1 "
+                   "set key at screen {3},screen 0.995 right top horizontal samplen 1 "
                    "font ',{2}' textcolor rgb '{0}'\n"
-                   "set label 1 {4} at screen 0.03,screen 0.945 left "
+                   "set label 1 {4} at screen 0.03,screen {6} left "
                    "font ',{2}' textcolor rgb '{5}'\n",
                    ink,
                    0.45 * line,
                    font,
                    kRight,
                    gnuplot_text(fmt::format("{}{}", quantity.title, unit)),
-                   hex(theme.position));
+                   hex(theme.position),
+                   1.0 - 0.75 * line_height);
   std::string curves = shared;
   curves += "unset border\nunset tics\nunset key\n";
   std::string names, lines;

@@ -164,7 +164,7 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
   }
   if (s.kind == "mesh") return faceted(*s.mesh);
   CHECK(s.kind == "lathe");
-  return revolved(upwards(s.profile), segments);
+  return revolved(upwards(lathe_outline(s)), segments);
 }
 
 std::vector<LookPart> body_look(const BodySpec& spec,

@@ -45,9 +45,15 @@ TextStyle style_of(const Theme& theme, double size, const glm::vec3& color) {
   return style;
 }
 
-// "3.25 s", and how much slower than life
+// "t = 3.25 s", and how much slower than life; for planets in hours or days
 std::string clock_text(double t, double time_scale) {
-  std::string text = fmt::format("<i>t</i> = {:.2f} s", t == 0.0 ? 0.0 : t);
+  const double now = t == 0.0 ? 0.0 : t;
+  for (const auto& [unit, name] : {std::pair{86400.0, "days"}, {3600.0, "hours"}}) {
+    if (time_scale < unit / 4.0) continue;
+    return fmt::format(
+        "<i>t</i> = {:.2f} {}   {:.3g} {} a second", now / unit, name, time_scale / unit, name);
+  }
+  std::string text = fmt::format("<i>t</i> = {:.2f} s", now);
   if (time_scale < 1.0) text += fmt::format("   {:.3g}× slower", 1.0 / time_scale);
   if (time_scale > 1.0) text += fmt::format("   {:.3g}× faster", time_scale);
   return text;
@@ -59,6 +65,7 @@ std::string clock_text(double t, double time_scale) {
 struct Film::Page {
   Picture picture;
   std::vector<TextRoom> taken;
+  double title_ends = 0.0;  // px from the top
 };
 
 FilmText film_text(const ShowSpec& show, const std::string& title, double time_scale) {
@@ -202,7 +209,9 @@ void Film::add_frame_text(double film, Page& page) const {
     TextStyle style = style_of(theme, kTitleSize * unit, theme.position);
     style.bold = true;
     style.width = size_.width - 2.0 * edge;
-    add(plain_text(text_.title), style, edge, 0.6 * edge);
+    const std::string markup = plain_text(text_.title);
+    page.title_ends = 0.6 * edge + typesetter_->measure(markup, style).height;
+    add(markup, style, edge, 0.6 * edge);
   }
   double bottom = size_.height - 0.6 * edge;
   if (!caption.empty()) {
@@ -229,12 +238,9 @@ void Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
   const double edge = kEdge * type_size(place.width, place.height);
   const Theme& theme = panel.composer->stage().theme;
   const bool under_title = place.y == 0 && !text_.title.empty();
-  const double title =
-      under_title ? kLineHeight * kTitleSize * text_.size * type_size(size_.width, size_.height)
-                  : 0.0;
 
   // lines from the top, the first as a heading
-  double y = place.y + 0.6 * edge + title;
+  double y = under_title ? page.title_ends : place.y + 0.6 * edge;
   for (std::size_t i = 0; i < notes.lines.size(); ++i) {
     TextStyle style = style_of(theme, kNoteSize * unit, i == 0 ? theme.position : theme.space_axes);
     style.bold = i == 0;

@@ -31,9 +31,10 @@ struct SolidSpec {
   std::optional<double> scale;               // mesh: metres per unit of its file; 1 when absent
   std::shared_ptr<const TriangleMesh> mesh;  // what the file holds; filled by load_meshes
   std::vector<Vec2> profile;                 // lathe: (radius, z) points, m
-  Vec3 at = Vec3::Zero();                    // where its own origin is in the body, m
-  Vec3 turn = Vec3::Zero();                  // turns about the body's x, then y, then z axis, rad
-  std::optional<std::string> color;          // "#rrggbb" when drawn
+  bool smooth = false;               // lathe: a curve through them instead of straight lines
+  Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
+  Vec3 turn = Vec3::Zero();          // turns about the body's x, then y, then z axis, rad
+  std::optional<std::string> color;  // "#rrggbb" when drawn
 };
 
 struct PointSpec {
@@ -80,6 +81,7 @@ void fields(Visitor& v, SolidSpec& s) {
       Doc{"points (radius, z) of a lathe's outline; it closes to the axis, or makes a tube when "
           "the last point repeats the first",
           Unit::length});
+  v.field("smooth", s.smooth, Doc{"lathe: a smooth curve through the points of profile"});
   v.field("at", s.at, Doc{"where the solid's own origin is in the body", Unit::length});
   v.field("turn", s.turn, Doc{"turns about the body's x, then y, then z axis", Unit::angle});
   v.field("color", s.color, Doc{.text = "colour when drawn, \"#rrggbb\"", .color = true});

@@ -76,12 +76,12 @@ LatheIntegrals integrate(const std::vector<Vec2>& profile) {
 }
 
 double lathe_volume(const SolidSpec& s) {
-  return kPi * std::abs(integrate(s.profile).r2);
+  return kPi * std::abs(integrate(lathe_outline(s)).r2);
 }
 
 // the same quotients serve an outline drawn upwards or downwards: the signs cancel
 MassProperties lathe(const SolidSpec& s) {
-  const LatheIntegrals sum = integrate(s.profile);
+  const LatheIntegrals sum = integrate(lathe_outline(s));
   const double z = sum.r2z / sum.r2;
   const double across = (sum.r4 / 4.0 + sum.r2zz) / sum.r2 - z * z;
   return {1.0, Vec3(0, 0, z), Vec3(across, across, sum.r4 / (2.0 * sum.r2)).asDiagonal()};
@@ -286,7 +286,48 @@ void check_dimensions(const SolidSpec& solid, const std::string& path) {
     throw input_error("'{}' was not read; a mesh needs a scene that is a file", *solid.file)
         .at({{}, 0, path + ".file"});
   }
-  if (!solid.profile.empty()) check_profile(solid.profile, {{}, 0, path + ".profile"});
+  if (solid.profile.empty()) return;
+  if (solid.smooth && solid.profile.size() > kMostSmooth) {
+    throw input_error(
+        "has {} points; a smooth outline takes at most {}", solid.profile.size(), kMostSmooth)
+        .at({{}, 0, path + ".profile"});
+  }
+  check_profile(lathe_outline(solid), {{}, 0, path + ".profile"});
+}
+
+std::vector<Vec2> lathe_outline(const SolidSpec& solid) {
+  constexpr int kPieces = 8;  // of a segment between two points
+  const std::vector<Vec2>& points = solid.profile;
+  if (!solid.smooth || points.size() < 3) return points;
+  const std::size_t n = points.size();
+  const bool closed = points.front() == points.back();
+  // beyond the ends an open outline goes straight on
+  const auto point = [&](std::ptrdiff_t i) -> Vec2 {
+    const auto last = static_cast<std::ptrdiff_t>(n) - 1;
+    if (i < 0) return closed ? points[n - 2] : Vec2(2.0 * points[0] - points[1]);
+    if (i > last) return closed ? points[1] : Vec2(2.0 * points[n - 1] - points[n - 2]);
+    return points[static_cast<std::size_t>(i)];
+  };
+  std::vector<Vec2> outline = {points.front()};
+  for (std::ptrdiff_t i = 0; i + 1 < static_cast<std::ptrdiff_t>(n); ++i) {
+    const Vec2 a = point(i - 1), b = point(i), c = point(i + 1), d = point(i + 2);
+    // centripetal: knots apart by the square root of the chord, so that nothing overshoots in loops
+    const double ta = std::sqrt((b - a).norm()), tb = std::sqrt((c - b).norm());
+    const double tc = std::sqrt((d - c).norm());
+    for (int k = 1; k <= kPieces; ++k) {
+      const double t = tb * k / kPieces;
+      const Vec2 ab = a + (b - a) * (ta > 0.0 ? (t + ta) / ta : 1.0);
+      const Vec2 bc = b + (c - b) * (tb > 0.0 ? t / tb : 0.0);
+      const Vec2 cd = c + (d - c) * (tc > 0.0 ? (t - tb) / tc : 0.0);
+      const Vec2 abc = ab + (bc - ab) * ((t + ta) / (tb + ta));
+      const Vec2 bcd = bc + (cd - bc) * (t / (tc + tb));
+      Vec2 next = tb > 0.0 ? Vec2(abc + (bcd - abc) * (t / tb)) : c;
+      if (k == kPieces) next = c;
+      next.x() = std::max(0.0, next.x());
+      outline.push_back(next);
+    }
+  }
+  return outline;
 }
 
 void load_meshes(BodySpec& body, const std::filesystem::path& folder) {

@@ -36,4 +36,10 @@ void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 // (input) as check_dimensions does, and when not exactly one of mass and density is given.
 MassProperties mass_properties(const SolidSpec& solid, const std::string& path);
 
+// The outline that a lathe's solid has: its profile, or if it is smooth a centripetal Catmull-Rom
+// curve through it (Barry and Goldman, SIGGRAPH 1988; Yuksel and others, Computer-Aided Design 43
+// (2011) 747) in straight pieces. Mass and picture are made of the same.
+std::vector<Vec2> lathe_outline(const SolidSpec& solid);
+inline constexpr std::size_t kMostSmooth = 200;
+
 }  // namespace polhode

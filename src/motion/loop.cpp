@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "math/so3.h"
 
@@ -31,13 +30,14 @@ Loop find_loop(const Motion& motion, double longest, double allowed) {
   const double scale = std::max(start.w_B.norm(), 1e-3 * fastest);
   const double step = std::max(kStep / fastest, longest / kMostLooks);
 
-  // valleys of the distance from the start, each followed to its bottom; the first hill is the
-  // departure itself
-  Loop best{longest, std::numeric_limits<double>::infinity()};
+  // valleys of the distance from the start, each followed to its bottom; up to the first hill the
+  // motion only departs
+  Loop best{longest, off(motion, start, scale, longest)};
+  bool departed = false;
   double before = 0.0, last = off(motion, start, scale, step);
   for (double t = 2.0 * step; t <= longest + step; t += step) {
     const double now = off(motion, start, scale, std::min(t, longest));
-    if (last <= before && last <= now && last < 0.5) {
+    if (departed && last <= before && last <= now) {
       double low = t - 2.0 * step, high = std::min(t, longest);
       for (int i = 0; i < kHalvings; ++i) {
         const double a = low + (high - low) / 3.0;
@@ -50,13 +50,13 @@ Loop find_loop(const Motion& motion, double longest, double allowed) {
       }
       const double bottom = 0.5 * (low + high);
       const double residual = off(motion, start, scale, bottom);
-      if (residual < best.residual && bottom > step) best = {bottom, residual};
+      if (residual < best.residual) best = {bottom, residual};
       if (best.residual <= allowed) return best;
     }
+    departed = departed || now < last;
     before = last;
     last = now;
   }
-  if (!std::isfinite(best.residual)) best = {longest, off(motion, start, scale, longest)};
   return best;
 }
 

@@ -78,7 +78,8 @@ TEST(Cones, TouchAlongOmegaAndRoll) {
   const BodySpec body = test::prolate_body();
   ShowSpec show;
   show["space_cone"] = show["body_cone"] = true;
-  const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+  const Composer picture(
+      test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
   for (const double t : {0.0, 1.3, 3.7}) {
     const Sample now = picture.stage().motion.at(t);
     const Marks marks = picture.marks_at(now);
@@ -152,7 +153,8 @@ TEST(Trails, EndWhereThePointIs) {
   const BodySpec body = test::prolate_body();
   ShowSpec show;
   show["trail"] = true;
-  const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+  const Composer picture(
+      test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
   const Stage& stage = picture.stage();
   for (const double t : {0.3, 1.234, 4.0}) {
     const Sample now = stage.motion.at(t);
@@ -176,7 +178,8 @@ TEST(Components, AddUpToOmega) {
     for (const Element& element : elements())
       show[element.name] = element.name == name;
     const BodySpec body = brick();
-    const Composer picture(test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+    const Composer picture(
+        test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
     const Sample now = picture.stage().motion.at(1.1);
     Vec3 sum = Vec3::Zero();
     for (const ArrowMark& arrow : picture.marks_at(now).arrows)

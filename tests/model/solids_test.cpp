@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/solids.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
+#include "model/model.h"
 #include "support/expect_error.h"
 
 namespace polhode {
@@ -316,6 +318,35 @@ TEST(SolidErrors, LatheOutlines) {
   expect_input_error([&] { of(lathe_of({{0.0, 0.0}, {0.0, 1.0}})); }, key, "no volume");
   const std::vector<Vec2> bow = {{0.5, 0.0}, {0.5, 1.0}, {0.8, 0.2}, {0.1, 0.6}};
   expect_input_error([&] { of(lathe_of(bow)); }, key, "crosses itself");
+}
+
+// a smooth outline goes through its points, has no corners, and its mass is that of what is drawn
+TEST(Lathe, SmoothOutlinesGoThroughTheirPoints) {
+  SolidSpec solid;
+  solid.kind = "lathe";
+  solid.mass = 1.0;
+  constexpr int kPoints = 13;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = kPi * (static_cast<double>(i) / (kPoints - 1) - 0.5);
+    solid.profile.emplace_back(i == 0 || i + 1 == kPoints ? 0.0 : std::cos(angle), std::sin(angle));
+  }
+  solid.smooth = true;
+  const std::vector<Vec2> outline = lathe_outline(solid);
+  for (const Vec2& point : solid.profile)
+    EXPECT_NE(std::find(outline.begin(), outline.end(), point), outline.end());
+  double sharpest = 0.0;
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    const Vec2 a = (outline[i] - outline[i - 1]).normalized();
+    const Vec2 b = (outline[i + 1] - outline[i]).normalized();
+    sharpest = std::max(sharpest, std::acos(std::clamp(a.dot(b), -1.0, 1.0)));
+  }
+  EXPECT_LT(sharpest, 0.12);  // the corners of the profile are 0.26
+  // a ball, to the order of the curve: 2/5 m r^2
+  BodySpec body;
+  body.solid = solid;
+  EXPECT_NEAR(polhode::mass_properties(body).tensor(2, 2), 0.4, 1e-3);
+  body.solid->smooth = false;
+  EXPECT_GT(std::abs(polhode::mass_properties(body).tensor(2, 2) - 0.4), 4e-3);
 }
 
 }  // namespace
