@@ -94,6 +94,8 @@ Scene without_text(Scene scene) {
   scene.show.title = false;
   scene.show.clock = false;
   scene.show.caption.clear();
+  for (StoryStep& step : scene.story)
+    step.caption.reset();
   return scene;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Films as a viewer sees them: text that can be read, plots, loops, shutters.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -138,8 +139,11 @@ TEST(Shutter, SpreadsWhatMoves) {
   const auto reddest = [](const Image& image) {
     int most = 0;
     for (int x = 0; x < image.width; ++x) {
-      for (int y = 0; y < image.height; ++y)
+      for (int y = 0; y < image.height; ++y) {
+        // in the middle the stripe is as wide as its circle
+        if (std::hypot(x - image.width / 2, y - image.height / 2) < 40.0) continue;
         most = std::max(most, image.at(x, y)[0] - image.at(x, y)[1]);
+      }
     }
     return most;
   };

@@ -58,7 +58,7 @@ TEST_F(StabilityRun, TakesAnyTwoKeys) {
 
 // the same table for any number of threads, and from a run that was stopped and taken up again
 TEST_F(StabilityRun, GoesOnWhereItWasStopped) {
-  const std::string options = "--methods rk4,gauss6 --cells 32x32 --turns 60";
+  const std::string options = "--methods rk4,gauss6 --cells 24x24 --turns 40";
   ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
   // stopped early, and later on machines that are slower, until some rows are finished
   std::string kept;

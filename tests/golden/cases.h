@@ -33,6 +33,16 @@ inline const std::vector<Case>& cases() {
       {"heavy_top", "heavy_top", 0.3},
       {"compare_engines", "compare_engines", 4.0},
       {"labels", "heavy_top", 1.0, true},
+      {"poinsot", "poinsot", 5.0},
+      {"binet", "binet", 3.0},
+      {"polhodes", "polhodes", 4.0},
+      {"ghosts", "book_ghosts", 1.6},
+      {"theme_light", "euler_rates", 0.5},
+      {"theme_print", "two_views", 2.0},
+      {"theme_projector", "why_tops_do_not_fall", 0.8},
+      {"story", "cones_explained", 5.0},
+      {"floor", "closed_loop", 3.0},
+      {"blur", "fast_spin_blur", 2.0},
   };
   return list;
 }

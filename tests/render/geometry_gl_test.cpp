@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Pictures against projected geometry: what is computed by Camera::project is found in the pixels.
 // Coverage is read from the alpha channel of transparent pictures, so shading plays no part.
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -216,6 +219,118 @@ TEST(ScenePicture, TipsOfOmegaAndMomentum) {
       EXPECT_LT((found - tip).norm(), 0.5) << t;
     }
   }
+}
+
+// A curve of a film, drawn alone: wherever it runs free, the middle of what is covered across it is
+// within half a pixel of the projected curve.
+void expect_on_curve(const char* name,
+                     const std::function<Vec3(const Stage&, const Sample&)>& curve) {
+  ShowSpec show;
+  for (const Element& element : elements())
+    show[element.name] = element.name == name;
+  SolidSpec solid;
+  solid.kind = "box";
+  solid.size = Vec3(0.3, 0.2, 0.06);
+  solid.mass = 1.0;
+  BodySpec body;
+  body.solid = solid;
+  MotionSpec spec = test::wobbling();
+  spec.duration = 2.0;
+  const Motion motion = test::moving(body, spec);
+  const Composer picture(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Image image = draw(picture.at(spec.duration));
+  const Camera& camera = picture.camera();
+  std::vector<std::pair<double, double>> found;  // what is covered, how far its middle is off
+  for (double t = 0.1; t < 1.9; t += 0.05) {
+    const auto pixel = [&](double at) {
+      return camera.project(curve(picture.stage(), motion.at(at)));
+    };
+    const Vec2 here = pixel(t);
+    const Vec2 along = (pixel(t + 1e-3) - pixel(t - 1e-3)).normalized();
+    const Vec2 across(-along.y(), along.x());
+    // the tube is two pixels or so thick; a neighbour within eight makes the place no use
+    double sum = 0.0, moment = 0.0, far = 0.0;
+    for_covered(image, [&](const Vec2& p, double alpha) {
+      const Vec2 off = p - here;
+      if (std::abs(off.dot(along)) > 1.0 || off.norm() > 12.0) return;
+      if (std::abs(off.dot(across)) > 5.0) far += alpha;
+      sum += alpha;
+      moment += alpha * off.dot(across);
+    });
+    if (far > 0.0) continue;
+    ASSERT_GT(sum, 0.5) << name << ": nothing at " << here.transpose();
+    found.emplace_back(sum, std::abs(moment / sum));
+  }
+  // where another turn of the curve runs close by there is more than one tube to see
+  std::vector<double> sums;
+  for (const auto& [sum, off] : found)
+    sums.push_back(sum);
+  ASSERT_GT(sums.size(), 8U) << name;
+  std::nth_element(sums.begin(), sums.begin() + 4, sums.end());
+  int looked = 0;
+  for (const auto& [sum, off] : found) {
+    if (sum > 1.3 * sums[4]) continue;
+    ++looked;
+    EXPECT_LT(off, 0.5) << name;
+  }
+  EXPECT_GT(looked, 8) << name;
+}
+
+TEST(CurvePicture, LiesOnTheProjectedCurve) {
+  expect_on_curve("herpolhode",
+                  [](const Stage& stage, const Sample& now) { return omega_tip(stage, now); });
+  expect_on_curve("trail", [](const Stage& stage, const Sample& now) {
+    return Vec3(now.reference_S +
+                kTrailRadius * stage.scale.body * (now.q_SB * Vec3(Vec3::UnitZ())));
+  });
+}
+
+// the contour of the energy ellipsoid: a point x is inside the picture of {x : |A^-1 (x - c)| = 1}
+// when the ray from the eye to it meets the ellipsoid
+TEST(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
+  ShowSpec show;
+  for (const Element& element : elements())
+    show[element.name] = element.name == std::string("ellipsoid");
+  const BodySpec body = test::ellipsoid_body({0.1, 0.15, 0.2});
+  const Motion motion = test::moving(body, test::wobbling());
+  const Composer picture(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Marks marks = picture.marks_at(motion.at(0.7));
+  const Placement& place = marks.shells.at(0).space_from_mesh;
+  const Image image = draw(picture.at(0.7));
+  // along many directions from the middle: where alpha ends, against where the rays graze
+  const Camera& camera = picture.camera();
+  const Vec2 middle = camera.project(place.translation());
+  const Vec3 eye = place.inverse() * camera.eye();
+  const double e2 = eye.squaredNorm();
+  double worst = 0.0;
+  for (int k = 0; k < 48; ++k) {
+    const double angle = 2.0 * kPi * k / 48;
+    const Vec2 direction(std::cos(angle), std::sin(angle));
+    // points of the contour circle of the unit sphere: plane e.x = 1, radius sqrt(1 - 1/e^2)
+    const Vec3 u = eye.unitOrthogonal();
+    const Vec3 v = eye.normalized().cross(u);
+    double reach = 0.0, nearest = 1e9;
+    for (int i = 0; i < 7200; ++i) {
+      const double turn = 2.0 * kPi * i / 7200;
+      const Vec3 x =
+          eye / e2 + std::sqrt(1.0 - 1.0 / e2) * (std::cos(turn) * u + std::sin(turn) * v);
+      const Vec2 off = camera.project(place * x) - middle;
+      const double sideways = std::abs(off.x() * direction.y() - off.y() * direction.x());
+      if (off.dot(direction) > 0.0 && sideways < nearest) {
+        nearest = sideways;
+        reach = off.norm();
+      }
+    }
+    double covered = 0.0;
+    for (double s = 0.0; s < 400.0; s += 0.1) {
+      const Vec2 p = middle + s * direction;
+      const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
+      if (x < 0 || y < 0 || x >= kSize.width || y >= kSize.height) break;
+      if (image.at(x, y)[3] > 0) covered = s;
+    }
+    worst = std::max(worst, std::abs(covered - reach));
+  }
+  EXPECT_LT(worst, 1.5);  // a pixel's own size is part of it
 }
 
 }  // namespace

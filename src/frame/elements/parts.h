@@ -9,10 +9,11 @@
 
 namespace polhode {
 
-// Sizes of arrows, in units of the body's radius. Where two are parallel, the shorter one is the
-// thicker one: both are seen.
+// Sizes of arrows, in units of the body's radius: heads are long for L, blunt for forces and
+// torques. Where two are parallel, the shorter one is the thicker one: both are seen.
 inline constexpr ArrowShape kOmegaShape{0.025, 0.064, 0.17};
-inline constexpr ArrowShape kMomentumShape{0.018, 0.054, 0.17};
+inline constexpr ArrowShape kMomentumShape{0.018, 0.050, 0.23};
+inline constexpr ArrowShape kForceShape{0.016, 0.066, 0.11};
 inline constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
 inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
 inline constexpr double kRimRadius = 0.008;  // of tubes along rims and curves

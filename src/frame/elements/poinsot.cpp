@@ -83,9 +83,9 @@ void add_polhodes(const Stage& stage, const Sample& sample, Marks& marks) {
 }
 
 void add_herpolhode(const Stage& stage, const Sample& sample, Marks& marks) {
+  const Material material = plain(stage.theme.herpolhode, 0.1f);
   for (const MeshPtr& mesh : stage.paths.herpolhode.part(0.0, sample.t))
-    marks.meshes.push_back(
-        {mesh, stage.paths.herpolhode.place(), plain(stage.theme.herpolhode, 0.1f)});
+    marks.meshes.push_back({mesh, stage.paths.herpolhode.place(), material});
   const std::vector<Vec3>& points = stage.paths.herpolhode.path().points;
   for (std::size_t i = 0; i < points.size(); i += 8)
     marks.reach.push_back(points[i]);
@@ -176,9 +176,8 @@ Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance) {
   };
   const Vec3 as_omega = Vec3::Constant(stage.scale.omega);
   if (wanted("polhode")) paths.polhode = tube_of(polhode(model.moments, w_P, kPieces), as_omega);
-  if (wanted("binet"))
-    paths.binet =
-        tube_of(polhode(model.moments, w_P, kPieces), stage.scale.momentum * model.moments);
+  const Vec3 as_momentum = stage.scale.momentum * model.moments;
+  if (wanted("binet")) paths.binet = tube_of(polhode(model.moments, w_P, kPieces), as_momentum);
   if (wanted("polhodes")) {
     // the same energy, other momenta: starts along the great circle through the axes of the
     // smallest and the largest moment, whose polhodes cover both sides of the separatrix

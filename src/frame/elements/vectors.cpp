@@ -140,7 +140,7 @@ void add_torque(const Stage& stage, const Sample& sample, Marks& marks) {
   add_vector(stage,
              sample.reference_S,
              sample.reference_S + stage.scale.torque * torque_S,
-             kMomentumShape,
+             kForceShape,
              plain(stage.theme.force, 0.25f),
              marks,
              "<b>τ</b>");
@@ -152,7 +152,7 @@ void add_gravity(const Stage& stage, const Sample& sample, Marks& marks) {
   add_vector(stage,
              sample.center_S,
              sample.center_S + down,
-             kMomentumShape,
+             kForceShape,
              plain(stage.theme.force, 0.25f),
              marks,
              "<i>m</i><b>g</b>");
@@ -179,11 +179,11 @@ void add_forces(const Stage& stage, const Sample& sample, Marks& marks) {
     if (load.kind == Load::Kind::spring) {
       marks.rods.push_back({at, load.anchor_S, 0.012 * stage.scale.body, material});
     } else if (force.squaredNorm() > 0.0) {
-      add_vector(stage, at, at + force, kMomentumShape, material, marks, "<b>F</b>");
+      add_vector(stage, at, at + force, kForceShape, material, marks, "<b>F</b>");
     }
     if (load.kind == Load::Kind::couple) {
       const Vec3 opposite = at - q_SP * load.arm_P;
-      add_vector(stage, opposite, opposite - force, kMomentumShape, material, marks);
+      add_vector(stage, opposite, opposite - force, kForceShape, material, marks);
     }
   }
 }
