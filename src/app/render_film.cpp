@@ -129,6 +129,16 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
 }
 
+void warn_of_missing_fonts() {
+  for (const FontFound& font : examine_fonts()) {
+    if (font.there) continue;
+    spdlog::warn("the font {} is missing, {} serves instead; install {}",
+                 font.wanted,
+                 font.found.empty() ? "another" : font.found,
+                 font.package);
+  }
+}
+
 // as many as leave no gaps: the body turns by a few degrees from one to the next
 int moments_of_shutter(const Motion& motion, const Scene& scene, double open) {
   constexpr double kTurn = 0.06;  // rad
@@ -190,6 +200,7 @@ void render_film(const RenderJob& job) {
     comparison = std::make_unique<Comparison>(solved, scene.video.time_scale / frames.rate);
   const Film film = with_place(
       scene, [&] { return make_film(solved, frames.timeline, comparison.get(), job.text); });
+  if (job.text) warn_of_missing_fonts();
   if (frames.loop && frames.loop->residual > scene.video.loop_residual) {
     const Error warning = input_error(
         "the motion comes back to its start only to {:.2g} degrees (after {:.4g} s); give it a "

@@ -15,7 +15,6 @@ namespace {
 constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPoints = 200'000;
 constexpr std::size_t kPointsOfPiece = 64;
-constexpr int kSides = 8;
 
 double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
@@ -131,8 +130,8 @@ Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool 
   return mesh;
 }
 
-Trail::Trail(Path path, double tube_radius, double unit)
-    : path_(std::move(path)), tube_radius_(tube_radius) {
+Trail::Trail(Path path, double tube_radius, double unit, int sides)
+    : path_(std::move(path)), tube_radius_(tube_radius), sides_(sides) {
   if (path_.points.size() < 2) return;
   place_.translation() = path_.points.front();
   place_.linear() *= unit;
@@ -150,7 +149,7 @@ Mesh Trail::tube(const std::vector<Vec3>& points) const {
   scaled.reserve(points.size());
   for (const Vec3& point : points)
     scaled.emplace_back((point - place_.translation()) / unit);
-  return tube_along(scaled, tube_radius_ / unit, kSides, false);
+  return tube_along(scaled, tube_radius_ / unit, sides_, false);
 }
 
 Vec3 Trail::at(double parameter) const {

@@ -30,7 +30,7 @@ class Trail {
  public:
   Trail() = default;
   // Points and tube radius in m.
-  Trail(Path path, double tube_radius, double unit);
+  Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
   // Meshes of the part between two parameters; `place` puts them into space.
@@ -44,6 +44,7 @@ class Trail {
 
   Path path_;
   double tube_radius_ = 0.0;
+  int sides_ = 8;
   Placement place_ = Placement::Identity();
   std::vector<MeshPtr> pieces_;
 };

@@ -100,10 +100,12 @@ Stage make_stage(const Motion& motion,
   };
   Stage stage{motion, theme, body_look(body, motion.model(), theme, segments)};
   stage.ball = shared(unit_sphere(std::max(16, segments / 4)));
-  stage.sphere = shared(unit_sphere(segments));
+  // what surrounds the body may be as large as the frame, and bends in two directions
+  const int large = segments * 3 / 2;
+  stage.sphere = shared(unit_sphere(large));
   stage.stand = shared(unit_cone(segments));
-  stage.disc = shared(unit_disc(segments));
-  stage.ring = shared(torus(1.0, 0.006, segments));
+  stage.disc = shared(unit_disc(large));
+  stage.ring = shared(torus(1.0, 0.006, large));
   stage.options = show;
   for (LookPart& part : stage.look)
     part.material.finish = finish_named(show.material);
@@ -115,8 +117,7 @@ Stage make_stage(const Motion& motion,
       radius = std::max(radius, (point - motion.model().reference_B()).norm());
   }
   stage.scale = make_scale(stage, radius);
-  // a quarter of a pixel where the body is as high as the frame
-  stage.paths = make_paths(stage, show, radius * (1.0 - std::cos(kPi / segments)));
+  stage.paths = make_paths(stage, show, segments);
   return stage;
 }
 

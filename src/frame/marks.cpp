@@ -10,7 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr int kPiecesOfRim = 24;  // of a cone, to find how far it reaches
-constexpr int kPiecesOfArc = 32;
+constexpr int kPiecesOfArc = 96;
 
 ArrowShape drawn(const ArrowShape& shape, const DrawingFrame& frame) {
   return {frame.length(shape.shaft_radius),

@@ -29,6 +29,7 @@ std::vector<std::string> follow_names();
 
 // A camera from some moment on.
 struct ShotSpec {
+  std::string name;   // for people
   double at = 0.0;    // s of the motion
   double move = 0.0;  // s of film in which the camera goes there; 0: a cut
   CameraSpec camera;
@@ -106,6 +107,7 @@ void fields(Visitor& v, CameraSpec& s) {
 
 template <class Visitor>
 void fields(Visitor& v, ShotSpec& s) {
+  v.field("name", s.name, Doc{"what this shot is called"});
   v.required("at", s.at, Doc{"from when on, in the motion", Unit::time, kNonNegative});
   v.field("move",
           s.move,

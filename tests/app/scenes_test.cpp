@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,23 @@ TEST_P(EveryScene, SaysWhatToLookAt) {
   const std::string text = test::read_text(path_of(GetParam()));
   EXPECT_EQ(text.rfind("# Look at:", 0), 0u);
   EXPECT_NE(text.find("# Closed form"), std::string::npos);
+}
+
+// the shipped scenes show everything that can be shown
+TEST(AllScenes, TogetherShowEveryName) {
+  std::set<std::string> missing;
+  for (const Element& element : elements())
+    missing.insert(element.name);
+  for (const std::string& name : scene_files()) {
+    const Scene scene = load_scene(path_of(name));
+    const Solved solved = solve(scene);
+    const Composer picture(
+        solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, {320, 180});
+    for (const Element& element : elements()) {
+      if (picture.shows(element.name)) missing.erase(element.name);
+    }
+  }
+  EXPECT_TRUE(missing.empty()) << *missing.begin();
 }
 
 TEST_P(EveryScene, RendersOneSmallFrame) {

@@ -2,6 +2,7 @@
 // Pictures against projected geometry: what is computed by Camera::project is found in the pixels.
 // Coverage is read from the alpha channel of transparent pictures, so shading plays no part.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -285,52 +286,112 @@ TEST(CurvePicture, LiesOnTheProjectedCurve) {
   });
 }
 
-// the contour of the energy ellipsoid: a point x is inside the picture of {x : |A^-1 (x - c)| = 1}
-// when the ray from the eye to it meets the ellipsoid
-TEST(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
+// What a convex thing covers of each row of pixels, against the chord of its analytic contour
+// (points all around, in pixels): each end within half a pixel, but for the rows at the very top
+// and bottom, where the chord changes within a row.
+void expect_contour(const Image& image, const std::vector<Vec2>& contour) {
+  double top = 1e9, bottom = -1e9;
+  for (const Vec2& point : contour) {
+    top = std::min(top, point.y());
+    bottom = std::max(bottom, point.y());
+  }
+  const double rim = 0.08 * (bottom - top);
+  // left and right end of the contour at a height
+  const auto chord_at = [&](double y) {
+    std::array<double, 2> ends = {1e9, -1e9};
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Vec2& a = contour[i];
+      const Vec2& b = contour[(i + 1) % contour.size()];
+      const double part = (y - a.y()) / (b.y() - a.y());
+      if (!(part >= 0.0 && part <= 1.0)) continue;
+      const double x = a.x() + part * (b.x() - a.x());
+      ends[0] = std::min(ends[0], x);
+      ends[1] = std::max(ends[1], x);
+    }
+    return ends;
+  };
+  int looked = 0;
+  for (int y = static_cast<int>(std::ceil(top + rim)); y + 1 < bottom - rim; ++y) {
+    if (y < 0 || y >= image.height) continue;
+    const std::array<double, 2> ends = chord_at(y + 0.5);
+    const std::array<double, 2> below = chord_at(y + 1.0), above = chord_at(y);
+    const double middle = 0.5 * (ends[0] + ends[1]);
+    std::array<double, 2> covered = {0.0, 0.0};  // left and right of the middle
+    for (int x = 0; x < image.width; ++x) {
+      const double alpha = image.at(x, y)[3] / 255.0;
+      const double before = std::clamp(middle - x, 0.0, 1.0);
+      covered[0] += alpha * before;
+      covered[1] += alpha * (1.0 - before);
+    }
+    ++looked;
+    for (std::size_t side = 0; side < 2; ++side) {
+      // square to the contour, which leans by so much
+      const double lean = below[side] - above[side];
+      const double off = covered[side] - std::abs(ends[side] - middle);
+      ASSERT_LT(std::abs(off) / std::hypot(1.0, lean), 0.5) << "row " << y << ", side " << side;
+    }
+  }
+  EXPECT_GT(looked, 20);
+}
+
+// one mesh of a picture, drawn alone and opaque, so that alpha is coverage
+Image draw_alone(const Composer& picture, const MeshMark& mark) {
+  DrawList list;
+  list.view = picture.camera().view();
+  DrawItem item{mark.mesh, to_glm(mark.space_from_mesh.matrix()), Material{}, Faces::both};
+  list.opaque.push_back(item);
+  return draw(list);
+}
+
+Composer shown_alone(const char* name) {
   ShowSpec show;
   for (const Element& element : elements())
-    show[element.name] = element.name == std::string("ellipsoid");
+    show[element.name] = element.name == name;
   const BodySpec body = test::ellipsoid_body({0.1, 0.15, 0.2});
-  const Motion motion = test::moving(body, test::wobbling());
-  const Composer picture(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
-  const Marks marks = picture.marks_at(motion.at(0.7));
-  const Placement& place = marks.shells.at(0).space_from_mesh;
-  const Image image = draw(picture.at(0.7));
-  // along many directions from the middle: where alpha ends, against where the rays graze
-  const Camera& camera = picture.camera();
-  const Vec2 middle = camera.project(place.translation());
+  return {test::moving(body, test::wobbling()), body, CameraSpec{}, show, ThemeSpec{}, kSize};
+}
+
+// of an ellipsoid {c + A x : |x| = 1} the eye sees the circle in which the plane e.x = 1 cuts the
+// unit sphere, e = A^-1 (eye - c)
+std::vector<Vec2> contour_of_ellipsoid(const Camera& camera, const Placement& place) {
   const Vec3 eye = place.inverse() * camera.eye();
   const double e2 = eye.squaredNorm();
-  double worst = 0.0;
-  for (int k = 0; k < 48; ++k) {
-    const double angle = 2.0 * kPi * k / 48;
-    const Vec2 direction(std::cos(angle), std::sin(angle));
-    // points of the contour circle of the unit sphere: plane e.x = 1, radius sqrt(1 - 1/e^2)
-    const Vec3 u = eye.unitOrthogonal();
-    const Vec3 v = eye.normalized().cross(u);
-    double reach = 0.0, nearest = 1e9;
-    for (int i = 0; i < 7200; ++i) {
-      const double turn = 2.0 * kPi * i / 7200;
-      const Vec3 x =
-          eye / e2 + std::sqrt(1.0 - 1.0 / e2) * (std::cos(turn) * u + std::sin(turn) * v);
-      const Vec2 off = camera.project(place * x) - middle;
-      const double sideways = std::abs(off.x() * direction.y() - off.y() * direction.x());
-      if (off.dot(direction) > 0.0 && sideways < nearest) {
-        nearest = sideways;
-        reach = off.norm();
-      }
-    }
-    double covered = 0.0;
-    for (double s = 0.0; s < 400.0; s += 0.1) {
-      const Vec2 p = middle + s * direction;
-      const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
-      if (x < 0 || y < 0 || x >= kSize.width || y >= kSize.height) break;
-      if (image.at(x, y)[3] > 0) covered = s;
-    }
-    worst = std::max(worst, std::abs(covered - reach));
+  const Vec3 u = eye.unitOrthogonal();
+  const Vec3 v = eye.normalized().cross(u);
+  std::vector<Vec2> contour;
+  for (int i = 0; i < 1440; ++i) {
+    const double turn = 2.0 * kPi * i / 1440;
+    const Vec3 x = eye / e2 + std::sqrt(1.0 - 1.0 / e2) * (std::cos(turn) * u + std::sin(turn) * v);
+    contour.push_back(camera.project(place * x));
   }
-  EXPECT_LT(worst, 1.5);  // a pixel's own size is part of it
+  return contour;
+}
+
+TEST(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
+  for (const char* name : {"ellipsoid", "binet", "trail_sphere"}) {
+    SCOPED_TRACE(name);
+    const Composer picture = shown_alone(name);
+    const Marks marks = picture.marks_at(picture.stage().motion.at(0.7));
+    const MeshMark& shell = marks.shells.at(0);
+    expect_contour(draw_alone(picture, shell),
+                   contour_of_ellipsoid(picture.camera(), shell.space_from_mesh));
+  }
+}
+
+TEST(DiscPicture, ItsRimIsWithinHalfAPixel) {
+  for (const char* name : {"plane", "floor"}) {
+    SCOPED_TRACE(name);
+    const Composer picture = shown_alone(name);
+    const Marks marks = picture.marks_at(picture.stage().motion.at(0.7));
+    const MeshMark& disc = marks.sheets.empty() ? marks.meshes.at(0) : marks.sheets.at(0).mesh;
+    std::vector<Vec2> rim;
+    for (int i = 0; i < 1440; ++i) {
+      const double turn = 2.0 * kPi * i / 1440;
+      const Vec3 on_rim(std::cos(turn), std::sin(turn), 0.0);
+      rim.push_back(picture.camera().project(disc.space_from_mesh * on_rim));
+    }
+    expect_contour(draw_alone(picture, disc), rim);
+  }
 }
 
 }  // namespace

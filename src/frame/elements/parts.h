@@ -60,7 +60,7 @@ Add add_stand, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 
-// tolerance: how far a drawn curve may be from the true one, m.
-Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance);
+// segments: pieces of a circle as large as the frame.
+Paths make_paths(const Stage& stage, const ShowSpec& show, int segments);
 
 }  // namespace polhode

@@ -128,7 +128,11 @@ void add_axis_plane(const Stage& stage, const Sample& sample, Marks& marks) {
   }
 }
 
-Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance) {
+Paths make_paths(const Stage& stage, const ShowSpec& show, int segments) {
+  // a quarter of a pixel where the body is as high as the frame; the pieces of a circle that look
+  // round grow as the root of its radius
+  const double tolerance = stage.scale.body * (1.0 - std::cos(kPi / segments));
+  const int sides = std::max(8, static_cast<int>(std::ceil(segments * std::sqrt(kRimRadius))));
   const auto wanted = [&](const char* name) {
     const auto found = show.asked.find(name);
     return found != show.asked.end() && found->second.value_or(false);
@@ -150,7 +154,8 @@ Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance) {
                          pieces,
                          tolerance),
                  tube,
-                 stage.scale.body);
+                 stage.scale.body,
+                 sides);
   };
   if (wanted("trail")) {
     const Vec3 tip_B = kTrailRadius * stage.scale.body * figure_axis_B(stage);
@@ -165,19 +170,21 @@ Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance) {
 
   // curves of the body, closed, in units of its radius
   const Vec3 w_P = model.R_BP.transpose() * motion.at(0.0).w_B;
-  constexpr int kPieces = 720;
+  const int pieces_of_curve = 8 * segments;
   const auto tube_of = [&](const std::vector<Vec3>& points, const Vec3& factor) -> MeshPtr {
     if (points.empty()) return nullptr;
     std::vector<Vec3> drawn;
     drawn.reserve(points.size());
     for (const Vec3& w : points)
       drawn.emplace_back(w.cwiseProduct(factor) / stage.scale.body);
-    return std::make_shared<const Mesh>(tube_along(drawn, kRimRadius, 8, true));
+    return std::make_shared<const Mesh>(tube_along(drawn, kRimRadius, sides, true));
   };
   const Vec3 as_omega = Vec3::Constant(stage.scale.omega);
-  if (wanted("polhode")) paths.polhode = tube_of(polhode(model.moments, w_P, kPieces), as_omega);
+  if (wanted("polhode"))
+    paths.polhode = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_omega);
   const Vec3 as_momentum = stage.scale.momentum * model.moments;
-  if (wanted("binet")) paths.binet = tube_of(polhode(model.moments, w_P, kPieces), as_momentum);
+  if (wanted("binet"))
+    paths.binet = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_momentum);
   if (wanted("polhodes")) {
     // the same energy, other momenta: starts along the great circle through the axes of the
     // smallest and the largest moment, whose polhodes cover both sides of the separatrix
@@ -190,7 +197,7 @@ Paths make_paths(const Stage& stage, const ShowSpec& show, double tolerance) {
       Vec3 w = Vec3::Zero();
       w[least] = std::sqrt(energy2 / model.moments[least]) * std::cos(angle);
       w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
-      if (const MeshPtr mesh = tube_of(polhode(model.moments, w, kPieces), as_omega))
+      if (const MeshPtr mesh = tube_of(polhode(model.moments, w, pieces_of_curve), as_omega))
         paths.polhodes.push_back(mesh);
     }
   }

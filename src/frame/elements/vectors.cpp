@@ -20,10 +20,6 @@ constexpr std::array<const char*, 3> kBodyAxisNames = {
     "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
 constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
 
-constexpr int kFramingTimes = 240;
-constexpr std::size_t kFieldPoints = 48;
-constexpr double kSmallestCone = 1e-4;  // rad; below this there is no wobble to draw
-constexpr double kWidestCone = 0.995 * kPi / 2.0;
 
 constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
