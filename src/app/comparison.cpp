@@ -76,7 +76,7 @@ Comparison::Comparison(const Solved& truth, double frame_s)
   const Model model = make_model(scene.body, scene.motion);
   for (std::size_t i = 0; i < scene.numerics.compare.size(); ++i) {
     try {
-      contenders_.push_back(run(scene, model, scene.numerics.compare[i]));
+      contenders_.push_back(run(scene, model, truth.simulation.motion, scene.numerics.compare[i]));
     } catch (const Error& error) {
       const Error found(error.fault(), error.message());
       throw placed(scene, found.at({{}, 0, fmt::format("numerics.compare[{}]", i)}));
@@ -106,7 +106,13 @@ Contender Comparison::run(const Scene& scene, const Model& model, const std::str
         fails = middle;
       }
     }
-    if (!found) throw;
+    // not even one step: the panel shows the start
+    if (!found) {
+      SimulationReport report;
+      report.method = method;
+      report.step = scene.numerics.step;
+      return {method, report, start, 0.0, error.message(), {}};
+    }
     // the last whole step: the partial one behind it is part of what fails
     const double h = found->report.step.value_or(0.0);
     const double end = h > 0.0 ? std::floor(comes / h * (1.0 + 1e-12)) * h : comes;

@@ -40,7 +40,11 @@ class Comparison {
   nlohmann::ordered_json report() const;
 
  private:
-  Contender run(const Scene& scene, const Model& model, const std::string& method) const;
+  // start: a motion that begins as all of them do
+  Contender run(const Scene& scene,
+                const Model& model,
+                const Motion& start,
+                const std::string& method) const;
   std::optional<double> first_error(const Contender& one, double frame_s) const;
 
   double allowed_rad_;

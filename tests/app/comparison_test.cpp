@@ -81,6 +81,20 @@ TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
   EXPECT_EQ(report[1]["failure"], "");
 }
 
+// a method that cannot take one step has a panel that shows the start
+TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
+  Scene scene = load_scene(POLHODE_SOURCE_DIR "/scenes/compare_euler.toml");
+  scene.numerics.compare = {"dmv2", "exact"};
+  scene.numerics.step = 5.0;
+  const Solved truth = solve(scene);
+  const Comparison comparison(truth, kFrame);
+  const Contender& dmv = comparison.contenders()[0];
+  EXPECT_EQ(dmv.end, 0.0);
+  EXPECT_NE(dmv.failure.find("no solution"), std::string::npos) << dmv.failure;
+  EXPECT_NE(comparison.notes(dmv, 1.0).stamp, "");
+  EXPECT_EQ(*comparison.attitude_error(dmv, 0.0), 0.0);
+}
+
 // the T-handle: the linearly implicit scheme damps the tumbling, the explicit one feeds it
 TEST(Comparison, EnginesErrInTheirOwnWays) {
   const Comparison comparison(solved("compare_engines"), kFrame);

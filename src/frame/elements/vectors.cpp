@@ -20,7 +20,6 @@ constexpr std::array<const char*, 3> kBodyAxisNames = {
     "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
 constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
 
-
 constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
 constexpr std::array<const char*, 3> kRateNames = {"<i>φ̇</i>", "<i>θ̇</i>", "<i>ψ̇</i>"};
