@@ -50,6 +50,21 @@ std::optional<Motion> truth_of(const Solved& solved) {
   }
 }
 
+// A motion up to where its method came; behind that it stands still.
+class Held final : public Trajectory {
+ public:
+  Held(const Motion& motion, double end) : motion_(motion), end_(end) {}
+  State at(double t) const override { return motion_.state_at(std::min(t, end_)); }
+
+ private:
+  Motion motion_;
+  double end_;
+};
+
+Motion held(const Motion& motion, double end, const MotionSpec& spec) {
+  return {motion.model(), std::make_shared<const Held>(motion, end), spec};
+}
+
 // "+12.3 %", "-3e-12"
 std::string relative(double value) {
   if (value == 0.0) return "+0";
@@ -85,7 +100,10 @@ Comparison::Comparison(const Solved& truth, double frame_s)
   }
 }
 
-Contender Comparison::run(const Scene& scene, const Model& model, const std::string& method) const {
+Contender Comparison::run(const Scene& scene,
+                          const Model& model,
+                          const Motion& start,
+                          const std::string& method) const {
   const double whole = scene.motion.duration;
   try {
     Simulation found = simulate_by(scene, model, method, whole, allowed_rad_);
@@ -111,12 +129,13 @@ Contender Comparison::run(const Scene& scene, const Model& model, const std::str
       SimulationReport report;
       report.method = method;
       report.step = scene.numerics.step;
-      return {method, report, start, 0.0, error.message(), {}};
+      return {method, report, held(start, 0.0, scene.motion), 0.0, error.message(), {}};
     }
     // the last whole step: the partial one behind it is part of what fails
     const double h = found->report.step.value_or(0.0);
     const double end = h > 0.0 ? std::floor(comes / h * (1.0 + 1e-12)) * h : comes;
-    return {method, found->report, found->motion, end, error.message(), {}};
+    return {
+        method, found->report, held(found->motion, end, scene.motion), end, error.message(), {}};
   }
 }
 
