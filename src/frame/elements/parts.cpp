@@ -8,7 +8,8 @@ namespace polhode {
 namespace {
 
 constexpr double kLongestVector = 50.0;
-constexpr double kShortestNamed = 0.05;  // shorter vectors are no more than a dot
+constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
+constexpr double kLongEnough = 0.3;      // longer ones have it in full
 constexpr double kSmallestCone = 1e-4;   // rad; below this there is no wobble to draw
 
 bool is_free_top(const Stage& stage) {
@@ -51,8 +52,12 @@ void add_vector(const Stage& stage,
   const double length = (end - from).norm();
   const Vec3 tip = length > most ? Vec3(from + (end - from) * (most / length)) : end;
   marks.arrows.push_back({from, tip, times(shape, stage.scale.body), material});
-  if (name == nullptr || length < kShortestNamed * stage.scale.body) return;
-  marks.labels.push_back({tip, tip - from, name, material.color});
+  // the name of a vector that shrinks into the body goes with it
+  const double named =
+      (length / stage.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
+  if (name == nullptr || named <= 0.0) return;
+  const auto fade = static_cast<float>(std::min(1.0, named));
+  marks.labels.push_back({tip, tip - from, name, material.color, fade});
 }
 
 // the axis that a picture follows: of symmetry, else towards the centre of mass, else the third
