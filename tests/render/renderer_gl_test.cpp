@@ -76,12 +76,13 @@ TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
 // a panel is drawn as if it were a picture by itself, whatever its neighbours do
 TEST(Renderer, PanelsAreTheirPicturesSideBySide) {
   const std::vector<double> times = {0.4, 0.7, 3.1};
-  std::vector<Image> alone;
-  for (const double t : times) {
-    alone.push_back(draw(example(t), "auto"));
-    alone.push_back(draw(example(2.0 * t), "auto"));
-  }
   const std::unique_ptr<Context> context = open_context("auto");
+  std::vector<Image> alone(2 * times.size());
+  Renderer small(*context, {kSize.width, kSize.height, 4, false});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    small.draw(example(times[i]), alone[2 * i]);
+    small.draw(example(2.0 * times[i]), alone[2 * i + 1]);
+  }
   Renderer whole(*context, {2 * kSize.width, kSize.height, 4, false});
   for (std::size_t i = 0; i < times.size(); ++i) {
     Picture picture;
