@@ -25,10 +25,12 @@ struct DrawingSetting {
   const char* name;
   int samples;
   int supersampling;  // sides of the drawn picture over those of the finished one
+  Edges edges = Edges::samples;
 };
 constexpr DrawingSetting kSettings[] = {
     {"no anti-aliasing", 0, 1},
-    {"4 samples (render)", 4, 1},
+    {"4 samples (render, small pictures)", 4, 1},
+    {"outlines (render)", 0, 1, Edges::outlines},
     {"2x2 pictures", 0, 2},
     {"2x2 pictures of 4 samples", 4, 2},
     {"3x3 pictures", 0, 3},
@@ -51,7 +53,7 @@ Drawn draw(const Solved& solved, const Context& context, const DrawingSetting& s
   const FrameSize size{scene.video.size.width * k, scene.video.size.height * k};
   const Composer composer(
       solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, size);
-  Renderer renderer(context, {size.width, size.height, setting.samples, false});
+  Renderer renderer(context, {size.width, size.height, setting.samples, false, setting.edges});
   Drawn drawn;
   std::vector<double> times;
   Image large;

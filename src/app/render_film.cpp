@@ -269,6 +269,7 @@ void render_film(const RenderJob& job) {
                  compose_time,
                  renderer.times().draw,
                  renderer.times().read_back,
+                 renderer.times().smooth,
                  sink->times().convert,
                  sink->times().encode,
                  {}};

@@ -59,6 +59,7 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
   report["gl_renderer"] = facts.renderer.gl_renderer;
   report["gl_version"] = facts.renderer.gl_version;
   report["samples"] = facts.renderer.samples;
+  report["edges"] = facts.renderer.by_outlines ? "outlines" : "samples";
   report.update(motion_report(solved.simulation.report));
   const VideoSpec& video = solved.scene.video;
   report["frames"] = facts.frames;
@@ -75,6 +76,7 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
                       {"compose", stage(facts.times.compose)},
                       {"draw", stage(facts.times.draw)},
                       {"read_back", stage(facts.times.read_back)},
+                      {"smooth", stage(facts.times.smooth)},
                       {"convert", stage(facts.times.convert)},
                       {"encode", stage(facts.times.encode)}};
   report["total"] = stage(facts.times.total);

@@ -19,6 +19,7 @@ struct FilmTimes {
   StageTime compose;
   StageTime draw;
   StageTime read_back;
+  StageTime smooth;
   StageTime convert;
   StageTime encode;
   StageTime total;  // cpu: the whole process

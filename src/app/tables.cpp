@@ -144,7 +144,7 @@ constexpr Listing kListings[] = {{"methods", list_methods},
 std::string examine_backend(const Backend& backend, bool& works) {
   try {
     const std::unique_ptr<Context> context = backend.open();
-    const Renderer renderer(*context, {64, 64, 4, false});
+    const Renderer renderer(*context, {64, 64, 4, false, Edges::samples});
     works = true;
     return fmt::format("ok, {}, OpenGL {}, {} samples",
                        renderer.info().gl_renderer,

@@ -144,12 +144,24 @@ std::vector<LookPart> points_look(const BodySpec& spec,
 }  // namespace
 
 Mesh solid_mesh(const SolidSpec& s, int segments) {
+  // what is thinner about its axis than it is long needs fewer pieces there
+  const auto thinner = [segments](double radius, double reach) {
+    return std::max(kCoarse, static_cast<int>(std::ceil(segments * std::sqrt(radius / reach))));
+  };
   if (s.kind == "box") return box(*s.size);
   if (s.kind == "sphere") return scaled(unit_sphere(segments), Vec3::Constant(*s.radius));
-  if (s.kind == "ellipsoid") return scaled(unit_sphere(segments), *s.semi_axes);
-  if (s.kind == "cylinder") return cylinder_mesh(*s.radius, *s.height, segments);
+  if (s.kind == "ellipsoid") {
+    const Vec3& a = *s.semi_axes;
+    const int around = std::min(segments, thinner(std::max(a.x(), a.y()), a.maxCoeff()));
+    return scaled(unit_sphere(around, segments / 2), a);
+  }
+  if (s.kind == "cylinder") {
+    const int around = thinner(*s.radius, std::hypot(*s.radius, 0.5 * *s.height));
+    return cylinder_mesh(*s.radius, *s.height, around);
+  }
   if (s.kind == "cone") {
-    return revolved({{0, 0}, {*s.radius, *s.height}, {0, *s.height}}, segments);
+    const int around = thinner(*s.radius, std::hypot(*s.radius, *s.height));
+    return revolved({{0, 0}, {*s.radius, *s.height}, {0, *s.height}}, around);
   }
   if (s.kind == "disc") {
     const double thickness = std::max(s.thickness.value_or(0.0), kThinDisc * *s.radius);
@@ -160,11 +172,17 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
   }
   if (s.kind == "rod") {
     const double radius = std::max(s.radius.value_or(0.0), kThinRod * *s.length);
-    return cylinder_mesh(radius, *s.length, segments);
+    return cylinder_mesh(radius, *s.length, thinner(radius, 0.5 * *s.length));
   }
   if (s.kind == "mesh") return faceted(*s.mesh);
   CHECK(s.kind == "lathe");
-  return revolved(upwards(lathe_outline(s)), segments);
+  const std::vector<Vec2> outline = upwards(lathe_outline(s));
+  double radius = 0.0, reach = 0.0;
+  for (const Vec2& point : outline) {
+    radius = std::max(radius, point.x());
+    reach = std::max(reach, point.norm());
+  }
+  return revolved(outline, thinner(radius, reach));
 }
 
 std::vector<LookPart> body_look(const BodySpec& spec,

@@ -81,12 +81,18 @@ Composer::Composer(const Motion& motion,
                    FrameSize size)
     : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, stage_)),
-      meshes_{arrow_meshes(circle_segments(0.05 * size.height)),
-              cone_meshes(circle_segments(0.5 * size.height))},
+      meshes_{arrow_meshes(circle_segments(0.05 * size.height)), {}},
       drawing_(make_drawing_frame(stage_)),
       staging_(staging),
       rigs_(make_rigs(size)),
-      start_camera_(camera_at(0.0)) {}
+      start_camera_(camera_at(0.0)) {
+  // now that the cameras are known: no triangle smaller than a pixel needs
+  const Largest largest = largest_on_screen();
+  const int most = circle_segments(0.5 * size.height);
+  const int for_body = circle_segments(largest.body);
+  if (for_body < most) make_look(stage_, body, for_body);
+  meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)));
+}
 
 Composer::Composer(const Motion& motion,
                    const BodySpec& body,
@@ -244,6 +250,27 @@ std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
       points.push_back(rig * point);
   }
   return points;
+}
+
+Composer::Largest Composer::largest_on_screen() const {
+  Largest largest;
+  for (const double film : film_times()) {
+    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    const Camera camera = camera_at(film);
+    // the radius, m, of a ball that holds a thing about a point; infinite from inside
+    const auto pixels = [&](const Vec3& middle, double reach, double radius) {
+      const Vec3 to_eye = camera.eye() - middle;
+      if (to_eye.norm() <= 1.5 * reach) return std::numeric_limits<double>::infinity();
+      return radius * camera.pixels_per_metre(middle + reach * to_eye.normalized());
+    };
+    const double body = stage_.scale.body;
+    largest.body = std::max(largest.body, pixels(sample.reference_S, body, body));
+    for (const Cone& cone : marks_at(sample, film).cones) {
+      const double rim = cone.slant * std::sin(cone.half_angle);
+      largest.cone = std::max(largest.cone, pixels(cone.apex, cone.slant, rim));
+    }
+  }
+  return largest;
 }
 
 std::vector<Error> Composer::warnings() const {

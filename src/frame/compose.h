@@ -88,6 +88,12 @@ class Composer {
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(FrameSize size) const;
+  // Radii in pixels, where things come nearest to their cameras.
+  struct Largest {
+    double body = 0.0;
+    double cone = 0.0;  // of rims
+  };
+  Largest largest_on_screen() const;
   SeenLabel seen(const LabelMark& label, const Camera& camera) const;
 
   Stage stage_;

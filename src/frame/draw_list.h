@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "frame/mesh.h"
+#include "image/pixel_box.h"
 #include "image/sprite.h"
 
 namespace polhode {
@@ -54,16 +55,6 @@ struct DrawList {
   glm::vec3 background{0.0f};         // sRGB-encoded, 0..1
   std::vector<DrawItem> opaque;       // any order
   std::vector<DrawItem> translucent;  // back to front, drawn after the opaque ones
-};
-
-// A rectangle of pixels, rows from the top.
-struct PixelBox {
-  int x = 0, y = 0;
-  int width = 0, height = 0;
-
-  int right() const { return x + width; }
-  int bottom() const { return y + height; }
-  friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 // A part of the picture with a camera of its own.

@@ -89,6 +89,12 @@ std::vector<double> framing_times(const Motion& motion) {
   return times;
 }
 
+void make_look(Stage& stage, const BodySpec& body, int segments) {
+  stage.look = body_look(body, stage.motion.model(), stage.theme, segments);
+  for (LookPart& part : stage.look)
+    part.material.finish = finish_named(stage.options.material);
+}
+
 Stage make_stage(const Motion& motion,
                  const BodySpec& body,
                  const ThemeSpec& theme_spec,
@@ -98,7 +104,9 @@ Stage make_stage(const Motion& motion,
   const auto shared = [](Mesh mesh) {
     return std::make_shared<const Mesh>(std::move(mesh));
   };
-  Stage stage{motion, theme, body_look(body, motion.model(), theme, segments)};
+  Stage stage{motion, theme};
+  stage.options = show;
+  make_look(stage, body, segments);
   stage.ball = shared(unit_sphere(std::max(16, segments / 4)));
   // what surrounds the body may be as large as the frame, and bends in two directions
   const int large = segments * 3 / 2;
@@ -106,9 +114,6 @@ Stage make_stage(const Motion& motion,
   stage.stand = shared(unit_cone(segments));
   stage.disc = shared(unit_disc(large));
   stage.ring = shared(torus(1.0, 0.006, large));
-  stage.options = show;
-  for (LookPart& part : stage.look)
-    part.material.finish = finish_named(show.material);
   stage.hull_B = hull_of(stage.look);
   stage.field_points_B = spread(stage.hull_B, kFieldPoints);
   double radius = body_radius(stage.look, motion.model());

@@ -42,7 +42,7 @@ inline constexpr double kForceLength = 0.8;
 struct Stage {
   Motion motion;
   Theme theme;
-  std::vector<LookPart> look;
+  std::vector<LookPart> look = {};
   Scale scale = {};
   std::vector<Vec3> hull_B = {};          // of the look, m
   MeshPtr ball = {};                      // unit sphere, for small ones
@@ -62,6 +62,9 @@ Stage make_stage(const Motion& motion,
                  const ThemeSpec& theme,
                  const ShowSpec& show,
                  int segments);
+
+// Makes the look anew, with so many pieces of a circle as large as the body.
+void make_look(Stage& stage, const BodySpec& body, int segments);
 
 struct Element {
   std::string name;

@@ -35,8 +35,10 @@ std::vector<Vec2> arc(double radius, double center_r, double from, double to, in
 int circle_segments(double radius_px) {
   constexpr double kSagitta = 0.25;  // pixels
   constexpr int kFewest = 16;
+  constexpr double kLargest = 1e5;  // nothing is drawn larger
   if (radius_px <= kSagitta) return kFewest;
-  const int needed = static_cast<int>(std::ceil(kPi / std::acos(1.0 - kSagitta / radius_px)));
+  const int needed =
+      static_cast<int>(std::ceil(kPi / std::acos(1.0 - kSagitta / std::min(radius_px, kLargest))));
   return std::max(kFewest, needed);
 }
 
@@ -52,39 +54,51 @@ Mesh revolved(const std::vector<Vec2>& outline, int segments) {
     normals.push_back(edge_normal(points[i], points[i + 1]));
   }
 
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const Vec2* before = i > 0 ? &normals[i - 1] : closed ? &normals.back() : nullptr;
-    const Vec2* after = i + 1 < normals.size() ? &normals[i + 1]
-                        : closed               ? &normals.front()
-                                               : nullptr;
-    const Vec2 n[2] = {shaded_normal(normals[i], before), shaded_normal(normals[i], after)};
-    const Vec2 p[2] = {points[i], points[i + 1]};
-
-    // a band of quads; those that touch the axis are triangles
+  // a circle of corners; its number
+  const auto add_circle = [&](const Vec2& p, const Vec2& n) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int k = 0; k <= segments; ++k) {
       const double angle = 2.0 * kPi * (k % segments) / segments;
       const double c = std::cos(angle);
       const double s = std::sin(angle);
-      for (int end = 0; end < 2; ++end) {
-        mesh.vertices.push_back({glm::vec3(p[end].x() * c, p[end].x() * s, p[end].y()),
-                                 glm::vec3(n[end].x() * c, n[end].x() * s, n[end].y())});
-      }
+      mesh.vertices.push_back(
+          {glm::vec3(p.x() * c, p.x() * s, p.y()), glm::vec3(n.x() * c, n.x() * s, n.y())});
     }
+    return first;
+  };
+  std::uint32_t high = 0;
+  Vec2 normal_high = Vec2::Zero();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vec2* before = i > 0 ? &normals[i - 1] : closed ? &normals.back() : nullptr;
+    const Vec2* after = i + 1 < normals.size() ? &normals[i + 1]
+                        : closed               ? &normals.front()
+                                               : nullptr;
+    // a band of quads; those that touch the axis are triangles. Where shading goes on, it begins
+    // with the corners at which the last one ended.
+    const Vec2 normal_low = shaded_normal(normals[i], before);
+    const bool goes_on = i > 0 && (normal_low - normal_high).norm() < 1e-12;
+    const std::uint32_t low = goes_on ? high : add_circle(points[i], normal_low);
+    normal_high = shaded_normal(normals[i], after);
+    high = add_circle(points[i + 1], normal_high);
     for (int k = 0; k < segments; ++k) {
-      const std::uint32_t a = first + 2 * static_cast<std::uint32_t>(k);
-      if (p[0].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1});
-      if (p[1].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {a + 1, a + 2, a + 3});
+      const std::uint32_t a = low + static_cast<std::uint32_t>(k);
+      const std::uint32_t b = high + static_cast<std::uint32_t>(k);
+      if (points[i].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {a, a + 1, b});
+      if (points[i + 1].x() > 0.0) mesh.indices.insert(mesh.indices.end(), {b, a + 1, b + 1});
     }
   }
   return mesh;
 }
 
 Mesh unit_sphere(int segments) {
-  std::vector<Vec2> outline = arc(1.0, 0.0, -kPi / 2, kPi / 2, std::max(8, segments / 2));
+  return unit_sphere(segments, segments / 2);
+}
+
+Mesh unit_sphere(int around, int from_pole_to_pole) {
+  std::vector<Vec2> outline = arc(1.0, 0.0, -kPi / 2, kPi / 2, std::max(8, from_pole_to_pole));
   outline.front() = Vec2(0, -1);
   outline.back() = Vec2(0, 1);
-  return revolved(outline, segments);
+  return revolved(outline, around);
 }
 
 Mesh unit_cylinder(int segments) {
@@ -112,7 +126,10 @@ Mesh unit_disc(int segments) {
 }
 
 Mesh torus(double radius, double tube, int segments) {
-  std::vector<Vec2> outline = arc(tube, radius, 0.0, 2.0 * kPi, std::max(12, segments / 4));
+  // around the tube as fine as along it, pieces growing with the root of the radius; and fine
+  // enough to be shaded as round (kCreaseAngle)
+  const int around = std::max(12, static_cast<int>(std::ceil(segments * std::sqrt(tube / radius))));
+  std::vector<Vec2> outline = arc(tube, radius, 0.0, 2.0 * kPi, around);
   outline.back() = outline.front();
   return revolved(outline, segments);
 }

@@ -29,6 +29,7 @@ void AveragePicture::add(const Image& image) {
 void AveragePicture::mean(Image& image) {
   CHECK(count_ > 0);
   if (image.width != width_ || image.height != height_) image = Image(width_, height_);
+  image.ground.reset();
   for (std::size_t i = 0; i < light_.size(); i += 4) {
     const std::uint64_t alpha = light_[i + 3];
     for (std::size_t c = 0; c < 3; ++c) {

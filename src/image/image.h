@@ -2,10 +2,14 @@
 // A picture in memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "image/pixel_box.h"
 
 namespace polhode {
 
@@ -15,6 +19,10 @@ struct Image {
   int width = 0;   // pixels
   int height = 0;  // pixels
   std::vector<std::uint8_t> pixels;
+  // What is known of the picture, so that nobody does work for pixels that are as they were: with a
+  // ground, every pixel outside the painted boxes has its colour; without one, nothing is known.
+  std::optional<std::array<std::uint8_t, 4>> ground;
+  std::vector<PixelBox> painted;
 
   Image() = default;
   Image(int w, int h)
@@ -30,6 +38,11 @@ struct Image {
   std::uint8_t* at(int x, int y) {
     return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
   }
+
+  // Makes all of it one colour, and that its ground.
+  void wipe(int w, int h, const std::array<std::uint8_t, 4>& color);
+  // One colour in a box within it; the ground stays.
+  void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };
 
 }  // namespace polhode

@@ -36,6 +36,8 @@ void lay_over(Image& picture, const Stamp& stamp) {
   const int top = std::max(0, -stamp.y);
   const int bottom = std::min(sprite.height, picture.height - stamp.y);
   const auto opacity = static_cast<unsigned>(std::lround(255.0 * stamp.opacity));
+  if (picture.ground && left < right && top < bottom)
+    picture.painted.push_back({stamp.x + left, stamp.y + top, right - left, bottom - top});
   for (int y = top; y < bottom; ++y) {
     const std::uint8_t* source =
         sprite.pixels.data() + 4 * (static_cast<std::size_t>(y) * sprite.width + left);

@@ -10,9 +10,11 @@
 namespace polhode {
 namespace {
 
-GLuint compile(const Gl& gl, GLenum stage, const std::string& file) {
+GLuint compile(const Gl& gl, GLenum stage, const std::string& file, const std::string& head) {
   const GLuint shader = gl.CreateShader(stage);
-  const char* text = shader_source(file).c_str();
+  std::string source = shader_source(file);
+  source.insert(source.find('\n') + 1, head);  // nothing may stand before #version
+  const char* text = source.c_str();
   gl.ShaderSource(shader, 1, &text, nullptr);
   gl.CompileShader(shader);
   GLint good = 0;
@@ -65,10 +67,13 @@ void GpuMesh::draw() const {
   gl_.DrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
 }
 
-Program::Program(const Gl& gl, const std::string& vertex_file, const std::string& fragment_file)
+Program::Program(const Gl& gl,
+                 const std::string& vertex_file,
+                 const std::string& fragment_file,
+                 const std::string& head)
     : gl_(gl) {
-  const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_file);
-  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_file);
+  const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_file, head);
+  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_file, head);
   id_ = gl.CreateProgram();
   gl.AttachShader(id_, vertex);
   gl.AttachShader(id_, fragment);
@@ -90,13 +95,11 @@ Program::~Program() {
 }
 
 GLint Program::uniform(const std::string& name) const {
-  const GLint location = gl_.GetUniformLocation(id_, name.c_str());
-  CHECK(location >= 0);
-  return location;
+  return gl_.GetUniformLocation(id_, name.c_str());
 }
 
 Framebuffer::Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth)
-    : gl_(gl) {
+    : gl_(gl), width_(width), height_(height) {
   gl.GenFramebuffers(1, &id_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, id_);
   color_ = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height, samples);

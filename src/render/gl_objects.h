@@ -31,13 +31,17 @@ class GpuMesh {
 // A linked program from two files of shaders/.
 class Program {
  public:
-  // Throws Error (environment) with the compiler's words.
-  Program(const Gl& gl, const std::string& vertex_file, const std::string& fragment_file);
+  // `head` are lines that come after the #version of both. Throws Error (environment) with the
+  // compiler's words.
+  Program(const Gl& gl,
+          const std::string& vertex_file,
+          const std::string& fragment_file,
+          const std::string& head);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   void use() const { gl_.UseProgram(id_); }
-  // The location of a uniform; it must exist.
+  // The location of a uniform; -1, which OpenGL ignores, when this program does without it.
   GLint uniform(const std::string& name) const;
 
  private:
@@ -53,11 +57,14 @@ class Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
   GLuint id() const { return id_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
 
  private:
   GLuint attach(GLenum attachment, GLenum format, int width, int height, int samples) const;
 
   const Gl& gl_;
+  int width_, height_;
   GLuint id_ = 0;
   GLuint color_ = 0;
   GLuint depth_ = 0;

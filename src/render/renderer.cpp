@@ -14,6 +14,8 @@
 
 #include "base/error.h"
 #include "render/gl_objects.h"
+#include "render/outlines.h"
+#include "render/surface.h"
 
 namespace polhode {
 namespace {
@@ -22,10 +24,6 @@ int integer(const Gl& gl, GLenum name) {
   GLint value = 0;
   gl.GetIntegerv(name, &value);
   return value;
-}
-
-int samples_to_use(const Gl& gl, int wanted) {
-  return std::min(wanted, integer(gl, GL_MAX_SAMPLES));
 }
 
 const RenderSettings& fitting(const Gl& gl, const RenderSettings& settings) {
@@ -37,28 +35,6 @@ const RenderSettings& fitting(const Gl& gl, const RenderSettings& settings) {
                       most);
   }
   return settings;
-}
-
-// A rectangle of pixels, rows from the top; empty when it holds none.
-struct Region {
-  int left = 0, top = 0, right = 0, bottom = 0;
-
-  bool empty() const { return left >= right || top >= bottom; }
-  int width() const { return right - left; }
-  int height() const { return bottom - top; }
-};
-
-Region all_of(const PixelBox& box) {
-  return {box.x, box.y, box.right(), box.bottom()};
-}
-
-Region united(const Region& a, const Region& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.left, b.left),
-          std::min(a.top, b.top),
-          std::max(a.right, b.right),
-          std::max(a.bottom, b.bottom)};
 }
 
 // the corners of the box around a mesh, in its own coordinates
@@ -78,25 +54,30 @@ std::array<glm::vec3, 8> box_corners(const Mesh& mesh) {
   return corners;
 }
 
-// the inverse transposed, up to a factor, of a matrix of any size: its determinant may be out of
-// single precision's reach
-glm::mat3 normal_from_mesh(const glm::mat3& world_from_mesh) {
-  const float size = std::max({glm::length(world_from_mesh[0]),
-                               glm::length(world_from_mesh[1]),
-                               glm::length(world_from_mesh[2])});
-  return glm::transpose(glm::inverse(world_from_mesh / size));
-}
-
 // premultiplied colour, as blending leaves it, to the straight alpha of Image
-void unpremultiply(Image& image) {
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    const int alpha = image.pixels[i + 3];
-    if (alpha == 0 || alpha == 255) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int value = (image.pixels[i + c] * 255 + alpha / 2) / alpha;
-      image.pixels[i + c] = static_cast<std::uint8_t>(std::min(value, 255));
+void unpremultiply(Image& image, const PixelBox& box) {
+  for (int y = box.y; y < box.bottom(); ++y) {
+    std::uint8_t* pixel = image.at(box.x, y);
+    for (int x = 0; x < box.width; ++x, pixel += 4) {
+      const int alpha = pixel[3];
+      if (alpha == 0 || alpha == 255) continue;
+      for (int c = 0; c < 3; ++c) {
+        const int value = (pixel[c] * 255 + alpha / 2) / alpha;
+        pixel[c] = static_cast<std::uint8_t>(std::min(value, 255));
+      }
     }
   }
+}
+
+std::uint8_t byte_of(float part) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(part, 0.0f, 1.0f)));
+}
+
+// how many samples: 0 where outlines are smoothed by their geometry
+int samples_to_use(const Gl& gl, const RenderSettings& settings) {
+  const bool large = settings.width * settings.height >= kOutlinePixels;
+  if (settings.edges == Edges::outlines || (settings.edges == Edges::by_size && large)) return 0;
+  return std::min(settings.samples, integer(gl, GL_MAX_SAMPLES));
 }
 
 }  // namespace
@@ -106,27 +87,26 @@ class Renderer::Implementation {
   Implementation(const Context& context, const RenderSettings& settings)
       : gl_(context),
         settings_(fitting(gl_, settings)),
-        samples_(samples_to_use(gl_, settings.samples)),
-        program_(gl_, "scene.vert", "scene.frag"),
-        drawn_(gl_, settings.width, settings.height, samples_, true),
-        resolved_(gl_, settings.width, settings.height, 0, false),
-        u_(program_) {
+        samples_(samples_to_use(gl_, settings)),
+        surfaces_(gl_) {
     info_.backend = context.backend();
     info_.gl_renderer = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
     info_.gl_version = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
-    info_.samples = samples_;
+    info_.samples = std::max(1, samples_);
+    info_.by_outlines = settings.edges != Edges::samples && samples_ == 0;
   }
 
   void draw(const Picture& picture, Image& image) {
-    {
-      const StageTimer timer(times_.draw);
-      choose_regions(picture);
-      for (std::size_t i = 0; i < picture.panels.size(); ++i)
-        draw_panel(picture.panels[i], regions_[i]);
-      gl_.Finish();
+    clear(picture, image);
+    for (const Panel& panel : picture.panels) {
+      const PixelBox box = common(covered(panel), panel.place);
+      if (box.empty()) continue;
+      draw_panel(panel, box);
+      read_back(box, image);
+      if (info_.by_outlines) smooth(panel, box, image);
+      if (settings_.transparent) unpremultiply(image, box);
+      if (image.ground) image.painted.push_back(box);
     }
-    const StageTimer timer(times_.read_back);
-    read_back(image);
     refuse_errors();
     forget_unused_meshes();
     for (const Stamp& stamp : picture.stamps)
@@ -138,46 +118,36 @@ class Renderer::Implementation {
   const RenderTimes& times() const { return times_; }
 
  private:
-  // the uniforms of scene.vert and scene.frag
-  struct Uniforms {
-    explicit Uniforms(const Program& p)
-        : clip_from_world(p.uniform("u_clip_from_world")),
-          world_from_mesh(p.uniform("u_world_from_mesh")),
-          normal_from_mesh(p.uniform("u_normal_from_mesh")),
-          eye(p.uniform("u_eye")),
-          key_light(p.uniform("u_key_light")),
-          fill_light(p.uniform("u_fill_light")),
-          color(p.uniform("u_color")),
-          alpha(p.uniform("u_alpha")),
-          gloss(p.uniform("u_gloss")),
-          mark_color(p.uniform("u_mark_color")),
-          mark_width(p.uniform("u_mark_width")),
-          finish(p.uniform("u_finish")),
-          flat(p.uniform("u_flat")),
-          soft(p.uniform("u_soft")),
-          fade(p.uniform("u_fade")) {}
-    GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width, finish, flat, soft, fade;
-  };
-
   struct Uploaded {
     MeshPtr keep;  // the address is the key, so the mesh must live
     std::unique_ptr<GpuMesh> gpu;
     std::array<glm::vec3, 8> corners;
+    std::unique_ptr<MeshEdges> edges;  // made when outlines are smoothed
     bool used = true;
   };
 
-  // what was drawn in a panel of the frame before
-  struct Drawn {
-    PixelBox place;
-    Region covered;
-    glm::vec3 background{0.0f};
-  };
+  std::array<std::uint8_t, 4> ground_of(const Panel& panel) const {
+    if (settings_.transparent) return {0, 0, 0, 0};
+    const glm::vec3& color = panel.list.background;
+    return {byte_of(color.r), byte_of(color.g), byte_of(color.b), 255};
+  }
 
-  // the pixels that the items of a panel may cover
-  Region covered(const Panel& panel) {
+  // the background of all panels
+  void clear(const Picture& picture, Image& image) {
+    const StageTimer timer(times_.read_back);
+    const std::array<std::uint8_t, 4> ground = ground_of(picture.panels.front());
+    image.wipe(settings_.width, settings_.height, ground);
+    for (const Panel& panel : picture.panels) {
+      if (ground_of(panel) == ground) continue;
+      image.fill(panel.place, ground_of(panel));
+      image.ground.reset();
+    }
+  }
+
+  // the pixels that the items of a panel may cover; a function of the panel alone, for it decides
+  // where pixels begin
+  PixelBox covered(const Panel& panel) {
     const DrawList& list = panel.list;
-    const glm::vec2 upper_left(panel.place.x, panel.place.y);
     const glm::vec2 size(panel.place.width, panel.place.height);
     glm::vec2 low(size);
     glm::vec2 high(0.0f);
@@ -186,46 +156,25 @@ class Renderer::Implementation {
         const glm::mat4 clip_from_mesh = list.view.clip_from_world * item.world_from_mesh;
         for (const glm::vec3& corner : uploaded(item.mesh).corners) {
           const glm::vec4 clip = clip_from_mesh * glm::vec4(corner, 1.0f);
-          if (clip.w <= 0.0f) return all_of(panel.place);  // behind the eye: no rectangle
+          if (clip.w <= 0.0f) return panel.place;  // behind the eye: no rectangle
           const glm::vec2 pixel = (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
           low = glm::min(low, pixel);
           high = glm::max(high, pixel);
         }
       }
     }
-    // a pixel more on each side for rounding
-    low = upper_left + glm::clamp(low - 1.0f, glm::vec2(0.0f), size);
-    high = upper_left + glm::clamp(high + 1.0f, glm::vec2(0.0f), size);
-    return {static_cast<int>(low.x),
-            static_cast<int>(low.y),
-            static_cast<int>(std::ceil(high.x)),
-            static_cast<int>(std::ceil(high.y))};
+    // a pixel more on each side for rounding, another for the neighbours of outlines
+    low = glm::floor(glm::clamp(low - 2.0f, glm::vec2(0.0f), size));
+    high = glm::ceil(glm::clamp(high + 2.0f, glm::vec2(0.0f), size));
+    return {panel.place.x + static_cast<int>(low.x),
+            panel.place.y + static_cast<int>(low.y),
+            static_cast<int>(high.x - low.x),
+            static_cast<int>(high.y - low.y)};
   }
 
-  // only what this frame or the one before covers is cleared, drawn and resolved; the rest of both
-  // framebuffers is background already
-  void choose_regions(const Picture& picture) {
-    const bool same_panels =
-        std::equal(picture.panels.begin(),
-                   picture.panels.end(),
-                   before_.begin(),
-                   before_.end(),
-                   [](const Panel& now, const Drawn& last) { return now.place == last.place; });
-    regions_.clear();
-    std::vector<Drawn> now;
-    for (const Panel& panel : picture.panels) {
-      const Drawn drawn{panel.place, covered(panel), panel.list.background};
-      const Drawn* last = same_panels ? &before_[now.size()] : nullptr;
-      const bool same_ground = last != nullptr && last->background == drawn.background;
-      regions_.push_back(same_ground ? united(drawn.covered, last->covered) : all_of(panel.place));
-      now.push_back(drawn);
-    }
-    before_ = std::move(now);
-  }
-
-  void draw_panel(const Panel& panel, const Region& region) {
-    if (region.empty()) return;
-    begin(panel, region);
+  void draw_panel(const Panel& panel, const PixelBox& box) {
+    const StageTimer timer(times_.draw);
+    begin(panel, box);
     for (const DrawItem& item : panel.list.opaque)
       draw_item(item);
 
@@ -236,17 +185,22 @@ class Renderer::Implementation {
       draw_item(item);
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_BLEND);
+    gl_.Finish();
   }
 
-  void begin(const Panel& panel, const Region& region) {
+  // the box begins at the framebuffer's corner: what lies outside is neither cleared nor copied
+  void begin(const Panel& panel, const PixelBox& box) {
+    grow(drawn_, box, samples_, true);
+    if (samples_ > 0) grow(resolved_, box, 0, false);
     const DrawList& list = panel.list;
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-    gl_.Viewport(panel.place.x, panel.place.y, panel.place.width, panel.place.height);
-    gl_.Enable(GL_SCISSOR_TEST);
-    gl_.Scissor(region.left, region.top, region.width(), region.height());
-    const float alpha = settings_.transparent ? 0.0f : 1.0f;
-    const glm::vec3 ground = list.background * alpha;
-    gl_.ClearColor(ground.r, ground.g, ground.b, alpha);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_->id());
+    gl_.Viewport(
+        panel.place.x - box.x, panel.place.y - box.y, panel.place.width, panel.place.height);
+    const std::array<std::uint8_t, 4> ground = ground_of(panel);
+    gl_.ClearColor(static_cast<float>(ground[0]) / 255.0f,
+                   static_cast<float>(ground[1]) / 255.0f,
+                   static_cast<float>(ground[2]) / 255.0f,
+                   static_cast<float>(ground[3]) / 255.0f);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.Enable(GL_CULL_FACE);
@@ -257,28 +211,30 @@ class Renderer::Implementation {
     gl_.FrontFace(GL_CW);
     glm::mat4 flip(1.0f);
     flip[1][1] = -1.0f;
-    program_.use();
-    const glm::mat4 clip = flip * list.view.clip_from_world;
-    gl_.UniformMatrix4fv(u_.clip_from_world, 1, GL_FALSE, glm::value_ptr(clip));
-    gl_.Uniform3fv(u_.eye, 1, glm::value_ptr(list.view.eye));
-    gl_.Uniform3fv(u_.key_light, 1, glm::value_ptr(list.view.key_light));
-    gl_.Uniform3fv(u_.fill_light, 1, glm::value_ptr(list.view.fill_light));
+    surfaces_.begin(list.view, flip * list.view.clip_from_world);
+  }
+
+  // as large as the largest box so far
+  void grow(std::unique_ptr<Framebuffer>& buffer,
+            const PixelBox& box,
+            int samples,
+            bool with_depth) {
+    constexpr int kTile = 64;  // pixels, of the rasteriser
+    const auto tiles = [](int side) {
+      return (side + kTile - 1) / kTile * kTile;
+    };
+    int width = std::min(tiles(box.width), settings_.width);
+    int height = std::min(tiles(box.height), settings_.height);
+    if (buffer != nullptr) {
+      if (buffer->width() >= width && buffer->height() >= height) return;
+      width = std::max(width, buffer->width());
+      height = std::max(height, buffer->height());
+    }
+    buffer = std::make_unique<Framebuffer>(gl_, width, height, samples, with_depth);
   }
 
   void draw_item(const DrawItem& item) {
-    const glm::mat3 normals = normal_from_mesh(glm::mat3(item.world_from_mesh));
-    gl_.UniformMatrix4fv(u_.world_from_mesh, 1, GL_FALSE, glm::value_ptr(item.world_from_mesh));
-    gl_.UniformMatrix3fv(u_.normal_from_mesh, 1, GL_FALSE, glm::value_ptr(normals));
-    const Material& material = item.material;
-    gl_.Uniform3fv(u_.color, 1, glm::value_ptr(material.color));
-    gl_.Uniform1f(u_.alpha, material.alpha);
-    gl_.Uniform1f(u_.gloss, material.gloss);
-    gl_.Uniform3fv(u_.mark_color, 1, glm::value_ptr(material.mark_color));
-    gl_.Uniform1f(u_.mark_width, material.mark_width);
-    gl_.Uniform1i(u_.finish, static_cast<GLint>(material.finish));
-    gl_.Uniform1i(u_.flat, material.flat ? 1 : 0);
-    gl_.Uniform1i(u_.soft, material.soft ? 1 : 0);
-    gl_.Uniform1f(u_.fade, material.fade);
+    surfaces_.use(item.material, item.world_from_mesh);
     if (item.faces == Faces::both) {
       gl_.Disable(GL_CULL_FACE);
     } else {
@@ -288,7 +244,7 @@ class Renderer::Implementation {
     uploaded(item.mesh).gpu->draw();
   }
 
-  const Uploaded& uploaded(const MeshPtr& mesh) {
+  Uploaded& uploaded(const MeshPtr& mesh) {
     Uploaded& entry = meshes_[mesh.get()];
     if (entry.gpu == nullptr) {
       entry.keep = mesh;
@@ -309,22 +265,45 @@ class Renderer::Implementation {
     }
   }
 
-  void read_back(Image& image) {
-    const int w = settings_.width;
-    const int h = settings_.height;
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    gl_.Disable(GL_SCISSOR_TEST);  // it clips copies too
-    for (const auto& [left, top, right, bottom] : regions_) {
-      if (left >= right || top >= bottom) continue;
-      gl_.BlitFramebuffer(
-          left, top, right, bottom, left, top, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  void read_back(const PixelBox& box, Image& image) {
+    const StageTimer timer(times_.read_back);
+    const Framebuffer* source = drawn_.get();
+    if (samples_ > 0) {
+      gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->id());
+      gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->id());
+      gl_.BlitFramebuffer(0,
+                          0,
+                          box.width,
+                          box.height,
+                          0,
+                          0,
+                          box.width,
+                          box.height,
+                          GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+      source = resolved_.get();
     }
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
-    if (image.width != w || image.height != h) image = Image(w, h);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, source->id());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.ReadPixels(0, 0, w, h, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    if (settings_.transparent) unpremultiply(image);
+    gl_.PixelStorei(GL_PACK_ROW_LENGTH, image.width);
+    gl_.ReadPixels(0, 0, box.width, box.height, GL_RGBA, GL_UNSIGNED_BYTE, image.at(box.x, box.y));
+    gl_.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+    if (!info_.by_outlines) return;
+    depth_.resize(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
+    gl_.ReadPixels(0, 0, box.width, box.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
+  }
+
+  void smooth(const Panel& panel, const PixelBox& box, Image& image) {
+    const StageTimer timer(times_.smooth);
+    smoother_.begin(panel.list.view, panel.place, box);
+    for (const std::vector<DrawItem>* items : {&panel.list.opaque, &panel.list.translucent}) {
+      for (const DrawItem& item : *items) {
+        Uploaded& mesh = uploaded(item.mesh);
+        if (mesh.edges == nullptr) mesh.edges = std::make_unique<MeshEdges>(*item.mesh);
+        smoother_.add(*mesh.edges, item);
+      }
+    }
+    smoother_.smooth(depth_, image);
   }
 
   void refuse_errors() const {
@@ -335,13 +314,12 @@ class Renderer::Implementation {
   Gl gl_;
   RenderSettings settings_;
   int samples_;
-  Program program_;
-  Framebuffer drawn_;
-  Framebuffer resolved_;
-  Uniforms u_;
+  SurfacePrograms surfaces_;
+  std::unique_ptr<Framebuffer> drawn_;
+  std::unique_ptr<Framebuffer> resolved_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;
-  std::vector<Region> regions_;  // of the panels of the frame being drawn
-  std::vector<Drawn> before_;    // the panels of the frame before
+  std::vector<float> depth_;  // of the box that was read back last
+  OutlineSmoother smoother_;
   RendererInfo info_;
   RenderTimes times_;
 };

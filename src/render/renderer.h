@@ -17,19 +17,28 @@ struct RendererInfo {
   std::string backend;      // "osmesa"
   std::string gl_renderer;  // as OpenGL names it
   std::string gl_version;
-  int samples = 0;  // per pixel
+  int samples = 0;           // per pixel
+  bool by_outlines = false;  // edges are smoothed by their geometry
 };
 
 struct RenderTimes {
   StageTime draw;       // until the samples are in the framebuffer
   StageTime read_back;  // resolving samples and copying pixels
+  StageTime smooth;     // mixing across outlines
 };
+
+// How edges become smooth. Outlines (render/outlines.h) cost less than half of four samples and are
+// nearer to the truth where things are several pixels wide, in pictures from kOutlinePixels on;
+// samples serve the smaller ones.
+enum class Edges { by_size, samples, outlines };
+inline constexpr int kOutlinePixels = 960 * 540;
 
 struct RenderSettings {
   int width = 1920;          // pixels
   int height = 1080;         // pixels
   int samples = 4;           // wanted per pixel; fewer where the driver has fewer
   bool transparent = false;  // the background has alpha 0
+  Edges edges = Edges::by_size;
 };
 
 // Owns a context's objects; used on the thread that opened the context, which must outlive it.

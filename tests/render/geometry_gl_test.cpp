@@ -21,9 +21,12 @@ namespace {
 
 constexpr FrameSize kSize{640, 480};
 
-Image draw(const DrawList& list, const std::string& backend = "osmesa") {
-  const std::unique_ptr<Context> context = open_context(backend);
-  Renderer renderer(*context, {kSize.width, kSize.height, 4, true});
+// how edges are made smooth while a test runs
+Edges edges_now = Edges::samples;
+
+Image draw(const DrawList& list) {
+  const std::unique_ptr<Context> context = open_context("osmesa");
+  Renderer renderer(*context, {kSize.width, kSize.height, 4, true, edges_now});
   Image image;
   renderer.draw(list, image);
   return image;
@@ -74,33 +77,49 @@ Camera test_camera() {
   return {Vec3(4, 1, 1.5), Vec3(0, 0, 0), 0.6, kSize, Vec3::Zero(), 1.5};
 }
 
-class ArrowTip : public ::testing::TestWithParam<Vec3> {};
+// every test runs with samples and with outlines
+class BothWays : public ::testing::TestWithParam<Edges> {
+ protected:
+  void SetUp() override { edges_now = GetParam(); }
+};
+#define BOTH_WAYS(name)                                                                      \
+  class name : public BothWays {};                                                           \
+  INSTANTIATE_TEST_SUITE_P(                                                                  \
+      By, name, ::testing::Values(Edges::samples, Edges::outlines), [](const auto& tested) { \
+        return tested.param == Edges::samples ? "samples" : "outlines";                      \
+      })
+BOTH_WAYS(ArrowTip);
+BOTH_WAYS(ConePicture);
+BOTH_WAYS(BodyPicture);
+BOTH_WAYS(ScenePicture);
+BOTH_WAYS(CurvePicture);
+BOTH_WAYS(EllipsoidPicture);
+BOTH_WAYS(DiscPicture);
 
 TEST_P(ArrowTip, IsWithinHalfAPixelOfTheVectorsEnd) {
   const Camera camera = test_camera();
-  DrawList list;
-  list.view = camera.view();
-  const ArrowShape shape{0.03, 0.12, 0.5};
-  add_arrow(list.opaque, arrow_meshes(96), Vec3::Zero(), GetParam(), shape, Material{});
-  const Image image = draw(list);
+  for (const Vec3& vector : {Vec3(0, 0, 1),
+                             Vec3(0, 1, 0),
+                             Vec3(0, -1, -0.4),
+                             Vec3(0.4, 0.7, 0.6),
+                             Vec3(-0.5, -0.6, 0.8)}) {
+    DrawList list;
+    list.view = camera.view();
+    const ArrowShape shape{0.03, 0.12, 0.5};
+    add_arrow(list.opaque, arrow_meshes(96), Vec3::Zero(), vector, shape, Material{});
+    const Image image = draw(list);
 
-  const Vec2 tip = camera.project(GetParam());
-  const Vec3 neck = GetParam() * (1.0 - shape.head_length / GetParam().norm());
-  const Vec2 back = camera.project(neck) - tip;
-  const Vec2 found = find_tip(image, tip, back, 0.25 * back.norm(), 0.75 * back.norm());
-  EXPECT_LT((found - tip).norm(), 0.5)
-      << "found " << found.transpose() << ", tip " << tip.transpose();
+    const Vec2 tip = camera.project(vector);
+    const Vec3 neck = vector * (1.0 - shape.head_length / vector.norm());
+    const Vec2 back = camera.project(neck) - tip;
+    const Vec2 found = find_tip(image, tip, back, 0.25 * back.norm(), 0.75 * back.norm());
+    EXPECT_LT((found - tip).norm(), 0.5)
+        << "found " << found.transpose() << ", tip " << tip.transpose();
+  }
 }
-INSTANTIATE_TEST_SUITE_P(Directions,
-                         ArrowTip,
-                         ::testing::Values(Vec3(0, 0, 1),
-                                           Vec3(0, 1, 0),
-                                           Vec3(0, -1, -0.4),
-                                           Vec3(0.4, 0.7, 0.6),
-                                           Vec3(-0.5, -0.6, 0.8)));
 
 // the same check must fail for an arrow that ends elsewhere: a net that catches
-TEST(ArrowTip, AShiftOfOnePixelIsSeen) {
+TEST_P(ArrowTip, AShiftOfOnePixelIsSeen) {
   const Camera camera = test_camera();
   const Vec3 end(0, 0, 1);
   DrawList list;
@@ -122,7 +141,7 @@ Cone test_cone() {
   return {Vec3(0.05, 0.1, -0.6), Vec3(0.1, 0.2, 1).normalized(), 0.5, 1.3, 0.006, Material{}};
 }
 
-TEST(ConePicture, ApexIsWithinHalfAPixel) {
+TEST_P(ConePicture, ApexIsWithinHalfAPixel) {
   const Camera camera = test_camera();
   const Cone cone = test_cone();  // opaque, so that alpha is coverage
   DrawList list;
@@ -135,7 +154,7 @@ TEST(ConePicture, ApexIsWithinHalfAPixel) {
   EXPECT_LT((found - apex).norm(), 0.5);
 }
 
-TEST(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
+TEST_P(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
   const Camera camera = test_camera();
   const Cone cone = test_cone();
   DrawList list;
@@ -173,7 +192,7 @@ TEST(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
 }
 
 // a ball covers the ellipse that the pinhole projection of a sphere is: area and centre
-TEST(BodyPicture, BallHasItsProjectedAreaAndCentre) {
+TEST_P(BodyPicture, BallHasItsProjectedAreaAndCentre) {
   const double radius = 0.5;
   const double distance = 4.0;
   const double fov = 0.6;
@@ -197,7 +216,7 @@ TEST(BodyPicture, BallHasItsProjectedAreaAndCentre) {
 }
 
 // a whole scene: the tips that the composer promises are where its arrows end
-TEST(ScenePicture, TipsOfOmegaAndMomentum) {
+TEST_P(ScenePicture, TipsOfOmegaAndMomentum) {
   for (const bool momentum : {true, false}) {
     ShowSpec show;
     for (const char* name : {"body", "space_axes", "space_cone", "body_cone"})
@@ -277,7 +296,7 @@ void expect_on_curve(const char* name,
   EXPECT_GT(looked, 8) << name;
 }
 
-TEST(CurvePicture, LiesOnTheProjectedCurve) {
+TEST_P(CurvePicture, LiesOnTheProjectedCurve) {
   expect_on_curve("herpolhode",
                   [](const Stage& stage, const Sample& now) { return omega_tip(stage, now); });
   expect_on_curve("trail", [](const Stage& stage, const Sample& now) {
@@ -367,7 +386,7 @@ std::vector<Vec2> contour_of_ellipsoid(const Camera& camera, const Placement& pl
   return contour;
 }
 
-TEST(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
+TEST_P(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
   for (const char* name : {"ellipsoid", "binet", "trail_sphere"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);
@@ -378,7 +397,7 @@ TEST(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
   }
 }
 
-TEST(DiscPicture, ItsRimIsWithinHalfAPixel) {
+TEST_P(DiscPicture, ItsRimIsWithinHalfAPixel) {
   for (const char* name : {"plane", "floor"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);

@@ -23,16 +23,22 @@ DrawList example(double t) {
       .at(t);
 }
 
-Image draw(const DrawList& list, const std::string& backend, bool transparent = false) {
+Image draw(const DrawList& list,
+           const std::string& backend,
+           bool transparent = false,
+           Edges edges = Edges::by_size) {
   const std::unique_ptr<Context> context = open_context(backend);
-  Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent});
+  Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent, edges});
   Image image;
   renderer.draw(list, image);
   return image;
 }
 
 TEST(Renderer, BothBackEndsGiveTheSameBytes) {
-  EXPECT_EQ(draw(example(0.4), "osmesa").pixels, draw(example(0.4), "egl").pixels);
+  for (const Edges edges : {Edges::samples, Edges::outlines}) {
+    EXPECT_EQ(draw(example(0.4), "osmesa", false, edges).pixels,
+              draw(example(0.4), "egl", false, edges).pixels);
+  }
 }
 
 TEST(Renderer, OrderOfFramesDoesNotMatter) {
@@ -48,29 +54,91 @@ TEST(Renderer, OrderOfFramesDoesNotMatter) {
   EXPECT_NE(first.pixels, other.pixels);
 }
 
-// only what changes is redrawn: a renderer in the middle of a film draws what a fresh one would
+// a renderer in the middle of a film draws what a fresh one would, into a picture of its own or
+// into one that was drawn before
 TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
+  // a film, then another background, then nothing but background
+  std::vector<DrawList> lists;
+  for (double t = 0.0; t < 4.0; t += 0.41)
+    lists.push_back(example(t));
+  lists.push_back(example(1.0));
+  lists.back().background = glm::vec3(0.5f);
+  lists.push_back({});
+  lists.back().background = glm::vec3(0.5f);
   for (const bool transparent : {false, true}) {
-    // a film, then another background, then nothing but background
-    std::vector<DrawList> lists;
-    for (double t = 0.0; t < 4.0; t += 0.41)
-      lists.push_back(example(t));
-    lists.push_back(example(1.0));
-    lists.back().background = glm::vec3(0.5f);
-    lists.push_back({});
-    lists.back().background = glm::vec3(0.5f);
-    std::vector<Image> alone;
-    for (const DrawList& list : lists)
-      alone.push_back(draw(list, "auto", transparent));
+    for (const Edges edges : {Edges::samples, Edges::outlines}) {
+      std::vector<Image> alone;
+      for (const DrawList& list : lists)
+        alone.push_back(draw(list, "auto", transparent, edges));
 
-    const std::unique_ptr<Context> context = open_context("auto");
-    Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent});
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      Image image;
-      renderer.draw(lists[i], image);
-      ASSERT_TRUE(image.pixels == alone[i].pixels) << i;
+      const std::unique_ptr<Context> context = open_context("auto");
+      Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent, edges});
+      Image used;
+      for (std::size_t i = 0; i < lists.size(); ++i) {
+        Image fresh;
+        renderer.draw(lists[i], fresh);
+        ASSERT_TRUE(fresh.pixels == alone[i].pixels) << i;
+        renderer.draw(lists[i], used);
+        ASSERT_TRUE(used.pixels == alone[i].pixels) << i;
+      }
     }
   }
+}
+
+// what a picture says of itself: outside the painted boxes there is nothing but ground
+TEST(Renderer, NothingIsOutsideThePaintedBoxes) {
+  Image image = draw(example(0.4), "auto");
+  ASSERT_TRUE(image.ground);
+  ASSERT_FALSE(image.painted.empty());
+  for (const PixelBox& box : image.painted)
+    image.fill(box, *image.ground);
+  Image plain;
+  plain.wipe(image.width, image.height, *image.ground);
+  EXPECT_EQ(image.pixels, plain.pixels);
+}
+
+// against the mean of 64 pictures, each a part of a pixel aside: outlines serve at least as well as
+// four samples from the size on at which they are taken
+TEST(Renderer, OutlinesAreNoWorseThanFourSamples) {
+  constexpr FrameSize kLarge{960, 540};
+  const BodySpec body = test::prolate_body();
+  const Composer composer(
+      test::moving(body, test::wobbling()), body, CameraSpec{}, ShowSpec{}, ThemeSpec{}, kLarge);
+  const DrawList list = composer.at(0.7);
+  const std::unique_ptr<Context> context = open_context("auto");
+  const auto drawn = [&](const DrawList& what, int samples, Edges edges) {
+    Renderer renderer(*context, {kLarge.width, kLarge.height, samples, false, edges});
+    EXPECT_EQ(renderer.info().by_outlines, edges == Edges::outlines);
+    Image image;
+    renderer.draw(what, image);
+    return image;
+  };
+  std::vector<double> truth;
+  constexpr int kSide = 8;
+  Renderer plain(*context, {kLarge.width, kLarge.height, 0, false, Edges::samples});
+  for (int k = 0; k < kSide * kSide; ++k) {
+    DrawList moved = list;
+    glm::mat4 aside(1.0f);
+    aside[3][0] = 2.0f * ((k % kSide + 0.5f) / kSide - 0.5f) / kLarge.width;
+    aside[3][1] = 2.0f * ((k / kSide + 0.5f) / kSide - 0.5f) / kLarge.height;
+    moved.view.clip_from_world = aside * moved.view.clip_from_world;
+    Image image;
+    plain.draw(moved, image);
+    truth.resize(image.pixels.size());
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      truth[i] += image.pixels[i] / static_cast<double>(kSide * kSide);
+  }
+  const auto error = [&](const Image& image) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      squares += (image.pixels[i] - truth[i]) * (image.pixels[i] - truth[i]);
+    return std::sqrt(squares / static_cast<double>(truth.size()));
+  };
+  const double none = error(drawn(list, 0, Edges::samples));
+  const double four = error(drawn(list, 4, Edges::samples));
+  const double outlines = error(drawn(list, 4, Edges::outlines));
+  EXPECT_LT(outlines, four);
+  EXPECT_LT(four, 0.5 * none);
 }
 
 // a panel is drawn as if it were a picture by itself, whatever its neighbours do
@@ -159,7 +227,7 @@ TEST(Renderer, MarkTellsHalfATurn) {
 }
 
 // edges are smooth: a slanted edge has several levels between inside and outside
-TEST(Renderer, EdgesAreMultisampled) {
+TEST(Renderer, SmallPicturesHaveFourSamples) {
   const std::unique_ptr<Context> context = open_context("auto");
   const Renderer renderer(*context, {64, 64, 4, false});
   EXPECT_EQ(renderer.info().samples, 4);

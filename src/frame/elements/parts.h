@@ -15,6 +15,7 @@ inline constexpr ArrowShape kOmegaShape{0.025, 0.064, 0.17};
 inline constexpr ArrowShape kMomentumShape{0.018, 0.050, 0.23};
 inline constexpr ArrowShape kForceShape{0.016, 0.066, 0.11};
 inline constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
+inline constexpr ArrowShape kComponentShape{0.015, 0.042, 0.12};  // may lie along an axis
 inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
 inline constexpr double kRimRadius = 0.008;  // of tubes along rims and curves
 

@@ -95,7 +95,7 @@ void add_omega_components(const Stage& stage, const Sample& sample, Marks& marks
     add_vector(stage,
                sample.reference_S,
                sample.reference_S + along,
-               kAxisShape,
+               kComponentShape,
                plain(stage.theme.omega, 0.2f),
                marks,
                kComponentNames[static_cast<std::size_t>(i)]);
@@ -120,7 +120,7 @@ void add_euler_rates(const Stage& stage, const Sample& sample, Marks& marks) {
     add_vector(stage,
                sample.reference_S,
                sample.reference_S + stage.scale.omega * rates[i] * axes_S[k],
-               kAxisShape,
+               kComponentShape,
                plain(stage.theme.omega, 0.2f),
                marks,
                kRateNames[k]);

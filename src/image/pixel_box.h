@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Rectangles of pixels.
+#pragma once
+
+#include <algorithm>
+
+namespace polhode {
+
+// Rows count from the top; empty when it holds no pixel.
+struct PixelBox {
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+
+  int right() const { return x + width; }
+  int bottom() const { return y + height; }
+  bool empty() const { return width <= 0 || height <= 0; }
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+// What both hold.
+inline PixelBox common(const PixelBox& a, const PixelBox& b) {
+  const int x = std::max(a.x, b.x);
+  const int y = std::max(a.y, b.y);
+  return {x, y, std::min(a.right(), b.right()) - x, std::min(a.bottom(), b.bottom()) - y};
+}
+
+}  // namespace polhode

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "render/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+namespace polhode {
+namespace {
+
+constexpr float kSameShade = 0.98f;  // cosine between normals that shade as one surface
+
+// one number for each corner, however often it is listed
+class Corners {
+ public:
+  explicit Corners(float size) : grid_(1.0f / (1e-5f * std::max(size, 1e-30f))) {}
+  std::uint32_t of(const glm::vec3& p, std::vector<glm::vec3>& points) {
+    const auto whole = [&](float x) {
+      return static_cast<std::uint64_t>(std::llround(x * grid_)) & 0x1fffff;
+    };
+    const std::uint64_t key = whole(p.x) | (whole(p.y) << 21) | (whole(p.z) << 42);
+    const auto [found, added] = numbers_.try_emplace(key, points.size());
+    if (added) points.push_back(p);
+    return found->second;
+  }
+
+ private:
+  float grid_;
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+MeshEdges::MeshEdges(const Mesh& mesh) {
+  float size = 0.0f;
+  for (const Vertex& v : mesh.vertices)
+    size = std::max({size, std::abs(v.position.x), std::abs(v.position.y), std::abs(v.position.z)});
+  Corners corners(size);
+  std::vector<std::uint32_t> corner_of(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    corner_of[i] = corners.of(mesh.vertices[i].position, points_);
+
+  struct Side {
+    std::uint32_t face;
+    std::array<glm::vec3, 2> normals;  // at the end with the smaller number, at the other
+    int count = 1;
+    Edge edge;
+    bool sharp = false;
+  };
+  std::unordered_map<std::uint64_t, Side> sides;
+  sides.reserve(mesh.indices.size() / 2);
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const std::array<std::uint32_t, 3> v = {
+        mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]};
+    const std::array<glm::vec3, 3> p = {
+        mesh.vertices[v[0]].position, mesh.vertices[v[1]].position, mesh.vertices[v[2]].position};
+    const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    if (corner_of[v[0]] == corner_of[v[1]] || corner_of[v[1]] == corner_of[v[2]] ||
+        corner_of[v[2]] == corner_of[v[0]])
+      continue;
+    const auto face = static_cast<std::uint32_t>(planes_.size());
+    planes_.emplace_back(normal, -glm::dot(normal, p[0]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t a = v[k], b = v[(k + 1) % 3];
+      if (corner_of[a] > corner_of[b]) std::swap(a, b);
+      const std::uint64_t key = (std::uint64_t{corner_of[a]} << 32) | corner_of[b];
+      const std::array<glm::vec3, 2> normals = {mesh.vertices[a].normal, mesh.vertices[b].normal};
+      const auto [found, added] = sides.try_emplace(
+          key, Side{face, normals, 1, {{corner_of[a], corner_of[b]}, {face, face}, true}, false});
+      if (added) continue;
+      Side& side = found->second;
+      ++side.count;
+      side.edge.faces[1] = face;
+      side.edge.border = side.count != 2;
+      side.sharp = glm::dot(side.normals[0], normals[0]) < kSameShade ||
+                   glm::dot(side.normals[1], normals[1]) < kSameShade;
+    }
+  }
+  for (const auto& [key, side] : sides)
+    (side.edge.border || side.sharp ? sharp_ : smooth_).push_back(side.edge);
+}
+
+void OutlineSmoother::begin(const View& view, const PixelBox& place, const PixelBox& box) {
+  view_ = view;
+  place_ = place;
+  box_ = box;
+  shells_.clear();
+  pieces_.clear();
+  const glm::vec4 z = glm::row(view.clip_from_world, 2);
+  const glm::vec4 w = glm::row(view.clip_from_world, 3);
+  const glm::vec3 forward(w);
+  depth_scale_ = glm::dot(glm::vec3(z), forward) / glm::dot(forward, forward);
+  depth_offset_ = z.w - depth_scale_ * w.w;
+  const float focal = glm::length(glm::vec3(glm::row(view.clip_from_world, 1)));
+  pixel_ = 2.0f / (focal * static_cast<float>(place.height));
+}
+
+void OutlineSmoother::add(const MeshEdges& edges, const DrawItem& item) {
+  if (!item.material.opaque()) {
+    // the far and the near side of a surface come one by one and have the same outlines
+    const std::pair<const Mesh*, glm::mat4> shell{item.mesh.get(), item.world_from_mesh};
+    if (std::find(shells_.begin(), shells_.end(), shell) != shells_.end()) return;
+    shells_.push_back(shell);
+  }
+  const glm::vec3 eye(glm::inverse(item.world_from_mesh) * glm::vec4(view_.eye, 1.0f));
+  const glm::mat4 clip_from_mesh = view_.clip_from_world * item.world_from_mesh;
+  const glm::vec2 corner(place_.x - box_.x, place_.y - box_.y);
+  const glm::vec2 size(place_.width, place_.height);
+  const auto on_picture = [&](const glm::vec4& clip) {
+    return corner + (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
+  };
+  // a surface just inside its outline is nearer than the outline: by what a ball of the body's size
+  // rises within a pixel
+  const auto depth = [&](float w) {
+    constexpr float kRadius = 1.5f;  // drawing units
+    const float nearer = std::max(0.5f * w, w - std::sqrt(2.0f * kRadius * pixel_ * w));
+    return 0.5f + 0.5f * (depth_scale_ + depth_offset_ / nearer);
+  };
+  edges.each_seen(eye, [&](const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec4 from = clip_from_mesh * glm::vec4(a, 1.0f);
+    const glm::vec4 to = clip_from_mesh * glm::vec4(b, 1.0f);
+    if (from.w <= 0.0f || to.w <= 0.0f) return;  // behind the eye
+    pieces_.push_back({on_picture(from), on_picture(to), depth(from.w), depth(to.w)});
+  });
+}
+
+void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& depth) {
+  // along its longer side, from one column (or row) of pixels to the next
+  const glm::vec2 sides = glm::abs(piece.to - piece.from);
+  const int along = sides.x >= sides.y ? 0 : 1;
+  const int across = 1 - along;
+  const bool forward = piece.from[along] < piece.to[along];
+  const glm::vec2& first = forward ? piece.from : piece.to;
+  const glm::vec2& last = forward ? piece.to : piece.from;
+  const float depth_first = forward ? piece.depth_from : piece.depth_to;
+  const float depth_last = forward ? piece.depth_to : piece.depth_from;
+  const float length = last[along] - first[along];
+  if (!(length > 0.0f)) return;
+  const float slope = (last[across] - first[across]) / length;
+  const float steep = std::abs(slope);
+  const float reach = 0.5f + 0.5f * steep;  // of the edge, in pixels across
+
+  const int long_side = along == 0 ? box_.width : box_.height;
+  const int short_side = along == 0 ? box_.height : box_.width;
+  const auto pixel_after = [](float x) {
+    return static_cast<int>(std::ceil(x - 0.5f));
+  };
+  const int begin = pixel_after(std::max(first[along], 0.0f));
+  const int end = pixel_after(std::min(last[along], static_cast<float>(long_side)));
+  for (int i = begin; i < end; ++i) {
+    const float way = (static_cast<float>(i) + 0.5f - first[along]) / length;
+    const float edge = first[across] + way * (last[across] - first[across]);
+    const float z = depth_first + way * (depth_last - depth_first);
+    const int low = pixel_after(std::max(edge - reach, 1.0f));
+    const int high = pixel_after(std::min(edge + reach, static_cast<float>(short_side - 1)));
+    for (int j = low; j < high; ++j) {
+      const int x = along == 0 ? i : j;
+      const int y = along == 0 ? j : i;
+      if (depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width) +
+                static_cast<std::size_t>(x)] < z) {
+        continue;  // hidden
+      }
+      // the part of the pixel beyond the edge: a trapezium, or a triangle at a corner
+      const float off = edge - (static_cast<float>(j) + 0.5f);
+      const float middle = 0.5f - std::abs(off);
+      const float most = middle + 0.5f * steep;
+      const float share = middle >= 0.5f * steep ? middle : 0.5f * most * most / steep;
+      // pieces that lie on each other count once
+      float& known =
+          crossed(x, y).shares[2 * static_cast<std::size_t>(across) + (off > 0.0f ? 0 : 1)];
+      known = std::max(known, share);
+    }
+  }
+}
+
+OutlineSmoother::Crossed& OutlineSmoother::crossed(int x, int y) {
+  std::int32_t& number =
+      number_[static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width) +
+              static_cast<std::size_t>(x)];
+  if (number < 0) {
+    number = static_cast<std::int32_t>(crossed_.size());
+    crossed_.push_back({x, y, {}});
+  }
+  return crossed_[static_cast<std::size_t>(number)];
+}
+
+void OutlineSmoother::smooth(const std::vector<float>& depth, Image& image) {
+  crossed_.clear();
+  number_.assign(depth.size(), -1);
+  for (const Piece& piece : pieces_)
+    collect(piece, depth);
+
+  // all colours are those from before
+  constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  mixed_.clear();
+  for (const Crossed& pixel : crossed_) {
+    const std::uint8_t* own = image.at(box_.x + pixel.x, box_.y + pixel.y);
+    std::array<float, 4> sum{};
+    float shares = 0.0f;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (pixel.shares[k] == 0.0f) continue;
+      const auto [dx, dy] = kNeighbours[k];
+      const std::uint8_t* other = image.at(box_.x + pixel.x + dx, box_.y + pixel.y + dy);
+      shares += pixel.shares[k];
+      for (std::size_t c = 0; c < 4; ++c)
+        sum[c] += pixel.shares[k] * static_cast<float>(other[c]);
+    }
+    const float rest = std::max(0.0f, 1.0f - shares);
+    std::array<std::uint8_t, 4> value{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const float mean = (sum[c] + rest * static_cast<float>(own[c])) / (shares + rest);
+      value[c] = static_cast<std::uint8_t>(mean + 0.5f);
+    }
+    mixed_.push_back(value);
+  }
+  for (std::size_t i = 0; i < crossed_.size(); ++i)
+    std::copy(mixed_[i].begin(),
+              mixed_[i].end(),
+              image.at(box_.x + crossed_[i].x, box_.y + crossed_[i].y));
+}
+
+}  // namespace polhode

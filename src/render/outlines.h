@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Smooth outlines without extra samples: a picture with one sample per pixel jumps where the
+// outline of a mesh passes between two pixel centres; the geometry tells where it passes, so each
+// pixel that it crosses takes the share of its neighbour's colour that lies on the other side
+// (E. Persson, "Geometric post-process anti-aliasing", 2011; here with exact areas).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "frame/draw_list.h"
+#include "image/image.h"
+
+namespace polhode {
+
+// The edges of a mesh between faces, found once.
+class MeshEdges {
+ public:
+  explicit MeshEdges(const Mesh& mesh);
+
+  // Calls seen(a, b) with the ends, mesh coordinates, of each edge that may be an outline from this
+  // eye: between a face that looks there and one that does not, at a crease, at a border.
+  template <class Seen>
+  void each_seen(const glm::vec3& eye, const Seen& seen) const {
+    std::vector<char>& towards = towards_;
+    towards.resize(planes_.size());
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+      towards[i] = glm::dot(planes_[i], glm::vec4(eye, 1.0f)) > 0.0f ? 1 : 0;
+    for (const Edge& edge : smooth_) {
+      if (towards[edge.faces[0]] != towards[edge.faces[1]])
+        seen(points_[edge.ends[0]], points_[edge.ends[1]]);
+    }
+    for (const Edge& edge : sharp_) {
+      if ((towards[edge.faces[0]] | towards[edge.faces[1]]) != 0 || edge.border)
+        seen(points_[edge.ends[0]], points_[edge.ends[1]]);
+    }
+  }
+
+ private:
+  struct Edge {
+    std::array<std::uint32_t, 2> ends;   // in points_
+    std::array<std::uint32_t, 2> faces;  // in planes_; a border has the same twice
+    bool border = false;
+  };
+  std::vector<glm::vec3> points_;  // corners, each once
+  std::vector<glm::vec4> planes_;  // of the faces: positive for eyes that see them
+  std::vector<Edge> smooth_;       // where shading goes on: outlines only against the eye
+  std::vector<Edge> sharp_;
+  mutable std::vector<char> towards_;  // scratch
+};
+
+// Collects the outlines of one panel and smooths them.
+class OutlineSmoother {
+ public:
+  // Begins with the part `box` of a panel at `place`.
+  void begin(const View& view, const PixelBox& place, const PixelBox& box);
+  // The outlines of a thing that was drawn there.
+  void add(const MeshEdges& edges, const DrawItem& item);
+  // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of the box,
+  // rows from the top; the picture is premultiplied there, with one sample per pixel.
+  void smooth(const std::vector<float>& depth, Image& image);
+
+ private:
+  // A straight piece of an outline: pixels of the box; depths are a little nearer than the edge.
+  struct Piece {
+    glm::vec2 from, to;
+    float depth_from, depth_to;
+  };
+  // A pixel of the box that edges cross, and how much of it lies beyond them, where the neighbours
+  // to the right, to the left, below and above have the colour.
+  struct Crossed {
+    int x, y;
+    std::array<float, 4> shares{};
+  };
+  void collect(const Piece& piece, const std::vector<float>& depth);
+  Crossed& crossed(int x, int y);
+
+  View view_;
+  PixelBox place_, box_;
+  float depth_scale_ = 0.0f, depth_offset_ = 0.0f;  // z of clip space = scale * w + offset
+  float pixel_ = 0.0f;                              // size of a pixel at w = 1, drawing units
+  std::vector<std::pair<const Mesh*, glm::mat4>> shells_;  // translucent things added so far
+  std::vector<Piece> pieces_;
+  std::vector<Crossed> crossed_;
+  std::vector<std::array<std::uint8_t, 4>> mixed_;  // their new colours
+  std::vector<std::int32_t> number_;  // in crossed_, of each pixel of the box; -1: not there
+};
+
+}  // namespace polhode

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "render/surface.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+namespace polhode {
+namespace {
+
+// the inverse transposed, up to a factor, of a matrix of any size: its determinant may be out of
+// single precision's reach
+glm::mat3 normal_from_mesh(const glm::mat3& world_from_mesh) {
+  const float size = std::max({glm::length(world_from_mesh[0]),
+                               glm::length(world_from_mesh[1]),
+                               glm::length(world_from_mesh[2])});
+  return glm::transpose(glm::inverse(world_from_mesh / size));
+}
+
+}  // namespace
+
+SurfacePrograms::Uniforms::Uniforms(const Program& p)
+    : clip_from_world(p.uniform("u_clip_from_world")),
+      world_from_mesh(p.uniform("u_world_from_mesh")),
+      normal_from_mesh(p.uniform("u_normal_from_mesh")),
+      eye(p.uniform("u_eye")),
+      key_light(p.uniform("u_key_light")),
+      fill_light(p.uniform("u_fill_light")),
+      color(p.uniform("u_color")),
+      alpha(p.uniform("u_alpha")),
+      gloss(p.uniform("u_gloss")),
+      mark_color(p.uniform("u_mark_color")),
+      mark_width(p.uniform("u_mark_width")),
+      fade(p.uniform("u_fade")) {}
+
+SurfacePrograms::Made::Made(const Gl& gl, const std::string& head)
+    : program(gl, "scene.vert", "scene.frag", head), u(program) {}
+
+SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
+  std::unique_ptr<Made>& entry = programs_[kind];
+  if (entry == nullptr) {
+    const std::string constants = fmt::format(
+        "#define FINISH {}\n#define FLAT {:d}\n#define SOFT {:d}\n#define MARKED {:d}\n"
+        "#define SHELL {:d}\n#define LIT_AT_CORNERS {:d}\n",
+        static_cast<int>(kind.finish),
+        kind.flat,
+        kind.soft,
+        kind.marked,
+        kind.shell,
+        kind.shell && !kind.flat && !kind.marked && kind.finish == Finish::plain);
+    entry = std::make_unique<Made>(gl_, constants + shader_source("light.glsl"));
+  }
+  return *entry;
+}
+
+void SurfacePrograms::begin(const View& view, const glm::mat4& clip_from_world) {
+  view_ = view;
+  clip_from_world_ = clip_from_world;
+  for (const auto& [kind, entry] : programs_)
+    entry->has_view = false;
+}
+
+void SurfacePrograms::use(const Material& material, const glm::mat4& world_from_mesh) {
+  Made& now = made({material.finish,
+                    material.flat,
+                    material.flat && material.soft,
+                    material.mark_width > 0.0f,
+                    material.alpha < 1.0f});
+  const Uniforms& u = now.u;
+  if (used_ != &now) now.program.use();
+  used_ = &now;
+  if (!now.has_view) {
+    gl_.UniformMatrix4fv(u.clip_from_world, 1, GL_FALSE, glm::value_ptr(clip_from_world_));
+    gl_.Uniform3fv(u.eye, 1, glm::value_ptr(view_.eye));
+    gl_.Uniform3fv(u.key_light, 1, glm::value_ptr(view_.key_light));
+    gl_.Uniform3fv(u.fill_light, 1, glm::value_ptr(view_.fill_light));
+    now.has_view = true;
+  }
+  const glm::mat3 normals = normal_from_mesh(glm::mat3(world_from_mesh));
+  gl_.UniformMatrix4fv(u.world_from_mesh, 1, GL_FALSE, glm::value_ptr(world_from_mesh));
+  gl_.UniformMatrix3fv(u.normal_from_mesh, 1, GL_FALSE, glm::value_ptr(normals));
+  gl_.Uniform3fv(u.color, 1, glm::value_ptr(material.color));
+  gl_.Uniform1f(u.alpha, material.alpha);
+  gl_.Uniform1f(u.gloss, material.gloss);
+  gl_.Uniform3fv(u.mark_color, 1, glm::value_ptr(material.mark_color));
+  gl_.Uniform1f(u.mark_width, material.mark_width);
+  gl_.Uniform1f(u.fade, material.fade);
+}
+
+}  // namespace polhode
