@@ -17,7 +17,8 @@ int frame_at(const Frames& frames, double film_time) {
 
 // one line, for the menu of a player
 std::string one_line(std::string words) {
-  std::replace_if(words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return words;
 }
 
@@ -49,7 +50,8 @@ std::vector<FilmMarks::Chapter> chapters_of(const Scene& scene,
   for (std::size_t i = 0; i < told.steps().size(); ++i) {
     const StoryStep& step = told.steps()[i];
     const bool says = step.caption && !step.caption->empty();
-    if (says || step.hold > 0.0) chapters.push_back({frame_at(frames, told.starts()[i]), title_of(step)});
+    if (says || step.hold > 0.0)
+      chapters.push_back({frame_at(frames, told.starts()[i]), title_of(step)});
   }
   for (const ShotSpec& shot : scene.shots) {
     if (shot.name.empty()) continue;
@@ -59,10 +61,9 @@ std::vector<FilmMarks::Chapter> chapters_of(const Scene& scene,
   std::stable_sort(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
     return a.start < b.start;
   });
-  const auto last =
-      std::unique(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
-        return a.start == b.start;
-      });
+  const auto last = std::unique(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
+    return a.start == b.start;
+  });
   chapters.erase(last, chapters.end());
   std::erase_if(chapters, [&](const auto& chapter) {
     return chapter.start < 0 || chapter.start >= frames.count;

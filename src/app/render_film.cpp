@@ -23,6 +23,7 @@
 #include "image/average.h"
 #include "render/renderer.h"
 #include "video/encoders.h"
+#include "video/film_output.h"
 #include "video/pipeline.h"
 #include "video/plain_sinks.h"
 
@@ -179,6 +180,10 @@ void render_film(const RenderJob& job) {
   const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
   refuse_same_file(output, "the output", job.scene);
   refuse_same_file(job.report, "--report", job.scene);
+  if (output == kStandardOutput && job.report == kStandardOutput) {
+    throw input_error("the film goes to standard output already; name a file")
+        .at({{}, 0, "--report"});
+  }
   refuse_same_file(job.report, "--report", output);
   if (!story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
   std::unique_ptr<AtomicFile> report_file;

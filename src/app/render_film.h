@@ -17,8 +17,8 @@ namespace polhode {
 struct Quality {
   std::string name;
   std::string doc;
-  int shrink = 1;      // the picture's sides are divided by this
-  std::string preset;  // effort, one of encoder_presets()
+  int shrink = 1;                // the picture's sides are divided by this
+  std::string preset;            // effort, one of encoder_presets()
   Grade grade = Grade::lecture;  // the codec's own constant rate factor and pixels
 };
 const std::vector<Quality>& qualities();

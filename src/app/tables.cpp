@@ -195,13 +195,14 @@ Diagnosis examine() {
                                              font.package)});
   }
   for (const FilmEncoder& encoder : film_encoders()) {
-    rows.push_back({"encoder " + encoder.name,
-                    fmt::format("{}, {}: {}",
-                                has_encoder(encoder.name)
-                                    ? "ok"
-                                    : "missing: install an FFmpeg that has it (Debian: libavcodec59)",
-                                encoder.title,
-                                encoder.doc)});
+    rows.push_back(
+        {"encoder " + encoder.name,
+         fmt::format("{}, {}: {}",
+                     has_encoder(encoder.name)
+                         ? "ok"
+                         : "missing: install an FFmpeg that has it (Debian: libavcodec59)",
+                     encoder.title,
+                     encoder.doc)});
   }
   const bool encodes = has_encoder("libx264");
   rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});

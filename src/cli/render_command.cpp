@@ -28,8 +28,7 @@ Action define_render(CLI::App& command) {
   add_text(command, "--codec", job->codec, "of .mp4 films: h264, hevc or av1")->type_name("NAME");
   add_text(command, "--preset", job->preset, "effort of the encoder, ultrafast to veryslow")
       ->type_name("P");
-  add_whole_number(
-      command, "--crf", job->crf, "quality, 1 (best) to 51; to 63 for VP9 and AV1")
+  add_whole_number(command, "--crf", job->crf, "quality, 1 (best) to 51; to 63 for VP9 and AV1")
       ->type_name("N");
   add_numerics_options(command, job->overrides);
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")

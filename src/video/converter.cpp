@@ -21,6 +21,8 @@ Owned<AVFrame> empty_frame(int width, int height, AVPixelFormat format, bool rgb
   frame->sample_aspect_ratio = {1, 1};
   frame->color_range = rgb ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
   frame->colorspace = rgb ? AVCOL_SPC_RGB : AVCOL_SPC_BT709;
+  frame->color_primaries = AVCOL_PRI_BT709;
+  frame->color_trc = rgb ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_BT709;
   check_libav(av_frame_get_buffer(frame.get(), 0), "no memory for a frame");
   return frame;
 }
@@ -49,7 +51,8 @@ Converter::Converter(int width, int height, AVPixelFormat format) {
   for (const auto& [key, value] : settings) {
     check_libav(av_opt_set_int(scaler_.get(), key, value, 0), key);
   }
-  check_libav(sws_init_context(scaler_.get(), nullptr, nullptr), "swscale cannot convert this size");
+  check_libav(sws_init_context(scaler_.get(), nullptr, nullptr),
+              "swscale cannot convert this size");
   if (is_rgb(kind)) return;
 
   // full-range RGB in, limited-range BT.709 out; swscale's own default would be BT.601

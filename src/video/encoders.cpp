@@ -54,9 +54,9 @@ void configure_x265(const EncoderSettings& settings, AVCodecContext&, LibavOptio
   options.set("preset", settings.preset);
   options.set("crf", std::to_string(settings.crf));
   options.set("forced-idr", "1");
-  options.set("x265-params",
-              fmt::format("log-level=none:open-gop=0:pools={0}:frame-threads={0}",
-                          settings.threads));
+  options.set(
+      "x265-params",
+      fmt::format("log-level=none:open-gop=0:pools={0}:frame-threads={0}", settings.threads));
 }
 
 void configure_vp9(const EncoderSettings& settings, AVCodecContext& c, LibavOptions& options) {
@@ -107,10 +107,8 @@ void configure_gif(const EncoderSettings&, AVCodecContext& c, LibavOptions&) {
 }
 
 Error unknown_codec(const FilmFormat& format, const std::string& codec) {
-  return input_error("{} films take no codec '{}'{}",
-                     format.ending,
-                     codec,
-                     suggestion(codec, format.codecs));
+  return input_error(
+      "{} films take no codec '{}'{}", format.ending, codec, suggestion(codec, format.codecs));
 }
 
 // what --crf or --preset is for, when this output takes none
@@ -157,7 +155,7 @@ const std::vector<FilmEncoder>& film_encoders() {
       // forces keyframes, and takes every size; SVT does neither
       {"av1", "AV1", "libaom-av1", ".mp4 of half the size for browsers, --codec av1",
        false, true, 63, {38, 28, 18}, plain_pixels, configure_aom},
-      {"av1", "AV1", "libsvtav1", "AV1 where libaom-av1 is missing, keyframes only every second",
+      {"av1", "AV1", "libsvtav1", "where libaom-av1 is missing; keyframes only every second",
        false, true, 63, {38, 28, 18}, plain_pixels, configure_svt},
       {"vp9", "VP9", "libvpx-vp9", ".webm for web pages, with alpha",
        true, true, 63, {36, 24, 15}, vp9_pixels, configure_vp9},
@@ -177,7 +175,8 @@ const std::vector<FilmEncoder>& film_encoders() {
 const std::vector<FilmFormat>& film_formats() {
   static const std::vector<FilmFormat> table = {
       {".mp4", "mp4", {"h264", "hevc", "av1"}, true, {{"movflags", "+faststart"}}},
-      {".webm", "webm", {"vp9"}, true, {}},
+      // the numbers of tracks would be random
+      {".webm", "webm", {"vp9"}, true, {{"fflags", "+bitexact"}}},
       {".mov", "mov", {"prores"}, true, {{"movflags", "+faststart"}}},
       {".gif", "gif", {"gif"}, false, {}},
       {".apng", "apng", {"apng"}, false, {{"plays", "0"}}},
@@ -210,9 +209,10 @@ const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& cod
     if (has_encoder(encoder.name)) return encoder;
     tried.push_back(encoder.name);
   }
-  throw environment_error("this FFmpeg has no {}; install one that has (Debian: libavcodec59), or "
-                          "choose another format",
-                          fmt::join(tried, " and no "));
+  throw environment_error(
+      "this FFmpeg has no {}; install one that has (Debian: libavcodec59), or "
+      "choose another format",
+      fmt::join(tried, " and no "));
 }
 
 EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wish) {

@@ -18,14 +18,14 @@ class LibavOptions;
 
 // One way to compress a film: a codec by one of libav's encoders.
 struct FilmEncoder {
-  std::string codec;              // as --codec takes it, "h264"
-  std::string title;              // for people, "H.264"
-  std::string name;               // libav's, "libx264"
-  std::string doc;                // one phrase: what for
-  bool alpha = false;             // can keep transparency
-  bool presets = false;           // takes --preset
-  int worst_crf = 0;              // --crf is 1 (best) to this; 0: it takes none
-  std::array<int, 3> crf = {};    // for draft, lecture, archive
+  std::string codec;            // as --codec takes it, "h264"
+  std::string title;            // for people, "H.264"
+  std::string name;             // libav's, "libx264"
+  std::string doc;              // one phrase: what for
+  bool alpha = false;           // can keep transparency
+  bool presets = false;         // takes --preset
+  int worst_crf = 0;            // --crf is 1 (best) to this; 0: it takes none
+  std::array<int, 3> crf = {};  // for draft, lecture, archive
   // AVPixelFormat of frames with alpha or without, at the finest or as players like it
   int (*pixels)(bool alpha, bool finest) = nullptr;
   // everything else it is told before it opens; size, rate and tags are there already
@@ -37,11 +37,11 @@ const std::vector<FilmEncoder>& film_encoders();
 
 // A container, recognised by the ending of the output.
 struct FilmFormat {
-  std::string ending;                                // ".mp4"
-  std::string muxer;                                 // libav's name
-  std::vector<std::string> codecs;                   // the first is the default
-  bool tells = false;                                // keeps title, chapters; captions go beside
-  std::vector<std::array<std::string, 2>> options;   // of the muxer
+  std::string ending;                               // ".mp4"
+  std::string muxer;                                // libav's name
+  std::vector<std::string> codecs;                  // the first is the default
+  bool tells = false;                               // keeps title, chapters; captions go beside
+  std::vector<std::array<std::string, 2>> options;  // of the muxer
 };
 const std::vector<FilmFormat>& film_formats();
 

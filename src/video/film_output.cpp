@@ -44,8 +44,9 @@ int write_to_standard_output(void*, std::uint8_t* bytes, int count) {
 
 AVIOContext* open_standard_output() {
   if (isatty(STDOUT_FILENO) != 0) {
-    throw input_error("a film is no text for a terminal; send it to a program or a file, such as "
-                      "-o - | ffplay -");
+    throw input_error(
+        "a film is no text for a terminal; send it to a program or a file, such as "
+        "-o - | ffplay -");
   }
   auto* buffer = static_cast<std::uint8_t*>(made(av_malloc(kBuffer)));
   AVIOContext* stream =

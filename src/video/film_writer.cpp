@@ -54,10 +54,7 @@ void set_colours(AVCodecContext& c) {
 }  // namespace
 
 FilmWriter::FilmWriter(const SinkJob& job)
-    : job_(job),
-      format_(format_of(job)),
-      row_(fitting_encoder(format_, job)),
-      output_(job.output) {
+    : job_(job), format_(format_of(job)), row_(fitting_encoder(format_, job)), output_(job.output) {
   quieten_libav();
   naming_output(job_.output, [&] {
     open_muxer();
@@ -67,13 +64,11 @@ FilmWriter::FilmWriter(const SinkJob& job)
 
 void FilmWriter::open_muxer() {
   AVFormatContext* muxer = nullptr;
-  check_libav(avformat_alloc_output_context2(
-                  &muxer, nullptr, format_.muxer.c_str(), output_.url().c_str()),
-              fmt::format("this FFmpeg writes no {}", format_.ending));
+  check_libav(
+      avformat_alloc_output_context2(&muxer, nullptr, format_.muxer.c_str(), output_.url().c_str()),
+      fmt::format("this FFmpeg writes no {}", format_.ending));
   muxer_.reset(muxer);
   muxer_->pb = output_.stream();
-  // what is written depends on what is told, not on the hour or the library's version
-  muxer_->flags |= AVFMT_FLAG_BITEXACT;
   if (!format_.tells) return;
   const std::string encoder = fmt::format("{} of FFmpeg {}", row_.name, av_version_info());
   const std::pair<const char*, const std::string&> notes[] = {
@@ -103,11 +98,10 @@ void FilmWriter::open_encoder() {
   LibavOptions options;
   row_.configure(job_.encoder, c, options);
   const std::set<int> before = thread_ids();
-  check_libav(avcodec_open2(&c, codec, options.pass()),
-              fmt::format("the encoder {} does not open for {}x{} pixels",
-                          row_.name,
-                          job_.width,
-                          job_.height));
+  check_libav(
+      avcodec_open2(&c, codec, options.pass()),
+      fmt::format(
+          "the encoder {} does not open for {}x{} pixels", row_.name, job_.width, job_.height));
   options.refuse_leftovers(row_.name);
   threads_ = thread_ids();
   for (const int id : before) {

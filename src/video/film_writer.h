@@ -57,6 +57,7 @@ void naming_output(const std::string& output, const Work& work) {
   try {
     work();
   } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;  // has no place
     throw error.at({output, 0, {}});
   }
 }

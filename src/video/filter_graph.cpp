@@ -73,9 +73,9 @@ FilterGraph::FilterGraph(const std::string& description, const std::vector<Filte
 }
 
 void FilterGraph::push(std::size_t input, AVFrame* frame) {
-  check_libav(
-      av_buffersrc_add_frame_flags(sources_[input], frame, AV_BUFFERSRC_FLAG_KEEP_REF),
-      "cannot filter a frame");
+  check_libav(av_buffersrc_add_frame_flags(
+                  sources_[input], frame, AV_BUFFERSRC_FLAG_KEEP_REF | AV_BUFFERSRC_FLAG_PUSH),
+              "cannot filter a frame");
 }
 
 AVFrame* FilterGraph::pull() {

@@ -36,10 +36,10 @@ struct FilmMarks {
     int end = 0;    // first frame that has it no more
     std::string words;
   };
-  int frames = 0;                  // how many will come
-  std::vector<int> key_frames;     // where a player must be able to stop and begin, beside 0
-  std::vector<Chapter> chapters;   // by start, the first at 0; none: empty
-  std::vector<Caption> captions;   // by start; written beside films as NAME.vtt
+  int frames = 0;                 // how many will come
+  std::vector<int> key_frames;    // where a player must be able to stop and begin, beside 0
+  std::vector<Chapter> chapters;  // by start, the first at 0; none: empty
+  std::vector<Caption> captions;  // by start; written beside films as NAME.vtt
 };
 
 // Times of the sink's own stages.
@@ -62,11 +62,11 @@ class FrameSink {
 
 // One row per kind of output: how it is recognised and made.
 struct SinkKind {
-  std::string name;    // "mp4"
-  std::string ending;  // ".mp4"; empty when recognised otherwise
-  std::string doc;     // one phrase for `list formats`
-  bool alpha = false;  // can keep transparency
-  bool film = false;   // one file of many frames, for people
+  std::string name;                                      // "mp4"
+  std::string ending;                                    // ".mp4"; empty when recognised otherwise
+  std::string doc;                                       // one phrase for `list formats`
+  bool alpha = false;                                    // can keep transparency
+  bool film = false;                                     // one file of many frames, for people
   bool (*accepts)(const std::string& output) = nullptr;  // null: by the ending
   std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;
 };

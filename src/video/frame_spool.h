@@ -15,8 +15,11 @@ namespace polhode {
 class FrameSpool {
  public:
   // In that folder; frames of bgra or bgr0.
-  FrameSpool(
-      const std::filesystem::path& folder, int width, int height, AVPixelFormat format, int threads);
+  FrameSpool(const std::filesystem::path& folder,
+             int width,
+             int height,
+             AVPixelFormat format,
+             int threads);
 
   void push(const AVFrame& frame);
   // No more will be pushed.

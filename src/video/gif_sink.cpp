@@ -15,8 +15,8 @@
 namespace polhode {
 namespace {
 
-constexpr int kFastest = 50;        // frames per second; players slow faster ones down to 10
-constexpr int kPaletteSide = 16;    // pixels of libavfilter's picture of a palette
+constexpr int kFastest = 50;      // frames per second; players slow faster ones down to 10
+constexpr int kPaletteSide = 16;  // pixels of libavfilter's picture of a palette
 constexpr const char* kDither = "paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle";
 
 AVPixelFormat pixels_of(const SinkJob& job) {
