@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "support/run.h"
 
 namespace polhode {
@@ -124,15 +126,20 @@ TEST_F(Formats, ASmallFileSystemIsFull) {
   for (const Way& way : kWays) {
     const std::string name = way.name;
     if (name == "a.hash") continue;  // is smaller
-    const std::string command = enter + " || exit 9; \"" POLHODE_BINARY "\" render \"" +
-                                (folder_ / "scene.toml") + "\" -o \"" + disk + "/" + name +
-                                "\" --fps 30 --size 320x180 --crf-or-not " + way.options + " 2>\"" +
-                                (folder_ / "err") + "\"; echo $? $(ls -A \"" + disk +
-                                "\" | wc -l) >\"" + (folder_ / "out") + "\"'";
-    std::string run = command;
-    const std::string place = "--crf-or-not";
     const bool crf = has_captions(way) && !name.ends_with(".mov");
-    run.replace(run.find(place), place.size(), crf ? "--crf 1" : "");
+    const std::string run = fmt::format(
+        "{} || exit 9; \"{}\" render \"{}\" -o \"{}/{}\" --fps 30 --size 320x180 {} {} "
+        "2>\"{}\"; echo $? $(ls -A \"{}\" | wc -l) >\"{}\"'",
+        enter,
+        POLHODE_BINARY,
+        folder_ / "scene.toml",
+        disk,
+        name,
+        way.options,
+        crf ? "--crf 1" : "",
+        folder_ / "err",
+        disk,
+        folder_ / "out");
     ASSERT_EQ(std::system(run.c_str()), 0);
     EXPECT_EQ(test::read_text(folder_ / "out"), "3 0\n") << name << way.options;
     const std::string err = test::read_text(folder_ / "err");
@@ -205,13 +212,13 @@ TEST_F(Formats, StandardOutputCarriesFramesAndNothingElse) {
   EXPECT_TRUE(ran.out.starts_with("YUV4MPEG2 W128 H72 F10:1 ")) << ran.out.substr(0, header);
   EXPECT_NE(ran.out.substr(0, header).find("C420mpeg2"), std::string::npos);
   EXPECT_NE(ran.out.substr(0, header).find("XCOLORRANGE=LIMITED"), std::string::npos);
-  EXPECT_EQ(ran.out.size(), header + 20 * (frame.size() + 128 * 72 * 3 / 2));
+  EXPECT_EQ(ran.out.size(), header + 20 * (frame.size() + 128UL * 72 * 3 / 2));
   expect_nothing_left("-");
 
   const Ran fine = run_polhode(render("-", "--quality archive"));
   const std::size_t fine_header = fine.out.find('\n') + 1;
   EXPECT_NE(fine.out.substr(0, fine_header).find("C444"), std::string::npos);
-  EXPECT_EQ(fine.out.size(), fine_header + 20 * (frame.size() + 128 * 72 * 3));
+  EXPECT_EQ(fine.out.size(), fine_header + 20 * (frame.size() + 128UL * 72 * 3));
 }
 
 TEST_F(Formats, AnotherProgramReadsThePipe) {
