@@ -2,10 +2,14 @@
 // A chain of libavfilter's filters that frames are pushed through. Not for other rooms.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "video/libav.h"
+
+struct AVFilterContext;
+struct AVFilterGraph;
 
 namespace polhode {
 
@@ -18,7 +22,8 @@ struct FilterInput {
 };
 
 // Filters as libavfilter's text describes them; the output pad is called "out". Times are
-// hundredths of a second. All throw Error (environment).
+// hundredths of a second. libavfilter is opened when the first one is made: with the libraries it
+// brings it would double the time in which the program starts. All throw Error (environment).
 class FilterGraph {
  public:
   FilterGraph(const std::string& description, const std::vector<FilterInput>& inputs);
@@ -29,7 +34,10 @@ class FilterGraph {
   AVFrame* pull();
 
  private:
-  Owned<AVFilterGraph> graph_;
+  struct Free {
+    void operator()(AVFilterGraph* graph) const;
+  };
+  std::unique_ptr<AVFilterGraph, Free> graph_;
   std::vector<AVFilterContext*> sources_;  // owned by the graph
   AVFilterContext* sink_ = nullptr;        // owned by the graph
   Owned<AVFrame> frame_;

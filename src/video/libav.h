@@ -5,7 +5,6 @@
 
 extern "C" {
 #include <libavcodec/avcodec.h>
-#include <libavfilter/avfilter.h>
 #include <libavformat/avformat.h>
 #include <libavutil/opt.h>
 #include <libavutil/pixdesc.h>
@@ -22,7 +21,6 @@ namespace polhode {
 // Frees what libav made; the file of a muxer belongs to FilmOutput.
 struct FreeLibav {
   void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
-  void operator()(AVFilterGraph* p) const { avfilter_graph_free(&p); }
   void operator()(AVFormatContext* p) const { avformat_free_context(p); }
   void operator()(AVFrame* p) const { av_frame_free(&p); }
   void operator()(AVPacket* p) const { av_packet_free(&p); }
