@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include "app/comparison.h"
+#include "app/film_marks.h"
 #include "app/film_plan.h"
 #include "app/report.h"
 #include "app/version.h"
@@ -21,6 +22,8 @@
 #include "frame/film.h"
 #include "image/average.h"
 #include "render/renderer.h"
+#include "video/encoders.h"
+#include "video/film_output.h"
 #include "video/pipeline.h"
 #include "video/plain_sinks.h"
 
@@ -45,7 +48,7 @@ bool is_still(const RenderJob& job, const std::string& output) {
     throw input_error("makes one picture, but '{}' numbers its pictures; leave out the %", output)
         .at({{}, 0, "--still"});
   }
-  if (job.still && output.ends_with(".mp4")) {
+  if (job.still && find_sink_kind(output).film) {
     throw input_error("makes one picture, but '{}' is a film; name a .png", output)
         .at({{}, 0, "--still"});
   }
@@ -70,22 +73,12 @@ SinkJob sink_job(const RenderJob& job,
   sink.width = scene.video.size.width;
   sink.height = scene.video.size.height;
   sink.fps = scene.video.fps;
-  sink.encoder.preset = job.preset.value_or(quality.preset);
-  sink.encoder.crf = job.crf.value_or(quality.crf);
+  sink.encoder =
+      settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
   sink.transparent = job.transparent;
   sink.still = still;
   sink.title = scene.title;
   sink.comment = fmt::format("polhode {}, scene {}", program_version(), scene_hash(scene));
-  if (job.preset) {
-    const std::vector<std::string>& presets = encoder_presets();
-    if (std::find(presets.begin(), presets.end(), *job.preset) == presets.end()) {
-      throw input_error("no preset is called '{}'{}", *job.preset, suggestion(*job.preset, presets))
-          .at({{}, 0, "--preset"});
-    }
-  }
-  if (sink.encoder.crf < 1 || sink.encoder.crf > 51) {
-    throw input_error("must be 1 (best) to 51, got {}", sink.encoder.crf).at({{}, 0, "--crf"});
-  }
   return sink;
 }
 
@@ -164,9 +157,9 @@ double process_cpu_seconds() {
 
 const std::vector<Quality>& qualities() {
   static const std::vector<Quality> table = {
-      {"draft", "half size, fast", 2, "ultrafast", 26},
-      {"lecture", "for projection", 1, "veryfast", 18},
-      {"archive", "for keeping, slow", 1, "slow", 12},
+      {"draft", "half size, fast", 2, "ultrafast", Grade::draft},
+      {"lecture", "for projection", 1, "veryfast", Grade::lecture},
+      {"archive", "for keeping, slow", 1, "slow", Grade::archive},
   };
   return table;
 }
@@ -177,6 +170,7 @@ void render_film(const RenderJob& job) {
 
   // load and check everything that can be checked before work begins
   Scene asked = load_with_overrides(job.scene, job.overrides);
+  const std::vector<StoryStep> story = asked.story;  // with its words, whatever the picture shows
   if (!job.text) asked = without_text(std::move(asked));
   const Scene scene = shrunk(std::move(asked), quality.shrink);
   const std::string output = output_of(job);
@@ -186,7 +180,12 @@ void render_film(const RenderJob& job) {
   const SinkJob sink_settings = sink_job(job, scene, quality, output, still);
   refuse_same_file(output, "the output", job.scene);
   refuse_same_file(job.report, "--report", job.scene);
+  if (output == kStandardOutput && job.report == kStandardOutput) {
+    throw input_error("the film goes to standard output already; name a file")
+        .at({{}, 0, "--report"});
+  }
   refuse_same_file(job.report, "--report", output);
+  if (!story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
   std::unique_ptr<AtomicFile> report_file;
   if (!job.report.empty() && job.report != "-")
     report_file = std::make_unique<AtomicFile>(job.report);
@@ -198,6 +197,7 @@ void render_film(const RenderJob& job) {
   std::unique_ptr<Comparison> comparison;
   if (!scene.numerics.compare.empty())
     comparison = std::make_unique<Comparison>(solved, scene.video.time_scale / frames.rate);
+  sink->describe(film_marks(scene, story, frames));
   const Film film = with_place(
       scene, [&] { return make_film(solved, frames.timeline, comparison.get(), job.text); });
   if (job.text) warn_of_missing_fonts();

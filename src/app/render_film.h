@@ -9,6 +9,7 @@
 
 #include "app/load.h"
 #include "app/progress.h"
+#include "video/video_spec.h"
 
 namespace polhode {
 
@@ -16,9 +17,9 @@ namespace polhode {
 struct Quality {
   std::string name;
   std::string doc;
-  int shrink = 1;      // the picture's sides are divided by this
-  std::string preset;  // x264
-  int crf = 18;
+  int shrink = 1;                // the picture's sides are divided by this
+  std::string preset;            // effort, one of encoder_presets()
+  Grade grade = Grade::lecture;  // the codec's own constant rate factor and pixels
 };
 const std::vector<Quality>& qualities();
 
@@ -30,6 +31,7 @@ struct RenderJob {
   std::optional<double> to;     // s; absent: the whole motion
   std::optional<double> still;  // s; one picture
   std::string quality = "lecture";
+  std::optional<std::string> codec;
   std::optional<std::string> preset;
   std::optional<int> crf;
   std::string backend = "auto";

@@ -19,6 +19,16 @@ nlohmann::ordered_json maybe(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+// what the format has none of is null
+nlohmann::ordered_json encoder_json(const EncoderSettings& encoder) {
+  nlohmann::ordered_json told = {
+      {"codec", nullptr}, {"preset", nullptr}, {"crf", nullptr}, {"threads", encoder.threads}};
+  if (!encoder.codec.empty()) told["codec"] = encoder.codec;
+  if (!encoder.preset.empty()) told["preset"] = encoder.preset;
+  if (encoder.crf > 0) told["crf"] = encoder.crf;
+  return told;
+}
+
 }  // namespace
 
 nlohmann::ordered_json versions() {
@@ -69,9 +79,7 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
   report["from_s"] = facts.from_s;
   report["to_s"] = facts.to_s;
   report["transparent"] = facts.transparent;
-  report["encoder"] = {{"preset", facts.encoder.preset},
-                       {"crf", facts.encoder.crf},
-                       {"threads", facts.encoder.threads}};
+  report["encoder"] = encoder_json(facts.encoder);
   report["stages"] = {{"simulate", stage(facts.times.simulate)},
                       {"compose", stage(facts.times.compose)},
                       {"draw", stage(facts.times.draw)},

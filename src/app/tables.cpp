@@ -21,7 +21,7 @@
 #include "scene/scene.h"
 #include "scene/schema.h"
 #include "text/typesetter.h"
-#include "video/film_sink.h"
+#include "video/encoders.h"
 #include "video/frame_sink.h"
 
 namespace polhode {
@@ -194,11 +194,17 @@ Diagnosis examine() {
                                              font.found.empty() ? "nothing" : font.found,
                                              font.package)});
   }
+  for (const FilmEncoder& encoder : film_encoders()) {
+    rows.push_back(
+        {"encoder " + encoder.name,
+         fmt::format("{}, {}: {}",
+                     has_encoder(encoder.name)
+                         ? "ok"
+                         : "missing: install an FFmpeg that has it (Debian: libavcodec59)",
+                     encoder.title,
+                     encoder.doc)});
+  }
   const bool encodes = has_encoder("libx264");
-  rows.push_back({"encoder libx264",
-                  encodes ? "ok"
-                          : "missing: install FFmpeg with x264 "
-                            "(Debian: libavcodec-extra or libavcodec59)"});
   rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});
   return {aligned(rows), draws && encodes};
 }

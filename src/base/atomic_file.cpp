@@ -99,6 +99,11 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::commit_with(std::string_view content) {
+  write(content);
+  commit();
+}
+
+void AtomicFile::write(std::string_view content) {
   std::FILE* out = std::fopen(part_.c_str(), "wb");
   const bool written = out != nullptr &&
                        std::fwrite(content.data(), 1, content.size(), out) == content.size() &&
@@ -109,7 +114,6 @@ void AtomicFile::commit_with(std::string_view content) {
     throw environment_error("cannot write: {}", std::strerror(written ? errno : reason))
         .at({target_.string(), 0, {}});
   }
-  commit();
 }
 
 void write_file(const fs::path& target, std::string_view content) {

@@ -27,7 +27,9 @@ class AtomicFile {
   const std::filesystem::path& target() const { return target_; }
   // Moves the finished file to its name. Throws Error (environment) when that fails.
   void commit();
-  // Writes the whole content to the temporary file, then commits.
+  // Writes the whole content to the temporary file. Throws Error (environment) when that fails.
+  void write(std::string_view content);
+  // The same, then commits.
   void commit_with(std::string_view content);
   // Gives the lock up before the end: for thousands of files that one lock stands for.
   void unlock();

@@ -25,8 +25,11 @@ Action define_render(CLI::App& command) {
   add_number(command, "--to", job->to, "end of the film, seconds of the motion")->type_name("T");
   add_number(command, "--still", job->still, "one picture at this time")->type_name("T");
   add_text(command, "--quality", job->quality, "draft, lecture or archive")->type_name("NAME");
-  add_text(command, "--preset", job->preset, "x264 preset, ultrafast to veryslow")->type_name("P");
-  add_whole_number(command, "--crf", job->crf, "x264 quality, 1 (best) to 51")->type_name("N");
+  add_text(command, "--codec", job->codec, "of .mp4 films: h264, hevc or av1")->type_name("NAME");
+  add_text(command, "--preset", job->preset, "effort of the encoder, ultrafast to veryslow")
+      ->type_name("P");
+  add_whole_number(command, "--crf", job->crf, "quality, 1 (best) to 51; to 63 for VP9 and AV1")
+      ->type_name("N");
   add_numerics_options(command, job->overrides);
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("NAME");

@@ -26,6 +26,11 @@ class Timeline {
   // Throws Error (input) for a step of the story at a later time.
   Timeline(const std::vector<StoryStep>& story, double duration, double time_scale);
 
+  // The same clock for another telling of the story.
+  Timeline retold(const std::vector<StoryStep>& story) const {
+    return Timeline(story, duration_, time_scale_);
+  }
+
   // All in seconds. The film begins at 0.
   double film_duration() const;
   double motion_time(double film) const;
@@ -38,6 +43,9 @@ class Timeline {
   // The story's words at this moment; none before its first.
   std::optional<std::string> caption(double film) const;
   const std::vector<Pause>& pauses() const { return pauses_; }
+  // The steps by time, and when each begins, s of the film.
+  const std::vector<StoryStep>& steps() const { return story_; }
+  const std::vector<double>& starts() const { return starts_; }
 
  private:
   std::vector<StoryStep> story_;  // by time

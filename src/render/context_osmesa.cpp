@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "render/context.h"
-#include "render/shared_library.h"
+#include "base/shared_library.h"
 
 namespace polhode {
 namespace {

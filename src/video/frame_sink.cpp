@@ -3,34 +3,35 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "video/captions.h"
+#include "video/encoders.h"
+#include "video/film_output.h"
 #include "video/film_sink.h"
+#include "video/gif_sink.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
 
 namespace polhode {
 namespace {
 
-bool has_hash_prefix(const SinkJob& job) {
-  return job.output.starts_with(kHashPrefix);
+bool has_hash_prefix(const std::string& output) {
+  return output.starts_with(kHashPrefix);
 }
 
-// behind "hash:" any ending may stand
-bool ends_with(const SinkJob& job, const char* ending) {
-  return job.output.ends_with(ending) && !has_hash_prefix(job);
+bool accepts(const SinkKind& kind, const std::string& output) {
+  if (kind.accepts != nullptr) return kind.accepts(output);
+  // behind "hash:" any ending may stand
+  return output.ends_with(kind.ending) && !has_hash_prefix(output);
 }
 
 // ".mp4" alone is a hidden file without a name
-void refuse_nameless(const SinkJob& job) {
-  const std::string name = job.output.substr(job.output.find_last_of('/') + 1);
+void refuse_nameless(const std::string& output) {
+  const std::string name = output.substr(output.find_last_of('/') + 1);
   for (const SinkKind& kind : sink_kinds()) {
     if (kind.ending.empty() || name != kind.ending) continue;
     throw input_error("a name belongs before the ending, such as film{}", kind.ending)
-        .at({job.output, 0, {}});
+        .at({output, 0, {}});
   }
-}
-
-bool is_sequence(const SinkJob& job) {
-  return job.output.find('%') != std::string::npos;
 }
 
 std::string alpha_formats() {
@@ -41,16 +42,16 @@ std::string alpha_formats() {
   return names;
 }
 
-Error unknown_ending(const SinkJob& job) {
-  const std::size_t dot = job.output.find_last_of("./");
-  const bool has_ending = dot != std::string::npos && job.output[dot] == '.';
+Error unknown_ending(const std::string& output) {
+  const std::size_t dot = output.find_last_of("./");
+  const bool has_ending = dot != std::string::npos && output[dot] == '.';
   std::vector<std::string> endings;
   for (const SinkKind& kind : sink_kinds()) {
     if (!kind.ending.empty()) endings.push_back(kind.ending);
   }
-  const std::string ending = has_ending ? job.output.substr(dot) : "";
+  const std::string ending = has_ending ? output.substr(dot) : "";
   return input_error("no format has the ending '{}'{}", ending, suggestion(ending, endings))
-      .at({job.output, 0, {}});
+      .at({output, 0, {}});
 }
 
 }  // namespace
@@ -59,54 +60,92 @@ const std::vector<SinkKind>& sink_kinds() {
   static const std::vector<SinkKind> kinds = {
       {"mp4",
        ".mp4",
-       "H.264 film, NAME.mp4",
+       "film for everything: H.264; HEVC or AV1 with --codec, NAME.mp4",
        false,
-       [](const SinkJob& job) { return ends_with(job, ".mp4"); },
+       true,
+       nullptr,
+       make_film_sink},
+      {"webm", ".webm", "film for web pages: VP9, NAME.webm", true, true, nullptr, make_film_sink},
+      {"mov",
+       ".mov",
+       "film for video editors: ProRes 4444, NAME.mov",
+       true,
+       true,
+       nullptr,
+       make_film_sink},
+      {"gif",
+       ".gif",
+       "256 colours, at most 50 frames/s, alpha of one bit, NAME.gif",
+       true,
+       true,
+       nullptr,
+       make_gif_sink},
+      {"apng", ".apng", "lossless animated PNG, NAME.apng", true, true, nullptr, make_film_sink},
+      {"y4m",
+       ".y4m",
+       "raw frames for other programs (YUV4MPEG2), NAME.y4m, or - for standard output",
+       false,
+       true,
+       [](const std::string& output) {
+         return output == kStandardOutput || (output.ends_with(".y4m") && !has_hash_prefix(output));
+       },
        make_film_sink},
       {"png sequence",
        "",
        "numbered pictures, NAME_%05d.png",
        true,
-       [](const SinkJob& job) { return ends_with(job, ".png") && is_sequence(job); },
+       false,
+       [](const std::string& output) {
+         return output.ends_with(".png") && output.find('%') != std::string::npos &&
+                !has_hash_prefix(output);
+       },
        make_png_sequence_sink},
-      {"png",
-       ".png",
-       "one picture, NAME.png",
-       true,
-       [](const SinkJob& job) { return ends_with(job, ".png"); },
-       make_png_sink},
+      {"png", ".png", "one picture, NAME.png", true, false, nullptr, make_png_sink},
       {"hash",
        ".hash",
        "a line per frame: index, size, hash of its pixels, NAME.hash or hash:NAME",
        true,
-       [](const SinkJob& job) { return ends_with(job, ".hash") || has_hash_prefix(job); },
+       false,
+       [](const std::string& output) {
+         return output.ends_with(".hash") || has_hash_prefix(output);
+       },
        make_hash_sink},
       {"null",
        "",
        "nothing is written, for timing; the name is null",
        true,
-       [](const SinkJob& job) { return job.output == "null"; },
+       false,
+       [](const std::string& output) { return output == "null"; },
        make_null_sink},
   };
   return kinds;
 }
 
-std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
-  refuse_nameless(job);
-  if (has_frame_number(job.output) && ends_with(job, ".mp4")) {
-    throw input_error("a film is one file; a name with % is for numbered .png pictures")
-        .at({job.output, 0, {}});
-  }
+const SinkKind& find_sink_kind(const std::string& output) {
   for (const SinkKind& kind : sink_kinds()) {
-    if (!kind.accepts(job)) continue;
-    if (job.transparent && !kind.alpha) {
-      throw input_error(
-          "{} keeps no alpha; for a transparent picture use {}", kind.name, alpha_formats())
-          .at({job.output, 0, {}});
-    }
-    return kind.make(job);
+    if (accepts(kind, output)) return kind;
   }
-  throw unknown_ending(job);
+  throw unknown_ending(output);
+}
+
+std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
+  refuse_nameless(job.output);
+  const SinkKind& kind = find_sink_kind(job.output);
+  const Place place{job.output, 0, {}};
+  if (kind.film && has_frame_number(job.output)) {
+    throw input_error("a film is one file; a name with % is for numbered .png pictures").at(place);
+  }
+  if (kind.film && job.still) {
+    throw input_error("one picture (--still) is written as .png, not as a film").at(place);
+  }
+  if (job.transparent && !kind.alpha) {
+    throw input_error(
+        "{} keeps no alpha; for a transparent picture use {}", kind.name, alpha_formats())
+        .at(place);
+  }
+  std::unique_ptr<FrameSink> sink = kind.make(job);
+  if (captions_beside(job.output).empty()) return sink;
+  return with_captions(std::move(sink), job);
 }
 
 }  // namespace polhode

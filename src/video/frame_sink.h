@@ -25,6 +25,23 @@ struct SinkJob {
   std::string comment;       // container metadata
 };
 
+// What is known of a film when its motion has been found. Frames count from 0.
+struct FilmMarks {
+  struct Chapter {
+    int start = 0;  // frame
+    std::string title;
+  };
+  struct Caption {
+    int start = 0;  // first frame that has it
+    int end = 0;    // first frame that has it no more
+    std::string words;
+  };
+  int frames = 0;                 // how many will come
+  std::vector<int> key_frames;    // where a player must be able to stop and begin, beside 0
+  std::vector<Chapter> chapters;  // by start, the first at 0; none: empty
+  std::vector<Caption> captions;  // by start; written beside films as NAME.vtt
+};
+
 // Times of the sink's own stages.
 struct SinkTimes {
   StageTime convert;  // RGBA to the encoder's pixel format
@@ -36,6 +53,8 @@ struct SinkTimes {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
+  // Called at most once, before the first frame; sinks that cannot use it do nothing.
+  virtual void describe(const FilmMarks&) {}
   virtual void push(const Image& frame) = 0;
   virtual void finish() = 0;
   virtual SinkTimes times() const = 0;
@@ -43,16 +62,23 @@ class FrameSink {
 
 // One row per kind of output: how it is recognised and made.
 struct SinkKind {
-  std::string name;    // "mp4"
-  std::string ending;  // ".mp4"; empty when recognised otherwise
-  std::string doc;     // one phrase for `list formats`
-  bool alpha = false;  // can keep transparency
-  bool (*accepts)(const SinkJob&);
-  std::unique_ptr<FrameSink> (*make)(const SinkJob&);
+  std::string name;                                      // "mp4"
+  std::string ending;                                    // ".mp4"; empty when recognised otherwise
+  std::string doc;                                       // one phrase for `list formats`
+  bool alpha = false;                                    // can keep transparency
+  bool film = false;                                     // one file of many frames, for people
+  bool (*accepts)(const std::string& output) = nullptr;  // null: by the ending
+  std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;
 };
 
 // All kinds, in the order in which they are tried.
 const std::vector<SinkKind>& sink_kinds();
+
+// The kind of that output. Throws Error (input) for an unknown ending (naming the nearest).
+const SinkKind& find_sink_kind(const std::string& output);
+
+// The file of captions beside a film of that name, NAME.vtt; empty where none is written.
+std::string captions_beside(const std::string& output);
 
 // The sink for job.output. Throws Error (input) for an unknown ending (naming the nearest), odd
 // film sizes, a folder that cannot be written; (environment) for a missing encoder.

@@ -40,14 +40,20 @@ void check_picture_size(const PictureSize& size);
 // "1920x1080". Throws Error (input) when it is not of that form or out of bounds.
 PictureSize parse_picture_size(const std::string& text);
 
-// H.264 settings. Threads are pinned because x264's output depends on their number.
+// How good a film is to be.
+enum class Grade { draft, lecture, archive };
+
+// How a film is encoded. Threads are pinned because x264's output depends on their number.
 struct EncoderSettings {
-  std::string preset = "veryfast";  // x264 preset
-  int crf = 18;                     // constant rate factor, 1 (best) to 51; 0 is never used
+  std::string codec;                // "h264", …; empty: the first that the format takes
+  std::string preset = "veryfast";  // effort, one of encoder_presets(); empty: there is none
+  int crf = 18;                     // constant rate factor, 1 is best; 0: the codec has none
+  bool finest = false;              // 4:4:4 where players take it, and the best profile
   int threads = 2;                  // encoder threads
 };
 
-// The x264 presets that may be asked for, fastest first.
+// The efforts that may be asked for, fastest first: the presets of x264, which other encoders
+// follow in their own terms.
 const std::vector<std::string>& encoder_presets();
 
 // The [video] table.

@@ -5,6 +5,7 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
 
@@ -30,9 +31,22 @@ struct DecodedFilm {
   int primaries = 0;
   int transfer = 0;
   int chroma_location = 0;
+  int codec = 0;
+  unsigned tag = 0;
+  int width = 0;
+  int height = 0;
   std::string title;
   std::string comment;
-  std::vector<std::int64_t> pts;  // in time_base, in order of display
+  std::string encoder;
+  std::string alpha_mode;  // of the stream
+  struct Chapter {
+    double start_s = 0.0;
+    double end_s = 0.0;
+    std::string title;
+  };
+  std::vector<Chapter> chapters;
+  std::vector<std::int64_t> pts;        // in time_base, in order of display
+  std::vector<std::int64_t> durations;  // of each, in time_base
   std::vector<bool> key;
   std::vector<Image> frames;                      // full-range RGBA through BT.709
   std::vector<std::vector<int>> blue_difference;  // of each frame, the middle row of Cb as stored
@@ -56,6 +70,7 @@ inline bool holds_idr(const AVPacket& packet) {
 }
 
 inline std::vector<int> middle_row_of_cb(const AVFrame& frame) {
+  if (frame.format != AV_PIX_FMT_YUV420P) return {};
   const std::uint8_t* row = frame.data[1] + frame.height / 4 * frame.linesize[1];
   return {row, row + frame.width / 2};
 }
@@ -71,8 +86,11 @@ inline Image to_rgba(const AVFrame& frame) {
                                    nullptr,
                                    nullptr,
                                    nullptr);
-  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
-  sws_setColorspaceDetails(sws, bt709, 0, bt709, 1, 0, 1 << 16, 1 << 16);
+  const AVPixFmtDescriptor* kind = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
+  if ((kind->flags & AV_PIX_FMT_FLAG_RGB) == 0) {
+    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    sws_setColorspaceDetails(sws, bt709, 0, bt709, 1, 0, 1 << 16, 1 << 16);
+  }
   Image image(frame.width, frame.height);
   std::uint8_t* rows[] = {image.pixels.data()};
   const int strides[] = {4 * frame.width};
@@ -81,7 +99,13 @@ inline Image to_rgba(const AVFrame& frame) {
   return image;
 }
 
-inline DecodedFilm decode(const std::string& file) {
+inline std::string entry(const AVDictionary* entries, const char* key) {
+  const AVDictionaryEntry* found = av_dict_get(entries, key, nullptr, 0);
+  return found == nullptr ? "" : found->value;
+}
+
+// `by` names the decoder; empty: FFmpeg's own choice, which for VP9 drops the alpha
+inline DecodedFilm decode(const std::string& file, const std::string& by = "") {
   DecodedFilm film;
   AVFormatContext* format = nullptr;
   // the protocol is named: a name may hold a colon
@@ -101,13 +125,25 @@ inline DecodedFilm decode(const std::string& file) {
   film.primaries = stream->codecpar->color_primaries;
   film.transfer = stream->codecpar->color_trc;
   film.chroma_location = stream->codecpar->chroma_location;
-  const AVDictionaryEntry* title = av_dict_get(format->metadata, "title", nullptr, 0);
-  if (title != nullptr) film.title = title->value;
-  const AVDictionaryEntry* comment = av_dict_get(format->metadata, "comment", nullptr, 0);
-  if (comment != nullptr) film.comment = comment->value;
+  film.codec = stream->codecpar->codec_id;
+  film.tag = stream->codecpar->codec_tag;
+  film.width = stream->codecpar->width;
+  film.height = stream->codecpar->height;
+  film.title = entry(format->metadata, "title");
+  film.comment = entry(format->metadata, "comment");
+  film.encoder = entry(format->metadata, "encoder");
+  film.alpha_mode = entry(stream->metadata, "alpha_mode");
+  for (unsigned i = 0; i < format->nb_chapters; ++i) {
+    const AVChapter& chapter = *format->chapters[i];
+    const double unit = av_q2d(chapter.time_base);
+    film.chapters.push_back({unit * static_cast<double>(chapter.start),
+                             unit * static_cast<double>(chapter.end),
+                             entry(chapter.metadata, "title")});
+  }
 
-  AVCodecContext* decoder =
-      avcodec_alloc_context3(avcodec_find_decoder(stream->codecpar->codec_id));
+  const AVCodec* codec = by.empty() ? avcodec_find_decoder(stream->codecpar->codec_id)
+                                    : avcodec_find_decoder_by_name(by.c_str());
+  AVCodecContext* decoder = avcodec_alloc_context3(codec);
   avcodec_parameters_to_context(decoder, stream->codecpar);
   avcodec_open2(decoder, nullptr, nullptr);
   AVPacket* packet = av_packet_alloc();
@@ -115,6 +151,11 @@ inline DecodedFilm decode(const std::string& file) {
   bool more = true;
   while (more) {
     more = av_read_frame(format, packet) == 0;
+    // chapters of an .mp4 are a stream of text
+    if (more && packet->stream_index != 0) {
+      av_packet_unref(packet);
+      continue;
+    }
     if (more) {
       film.packets.push_back(
           {packet->pts, (packet->flags & AV_PKT_FLAG_KEY) != 0, holds_idr(*packet)});
@@ -123,6 +164,7 @@ inline DecodedFilm decode(const std::string& file) {
     av_packet_unref(packet);
     while (avcodec_receive_frame(decoder, frame) == 0) {
       film.pts.push_back(frame->pts);
+      film.durations.push_back(frame->pkt_duration);
       film.key.push_back(frame->key_frame != 0);
       film.frames.push_back(to_rgba(*frame));
       film.blue_difference.push_back(middle_row_of_cb(*frame));

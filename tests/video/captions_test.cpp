@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// WebVTT beside a film.
+#include "video/captions.h"
+
+#include "base/error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::TemporaryFolder;
+
+TEST(WebVtt, HasACueForEachCaptionAtTheTimesOfItsFrames) {
+  const std::vector<FilmMarks::Caption> captions = {
+      {0, 30, "First"}, {30, 31, "Second"}, {60 * 3600, 60 * 3661, "An hour later"}};
+  EXPECT_EQ(web_vtt(captions, {60, 1}),
+            "WEBVTT\n"
+            "\n00:00:00.000 --> 00:00:00.500\nFirst\n"
+            "\n00:00:00.500 --> 00:00:00.517\nSecond\n"
+            "\n01:00:00.000 --> 01:01:01.000\nAn hour later\n");
+  EXPECT_EQ(web_vtt({{30, 60, "a"}}, {30000, 1001}),
+            "WEBVTT\n\n00:00:01.001 --> 00:00:02.002\na\n");
+}
+
+// words cannot end their cue or begin another
+TEST(WebVtt, WordsAreEscaped) {
+  const std::string text = web_vtt({{0, 10, "a < b & c\n\n00:01 --> 00:02\r\nΩ <b>"}}, {10, 1});
+  EXPECT_EQ(text,
+            "WEBVTT\n\n00:00:00.000 --> 00:00:01.000\n"
+            "a &lt; b &amp; c\n00:01 --&gt; 00:02\nΩ &lt;b&gt;\n");
+  EXPECT_EQ(web_vtt({{0, 10, " \n "}, {10, 10, "never shown"}}, {10, 1}), "WEBVTT\n");
+}
+
+TEST(Captions, StandBesideFilmsThatPlayersShowThemWith) {
+  EXPECT_EQ(captions_beside("dir.mp4/a.b.mp4"), "dir.mp4/a.b.vtt");
+  EXPECT_EQ(captions_beside("a.webm"), "a.vtt");
+  EXPECT_EQ(captions_beside("a.mov"), "a.vtt");
+  for (const char* other : {"a.gif", "a.png", "-", "null", "hash:a.mp4", "a.y4m"}) {
+    EXPECT_EQ(captions_beside(other), "") << other;
+  }
+}
+
+TEST(Captions, FilmAndWordsAppearTogether) {
+  const TemporaryFolder folder;
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  sink->describe({3, {}, {}, {{0, 3, "Words"}}});
+  for (int i = 0; i < 3; ++i) {
+    sink->push(Image(32, 32));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.vtt"));
+  sink->finish();
+  EXPECT_EQ(test::read_text(folder / "a.vtt"), "WEBVTT\n\n00:00:00.000 --> 00:00:00.050\nWords\n");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(Captions, AFolderInTheWayStopsTheFilmToo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "a.vtt");
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  const auto make = [&] {
+    make_sink(job)->describe({3, {}, {}, {{0, 3, "Words"}}});
+  };
+  EXPECT_THROW(make(), Error);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+}  // namespace
+}  // namespace polhode
