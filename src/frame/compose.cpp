@@ -81,7 +81,7 @@ Composer::Composer(const Motion& motion,
                    FrameSize size)
     : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, stage_)),
-      meshes_{arrow_meshes(circle_segments(0.05 * size.height)), {}},
+      meshes_{arrow_meshes(circle_segments(0.1 * size.height)), {}},
       drawing_(make_drawing_frame(stage_)),
       staging_(staging),
       rigs_(make_rigs(size)),

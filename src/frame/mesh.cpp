@@ -21,11 +21,17 @@ Vec2 shaded_normal(const Vec2& own, const Vec2* neighbour) {
   return (own + *neighbour).normalized();
 }
 
+// Corners stand as far outside of a circle as the middles of chords lie inside: half a sagitta.
+double halfway_out(double angle_of_piece) {
+  return 2.0 / (1.0 + std::cos(0.5 * angle_of_piece));
+}
+
 std::vector<Vec2> arc(double radius, double center_r, double from, double to, int pieces) {
+  const double drawn = radius * halfway_out((to - from) / pieces);
   std::vector<Vec2> points;
   for (int i = 0; i <= pieces; ++i) {
     const double angle = from + (to - from) * i / pieces;
-    points.emplace_back(center_r + radius * std::cos(angle), radius * std::sin(angle));
+    points.emplace_back(center_r + drawn * std::cos(angle), drawn * std::sin(angle));
   }
   return points;
 }
@@ -33,7 +39,7 @@ std::vector<Vec2> arc(double radius, double center_r, double from, double to, in
 }  // namespace
 
 int circle_segments(double radius_px) {
-  constexpr double kSagitta = 0.25;  // pixels
+  constexpr double kSagitta = 0.5;  // pixels; half of it inside, half outside
   constexpr int kFewest = 16;
   constexpr double kLargest = 1e5;  // nothing is drawn larger
   if (radius_px <= kSagitta) return kFewest;
@@ -55,14 +61,15 @@ Mesh revolved(const std::vector<Vec2>& outline, int segments) {
   }
 
   // a circle of corners; its number
+  const double out = halfway_out(2.0 * kPi / segments);
   const auto add_circle = [&](const Vec2& p, const Vec2& n) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int k = 0; k <= segments; ++k) {
       const double angle = 2.0 * kPi * (k % segments) / segments;
       const double c = std::cos(angle);
       const double s = std::sin(angle);
-      mesh.vertices.push_back(
-          {glm::vec3(p.x() * c, p.x() * s, p.y()), glm::vec3(n.x() * c, n.x() * s, n.y())});
+      mesh.vertices.push_back({glm::vec3(out * p.x() * c, out * p.x() * s, p.y()),
+                               glm::vec3(n.x() * c, n.x() * s, n.y())});
     }
     return first;
   };
@@ -96,8 +103,7 @@ Mesh unit_sphere(int segments) {
 
 Mesh unit_sphere(int around, int from_pole_to_pole) {
   std::vector<Vec2> outline = arc(1.0, 0.0, -kPi / 2, kPi / 2, std::max(8, from_pole_to_pole));
-  outline.front() = Vec2(0, -1);
-  outline.back() = Vec2(0, 1);
+  outline.front().x() = outline.back().x() = 0.0;
   return revolved(outline, around);
 }
 
@@ -112,11 +118,11 @@ Mesh unit_cone(int segments) {
 Mesh unit_disc(int segments) {
   Mesh mesh;
   mesh.vertices.push_back({{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}});
+  const double out = halfway_out(2.0 * kPi / segments);
   for (int k = 0; k < segments; ++k) {
     const double angle = 2.0 * kPi * k / segments;
     mesh.vertices.push_back(
-        {{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0f},
-         {0.0f, 0.0f, 1.0f}});
+        {glm::vec3(out * std::cos(angle), out * std::sin(angle), 0.0), {0.0f, 0.0f, 1.0f}});
     const auto here = static_cast<std::uint32_t>(k + 1);
     const auto next = static_cast<std::uint32_t>((k + 1) % segments + 1);
     for (const std::uint32_t corner : {0u, here, next})

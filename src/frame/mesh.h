@@ -26,8 +26,9 @@ struct Mesh {
 };
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-// How many straight pieces make a circle of this radius in pixels look round: the sagitta, the
-// distance of chord and arc, stays under a quarter of a pixel.
+// How many straight pieces make a circle of this radius in pixels look round: none of it is more
+// than a quarter of a pixel from the circle. All round meshes stand halfway: their corners as far
+// outside of the true surface as the middles of their pieces lie inside.
 int circle_segments(double radius_px);
 
 // The surface that an outline of (radius, z) points sweeps about z, in `segments` steps.

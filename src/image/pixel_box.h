@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 namespace polhode {
 
@@ -23,5 +24,15 @@ inline PixelBox common(const PixelBox& a, const PixelBox& b) {
   const int y = std::max(a.y, b.y);
   return {x, y, std::min(a.right(), b.right()) - x, std::min(a.bottom(), b.bottom()) - y};
 }
+
+// The least box that holds both.
+inline PixelBox around(const PixelBox& a, const PixelBox& b) {
+  const int x = std::min(a.x, b.x);
+  const int y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
+}
+
+// Boxes that overlap become one, until none do.
+std::vector<PixelBox> merged(std::vector<PixelBox> boxes);
 
 }  // namespace polhode
