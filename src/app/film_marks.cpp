@@ -8,11 +8,12 @@
 namespace polhode {
 namespace {
 
-// the first frame at or after a moment of the film; may be outside of the piece that is made
+// the first frame at or after a moment of the film; negative before the piece that is made, the
+// number of its frames behind it
 int frame_at(const Frames& frames, double film_time) {
   constexpr double kRounding = 1e-6;  // frames
   const double frame = std::ceil((film_time - frames.first) * frames.rate - kRounding);
-  return static_cast<int>(std::clamp(frame, -1.0, static_cast<double>(frames.count)));
+  return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(frames.count)));
 }
 
 // one line, for the menu of a player
@@ -61,14 +62,21 @@ std::vector<FilmMarks::Chapter> chapters_of(const Scene& scene,
   std::stable_sort(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
     return a.start < b.start;
   });
-  const auto last = std::unique(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
+  const auto same_start = [](const auto& a, const auto& b) {
     return a.start == b.start;
-  });
-  chapters.erase(last, chapters.end());
-  std::erase_if(chapters, [&](const auto& chapter) {
-    return chapter.start < 0 || chapter.start >= frames.count;
-  });
-  if (!chapters.empty() && chapters.front().start > 0) {
+  };
+  chapters.erase(std::unique(chapters.begin(), chapters.end(), same_start), chapters.end());
+  std::erase_if(chapters, [&](const auto& chapter) { return chapter.start >= frames.count; });
+
+  // what began before the piece holds at its start
+  std::size_t before = 0;
+  while (before < chapters.size() && chapters[before].start <= 0) {
+    ++before;
+  }
+  if (before > 0) {
+    chapters.erase(chapters.begin(), chapters.begin() + static_cast<std::ptrdiff_t>(before) - 1);
+    chapters.front().start = 0;
+  } else if (!chapters.empty()) {
     chapters.insert(chapters.begin(), {0, scene.title.empty() ? "Start" : one_line(scene.title)});
   }
   return chapters;

@@ -153,10 +153,10 @@ const std::vector<FilmEncoder>& film_encoders() {
   static const std::vector<FilmEncoder> table = {
       {"h264", "H.264", "libx264", ".mp4 that everything plays",
        false, true, 51, {26, 18, 12}, plain_pixels, configure_x264},
-      {"hevc", "HEVC", "libx265", ".mp4 of half the size, --codec hevc",
+      {"hevc", "HEVC", "libx265", ".mp4 for QuickTime and televisions, --codec hevc",
        false, true, 51, {28, 20, 14}, plain_pixels, configure_x265},
       // forces keyframes, and takes every size; SVT does neither
-      {"av1", "AV1", "libaom-av1", ".mp4 of half the size for browsers, --codec av1",
+      {"av1", "AV1", "libaom-av1", ".mp4 for new browsers, --codec av1",
        false, true, 63, {38, 28, 18}, plain_pixels, configure_aom},
       {"av1", "AV1", "libsvtav1", "where libaom-av1 is missing; keyframes only every second",
        false, true, 63, {38, 28, 18}, plain_pixels, configure_svt},

@@ -29,18 +29,26 @@ SharedLibrary open_library() {
 // the functions of libavfilter that are used here, as its headers declare them
 struct FilterFunctions {
   SharedLibrary library = open_library();
-#define POLHODE_FUNCTION(name) decltype(&::name) name = library.function<decltype(::name)>(#name)
-  POLHODE_FUNCTION(av_buffersink_get_frame);
-  POLHODE_FUNCTION(av_buffersrc_add_frame_flags);
-  POLHODE_FUNCTION(avfilter_get_by_name);
-  POLHODE_FUNCTION(avfilter_graph_alloc);
-  POLHODE_FUNCTION(avfilter_graph_config);
-  POLHODE_FUNCTION(avfilter_graph_create_filter);
-  POLHODE_FUNCTION(avfilter_graph_free);
-  POLHODE_FUNCTION(avfilter_graph_parse_ptr);
-  POLHODE_FUNCTION(avfilter_inout_alloc);
-  POLHODE_FUNCTION(avfilter_inout_free);
-#undef POLHODE_FUNCTION
+  decltype(&::av_buffersink_get_frame) av_buffersink_get_frame =
+      library.function<decltype(::av_buffersink_get_frame)>("av_buffersink_get_frame");
+  decltype(&::av_buffersrc_add_frame_flags) av_buffersrc_add_frame_flags =
+      library.function<decltype(::av_buffersrc_add_frame_flags)>("av_buffersrc_add_frame_flags");
+  decltype(&::avfilter_get_by_name) avfilter_get_by_name =
+      library.function<decltype(::avfilter_get_by_name)>("avfilter_get_by_name");
+  decltype(&::avfilter_graph_alloc) avfilter_graph_alloc =
+      library.function<decltype(::avfilter_graph_alloc)>("avfilter_graph_alloc");
+  decltype(&::avfilter_graph_config) avfilter_graph_config =
+      library.function<decltype(::avfilter_graph_config)>("avfilter_graph_config");
+  decltype(&::avfilter_graph_create_filter) avfilter_graph_create_filter =
+      library.function<decltype(::avfilter_graph_create_filter)>("avfilter_graph_create_filter");
+  decltype(&::avfilter_graph_free) avfilter_graph_free =
+      library.function<decltype(::avfilter_graph_free)>("avfilter_graph_free");
+  decltype(&::avfilter_graph_parse_ptr) avfilter_graph_parse_ptr =
+      library.function<decltype(::avfilter_graph_parse_ptr)>("avfilter_graph_parse_ptr");
+  decltype(&::avfilter_inout_alloc) avfilter_inout_alloc =
+      library.function<decltype(::avfilter_inout_alloc)>("avfilter_inout_alloc");
+  decltype(&::avfilter_inout_free) avfilter_inout_free =
+      library.function<decltype(::avfilter_inout_free)>("avfilter_inout_free");
 };
 
 const FilterFunctions& lib() {
