@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "video/film_sink.h"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavutil/opt.h>
-#include <libswscale/swscale.h>
-}
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -15,83 +8,22 @@ extern "C" {
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
-#include "base/log.h"
+#include "video/libav.h"
 
 namespace polhode {
 namespace {
 
-// libav objects that free themselves
-struct Free {
-  void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
-  void operator()(AVFrame* p) const { av_frame_free(&p); }
-  void operator()(AVPacket* p) const { av_packet_free(&p); }
-  void operator()(SwsContext* p) const { sws_freeContext(p); }
-  void operator()(AVFormatContext* p) const {
-    if (p->pb != nullptr) avio_closep(&p->pb);
-    avformat_free_context(p);
-  }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Free>;
-
-// options for a libav call; entries that are left over were not understood
-class Options {
- public:
-  Options() = default;
-  ~Options() { av_dict_free(&entries_); }
-  Options(const Options&) = delete;
-  Options& operator=(const Options&) = delete;
-
-  void set(const char* key, const std::string& value) {
-    av_dict_set(&entries_, key, value.c_str(), 0);
-  }
-  AVDictionary** pass() { return &entries_; }
-  void refuse_leftovers(const char* who) const {
-    const AVDictionaryEntry* left = av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX);
-    if (left != nullptr)
-      throw environment_error("{} does not know the option '{}'", who, left->key);
-  }
-
- private:
-  AVDictionary* entries_ = nullptr;
-};
-
-std::string words(int code) {
-  char text[AV_ERROR_MAX_STRING_SIZE] = {};
-  av_strerror(code, text, sizeof text);
-  return text;
-}
-
-// every libav call that can fail goes through here
-int check(int code, const char* what) {
-  if (code < 0) throw environment_error("{}: {}", what, words(code));
-  return code;
-}
-
-// libav's warnings and errors go to the log; its chatter does not
-void log_libav(void*, int level, const char* format, va_list arguments) {
-  if (level > AV_LOG_WARNING) return;
-  char text[512];
-  std::vsnprintf(text, sizeof text, format, arguments);
-  std::string line = text;
-  while (!line.empty() && line.back() == '\n')
-    line.pop_back();
-  if (!line.empty()) spdlog::info("ffmpeg: {}", line);
-}
-
-// libav's way to say that there was no memory
-template <class T>
-T* made(T* object) {
-  if (object == nullptr) throw environment_error("no memory for the film");
-  return object;
-}
+using libav::check;
+using libav::made;
+using libav::Options;
+using libav::Owned;
 
 class FilmSink final : public FrameSink {
  public:
   explicit FilmSink(const SinkJob& job) : job_(job), file_(job.output) {
     // 0 would be lossless, in a profile that few players know
     CHECK(job.encoder.crf >= 1 && job.encoder.crf <= 51 && job.encoder.threads >= 1);
-    av_log_set_callback(log_libav);
+    libav::send_log();
     with_name([&] {
       open_muxer();
       open_encoder();
