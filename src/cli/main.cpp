@@ -29,6 +29,7 @@ const std::vector<Command>& commands() {
       {"diff",
        "tell whether pictures or films are the same, and how far they are apart",
        define_diff},
+      {"golden", "keep a folder of pictures that scenes must go on looking like", define_golden},
       {"list", "list methods, models, shapes, scenes or formats", define_list},
       {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
       {"doctor", "tell what works here and what is missing", define_doctor},

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/fields.h"
 #include "image/compare.h"
 #include "image/flip.h"
 
@@ -20,6 +21,23 @@ struct Thresholds {
   std::optional<double> ssim = {};  // least SSIM; absent: not asked
   std::optional<double> flip = {};  // greatest mean FLIP; absent: not asked
 };
+
+template <class Visitor>
+void fields(Visitor& v, Thresholds& s) {
+  v.field("max",
+          s.max,
+          Doc{"levels of 255 by which any value may differ", Unit::none, Range{0.0, 255.0}});
+  v.field("fraction",
+          s.fraction,
+          Doc{"share of pixels that may differ by more than max", Unit::none, Range{0.0, 1.0}});
+  v.field("limit",
+          s.limit,
+          Doc{"levels that no value may differ by more", Unit::none, Range{0.0, 255.0}});
+  v.field("ssim", s.ssim, Doc{"least SSIM; not asked when absent", Unit::none, Range{-1.0, 1.0}});
+  v.field("flip",
+          s.flip,
+          Doc{"greatest mean FLIP; not asked when absent", Unit::none, Range{0.0, 1.0}});
+}
 
 // Throws Error (input), naming the option (--max, --fraction, --limit, --ssim, --flip), for a
 // number out of its range: levels 0 to 255, shares and FLIP 0 to 1, SSIM -1 to 1.
