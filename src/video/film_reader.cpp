@@ -135,7 +135,8 @@ class FilmReader::Implementation {
     while (true) {
       const int read = av_read_frame(input_.get(), packet_.get());
       if (read == AVERROR_EOF) {
-        check(avcodec_send_packet(decoder_.get(), nullptr), "cannot end decoding");
+        const int ended = avcodec_send_packet(decoder_.get(), nullptr);
+        if (ended < 0) refuse_damage(ended);
         return;
       }
       if (read < 0) refuse_damage(read);
