@@ -87,9 +87,13 @@ std::string viewer(const ShownFrame& shown) {
   return text;
 }
 
-std::string row(const char* name, const std::string& value, const std::string& allowed) {
-  return fmt::format(
-      "<tr><th>{}</th><td>{}</td><td class=\"soft\">{}</td></tr>\n", name, value, allowed);
+// `over`: more than is allowed
+std::string row(const char* name, const std::string& value, const std::string& allowed, bool over) {
+  return fmt::format("<tr><th>{}</th><td{}>{}</td><td class=\"soft\">{}</td></tr>\n",
+                     name,
+                     over ? " class=\"bad\"" : "",
+                     value,
+                     allowed);
 }
 
 // the numbers of a frame or of a film, and what is allowed
@@ -101,20 +105,27 @@ std::string numbers(const Difference& d,
   std::string text = "<div class=\"scroll\"><table>\n";
   text += row("Largest difference",
               fmt::format("{} levels of 255", d.largest),
-              fmt::format("limit {}", t.limit));
+              fmt::format("limit {}", t.limit),
+              d.largest > std::max(t.limit, t.max));
   text += row("Pixels over the threshold",
               percent(d.fraction_over),
-              fmt::format("allowed {} over {} levels", percent(t.fraction), t.max));
-  text += row("Mean absolute difference", fmt::format("{:.4g} levels", d.mean), "");
-  text += row("RMSE", fmt::format("{:.4g} levels", d.rms), "");
-  text += row("PSNR", std::isfinite(ratio) ? fmt::format("{:.2f} dB", ratio) : "infinite", "");
+              fmt::format("allowed {} over {} levels", percent(t.fraction), t.max),
+              d.fraction_over > t.fraction);
+  text += row("Mean absolute difference", fmt::format("{:.4g} levels", d.mean), "", false);
+  text += row("RMSE", fmt::format("{:.4g} levels", d.rms), "", false);
+  text +=
+      row("PSNR", std::isfinite(ratio) ? fmt::format("{:.2f} dB", ratio) : "infinite", "", false);
   if (ssim) {
-    text +=
-        row("SSIM", fmt::format("{:.6f}", *ssim), t.ssim ? fmt::format("least {}", *t.ssim) : "");
+    text += row("SSIM",
+                fmt::format("{:.6f}", *ssim),
+                t.ssim ? fmt::format("least {}", *t.ssim) : "",
+                t.ssim && *ssim < *t.ssim);
   }
   if (flip) {
-    text += row(
-        "Mean FLIP", fmt::format("{:.6f}", *flip), t.flip ? fmt::format("most {}", *t.flip) : "");
+    text += row("Mean FLIP",
+                fmt::format("{:.6f}", *flip),
+                t.flip ? fmt::format("most {}", *t.flip) : "",
+                t.flip && *flip > *t.flip);
   }
   return text + "</table></div>\n";
 }

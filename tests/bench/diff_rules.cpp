@@ -165,7 +165,7 @@ const std::vector<Rule>& rules() {
   static const std::vector<Rule> table = {
       {"VTK",
        [](const Image& a, const Image& b) {
-         return 1.0 - ssim(a, b) > 0.05;
+         return 1.0 - ssim(without_alpha(a), without_alpha(b)) > 0.05;
        }},
       {"Blender",
        [](const Image& a, const Image& b) {
