@@ -32,10 +32,13 @@ for (const viewer of document.querySelectorAll(".viewer")) {
     range.value = String(Math.max(0, Math.min(100, (100 * (event.clientX - box.left)) / box.width)));
     move();
   });
-  const flip = (on) => () => stage.dataset.mode === "flip" && stage.classList.toggle("flipped", on);
-  stage.addEventListener("pointerenter", flip(true));
+  // a mouse flips by hovering, a finger by pressing
+  const hover = (on) => (event) => {
+    if (stage.dataset.mode === "flip" && event.pointerType === "mouse") stage.classList.toggle("flipped", on);
+  };
+  stage.addEventListener("pointerenter", hover(true));
+  stage.addEventListener("pointerleave", hover(false));
   stage.addEventListener("pointerdown", () => stage.dataset.mode === "flip" && stage.classList.toggle("flipped"));
-  stage.addEventListener("pointerleave", flip(false));
   move();
   show("slide");
 }
