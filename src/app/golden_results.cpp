@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/golden_results.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -8,8 +9,10 @@
 
 #include "app/progress.h"
 #include "base/interrupt.h"
+#include "base/nearest.h"
 #include "base/parallel.h"
 #include "image/png.h"
+#include "render/context.h"
 
 namespace polhode {
 namespace {
@@ -52,6 +55,12 @@ void hold_against_references(const LoadedCase& one, CaseResult& result) {
 }  // namespace
 
 std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<LoadedCase>& cases) {
+  // a wrong name is the user's fault, not every case's
+  const std::vector<std::string> names = backend_names();
+  if (std::find(names.begin(), names.end(), job.backend) == names.end()) {
+    throw input_error("no back end is called '{}'{}", job.backend, suggestion(job.backend, names))
+        .at({{}, 0, "--backend"});
+  }
   std::vector<CaseResult> results(cases.size());
   const ScratchFolder scratch;
   std::atomic<int> done = 0;

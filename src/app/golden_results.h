@@ -27,7 +27,7 @@ struct CaseResult {
 
   bool same() const { return verdict && verdict->same(); }
   std::string outcome() const {
-    if (!drawn) return "cannot be drawn";
+    if (!drawn) return "error";
     if (best == nullptr) return "no reference";
     return same() ? "same" : "different";
   }

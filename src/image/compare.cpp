@@ -106,7 +106,7 @@ class TileSums {
   TileSums(const Image& a, const Image& b)
       : columns_((a.width + kTile - 1) / kTile),
         rows_((a.height + kTile - 1) / kTile),
-        sums_(static_cast<std::size_t>((columns_ + 1) * (rows_ + 1))) {
+        sums_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1)) {
     for (int y = 0; y < a.height; ++y) {
       for (int x = 0; x < a.width; ++x) {
         for (int c = 0; c < 4; ++c)
@@ -125,7 +125,10 @@ class TileSums {
   }
 
  private:
-  std::int64_t& at(int x, int y) { return sums_[static_cast<std::size_t>(y * (columns_ + 1) + x)]; }
+  std::int64_t& at(int x, int y) {
+    return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_ + 1) +
+                 static_cast<std::size_t>(x)];
+  }
 
   int columns_, rows_;
   std::vector<std::int64_t> sums_;

@@ -219,7 +219,6 @@ class BandOfPicture {
       : image_(image),
         c_(constants),
         begin_(begin),
-        end_(end),
         high_(end - begin + 2 * constants.radius),
         width_(static_cast<std::size_t>(image.width)),
         y_(image.width, high_),
@@ -311,14 +310,14 @@ class BandOfPicture {
     }
   }
 
-  void across(Plane& plane, int y, const Weights& w, Parity parity, std::vector<float>& out) {
+  void across(Plane& plane, int y, const Weights& w, Parity parity, std::vector<float>& out) const {
     const int r = y - begin_ + c_.radius;
     filter([&](int i) { return plane.row(r + i); }, w, parity, width_, out.data());
   }
 
   const Image& image_;
   const Constants& c_;
-  int begin_, end_, high_;
+  int begin_, high_;
   std::size_t width_;
   Plane y_, rg_, by_1_, by_2_, bell_, edge_, point_;
 };

@@ -47,11 +47,15 @@ struct Quantities {
   explicit Quantities(std::size_t size) : s(size), d(size), ss(size), dd(size) {}
 };
 
+inline float luma(const std::uint8_t* pixel) {
+  return 0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1]) +
+         0.0722F * static_cast<float>(pixel[2]) - kMiddle;
+}
+
 POLHODE_WIDE_REGISTERS
 void take_lumas(const std::uint8_t* a, const std::uint8_t* b, std::size_t width, Quantities& q) {
   for (std::size_t x = 0; x < width; ++x, a += 4, b += 4) {
-    const float one = 0.2126F * a[0] + 0.7152F * a[1] + 0.0722F * a[2] - kMiddle;
-    const float other = 0.2126F * b[0] + 0.7152F * b[1] + 0.0722F * b[2] - kMiddle;
+    const float one = luma(a), other = luma(b);
     q.s[x] = one + other;
     q.d[x] = one - other;
     q.ss[x] = q.s[x] * q.s[x];
@@ -118,60 +122,86 @@ Image continued(const Image& image) {
   return out;
 }
 
-// the sum of the indices of windows [begin, end), counted by their first rows
-double sum_of_band(const Image& a, const Image& b, int begin, int end, const Weights& weights) {
-  const auto width = static_cast<std::size_t>(a.width);
-  const std::size_t windows = width - kWindow + 1;
-  Quantities row(width), mean(windows);
-  std::vector<Quantities> blurred(kWindow, Quantities(windows));  // row y in y % 11
-  Row index(windows);
-  double total = 0.0;
-  int blurred_to = begin;  // rows before this are blurred
-  int last_different = begin - kWindow;
-  const auto differs = [&](int y) {
-    return std::memcmp(a.at(0, y), b.at(0, y), 4 * width) != 0;
-  };
-  for (int y = begin; y < begin + kWindow - 1; ++y) {
-    if (differs(y)) last_different = y;
+// Blurs rows of both pictures one after another and adds up the indices of their windows.
+class Band {
+ public:
+  Band(const Image& a, const Image& b, const Weights& weights)
+      : a_(a),
+        b_(b),
+        weights_(weights),
+        width_(static_cast<std::size_t>(a.width)),
+        windows_(width_ - kWindow + 1),
+        row_(width_),
+        mean_(windows_),
+        blurred_(kWindow, Quantities(windows_)),
+        index_(windows_) {}
+
+  // the sum over windows whose first rows are [begin, end)
+  double sum(int begin, int end) {
+    double total = 0.0;
+    int blurred_to = begin;  // rows before this are blurred
+    int last_different = begin - kWindow;
+    const auto look_at = [&](int y) {
+      if (std::memcmp(a_.at(0, y), b_.at(0, y), 4 * width_) != 0) last_different = y;
+    };
+    for (int y = begin; y < begin + kWindow - 1; ++y)
+      look_at(y);
+    for (int y = begin; y < end; ++y) {
+      const int newest = y + kWindow - 1;
+      look_at(newest);
+      // windows on equal rows
+      if (last_different < y) {
+        total += static_cast<double>(windows_);
+        continue;
+      }
+      for (int r = std::max(blurred_to, y); r <= newest; ++r)
+        blur(r);
+      blurred_to = newest + 1;
+      total += sum_of_row(y);
+    }
+    return total;
   }
-  for (int y = begin; y < end; ++y) {
-    const int newest = y + kWindow - 1;
-    if (differs(newest)) last_different = newest;
-    // windows on equal rows
-    if (last_different < y) {
-      total += static_cast<double>(windows);
-      continue;
-    }
-    for (int r = std::max(blurred_to, y); r <= newest; ++r) {
-      take_lumas(a.at(0, r), b.at(0, r), width, row);
-      Quantities& into = blurred[static_cast<std::size_t>(r % kWindow)];
-      blur_along(row.s.data(), windows, weights, into.s.data());
-      blur_along(row.d.data(), windows, weights, into.d.data());
-      blur_along(row.ss.data(), windows, weights, into.ss.data());
-      blur_along(row.dd.data(), windows, weights, into.dd.data());
-    }
-    blurred_to = newest + 1;
-    for (Row Quantities::*which :
-         {&Quantities::s, &Quantities::d, &Quantities::ss, &Quantities::dd}) {
+
+ private:
+  Quantities& kept(int y) { return blurred_[static_cast<std::size_t>(y % kWindow)]; }
+
+  void blur(int y) {
+    take_lumas(a_.at(0, y), b_.at(0, y), width_, row_);
+    Quantities& into = kept(y);
+    for (const auto which : kAll)
+      blur_along((row_.*which).data(), windows_, weights_, (into.*which).data());
+  }
+
+  double sum_of_row(int y) {
+    for (const auto which : kAll) {
       std::array<const float*, kWindow> rows{};
-      for (int i = 0; i < kWindow; ++i) {
-        rows[static_cast<std::size_t>(i)] =
-            (blurred[static_cast<std::size_t>((y + i) % kWindow)].*which).data();
-      }
-      blur_across(rows, windows, weights, (mean.*which).data());
+      for (int i = 0; i < kWindow; ++i)
+        rows[static_cast<std::size_t>(i)] = (kept(y + i).*which).data();
+      blur_across(rows, windows_, weights_, (mean_.*which).data());
     }
-    indices(mean, windows, index.data());
-    float sum = 0.0F;
-    for (std::size_t x = 0; x < windows; ++x) {
-      sum += index[x];
-      if (x % 64 == 63 || x + 1 == windows) {
-        total += static_cast<double>(sum);
-        sum = 0.0F;
-      }
+    indices(mean_, windows_, index_.data());
+    // in single precision for a while, then in double
+    double total = 0.0;
+    for (std::size_t x = 0; x < windows_; x += 64) {
+      float part = 0.0F;
+      for (std::size_t i = x; i < std::min(windows_, x + 64); ++i)
+        part += index_[i];
+      total += static_cast<double>(part);
     }
+    return total;
   }
-  return total;
-}
+
+  static constexpr Row Quantities::*kAll[] = {
+      &Quantities::s, &Quantities::d, &Quantities::ss, &Quantities::dd};
+
+  const Image& a_;
+  const Image& b_;
+  const Weights& weights_;
+  std::size_t width_, windows_;
+  Quantities row_, mean_;
+  std::vector<Quantities> blurred_;  // row y in y % 11
+  Row index_;
+};
 
 double ssim_of_opaque(const Image& a, const Image& b, int jobs) {
   if (a.width < kWindow || a.height < kWindow)
@@ -183,7 +213,7 @@ double ssim_of_opaque(const Image& a, const Image& b, int jobs) {
   parallel_for(static_cast<long>(sums.size()), jobs, [&](long band) {
     const int begin = static_cast<int>(band) * kBand;
     sums[static_cast<std::size_t>(band)] =
-        sum_of_band(a, b, begin, std::min(rows, begin + kBand), weights);
+        Band(a, b, weights).sum(begin, std::min(rows, begin + kBand));
   });
   double total = 0.0;
   for (const double sum : sums)
