@@ -262,7 +262,7 @@ Outcome compare_all(const DiffJob& job, const Sides& sides) {
   FramePairs pairs(
       job.actual, std::move(actual), job.reference, std::move(reference), sides.by_order);
   // a picture has time for SSIM; of a film only what is asked is measured
-  const Measures also{pairs.count() == 1, false};
+  const Measures also{outcome.kind == SourceKind::picture, false};
   WorstFrames worst(job.html.empty() ? 0 : kShownFrames);
   Progress progress(job.progress, pairs.count());
   SourceFrame a, b;

@@ -150,7 +150,7 @@ FramePairs::FramePairs(const std::string& name_a,
   if (alike && one.kind == SourceKind::film) {
     apart_ = 0.5 / std::max(one.fps.value(), other.fps.value());
   }
-  count_ = static_cast<int>(std::max(one.labels.size(), other.labels.size()));
+  count_ = std::max(one.frames, other.frames);
   a_ = std::make_unique<Prefetcher>(std::move(a));
   b_ = std::make_unique<Prefetcher>(std::move(b));
 }

@@ -24,7 +24,7 @@ class FramePairs {
   FramePairs(const FramePairs&) = delete;
   FramePairs& operator=(const FramePairs&) = delete;
 
-  // How many pairs there will be; 0: not known.
+  // About how many pairs there will be; 0: not known.
   int count() const { return count_; }
 
   // False at the end of both. The buffers are used again. Throws Error (input) for a frame without

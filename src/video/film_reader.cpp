@@ -141,6 +141,7 @@ class FilmReader::Implementation {
       }
       if (read < 0) refuse_damage(read);
       const bool ours = packet_->stream_index == stream_->index;
+      packets_ += ours ? 1 : 0;
       const int sent = ours ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
       av_packet_unref(packet_.get());
       if (sent < 0) refuse_damage(sent);
@@ -152,10 +153,11 @@ class FilmReader::Implementation {
     throw input_error("is damaged after frame {}: {}", frames_, words(code));
   }
 
-  // a file that was cut off simply ends
+  // A file that was cut off simply ends. Packets are counted, for a film may leave out frames that
+  // it holds: those before the place where it was trimmed.
   void refuse_short() const {
-    if (frames_ >= info_.frames) return;
-    throw input_error("is damaged: it promises {} frames and holds {}", info_.frames, frames_);
+    if (packets_ >= info_.frames) return;
+    throw input_error("is damaged: it promises {} frames and holds {}", info_.frames, packets_);
   }
 
   double time_of_frame() {
@@ -222,6 +224,7 @@ class FilmReader::Implementation {
   int format_ = -1;         // pixel format that the converter takes
   std::int64_t first_ = 0;  // time stamp of the first frame
   int frames_ = 0;          // how many have been decoded
+  int packets_ = 0;         // and how many were read for them
   FilmInfo info_;
 };
 

@@ -27,6 +27,7 @@ class PictureSource final : public FrameSource {
     info_.kind = kind;
     for (const Entry& entry : entries_)
       info_.labels.push_back(entry.label);
+    info_.frames = static_cast<int>(entries_.size());
   }
   const SourceInfo& info() const override { return info_; }
   bool next(SourceFrame& frame) override {
@@ -49,6 +50,7 @@ class FilmSource final : public FrameSource {
   explicit FilmSource(const std::string& name) : reader_(name) {
     info_.kind = SourceKind::film;
     info_.fps = reader_.info().fps;
+    info_.frames = reader_.info().frames;
   }
   const SourceInfo& info() const override { return info_; }
   bool next(SourceFrame& frame) override {

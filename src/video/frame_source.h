@@ -24,6 +24,7 @@ struct SourceInfo {
   SourceKind kind = SourceKind::picture;
   std::vector<std::string> labels;  // of all frames, except in a film
   FrameRate fps;                    // of a film
+  int frames = 0;                   // about how many there will be; 0: not known
 };
 
 // Gives frames in order.
