@@ -26,11 +26,18 @@ struct Workers {
   int jobs;
 };
 
+// how a failing test names its workers
+void PrintTo(const Workers& workers, std::ostream* out) {
+  *out << workers.backend << " " << workers.jobs;
+}
+
 class Golden : public ::testing::TestWithParam<Workers> {};
 
 TEST_P(Golden, PicturesLookAsTheyDid) {
   const auto& [backend, jobs] = GetParam();
-  const std::string output = POLHODE_SOURCE_DIR "/output/golden";
+  // a folder for each, since tests run at the same time
+  const std::string output =
+      fmt::format("{}/output/golden/{}_{}", POLHODE_SOURCE_DIR, backend, jobs);
   const Ran ran = run_polhode(fmt::format(
       "golden run '{}' --backend {} --jobs {} --output '{}'", kGoldens, backend, jobs, output));
   if (ran.code == 3 && backend != "osmesa") GTEST_SKIP() << ran.err;
