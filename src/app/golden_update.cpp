@@ -78,9 +78,15 @@ Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& 
                                       verdict.values.largest,
                                       percent(verdict.values.fraction_over),
                                       one.verdict.thresholds.max);
-  if (!job.all && (verdict.same() || result.same())) {
-    return {
-        fmt::format("kept: the same within its thresholds ({}){}", how, rule), false, rule_changed};
+  if (!job.all && verdict.same()) {
+    // what drew a picture is not known where nothing tells it
+    const bool write = rule_changed && target->has_sidecar;
+    return {fmt::format("kept: the same within its thresholds ({}){}", how, write ? rule : ""),
+            false,
+            write};
+  }
+  if (!job.all && result.same() && result.best != &*target) {
+    return {fmt::format("kept: matches {}", result.best->file.filename().string())};
   }
   return {fmt::format("changed: {}", how), true, true};
 }

@@ -222,6 +222,20 @@ TEST_F(Net, UpdateSaysWhatItChangesAndKeepsTheRest) {
   EXPECT_EQ(run().code, 0);
 }
 
+// thresholds of cases.toml reach the sidecar by an update, and the picture when it no longer suits
+TEST_F(Net, TighterThresholdsRenewTheReference) {
+  alter([](int, int, std::uint8_t* p) { p[0] = static_cast<std::uint8_t>(p[0] ^ 1); });
+  write_text(folder_ / "g/cases.toml",
+             "format = 1\n[verdict]\nmax = 0\nfraction = 0.0\nlimit = 0\n[[case]]\nname = \"top\"\n"
+             "scene = \"top.toml\"\nstill = 0.5\n");
+  EXPECT_EQ(run().code, 0) << "the sidecar rules until it is updated";
+  const Ran updated = golden("update", "--allow-dirty");
+  EXPECT_NE(updated.out.find("changed"), std::string::npos) << updated.out;
+  EXPECT_EQ(read_png(folder_ / "g/top.png").pixels, image_.pixels);
+  EXPECT_EQ(load_golden_sidecar(folder_ / "g/top.png.toml").verdict.thresholds.max, 0);
+  EXPECT_EQ(run().code, 0);
+}
+
 TEST_F(Net, UpdateRefusesADirtyTree) {
   Ran ran = golden("update");
   EXPECT_EQ(ran.code, 2);
