@@ -19,6 +19,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kShownFrames = 3;  // the worst, on the page
+constexpr int kShownApart = 30;          // frames from one of them to the next
 
 bool is_scene(const std::string& name) {
   return name.ends_with(".toml");
@@ -109,13 +110,21 @@ Sides prepare(const DiffJob& job, const ScratchFolder& scratch) {
   return sides;
 }
 
-// The worst frames with their pixels, worst first.
+// The worst frames with their pixels, worst first. Of frames that follow each other more closely
+// than `apart` only the worst is kept: neighbours in a film show the same.
 class WorstFrames {
  public:
-  explicit WorstFrames(std::size_t most) : most_(most) {}
+  WorstFrames(std::size_t most, int apart) : most_(most), apart_(apart) {}
 
   void offer(const FrameScore& score, const SourceFrame& actual, const SourceFrame& reference) {
     if (most_ == 0) return;
+    const auto near = std::find_if(shown_.begin(), shown_.end(), [&](const ShownFrame& one) {
+      return score.index - one.score.index < apart_;
+    });
+    if (near != shown_.end()) {
+      if (near->score.badness >= score.badness) return;
+      shown_.erase(near);
+    }
     const auto place = std::find_if(shown_.begin(), shown_.end(), [&](const ShownFrame& one) {
       return one.score.badness < score.badness;
     });
@@ -132,6 +141,7 @@ class WorstFrames {
 
  private:
   std::size_t most_;
+  int apart_;
   std::vector<ShownFrame> shown_;
 };
 
@@ -230,9 +240,10 @@ std::string as_words(const DiffJob& job, const Outcome& outcome, const DiffSumma
                       outcome.height,
                       many ? fmt::format(", {} frames", outcome.scores.size()) : "");
   text += fmt::format("  largest        {} levels of 255 (limit {})\n", d.largest, t.limit);
-  text += fmt::format("  over {:<3} levels {} of the pixels (allowed {})\n",
+  text += fmt::format("  over {:<3} levels {} of the pixels{} (allowed {})\n",
                       t.max,
                       percent(d.fraction_over),
+                      many ? " on average" : "",
                       percent(t.fraction));
   text += fmt::format("  mean, RMSE     {:.4g}, {:.4g} levels\n", d.mean, d.rms);
   const double ratio = psnr(d.rms);
@@ -263,7 +274,8 @@ Outcome compare_all(const DiffJob& job, const Sides& sides) {
       job.actual, std::move(actual), job.reference, std::move(reference), sides.by_order);
   // a picture has time for SSIM; of a film only what is asked is measured
   const Measures also{outcome.kind == SourceKind::picture, false};
-  WorstFrames worst(job.html.empty() ? 0 : kShownFrames);
+  WorstFrames worst(job.html.empty() ? 0 : kShownFrames,
+                    outcome.kind == SourceKind::folder ? 0 : kShownApart);
   Progress progress(job.progress, pairs.count());
   SourceFrame a, b;
   while (pairs.next(a, b)) {
