@@ -83,8 +83,7 @@ PicturePoint judged(const DrawingSetting& setting, const Drawn& drawn, const Dra
     p.max_levels = std::max(p.max_levels, apart.largest);
     squares += apart.rms * apart.rms;
   }
-  // alpha is a fourth of the values, and equal
-  p.rmse_levels = std::sqrt(4.0 / 3.0 * squares / static_cast<double>(truth.pictures.size()));
+  p.rmse_levels = std::sqrt(squares / static_cast<double>(truth.pictures.size()));
   return p;
 }
 

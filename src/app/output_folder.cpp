@@ -7,14 +7,15 @@
 namespace polhode {
 
 OutputFolder::OutputFolder(const std::filesystem::path& folder,
-                           const std::vector<std::string>& names) {
+                           const std::vector<std::string>& names,
+                           const char* option) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure || !std::filesystem::is_directory(folder)) {
     throw input_error("cannot make the folder '{}': {}",
                       folder.string(),
                       failure ? failure.message() : "there is a file of that name")
-        .at({{}, 0, "--output"});
+        .at({{}, 0, option});
   }
   for (const std::string& name : names)
     files_.push_back(std::make_unique<AtomicFile>(folder / name));

@@ -16,7 +16,10 @@ namespace polhode {
 class OutputFolder {
  public:
   // Throws Error (input) as AtomicFile does, before any work is done.
-  OutputFolder(const std::filesystem::path& folder, const std::vector<std::string>& names);
+  // `option` is the one that named the folder, for messages.
+  OutputFolder(const std::filesystem::path& folder,
+               const std::vector<std::string>& names,
+               const char* option = "--output");
   // One content per name, in their order.
   void commit(const std::vector<std::string>& contents);
 

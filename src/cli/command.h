@@ -26,6 +26,8 @@ Action define_simulate(CLI::App& command);
 Action define_inspect(CLI::App& command);
 Action define_chart(CLI::App& command);
 Action define_stability(CLI::App& command);
+Action define_diff(CLI::App& command);
+Action define_golden(CLI::App& command);
 Action define_list(CLI::App& command);
 Action define_schema(CLI::App& command);
 Action define_doctor(CLI::App& command);

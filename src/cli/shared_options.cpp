@@ -120,4 +120,29 @@ void add_numerics_options(CLI::App& command, Overrides& overrides) {
       ->type_name("A");
 }
 
+void add_thresholds(CLI::App& command, ThresholdOptions& given) {
+  add_whole_number(command, "--max", given.max, "levels of 255 by which values may differ (3)")
+      ->type_name("N");
+  add_number(
+      command, "--fraction", given.fraction, "share of pixels that may differ by more (5e-4)")
+      ->type_name("F");
+  add_whole_number(command, "--limit", given.limit, "levels that no value may differ by more (70)")
+      ->type_name("N");
+  add_number(command, "--ssim", given.ssim, "least SSIM, up to 1 (default: not asked)")
+      ->type_name("S");
+  add_number(command, "--flip", given.flip, "greatest mean FLIP, from 0 (default: not asked)")
+      ->type_name("F");
+}
+
+Thresholds thresholds_of(const ThresholdOptions& given) {
+  Thresholds thresholds;
+  thresholds.max = given.max.value_or(thresholds.max);
+  thresholds.fraction = given.fraction.value_or(thresholds.fraction);
+  thresholds.limit = given.limit.value_or(thresholds.limit);
+  thresholds.ssim = given.ssim;
+  thresholds.flip = given.flip;
+  check_thresholds(thresholds);
+  return thresholds;
+}
+
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/diff.h"
 #include "app/load.h"
 
 namespace polhode {
@@ -44,5 +45,15 @@ void add_progress(CLI::App& command, std::string& progress);
 
 // --method, --step, --tolerance, --accuracy
 void add_numerics_options(CLI::App& command, Overrides& overrides);
+
+// --max, --fraction, --limit, --ssim, --flip, as they were given
+struct ThresholdOptions {
+  std::optional<int> max, limit;  // levels of 255
+  std::optional<double> fraction, ssim, flip;
+};
+void add_thresholds(CLI::App& command, ThresholdOptions& given);
+
+// The defaults with what was given in their place. Throws Error (input) for a number out of range.
+Thresholds thresholds_of(const ThresholdOptions& given);
 
 }  // namespace polhode

@@ -1,23 +1,51 @@
 // SPDX-License-Identifier: MIT
-// How far two pictures are apart.
+// How far two pictures are apart, value by value.
+//
+// Which values: red, green and blue of opaque pictures. Where either picture is translucent
+// somewhere, colour premultiplied by alpha, and alpha as a fourth value: what cannot be seen cannot
+// differ, and a change of alpha alone is a change.
 #pragma once
 
 #include "image/image.h"
 
 namespace polhode {
 
-// Differences are per channel value (R, G, B, A), in levels of 0..255.
+// Differences of values, in levels of 0..255.
 struct Difference {
   int largest = 0;             // greatest absolute difference
   double mean = 0.0;           // mean absolute difference
   double rms = 0.0;            // root mean square difference
-  double fraction_over = 0.0;  // share of pixels with some channel over the threshold
+  double fraction_over = 0.0;  // share of pixels with some value over the threshold
+  int values = 3;              // per pixel: 3, or 4 with alpha
 };
 
 // Both pictures must have the same size; throws Error (input) otherwise.
 Difference compare(const Image& a, const Image& b, int threshold);
 
-// |a - b| times gain, clipped, opaque; for a person to look at.
+// Peak signal-to-noise ratio of a root mean square difference, dB: 20 log10(255 / rms). Infinite
+// for equal pictures.
+double psnr(double rms);
+
+// |a - b| times gain, clipped, opaque; for a person to look at. A difference of alpha is white.
 Image difference_picture(const Image& a, const Image& b, int gain);
+
+// A rectangle of a picture, in pixels from the top left.
+struct Region {
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+};
+
+// Where the pictures differ most: the rectangle of this size (cut to the picture's) with the
+// greatest sum of differences, to within eight pixels.
+Region worst_region(const Image& a, const Image& b, int width, int height);
+
+// That part of a picture, which must hold it.
+Image cut_out(const Image& image, const Region& region);
+
+// Has every pixel full alpha?
+bool is_opaque(const Image& image);
+
+// The picture on an opaque background of one grey level.
+Image laid_on(const Image& image, std::uint8_t grey);
 
 }  // namespace polhode

@@ -73,6 +73,27 @@ void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
   if (std::fclose(file.release()) != 0) throw failed("cannot close its temporary file");
 }
 
+std::string encode_png(const Image& image, bool with_alpha) {
+  CHECK(image.width > 0 && image.height > 0);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  const std::vector<std::uint8_t> rgb =
+      with_alpha ? std::vector<std::uint8_t>() : without_alpha(image);
+  const std::uint8_t* pixels = with_alpha ? image.pixels.data() : rgb.data();
+
+  // a bound on the size, cut to what was needed
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
+    throw environment_error("cannot encode a picture: {}", png.message);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
 Image read_png(const std::filesystem::path& path) {
   return decode_png(read_file(path, 5 * kMostPngPixels), path.string());
 }

@@ -22,7 +22,10 @@ void write_png(const std::filesystem::path& path, const Image& image, bool with_
 // The same into a file that the caller has claimed, and commits when it wants to.
 void write_png(const AtomicFile& file, const Image& image, bool with_alpha);
 
-// The same of a file in memory; `name` stands for it in messages.
+// The bytes of such a file.
+std::string encode_png(const Image& image, bool with_alpha);
+
+// The picture in the bytes of a file; `name` stands for it in messages.
 Image decode_png(const std::string& bytes, const std::string& name);
 
 // Reads any PNG as 8-bit RGBA. Throws Error (input) when it is missing, no PNG, or too large.

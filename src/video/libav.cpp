@@ -33,12 +33,16 @@ void LibavOptions::refuse_leftovers(const std::string& who) const {
   if (left != nullptr) throw environment_error("{} does not know the option '{}'", who, left->key);
 }
 
+std::string libav_words(int code) {
+  char words[AV_ERROR_MAX_STRING_SIZE] = {};
+  av_strerror(code, words, sizeof words);
+  return words;
+}
+
 int check_libav(int code, const std::string& what) {
   if (code >= 0) return code;
   if (code == AVERROR_EXIT) stop_if_interrupted();
-  char words[AV_ERROR_MAX_STRING_SIZE] = {};
-  av_strerror(code, words, sizeof words);
-  throw environment_error("{}: {}", what, words);
+  throw environment_error("{}: {}", what, libav_words(code));
 }
 
 void quieten_libav() {

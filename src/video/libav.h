@@ -46,7 +46,10 @@ class LibavOptions {
   AVDictionary* entries_ = nullptr;
 };
 
-// Every libav call that can fail goes through here. Throws Error (environment) with libav's words,
+// libav's own text for an error code.
+std::string libav_words(int code);
+
+// Every libav call that can fail through no fault of the user goes through here. Throws Error (environment) with libav's words,
 // (interrupted) when a signal ended the call.
 int check_libav(int code, const std::string& what);
 

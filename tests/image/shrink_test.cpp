@@ -33,8 +33,9 @@ TEST(Shrink, EveryPixelIsTheMeanOfItsSquare) {
 
 TEST(Compare, RootMeanSquare) {
   Image a(2, 1), b(2, 1);
-  b.pixels = {3, 0, 0, 0, 0, 4, 0, 0};
-  EXPECT_DOUBLE_EQ(compare(a, b, 0).rms, std::sqrt(25.0 / 8.0));
+  a.pixels = {0, 0, 0, 255, 0, 0, 0, 255};
+  b.pixels = {3, 0, 0, 255, 0, 4, 0, 255};
+  EXPECT_DOUBLE_EQ(compare(a, b, 0).rms, std::sqrt(25.0 / 6.0));
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "video/converter.h"
 
+extern "C" {
+#include <libavutil/imgutils.h>
+}
+
 #include <random>
 
 #include <gtest/gtest.h>

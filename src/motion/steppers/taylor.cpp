@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/wide_registers.h"
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
 #include "motion/steppers/turn.h"
@@ -79,12 +80,6 @@ template <bool Heavy>
   }
 }
 
-// the same bits on every processor: wider registers, but no fused operations
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define POLHODE_WIDE_REGISTERS [[gnu::target_clones("avx2", "default")]]
-#else
-#define POLHODE_WIDE_REGISTERS
-#endif
 POLHODE_WIDE_REGISTERS void expand(Series& series, std::size_t order, double h) {
   expand_terms<true>(series, order, h);
 }

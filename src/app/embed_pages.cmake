@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ file that holds the style and the script of the pages.
+set(text "// Made by src/app/embed_pages.cmake; the sources are in src/app/pages/.\n")
+string(APPEND text "#include \"app/page_parts.h\"\n\nnamespace polhode {\n\n")
+foreach(part css js)
+  file(READ "${FOLDER}/report.${part}" source)
+  string(APPEND text "const std::string& page_${part}() {\n  static const std::string text = R\"page(${source})page\";\n")
+  string(APPEND text "  return text;\n}\n\n")
+endforeach()
+string(APPEND text "}  // namespace polhode\n")
+file(WRITE "${OUTPUT}" "${text}")

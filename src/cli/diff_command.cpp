@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/diff.h"
+#include "base/console.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+
+Action define_diff(CLI::App& command) {
+  auto job = std::make_shared<DiffJob>();
+  auto progress = std::make_shared<std::string>("auto");
+  auto given = std::make_shared<ThresholdOptions>();
+  command
+      .add_option("actual",
+                  job->actual,
+                  "what was made: picture.png, frame_%05d.png, a folder of .png, film.mp4, or a "
+                  "scene.toml, which is rendered first")
+      ->required()
+      ->type_name("A");
+  command.add_option("reference", job->reference, "what it should look like, of the same kinds")
+      ->required()
+      ->type_name("B");
+  add_thresholds(command, *given);
+  command.add_flag("--json", job->json, "all numbers, of every frame, as JSON");
+  add_text(command, "--html", job->html, "write a page for a person, DIR/index.html")
+      ->type_name("DIR");
+  add_number(command, "--still", job->still, "the moment of a scene's picture, s (default: 0)")
+      ->type_name("T");
+  add_text(command, "--size", job->overrides.size, "of a scene (default: the other side's)")
+      ->type_name("WxH");
+  add_text(command, "--fps", job->overrides.fps, "of a scene's film (default: the other side's)")
+      ->type_name("N");
+  command.add_flag_callback(
+      "--no-text", [job] { job->text = false; }, "a scene without labels, clock, title, caption");
+  add_text(command, "--backend", job->backend, "OpenGL for scenes: osmesa, egl or auto")
+      ->type_name("NAME");
+  add_progress(command, *progress);
+  return [=] {
+    job->thresholds = thresholds_of(*given);
+    job->progress = parse_progress(*progress);
+    const DiffResult result = diff(*job);
+    print_out(result.text);
+    return result.same ? 0 : static_cast<int>(Fault::check_failed);
+  };
+}
+
+}  // namespace polhode

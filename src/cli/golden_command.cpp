@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/golden.h"
+#include "base/console.h"
+#include "base/nearest.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+namespace {
+
+struct GoldenAction {
+  const char* name;
+  GoldenResult (*run)(const GoldenJob&);
+};
+constexpr GoldenAction kActions[] = {
+    {"run", golden_run}, {"update", golden_update}, {"show", golden_show}};
+
+const GoldenAction& find_action(const std::string& name) {
+  std::vector<std::string> names;
+  for (const GoldenAction& action : kActions) {
+    if (name == action.name) return action;
+    names.emplace_back(action.name);
+  }
+  throw input_error("no action is called '{}'{}", name, suggestion(name, names))
+      .at({{}, 0, "golden"});
+}
+
+}  // namespace
+
+Action define_golden(CLI::App& command) {
+  auto job = std::make_shared<GoldenJob>();
+  auto action = std::make_shared<std::string>();
+  auto progress = std::make_shared<std::string>("auto");
+  auto jobs = std::make_shared<std::optional<int>>();
+  command.add_option("action", *action, "run, update or show")->required()->type_name("ACTION");
+  command.add_option("folder", job->folder, "folder with cases.toml, see docs/golden.md")
+      ->required()
+      ->type_name("DIR");
+  add_text(command, "--cases", job->cases, "only these, with commas between")->type_name("NAMES");
+  add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
+      ->type_name("NAME");
+  add_whole_number(command, "--jobs", *jobs, "cases at a time (default: one per processor)")
+      ->type_name("N");
+  command.add_flag("--json", job->json, "as JSON");
+  add_text(command, "--html", job->html, "run: write a page of what failed, DIR/index.html")
+      ->type_name("DIR");
+  add_text(command, "--output", job->output, "run: where failures leave their pictures")
+      ->type_name("DIR");
+  add_text(command, "--cause", job->cause, "update: write NAME.CAUSE.png beside NAME.png")
+      ->type_name("CAUSE");
+  command.add_flag("--all", job->all, "update: also what is the same within its thresholds");
+  command.add_flag("--allow-dirty", job->allow_dirty, "update: though the git tree holds changes");
+  add_progress(command, *progress);
+  return [=] {
+    const GoldenAction& chosen = find_action(*action);
+    if (*jobs && **jobs < 1) {
+      throw input_error("must be at least 1, got {}", **jobs).at({{}, 0, "--jobs"});
+    }
+    job->jobs = jobs->value_or(0);
+    job->progress = parse_progress(*progress);
+    const GoldenResult result = chosen.run(*job);
+    print_out(result.text);
+    return result.exit_code;
+  };
+}
+
+}  // namespace polhode

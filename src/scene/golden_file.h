@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The files of a folder of golden pictures: cases.toml, and a sidecar beside every reference.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/verdict.h"
+#include "video/video_spec.h"
+
+namespace polhode {
+
+// A rule, and why it is as it is.
+struct GoldenVerdict {
+  Thresholds thresholds;
+  std::string reason;
+};
+
+template <class Visitor>
+void fields(Visitor& v, GoldenVerdict& s) {
+  fields(v, s.thresholds);
+  v.field("reason", s.reason, Doc{"why these numbers"});
+}
+
+// One picture that must stay as it is.
+struct GoldenCase {
+  std::string name;    // NAME.png; letters, digits, _ and -
+  std::string scene;   // file, from the folder of the cases
+  std::string guards;  // what it is there for
+  double still = 0.0;  // s of the motion
+  PictureSize size{320, 180};
+  bool text = false;                          // labels, clock, title, caption
+  bool transparent = false;                   // no background
+  std::optional<GoldenVerdict> verdict = {};  // absent: the folder's
+};
+
+template <class Visitor>
+void fields(Visitor& v, GoldenCase& s) {
+  v.required("name", s.name, Doc{"name of the case and of its pictures"});
+  v.required("scene", s.scene, Doc{"scene file, from the folder of this file"});
+  v.field("guards", s.guards, Doc{"what the case is there for"});
+  v.field("still", s.still, Doc{"the moment that is drawn", Unit::time, kNonNegative});
+  v.field("size", s.size, Doc{"picture size, \"320x180\""});
+  v.field("text", s.text, Doc{"with labels, clock, title and caption; fonts differ a little"});
+  v.field("transparent", s.transparent, Doc{"without background"});
+  v.field("verdict", s.verdict, Doc{"this case's rule instead of the folder's"});
+}
+
+// cases.toml
+struct GoldenFile {
+  int format = 1;
+  GoldenVerdict verdict;
+  std::vector<GoldenCase> cases;
+};
+
+template <class Visitor>
+void fields(Visitor& v, GoldenFile& s) {
+  v.field("format", s.format, Doc{"version of this format", Unit::none, Range{1, 1}});
+  v.field("verdict", s.verdict, Doc{"the rule of all cases that have none of their own"});
+  v.required("case", s.cases, Doc{"the pictures"});
+}
+
+// Beside a reference: what drew it, and the rule for comparing with it.
+struct GoldenSidecar {
+  int format = 1;
+  std::string cause;       // why there is a second reference: "mesa-25"; "" for the first
+  std::string polhode;     // version
+  std::string backend;     // "osmesa"
+  std::string renderer;    // as OpenGL names it
+  std::string opengl;      // version, with Mesa's
+  std::string llvm;        // version, where the renderer tells
+  std::string cpu_vendor;  // as the processor names it
+  int samples = 0;         // per pixel
+  GoldenVerdict verdict;
+};
+
+template <class Visitor>
+void fields(Visitor& v, GoldenSidecar& s) {
+  v.field("format", s.format, Doc{"version of this format", Unit::none, Range{1, 1}});
+  v.field("cause", s.cause, Doc{"why this reference is accepted beside the first"});
+  v.field("polhode", s.polhode, Doc{"version of the program that drew it"});
+  v.field("backend", s.backend, Doc{"where OpenGL came from"});
+  v.field("renderer", s.renderer, Doc{"as OpenGL names it"});
+  v.field("opengl", s.opengl, Doc{"version of OpenGL, with Mesa's"});
+  v.field("llvm", s.llvm, Doc{"version of LLVM behind the renderer"});
+  v.field("cpu_vendor", s.cpu_vendor, Doc{"as the processor names it"});
+  v.field("samples", s.samples, Doc{"per pixel"});
+  v.field("verdict", s.verdict, Doc{"the rule for comparing with this reference"});
+}
+
+// Throws Error (input) with file, line and key; also for names that are no file names, and for two
+// cases of one name.
+GoldenFile load_golden_file(const std::filesystem::path& file);
+
+// Throws Error (input) with file, line and key.
+GoldenSidecar load_golden_sidecar(const std::filesystem::path& file);
+
+// The text of such a file.
+std::string sidecar_text(const GoldenSidecar& sidecar);
+
+// Letters, digits, _ and - only.
+bool is_plain_name(const std::string& name);
+
+}  // namespace polhode

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "video/film_reader.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.h"
+#include "image/png.h"
+#include "video/libav.h"
+
+namespace polhode {
+namespace {
+
+struct CloseInput {
+  void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
+};
+using Input = std::unique_ptr<AVFormatContext, CloseInput>;
+
+// libav tells little about a name that leads nowhere
+void refuse_missing(const std::string& file) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(file, failed);
+  if (!std::filesystem::exists(status)) throw input_error("there is no such file");
+  if (std::filesystem::is_directory(status)) throw input_error("is a folder, not a film");
+  if (!std::filesystem::is_regular_file(status)) throw input_error("is no ordinary file");
+}
+
+}  // namespace
+
+class FilmReader::Implementation {
+ public:
+  explicit Implementation(const std::string& file) : file_(file) {
+    with_name([&] {
+      refuse_missing(file);
+      quieten_libav();
+      open_input();
+      open_decoder();
+      packet_.reset(made(av_packet_alloc()));
+      decoded_.reset(made(av_frame_alloc()));
+    });
+  }
+
+  const FilmInfo& info() const { return info_; }
+
+  bool next(Image& frame, double& time) {
+    bool more = false;
+    with_name([&] {
+      more = decode();
+      if (!more) {
+        refuse_short();
+        return;
+      }
+      ++frames_;
+      time = time_of_frame();
+      convert(frame);
+    });
+    return more;
+  }
+
+ private:
+  // errors of this reader name the film
+  template <class Work>
+  void with_name(const Work& work) const {
+    try {
+      work();
+    } catch (const Error& error) {
+      throw error.at({file_, 0, {}});
+    }
+  }
+
+  void open_input() {
+    AVFormatContext* input = nullptr;
+    // the protocol is named, or libav would find one in a name such as "take:1.mp4"
+    const int opened = avformat_open_input(&input, ("file:" + file_).c_str(), nullptr, nullptr);
+    if (opened < 0) throw input_error("is no film that can be read: {}", libav_words(opened));
+    input_.reset(input);
+    if (avformat_find_stream_info(input, nullptr) < 0) {
+      throw input_error("is no film that can be read: nothing is known of its tracks");
+    }
+    const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (index < 0) throw input_error("has no pictures in it");
+    stream_ = input->streams[index];
+  }
+
+  void open_decoder() {
+    const AVCodecParameters& track = *stream_->codecpar;
+    const AVCodec* codec = avcodec_find_decoder(track.codec_id);
+    if (codec == nullptr) {
+      throw environment_error("this FFmpeg cannot decode {}", avcodec_get_name(track.codec_id));
+    }
+    if (track.width <= 0 || track.height <= 0) throw input_error("has no pictures in it");
+    decoder_.reset(made(avcodec_alloc_context3(codec)));
+    check_libav(avcodec_parameters_to_context(decoder_.get(), &track), "cannot read the film's header");
+    decoder_->thread_count = 0;
+    // a damaged frame is an error, not something to be guessed at
+    decoder_->err_recognition = AV_EF_EXPLODE | AV_EF_CRCCHECK;
+    decoder_->max_pixels = static_cast<std::int64_t>(kMostPngPixels);
+    const int opened = avcodec_open2(decoder_.get(), codec, nullptr);
+    if (opened < 0) throw input_error("cannot be decoded: {}", libav_words(opened));
+
+    info_.width = track.width;
+    info_.height = track.height;
+    info_.frames = static_cast<int>(std::clamp<std::int64_t>(stream_->nb_frames, 0, INT32_MAX));
+    info_.codec = codec->name;
+    const AVRational rate = stream_->avg_frame_rate;
+    if (rate.num > 0 && rate.den > 0) info_.fps = {rate.num, rate.den};
+    const AVPixFmtDescriptor* format =
+        av_pix_fmt_desc_get(static_cast<AVPixelFormat>(track.format));
+    info_.alpha = format != nullptr && (format->flags & AV_PIX_FMT_FLAG_ALPHA) != 0;
+  }
+
+  // the next picture into decoded_
+  bool decode() {
+    while (true) {
+      const int received = avcodec_receive_frame(decoder_.get(), decoded_.get());
+      if (received == 0) return true;
+      if (received == AVERROR_EOF) return false;
+      if (received != AVERROR(EAGAIN)) refuse_damage(received);
+      send_packet();
+    }
+  }
+
+  void send_packet() {
+    while (true) {
+      const int read = av_read_frame(input_.get(), packet_.get());
+      if (read == AVERROR_EOF) {
+        const int ended = avcodec_send_packet(decoder_.get(), nullptr);
+        if (ended < 0) refuse_damage(ended);
+        return;
+      }
+      if (read < 0) refuse_damage(read);
+      const bool ours = packet_->stream_index == stream_->index;
+      packets_ += ours ? 1 : 0;
+      const int sent = ours ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
+      av_packet_unref(packet_.get());
+      if (sent < 0) refuse_damage(sent);
+      if (ours) return;
+    }
+  }
+
+  [[noreturn]] void refuse_damage(int code) const {
+    throw input_error("is damaged after frame {}: {}", frames_, libav_words(code));
+  }
+
+  // A file that was cut off simply ends. Packets are counted, for a film may leave out frames that
+  // it holds: those before the place where it was trimmed.
+  void refuse_short() const {
+    if (packets_ >= info_.frames) return;
+    throw input_error("is damaged: it promises {} frames and holds {}", info_.frames, packets_);
+  }
+
+  double time_of_frame() {
+    const std::int64_t stamp = decoded_->best_effort_timestamp;
+    if (stamp == AV_NOPTS_VALUE) return static_cast<double>(frames_ - 1) / info_.fps.value();
+    if (frames_ == 1) first_ = stamp;
+    return static_cast<double>(stamp - first_) * av_q2d(stream_->time_base);
+  }
+
+  void convert(Image& frame) {
+    const AVFrame& from = *decoded_;
+    if (from.width != info_.width || from.height != info_.height) {
+      throw input_error("changes its size at frame {}, from {}x{} to {}x{}",
+                        frames_,
+                        info_.width,
+                        info_.height,
+                        from.width,
+                        from.height);
+    }
+    if (converter_ == nullptr || from.format != format_) open_converter();
+    if (frame.width != from.width || frame.height != from.height) {
+      frame = Image(from.width, from.height);
+    }
+    std::uint8_t* rows[] = {frame.pixels.data()};
+    const int strides[] = {4 * from.width};
+    check_libav(sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, rows, strides),
+          "cannot convert a frame");
+  }
+
+  void open_converter() {
+    const AVFrame& from = *decoded_;
+    format_ = from.format;
+    converter_.reset(sws_getContext(from.width,
+                                    from.height,
+                                    static_cast<AVPixelFormat>(from.format),
+                                    from.width,
+                                    from.height,
+                                    AV_PIX_FMT_RGBA,
+                                    SWS_POINT,
+                                    nullptr,
+                                    nullptr,
+                                    nullptr));
+    if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
+    int matrix = from.colorspace;
+    if (matrix == AVCOL_SPC_UNSPECIFIED || matrix == AVCOL_SPC_RGB) {
+      constexpr int kHighDefinition = 720;  // rows
+      matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
+    }
+    const int* weights = sws_getCoefficients(matrix);
+    const bool full = from.color_range == AVCOL_RANGE_JPEG || from.colorspace == AVCOL_SPC_RGB;
+    constexpr int kOne = 1 << 16;
+    // pixel formats without a matrix refuse this, and need none
+    static_cast<void>(sws_setColorspaceDetails(
+        converter_.get(), weights, full ? 1 : 0, weights, 1, 0, kOne, kOne));
+  }
+
+  std::string file_;
+  Input input_;
+  AVStream* stream_ = nullptr;  // owned by the input
+  Owned<AVCodecContext> decoder_;
+  Owned<AVPacket> packet_;
+  Owned<AVFrame> decoded_;
+  Owned<SwsContext> converter_;
+  int format_ = -1;         // pixel format that the converter takes
+  std::int64_t first_ = 0;  // time stamp of the first frame
+  int frames_ = 0;          // how many have been decoded
+  int packets_ = 0;         // and how many were read for them
+  FilmInfo info_;
+};
+
+FilmReader::FilmReader(const std::string& file)
+    : implementation_(std::make_unique<Implementation>(file)) {}
+FilmReader::~FilmReader() = default;
+
+const FilmInfo& FilmReader::info() const {
+  return implementation_->info();
+}
+
+bool FilmReader::next(Image& frame, double& time) {
+  return implementation_->next(frame, time);
+}
+
+bool has_film_ending(const std::string& name) {
+  constexpr const char* kEndings[] = {
+      ".mp4", ".mkv", ".mov", ".webm", ".gif", ".avi", ".m4v", ".apng"};
+  return std::any_of(std::begin(kEndings), std::end(kEndings), [&](const char* ending) {
+    return name.ends_with(ending);
+  });
+}
+
+}  // namespace polhode

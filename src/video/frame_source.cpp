@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "video/frame_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+
+#include "base/error.h"
+#include "image/png.h"
+#include "video/film_reader.h"
+#include "video/png_sink.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+// files that are there, one picture each
+class PictureSource final : public FrameSource {
+ public:
+  struct Entry {
+    std::string label;
+    fs::path file;
+  };
+
+  PictureSource(SourceKind kind, std::vector<Entry> entries) : entries_(std::move(entries)) {
+    info_.kind = kind;
+    for (const Entry& entry : entries_)
+      info_.labels.push_back(entry.label);
+    info_.frames = static_cast<int>(entries_.size());
+  }
+  const SourceInfo& info() const override { return info_; }
+  bool next(SourceFrame& frame) override {
+    if (next_ == entries_.size()) return false;
+    const Entry& entry = entries_[next_++];
+    frame.image = read_png(entry.file);
+    frame.label = entry.label;
+    frame.time = 0.0;
+    return true;
+  }
+
+ private:
+  SourceInfo info_;
+  std::vector<Entry> entries_;
+  std::size_t next_ = 0;
+};
+
+class FilmSource final : public FrameSource {
+ public:
+  explicit FilmSource(const std::string& name) : reader_(name) {
+    info_.kind = SourceKind::film;
+    info_.fps = reader_.info().fps;
+    info_.frames = reader_.info().frames;
+  }
+  const SourceInfo& info() const override { return info_; }
+  bool next(SourceFrame& frame) override {
+    frame.label.clear();
+    return reader_.next(frame.image, frame.time);
+  }
+
+ private:
+  FilmReader reader_;
+  SourceInfo info_;
+};
+
+// files of a folder; nothing when it cannot be read
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    std::error_code ignored;
+    if (it->is_regular_file(ignored)) files.push_back(it->path());
+  }
+  if (failed)
+    throw input_error("cannot be read: {}", failed.message()).at({folder.string(), 0, {}});
+  return files;
+}
+
+// f2 before f10: runs of digits are compared as numbers
+bool comes_before(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9';
+  };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!digit(a[i]) || !digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto run = [&](const std::string& text, std::size_t& at) {
+      while (at < text.size() && text[at] == '0')
+        ++at;
+      const std::size_t start = at;
+      while (at < text.size() && digit(text[at]))
+        ++at;
+      return text.substr(start, at - start);
+    };
+    const std::string one = run(a, i), other = run(b, j);
+    if (one.size() != other.size()) return one.size() < other.size();
+    if (one != other) return one < other;
+  }
+  if (i < a.size() || j < b.size()) return i == a.size();
+  return a < b;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return text;
+}
+
+std::unique_ptr<FrameSource> open_folder(const std::string& name) {
+  std::vector<PictureSource::Entry> entries;
+  for (const fs::path& file : files_in(name)) {
+    if (lower(file.extension().string()) == ".png") {
+      entries.push_back({file.filename().string(), file});
+    }
+  }
+  if (entries.empty()) throw input_error("has no .png files in it").at({name, 0, {}});
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return comes_before(a.label, b.label);
+  });
+  return std::make_unique<PictureSource>(SourceKind::folder, std::move(entries));
+}
+
+std::unique_ptr<FrameSource> open_numbered(const std::string& name) {
+  const NumberedName pattern = parse_numbered_name(name);
+  const fs::path folder = fs::path(name).has_parent_path() ? fs::path(name).parent_path() : ".";
+  const std::string before = fs::path(pattern.before).filename().string();
+  std::vector<int> numbers;
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed)) {
+    throw input_error("the folder '{}' does not exist", folder.string()).at({name, 0, {}});
+  }
+  for (const fs::path& file : files_in(folder)) {
+    const std::string found = file.filename().string();
+    if (found.size() <= before.size() + pattern.after.size() || !found.starts_with(before) ||
+        !found.ends_with(pattern.after)) {
+      continue;
+    }
+    int number = 0;
+    const char* first = found.data() + before.size();
+    const char* last = found.data() + found.size() - pattern.after.size();
+    const auto [stop, wrong] = std::from_chars(first, last, number);
+    if (wrong != std::errc() || stop != last || number < 0) continue;
+    // only what the pattern itself would write
+    if (fs::path(pattern.of(number)).filename() == file.filename()) numbers.push_back(number);
+  }
+  if (numbers.empty()) throw input_error("there is no such picture").at({name, 0, {}});
+  std::sort(numbers.begin(), numbers.end());
+  std::vector<PictureSource::Entry> entries;
+  entries.reserve(numbers.size());
+  for (const int number : numbers)
+    entries.push_back({std::to_string(number), pattern.of(number)});
+  return std::make_unique<PictureSource>(SourceKind::numbered, std::move(entries));
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_frames(const std::string& name) {
+  std::error_code ignored;
+  if (fs::is_directory(name, ignored)) return open_folder(name);
+  const bool there = fs::exists(name, ignored);
+  const std::string ending = lower(fs::path(name).extension().string());
+  if (!there && has_frame_number(name) && ending == ".png") return open_numbered(name);
+  if (!there) throw input_error("there is no such file").at({name, 0, {}});
+  if (ending == ".png") {
+    return std::make_unique<PictureSource>(SourceKind::picture,
+                                           std::vector<PictureSource::Entry>{{"", name}});
+  }
+  if (has_film_ending(lower(name))) return std::make_unique<FilmSource>(name);
+  throw input_error(
+      "is no picture (.png), numbered sequence (name_%05d.png), folder of pictures, film (.mp4, "
+      ".mkv, .mov, .webm, .gif) or scene (.toml)")
+      .at({name, 0, {}});
+}
+
+}  // namespace polhode

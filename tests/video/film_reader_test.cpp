@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Films that we write, read again.
+#include "video/film_reader.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "image/compare.h"
+#include "support/expect_error.h"
+#include "support/run.h"
+#include "video/decoded_film.h"
+#include "video/frame_sink.h"
+
+namespace polhode {
+namespace {
+
+using test::TemporaryFolder;
+
+Image flat(int r, int g, int b) {
+  Image image(64, 48);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    image.pixels[i] = static_cast<std::uint8_t>(r);
+    image.pixels[i + 1] = static_cast<std::uint8_t>(g);
+    image.pixels[i + 2] = static_cast<std::uint8_t>(b);
+    image.pixels[i + 3] = 255;
+  }
+  return image;
+}
+
+void write_film(const std::string& file,
+                const std::vector<Image>& frames,
+                FrameRate fps = {25, 1}) {
+  SinkJob job;
+  job.output = file;
+  job.width = 64;
+  job.height = 48;
+  job.fps = fps;
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  for (const Image& frame : frames)
+    sink->push(frame);
+  sink->finish();
+}
+
+std::vector<Image> ramp(int count) {
+  std::vector<Image> frames;
+  for (int i = 0; i < count; ++i)
+    frames.push_back(flat(20 + 5 * i, 100, 200 - 4 * i));
+  return frames;
+}
+
+TEST(FilmReader, GivesFramesInOrderWithTheirTimes) {
+  const TemporaryFolder folder;
+  for (const FrameRate fps : {FrameRate{25, 1}, FrameRate{30000, 1001}}) {
+    const std::vector<Image> frames = ramp(30);
+    write_film(folder / "a.mp4", frames, fps);
+    FilmReader reader(folder / "a.mp4");
+    EXPECT_EQ(reader.info().width, 64);
+    EXPECT_EQ(reader.info().height, 48);
+    EXPECT_EQ(reader.info().frames, 30);
+    EXPECT_EQ(reader.info().fps, fps);
+    EXPECT_EQ(reader.info().codec, "h264");
+    EXPECT_FALSE(reader.info().alpha);
+    Image image;
+    double time = -1.0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      ASSERT_TRUE(reader.next(image, time)) << i;
+      EXPECT_NEAR(time, static_cast<double>(i) / fps.value(), 1e-6);
+      EXPECT_LE(compare(image, frames[i], 0).largest, 3) << i;
+    }
+    EXPECT_FALSE(reader.next(image, time));
+  }
+}
+
+// the fast conversion stays within a few levels of the careful one of the tests
+TEST(FilmReader, ColoursAreThoseOfAPlayer) {
+  const TemporaryFolder folder;
+  const std::vector<Image> frames = {
+      flat(255, 0, 0), flat(0, 255, 0), flat(0, 0, 255), flat(240, 165, 30), flat(16, 20, 28)};
+  write_film(folder / "a.mp4", frames);
+  const test::DecodedFilm wanted = test::decode(folder / "a.mp4");
+  FilmReader reader(folder / "a.mp4");
+  Image image;
+  double time = 0.0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    ASSERT_TRUE(reader.next(image, time));
+    EXPECT_LE(compare(image, wanted.frames[i], 0).largest, 3) << i;
+    EXPECT_LE(compare(image, frames[i], 0).largest, 4) << i;
+  }
+}
+
+TEST(FilmReader, SaysWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto open = [&](const std::string& name) {
+    return [file = folder / name] {
+      FilmReader{file};
+    };
+  };
+  test::expect_input_error(open("nothing.mp4"), "", "no such file");
+  std::filesystem::create_directory(folder / "folder.mp4");
+  test::expect_input_error(open("folder.mp4"), "", "folder");
+  test::write_text(folder / "text.mp4", "this is no film");
+  test::expect_input_error(open("text.mp4"), "", "no film");
+  test::write_text(folder / "empty.mp4", "");
+  test::expect_input_error(open("empty.mp4"), "", "no film");
+}
+
+// however much of it is missing or wrong, a damaged film never passes for a whole one
+TEST(FilmReader, ATruncatedFilmIsDamaged) {
+  const TemporaryFolder folder;
+  write_film(folder / "whole.mp4", ramp(40));
+  const std::string bytes = test::read_text(folder / "whole.mp4");
+  for (const double share : {0.05, 0.3, 0.6, 0.9, 0.99}) {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
+    test::write_text(folder / "cut.mp4", bytes.substr(0, length));
+    SCOPED_TRACE(share);
+    test::expect_input_error(
+        [&] {
+          FilmReader reader(folder / "cut.mp4");
+          Image image;
+          double time = 0.0;
+          while (reader.next(image, time)) {
+          }
+        },
+        "",
+        "");
+  }
+}
+
+// libav would take what stands before a colon for a protocol
+TEST(FilmReader, ANameIsAFileEvenIfItLooksLikeAnAddress) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  for (const char* name : {"take:1.mp4", "http:a.mp4", "%s 50%.mp4"}) {
+    write_film(name, ramp(2));
+    EXPECT_EQ(FilmReader(name).info().frames, 2) << name;
+  }
+  std::filesystem::current_path(before);
+}
+
+}  // namespace
+}  // namespace polhode
