@@ -273,7 +273,9 @@ void render_film(const RenderJob& job) {
                  sink->times().convert,
                  sink->times().encode,
                  {}};
-  facts.times.draw.cpu_s += cpu_seconds_of(rasteriser);
+  ThreadClocks clocks(rasteriser);
+  clocks.read();
+  facts.times.draw.cpu_s += clocks.total();
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();

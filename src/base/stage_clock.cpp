@@ -17,14 +17,24 @@ std::set<int> thread_ids() {
   return ids;
 }
 
-double cpu_seconds_of(const std::set<int>& threads) {
-  double total = 0.0;
-  for (const int id : threads) {
+ThreadClocks::ThreadClocks(const std::set<int>& threads) {
+  for (const int id : threads)
+    seconds_[id] = 0.0;
+}
+
+void ThreadClocks::read() {
+  for (auto& [id, seconds] : seconds_) {
     // first number of schedstat: time on a processor in nanoseconds
     std::ifstream file("/proc/self/task/" + std::to_string(id) + "/schedstat");
     double nanoseconds = 0.0;
-    if (file >> nanoseconds) total += 1e-9 * nanoseconds;
+    if (file >> nanoseconds) seconds = 1e-9 * nanoseconds;
   }
+}
+
+double ThreadClocks::total() const {
+  double total = 0.0;
+  for (const auto& [id, seconds] : seconds_)
+    total += seconds;
   return total;
 }
 

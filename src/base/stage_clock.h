@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <set>
 
 namespace polhode {
@@ -43,7 +44,17 @@ class StageTimer {
 // the difference of the sets before and after it.
 std::set<int> thread_ids();
 
-// Processor seconds used so far by those of the threads that still live.
-double cpu_seconds_of(const std::set<int>& threads);
+// The processor clocks of threads that may end before their last reading.
+class ThreadClocks {
+ public:
+  explicit ThreadClocks(const std::set<int>& threads);
+  // Reads the clocks of those that still live.
+  void read();
+  // Processor seconds, of each thread at its last reading.
+  double total() const;
+
+ private:
+  std::map<int, double> seconds_;
+};
 
 }  // namespace polhode

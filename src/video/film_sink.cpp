@@ -35,9 +35,12 @@ class FilmSink final : public FrameSink {
 
   void finish() override {
     const StageTimer timer(times_.encode);
+    // the thread that looks ahead ends with the last frame, the others with the encoder
+    ThreadClocks clocks(writer_.threads());
+    clocks.read();
     writer_.finish();
-    // they live as long as the encoder
-    times_.encode.cpu_s += cpu_seconds_of(writer_.threads());
+    clocks.read();
+    times_.encode.cpu_s += clocks.total();
   }
 
   SinkTimes times() const override { return times_; }
