@@ -16,8 +16,8 @@ Vec2 edge_normal(const Vec2& from, const Vec2& to) {
 }
 
 // the normal at one end of an edge: shared with the neighbour where the surface is smooth
-Vec2 shaded_normal(const Vec2& own, const Vec2* neighbour) {
-  if (neighbour == nullptr || own.dot(*neighbour) < std::cos(kCreaseAngle)) return own;
+Vec2 shaded_normal(const Vec2& own, const Vec2* neighbour, double crease) {
+  if (neighbour == nullptr || own.dot(*neighbour) < std::cos(crease)) return own;
   return (own + *neighbour).normalized();
 }
 
@@ -48,7 +48,7 @@ int circle_segments(double radius_px) {
   return std::max(kFewest, needed);
 }
 
-Mesh revolved(const std::vector<Vec2>& outline, int segments) {
+Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease) {
   Mesh mesh;
   std::vector<Vec2> points;
   for (const Vec2& p : outline) {
@@ -82,10 +82,10 @@ Mesh revolved(const std::vector<Vec2>& outline, int segments) {
                                                : nullptr;
     // a band of quads; those that touch the axis are triangles. Where shading goes on, it begins
     // with the corners at which the last one ended.
-    const Vec2 normal_low = shaded_normal(normals[i], before);
+    const Vec2 normal_low = shaded_normal(normals[i], before, crease);
     const bool goes_on = i > 0 && (normal_low - normal_high).norm() < 1e-12;
     const std::uint32_t low = goes_on ? high : add_circle(points[i], normal_low);
-    normal_high = shaded_normal(normals[i], after);
+    normal_high = shaded_normal(normals[i], after, crease);
     high = add_circle(points[i + 1], normal_high);
     for (int k = 0; k < segments; ++k) {
       const std::uint32_t a = low + static_cast<std::uint32_t>(k);
@@ -132,12 +132,11 @@ Mesh unit_disc(int segments) {
 }
 
 Mesh torus(double radius, double tube, int segments) {
-  // around the tube as fine as along it, pieces growing with the root of the radius; and fine
-  // enough to be shaded as round (kCreaseAngle)
-  const int around = std::max(12, static_cast<int>(std::ceil(segments * std::sqrt(tube / radius))));
+  // around the tube as fine as along it: pieces grow with the root of the radius
+  const int around = std::max(6, static_cast<int>(std::ceil(segments * std::sqrt(tube / radius))));
   std::vector<Vec2> outline = arc(tube, radius, 0.0, 2.0 * kPi, around);
   outline.back() = outline.front();
-  return revolved(outline, segments);
+  return revolved(outline, segments, 0.5 * kPi);  // round, however few they are
 }
 
 Mesh unit_cone_shell(int segments) {

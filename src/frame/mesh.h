@@ -32,10 +32,10 @@ using MeshPtr = std::shared_ptr<const Mesh>;
 int circle_segments(double radius_px);
 
 // The surface that an outline of (radius, z) points sweeps about z, in `segments` steps.
-// Neighbouring edges that meet at less than kCreaseAngle are shaded as one smooth surface. The
+// Neighbouring edges that meet at less than `crease` (rad) are shaded as one smooth surface. The
 // outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside.
-Mesh revolved(const std::vector<Vec2>& outline, int segments);
 inline constexpr double kCreaseAngle = 0.6;  // rad
+Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kCreaseAngle);
 
 // Unit sphere; cylinder of radius 1 from z = 0 to 1 with caps; cone of base radius 1 at z = 0 with
 // its apex at z = 1 and a base; torus about z of radius 1 and the given tube.

@@ -5,12 +5,14 @@
 
 namespace polhode {
 
-void Image::wipe(int w, int h, const std::array<std::uint8_t, 4>& color) {
+void Image::wipe(int w, int h, const std::array<std::uint8_t, 4>& color, const PixelBox& kept) {
   const bool same = width == w && height == h && ground == color;
   if (width != w || height != h) *this = Image(w, h);
   if (same) {
-    for (const PixelBox& box : painted)
-      fill(box, color);
+    for (const PixelBox& box : painted) {
+      for (const PixelBox& part : without(box, kept))
+        fill(part, color);
+    }
   } else {
     fill({0, 0, w, h}, color);
   }

@@ -39,8 +39,9 @@ struct Image {
     return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
   }
 
-  // Makes all of it one colour, and that its ground.
-  void wipe(int w, int h, const std::array<std::uint8_t, 4>& color);
+  // Makes all of it one colour, and that its ground; but for `kept`, which will be painted over,
+  // every pixel of it, and may be left as it is.
+  void wipe(int w, int h, const std::array<std::uint8_t, 4>& color, const PixelBox& kept = {});
   // One colour in a box within it; the ground stays.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };

@@ -3,6 +3,19 @@
 
 namespace polhode {
 
+std::vector<PixelBox> without(const PixelBox& a, const PixelBox& b) {
+  const PixelBox both = common(a, b);
+  if (both.empty()) return {a};
+  std::vector<PixelBox> rest = {
+      {a.x, a.y, a.width, both.y - a.y},
+      {a.x, both.bottom(), a.width, a.bottom() - both.bottom()},
+      {a.x, both.y, both.x - a.x, both.height},
+      {both.right(), both.y, a.right() - both.right(), both.height},
+  };
+  std::erase_if(rest, [](const PixelBox& box) { return box.empty(); });
+  return rest;
+}
+
 std::vector<PixelBox> merged(std::vector<PixelBox> boxes) {
   std::vector<PixelBox> apart;
   while (!boxes.empty()) {

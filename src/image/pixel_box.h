@@ -32,6 +32,9 @@ inline PixelBox around(const PixelBox& a, const PixelBox& b) {
   return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 
+// What `a` has and `b` has not, in boxes that do not overlap.
+std::vector<PixelBox> without(const PixelBox& a, const PixelBox& b);
+
 // Boxes that overlap become one, until none do.
 std::vector<PixelBox> merged(std::vector<PixelBox> boxes);
 

@@ -3,8 +3,8 @@
 #include <EGL/eglext.h>
 
 #include "base/error.h"
-#include "render/context.h"
 #include "base/shared_library.h"
+#include "render/context.h"
 
 namespace polhode {
 namespace {

@@ -5,8 +5,8 @@
 #include <GL/osmesa.h>
 
 #include "base/error.h"
-#include "render/context.h"
 #include "base/shared_library.h"
+#include "render/context.h"
 
 namespace polhode {
 namespace {

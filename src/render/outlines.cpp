@@ -161,10 +161,7 @@ void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& dept
     for (int j = low; j < high; ++j) {
       const int x = along == 0 ? i : j;
       const int y = along == 0 ? j : i;
-      if (depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width) +
-                static_cast<std::size_t>(x)] < z) {
-        continue;  // hidden
-      }
+      if (depth[index_of(x, y)] < z) continue;  // hidden
       // the part of the pixel beyond the edge: a trapezium, or a triangle at a corner
       const float off = edge - (static_cast<float>(j) + 0.5f);
       const float middle = 0.5f - std::abs(off);
@@ -178,10 +175,13 @@ void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& dept
   }
 }
 
+std::size_t OutlineSmoother::index_of(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width) +
+         static_cast<std::size_t>(x);
+}
+
 OutlineSmoother::Crossed& OutlineSmoother::crossed(int x, int y) {
-  std::int32_t& number =
-      number_[static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width) +
-              static_cast<std::size_t>(x)];
+  std::int32_t& number = number_[index_of(x, y)];
   if (number < 0) {
     number = static_cast<std::int32_t>(crossed_.size());
     crossed_.push_back({x, y, {}});
@@ -191,7 +191,7 @@ OutlineSmoother::Crossed& OutlineSmoother::crossed(int x, int y) {
 
 void OutlineSmoother::smooth(const std::vector<float>& depth, Image& image) {
   crossed_.clear();
-  number_.assign(depth.size(), -1);
+  if (number_.size() < depth.size()) number_.resize(depth.size(), -1);
   for (const Piece& piece : pieces_)
     collect(piece, depth);
 
@@ -218,6 +218,8 @@ void OutlineSmoother::smooth(const std::vector<float>& depth, Image& image) {
     }
     mixed_.push_back(value);
   }
+  for (const Crossed& pixel : crossed_)
+    number_[index_of(pixel.x, pixel.y)] = -1;
   for (std::size_t i = 0; i < crossed_.size(); ++i)
     std::copy(mixed_[i].begin(),
               mixed_[i].end(),

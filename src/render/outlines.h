@@ -80,6 +80,7 @@ class OutlineSmoother {
     std::array<float, 4> shares{};
   };
   void collect(const Piece& piece, const std::vector<float>& depth);
+  std::size_t index_of(int x, int y) const;
   Crossed& crossed(int x, int y);
 
   View view_;

@@ -97,9 +97,13 @@ class Renderer::Implementation {
   }
 
   void draw(const Picture& picture, Image& image) {
-    clear(picture, image);
-    for (const Panel& panel : picture.panels) {
-      const PixelBox box = common(covered(panel), panel.place);
+    std::vector<PixelBox> boxes;
+    for (const Panel& panel : picture.panels)
+      boxes.push_back(common(covered(panel), panel.place));
+    clear(picture, boxes.size() == 1 ? boxes.front() : PixelBox{}, image);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const Panel& panel = picture.panels[i];
+      const PixelBox& box = boxes[i];
       if (box.empty()) continue;
       draw_panel(panel, box);
       read_back(box, image);
@@ -132,11 +136,11 @@ class Renderer::Implementation {
     return {byte_of(color.r), byte_of(color.g), byte_of(color.b), 255};
   }
 
-  // the background of all panels
-  void clear(const Picture& picture, Image& image) {
+  // the background of all panels; `kept` is drawn anyway
+  void clear(const Picture& picture, const PixelBox& kept, Image& image) {
     const StageTimer timer(times_.read_back);
     const std::array<std::uint8_t, 4> ground = ground_of(picture.panels.front());
-    image.wipe(settings_.width, settings_.height, ground);
+    image.wipe(settings_.width, settings_.height, ground, kept);
     for (const Panel& panel : picture.panels) {
       if (ground_of(panel) == ground) continue;
       image.fill(panel.place, ground_of(panel));

@@ -63,7 +63,7 @@ Owned<SwsContext> make_scaler(int width, int height, const AVPixFmtDescriptor& k
 // A box with room for the filter of colour samples around it, on a grid, so that few sizes occur.
 PixelBox on_grid(const PixelBox& box, int width, int height) {
   constexpr int kRoom = 8;
-  constexpr int kGrid = 64;
+  constexpr int kGrid = 16;
   const auto down = [](int x) {
     return std::max(0, x - kRoom) / kGrid * kGrid;
   };
@@ -83,6 +83,8 @@ Converter::Converter(int width, int height, AVPixelFormat format) {
 }
 
 SwsContext& Converter::scaler_for(int width, int height) {
+  constexpr std::size_t kMost = 64;  // sizes of boxes change slowly
+  if (scalers_.size() > kMost) scalers_.clear();
   Owned<SwsContext>& scaler = scalers_[{width, height}];
   if (scaler == nullptr) {
     const auto format = static_cast<AVPixelFormat>(frame_->format);

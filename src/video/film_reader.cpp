@@ -96,7 +96,8 @@ class FilmReader::Implementation {
     }
     if (track.width <= 0 || track.height <= 0) throw input_error("has no pictures in it");
     decoder_.reset(made(avcodec_alloc_context3(codec)));
-    check_libav(avcodec_parameters_to_context(decoder_.get(), &track), "cannot read the film's header");
+    check_libav(avcodec_parameters_to_context(decoder_.get(), &track),
+                "cannot read the film's header");
     decoder_->thread_count = 0;
     // a damaged frame is an error, not something to be guessed at
     decoder_->err_recognition = AV_EF_EXPLODE | AV_EF_CRCCHECK;
@@ -178,8 +179,9 @@ class FilmReader::Implementation {
     }
     std::uint8_t* rows[] = {frame.pixels.data()};
     const int strides[] = {4 * from.width};
-    check_libav(sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, rows, strides),
-          "cannot convert a frame");
+    check_libav(
+        sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, rows, strides),
+        "cannot convert a frame");
   }
 
   void open_converter() {

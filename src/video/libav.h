@@ -49,8 +49,8 @@ class LibavOptions {
 // libav's own text for an error code.
 std::string libav_words(int code);
 
-// Every libav call that can fail through no fault of the user goes through here. Throws Error (environment) with libav's words,
-// (interrupted) when a signal ended the call.
+// Every libav call that can fail through no fault of the user goes through here. Throws Error
+// (environment) with libav's words, (interrupted) when a signal ended the call.
 int check_libav(int code, const std::string& what);
 
 // libav's way to say that there was no memory. Throws Error (environment).

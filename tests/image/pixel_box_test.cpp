@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "image/pixel_box.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kSide = 24;
+
+std::vector<PixelBox> random_boxes(std::mt19937& random, int count) {
+  std::vector<PixelBox> boxes;
+  const auto below = [&](int most) {
+    return static_cast<int>(random() % static_cast<unsigned>(most));
+  };
+  for (int i = 0; i < count; ++i) {
+    const int x = below(kSide - 1);
+    const int y = below(kSide - 1);
+    boxes.push_back({x, y, 1 + below(kSide - x - 1), 1 + below(kSide - y - 1)});
+  }
+  return boxes;
+}
+
+// how many of the boxes hold each pixel
+std::vector<int> counted(const std::vector<PixelBox>& boxes) {
+  std::vector<int> count(kSide * kSide);
+  for (const PixelBox& box : boxes) {
+    for (int y = box.y; y < box.bottom(); ++y) {
+      for (int x = box.x; x < box.right(); ++x)
+        ++count[static_cast<std::size_t>(y * kSide + x)];
+    }
+  }
+  return count;
+}
+
+TEST(PixelBox, WhatOneHasAndTheOtherHasNot) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 200; ++round) {
+    const std::vector<PixelBox> two = random_boxes(random, 2);
+    const std::vector<int> a = counted({two[0]});
+    const std::vector<int> b = counted({two[1]});
+    const std::vector<int> rest = counted(without(two[0], two[1]));
+    for (std::size_t i = 0; i < a.size(); ++i)
+      ASSERT_EQ(rest[i], a[i] == 1 && b[i] == 0 ? 1 : 0);
+  }
+}
+
+TEST(PixelBox, MergedOnesCoverAllAndDoNotOverlap) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 200; ++round) {
+    const std::vector<PixelBox> boxes = random_boxes(random, 5);
+    const std::vector<int> before = counted(boxes);
+    const std::vector<int> after = counted(merged(boxes));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      ASSERT_LE(after[i], 1);
+      ASSERT_GE(after[i], before[i] > 0 ? 1 : 0);
+    }
+  }
+}
+
+// a picture that is used again is wiped as a new one, but where it will be painted over
+TEST(ImageWipe, LeavesNothingOfThePictureBefore) {
+  constexpr std::array<std::uint8_t, 4> kGround = {1, 2, 3, 255};
+  Image plain;
+  plain.wipe(kSide, kSide, kGround);
+  std::mt19937 random(3);
+  Image used;
+  for (int round = 0; round < 50; ++round) {
+    const PixelBox kept = random_boxes(random, 1).front();
+    used.wipe(kSide, kSide, kGround, kept);
+    used.fill(kept, kGround);
+    ASSERT_EQ(used.pixels, plain.pixels);
+    for (const PixelBox& box : random_boxes(random, 3)) {
+      used.fill(box, {200, static_cast<std::uint8_t>(round), 9, 255});
+      used.painted.push_back(box);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode
