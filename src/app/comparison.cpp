@@ -146,14 +146,13 @@ std::optional<double> Comparison::attitude_error(const Contender& one, double t)
 }
 
 std::optional<double> Comparison::first_error(const Contender& one, double frame_s) const {
-  const DriftWatch drift(one.motion.model(), one.motion.state_at(0.0));
   for (long i = 0;; ++i) {
     const double t = std::min(static_cast<double>(i) * frame_s, one.end);
     bool wrong = false;
     if (const std::optional<double> error = attitude_error(one, t)) {
       wrong = !(*error <= allowed_rad_);
     } else {
-      const Drift now = drift.of(one.motion.state_at(t));
+      const Drift now = drift_at(one.motion, t);
       wrong = !(std::abs(now.energy.value_or(0.0)) <= kTrustedDrift) ||
               !(now.momentum.value_or(0.0) <= kTrustedDrift);
     }
@@ -164,8 +163,7 @@ std::optional<double> Comparison::first_error(const Contender& one, double frame
 
 PanelNotes Comparison::notes(const Contender& one, double t) const {
   const double known = std::min(t, one.end);
-  const DriftWatch drift(one.motion.model(), one.motion.state_at(0.0));
-  const Drift now = drift.of(one.motion.state_at(known));
+  const Drift now = drift_at(one.motion, known);
   PanelNotes notes;
   const SimulationReport& report = one.report;
   notes.lines.push_back(title_of(report.method));

@@ -22,6 +22,14 @@ double time_option(const char* option,
       .at({{}, 0, option});
 }
 
+void refuse_too_many_frames(double count) {
+  if (count > kMostFrames) {
+    throw input_error(
+        "the film would have {:.3g} frames; take a shorter piece or a larger video.time_scale",
+        count);
+  }
+}
+
 // the margins that serve all panels, so that they can share a camera
 FrameMargins common_margins(const FilmText& text,
                             const std::vector<PixelBox>& places,
@@ -56,12 +64,7 @@ void check_piece(const Scene& scene, const Piece& piece) {
   if (to <= from)
     throw input_error("must be later than --from ({} s), got {}", from, to).at({{}, 0, "--to"});
   const double count = (to - from) / scene.video.time_scale * scene.video.fps.value();
-  if (count > kMostFrames) {
-    throw input_error(
-        "the film would have {:.3g} frames; take a shorter piece or a larger "
-        "video.time_scale",
-        count);
-  }
+  refuse_too_many_frames(count);
 }
 
 Frames plan_frames(const Solved& solved, const Piece& piece) {
@@ -89,7 +92,7 @@ Frames plan_frames(const Solved& solved, const Piece& piece) {
   const double end = frames.to < duration ? frames.timeline.first_film_time(frames.to)
                                           : frames.timeline.film_duration();
   const double count = std::ceil((end - frames.first) * frames.rate - 1e-6);
-  if (count > kMostFrames) throw input_error("the film would have {:.3g} frames", count);
+  refuse_too_many_frames(count);
   frames.count = std::max(1, static_cast<int>(count));
   return frames;
 }

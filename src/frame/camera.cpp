@@ -70,17 +70,11 @@ Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent, con
 
 }  // namespace
 
-namespace {
-
-// clip planes close around what is drawn: depth keeps its precision
-double far_of(double depth, double radius) {
-  return std::max(depth + 1.5 * radius, 1e-6 * radius);
+// close around what is drawn, a ball at that depth: depth keeps its precision
+Camera::ClipPlanes Camera::clip_planes(double depth, double radius) {
+  const double far_plane = std::max(depth + 1.5 * radius, 1e-6 * radius);
+  return {std::max(depth - 1.5 * radius, 1e-3 * far_plane), far_plane};
 }
-double near_of(double depth, double radius) {
-  return std::max(depth - 1.5 * radius, 1e-3 * far_of(depth, radius));
-}
-
-}  // namespace
 
 Camera::Camera(const Vec3& eye,
                const Vec3& target,
@@ -92,22 +86,17 @@ Camera::Camera(const Vec3& eye,
              eye,
              fov,
              size,
-             near_of(camera_axes(eye - target).row(2).dot(eye - center), radius),
-             far_of(camera_axes(eye - target).row(2).dot(eye - center), radius)) {}
+             clip_planes((eye - target).stableNormalized().dot(eye - center), radius)) {}
 
-Camera::Camera(const Mat3& R_CS,
-               const Vec3& eye,
-               double fov,
-               FrameSize size,
-               double near_plane,
-               double far_plane)
+Camera::Camera(
+    const Mat3& R_CS, const Vec3& eye, double fov, FrameSize size, const ClipPlanes& clip)
     : eye_(eye),
       R_CS_(R_CS),
       size_(size),
       fov_(fov),
-      near_(near_plane),
-      far_(far_plane),
+      clip_(clip),
       focal_px_(0.5 * size.height / std::tan(0.5 * fov)) {
+  const auto [near_plane, far_plane] = clip;
   const double f = 1.0 / std::tan(0.5 * fov);
   Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
   projection(0, 0) = f * size.height / size.width;
@@ -122,8 +111,7 @@ Camera::Camera(const Mat3& R_CS,
 }
 
 Camera Camera::moved(const Eigen::Isometry3d& rig_from_space) const {
-  return {
-      R_CS_ * rig_from_space.linear(), rig_from_space.inverse() * eye_, fov_, size_, near_, far_};
+  return {R_CS_ * rig_from_space.linear(), rig_from_space.inverse() * eye_, fov_, size_, clip_};
 }
 
 Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3& focus) {
@@ -138,8 +126,8 @@ Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3
           focus - R_CS.transpose() * seen,
           a.fov_ + part * (b.fov_ - a.fov_),
           a.size_,
-          std::min(a.near_, b.near_),
-          std::max(a.far_, b.far_)};
+          {std::min(a.clip_.near_plane, b.clip_.near_plane),
+           std::max(a.clip_.far_plane, b.clip_.far_plane)}};
 }
 
 Vec2 Camera::project(const Vec3& point_S) const {

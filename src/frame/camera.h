@@ -62,18 +62,18 @@ class Camera {
   View view(const DrawingFrame& frame = {}) const;
 
  private:
-  Camera(const Mat3& R_CS,
-         const Vec3& eye,
-         double fov,
-         FrameSize size,
-         double near_plane,
-         double far_plane);
+  // Distances from the eye, m.
+  struct ClipPlanes {
+    double near_plane, far_plane;
+  };
+  static ClipPlanes clip_planes(double depth, double radius);
+  Camera(const Mat3& R_CS, const Vec3& eye, double fov, FrameSize size, const ClipPlanes& clip);
 
   Vec3 eye_;
   Mat3 R_CS_;  // rows: right, up, back
   FrameSize size_;
   double fov_;
-  double near_ = 0.0, far_ = 0.0;
+  ClipPlanes clip_;
   double focal_px_;
   Eigen::Matrix4d clip_from_world_;
 };

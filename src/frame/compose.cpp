@@ -84,8 +84,7 @@ Composer::Composer(const Motion& motion,
       meshes_{arrow_meshes(circle_segments(0.1 * size.height)), {}},
       drawing_(make_drawing_frame(stage_)),
       staging_(staging),
-      rigs_(make_rigs(size)),
-      start_camera_(camera_at(0.0)) {
+      rigs_(make_rigs(size)) {
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
@@ -109,6 +108,7 @@ Composer::Composer(const Motion& motion,
 
 Composer::Composer(const Composer& other, const Motion& motion) : Composer(other) {
   stage_.motion = motion;
+  stage_.paths = make_paths(stage_);
 }
 
 Marks Composer::marks_at(const Sample& sample) const {
@@ -116,11 +116,15 @@ Marks Composer::marks_at(const Sample& sample) const {
 }
 
 Marks Composer::marks_at(const Sample& sample, double film) const {
+  return marks_of(sample, film);
+}
+
+Marks Composer::marks_of(const Sample& sample, std::optional<double> film) const {
   Marks marks;
   marks.middle = sample.reference_S;
   for (const Element& element : elements()) {
     if (!shows(element.name)) continue;
-    const double presence = staging_.timeline.presence(element.name, film);
+    const double presence = film ? staging_.timeline.presence(element.name, *film) : 1.0;
     if (presence <= 0.0) continue;
     const MarkCounts before(marks);
     element.add(stage_, sample, marks);
@@ -152,6 +156,7 @@ Shot Composer::shot(double film, double end) const {
 // Where the rig of a camera stands still: space for most, turned or moved for those that go along.
 Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) const {
   Eigen::Isometry3d rig = Eigen::Isometry3d::Identity();
+  if (spec.follow == "none" && spec.orbit == 0.0) return rig;
   const Sample start = stage_.motion.at(staging_.timeline.motion_time(0.0));
   const Sample now = stage_.motion.at(staging_.timeline.motion_time(film));
   if (spec.follow != "none") {
@@ -238,13 +243,7 @@ std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
     const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
     std::vector<Vec3> now = {sample.reference_S};
     // all that will ever be shown: nothing jumps when it comes
-    Marks marks;
-    for (const Element& element : elements()) {
-      if (shows(element.name)) element.add(stage_, sample, marks);
-    }
-    add_points(stage_, sample, shows("fixed_frame"), marks);
-    add_point_trails(stage_, sample, marks);
-    add_extent(marks, now);
+    add_extent(marks_of(sample, {}), now);
     const Eigen::Isometry3d rig = rig_from_space(spec, film);
     for (const Vec3& point : now)
       points.push_back(rig * point);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,8 @@ class Composer {
            const ShowSpec& show,
            const ThemeSpec& theme,
            FrameSize size);
-  // The same picture, with the same camera and scale, of another motion of the same body.
+  // The same picture, with the same camera and scale, of another motion of the same body; its
+  // paths are those of that motion.
   Composer(const Composer& other, const Motion& motion);
 
   // At a moment of the film; the motion stands still behind `end` (s of the motion).
@@ -65,7 +67,7 @@ class Composer {
   std::vector<Error> warnings() const;
 
   // The camera at the start.
-  const Camera& camera() const { return start_camera_; }
+  Camera camera() const { return camera_at(0.0); }
   // The camera at a moment of the film.
   Camera camera_at(double film) const;
   const Timeline& timeline() const { return staging_.timeline; }
@@ -85,6 +87,8 @@ class Composer {
     Camera camera;
   };
   std::vector<double> film_times() const;
+  // What is shown at a moment of the film; without one, all that is ever shown.
+  Marks marks_of(const Sample& sample, std::optional<double> film) const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(FrameSize size) const;
@@ -102,7 +106,6 @@ class Composer {
   DrawingFrame drawing_;
   Staging staging_;
   std::vector<Rig> rigs_;  // in the order in which they come
-  Camera start_camera_;
 };
 
 // How far the attitude may be off, in rad, so that no drawn point moves by more than this many

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "frame/to_glm.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Mat3 turned_to(const Vec3& axis) {
   return Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();

@@ -106,6 +106,7 @@ Stage make_stage(const Motion& motion,
   };
   Stage stage{motion, theme};
   stage.options = show;
+  stage.segments = segments;
   make_look(stage, body, segments);
   stage.ball = shared(unit_sphere(std::max(16, segments / 4)));
   // what surrounds the body may be as large as the frame, and bends in two directions
@@ -122,16 +123,17 @@ Stage make_stage(const Motion& motion,
       radius = std::max(radius, (point - motion.model().reference_B()).norm());
   }
   stage.scale = make_scale(stage, radius);
-  stage.paths = make_paths(stage, show, segments);
+  stage.paths = make_paths(stage);
   return stage;
 }
 
 Vec3 omega_tip(const Stage& stage, const Sample& sample) {
-  return sample.reference_S + stage.scale.omega * sample.w_S;
+  return drawn_tip(stage, sample.reference_S, sample.reference_S + stage.scale.omega * sample.w_S);
 }
 
 Vec3 momentum_tip(const Stage& stage, const Sample& sample) {
-  return sample.reference_S + stage.scale.momentum * sample.L_S;
+  return drawn_tip(
+      stage, sample.reference_S, sample.reference_S + stage.scale.momentum * sample.L_S);
 }
 
 const std::vector<Element>& elements() {

@@ -51,6 +51,7 @@ struct Stage {
   MeshPtr ring = {};                      // a thin tube along its rim
   MeshPtr stand = {};                     // unit cone, its apex under the pivot
   ShowSpec options = {};                  // as the scene gives them
+  int segments = 96;                      // pieces of a circle as large as the frame
   std::vector<Vec3> field_points_B = {};  // where the velocity field is drawn, m
   Paths paths = {};
 };
@@ -65,6 +66,9 @@ Stage make_stage(const Motion& motion,
 
 // Makes the look anew, with so many pieces of a circle as large as the body.
 void make_look(Stage& stage, const BodySpec& body, int segments);
+
+// The paths of the stage's motion that its options ask for.
+Paths make_paths(const Stage& stage);
 
 struct Element {
   std::string name;
@@ -86,7 +90,7 @@ void add_points(const Stage& stage, const Sample& sample, bool from_origin, Mark
 // Adds the paths of the named points.
 void add_point_trails(const Stage& stage, const Sample& sample, Marks& marks);
 
-// Where the tips of the two vectors are, space, m.
+// Where the tips of the two vectors are drawn, space, m.
 Vec3 omega_tip(const Stage& stage, const Sample& sample);
 Vec3 momentum_tip(const Stage& stage, const Sample& sample);
 

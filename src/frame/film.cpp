@@ -45,6 +45,28 @@ TextStyle style_of(const Theme& theme, double size, const glm::vec3& color) {
   return style;
 }
 
+TextRoom room_of(const PixelBox& box) {
+  return {static_cast<double>(box.x),
+          static_cast<double>(box.y),
+          static_cast<double>(box.right()),
+          static_cast<double>(box.bottom())};
+}
+
+std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels, FrameSize size) {
+  const int seam = std::max(1, static_cast<int>(std::lround(kSeamWidth * size.height)));
+  const Rgb grey = bytes(panels.front().composer->stage().theme.space_axes);
+  const auto line = [&](int width, int height) {
+    return std::make_shared<const Sprite>(filled_sprite(width, height, grey, 0.6));
+  };
+  std::vector<Stamp> seams;
+  for (const FilmPanel& panel : panels) {
+    const PixelBox& place = panel.place;
+    if (place.x > 0) seams.push_back({line(seam, place.height), place.x - seam / 2, place.y});
+    if (place.y > 0) seams.push_back({line(place.width, seam), place.x, place.y - seam / 2});
+  }
+  return seams;
+}
+
 // "t = 3.25 s", and how much slower than life; for planets in hours or days
 std::string clock_text(double t, double time_scale) {
   const double now = t == 0.0 ? 0.0 : t;
@@ -137,6 +159,7 @@ Film::Film(std::vector<FilmPanel> panels,
       text_(text),
       size_(size),
       plots_(std::move(plots)),
+      seams_(make_seams(panels_, size)),
       typesetter_(std::make_unique<Typesetter>()) {}
 
 Film::Page Film::page_at(double film) const {
@@ -159,6 +182,13 @@ Picture Film::at(double film) const {
   return page_at(film).picture;
 }
 
+Picture Film::bare_at(double film) const {
+  Picture picture;
+  for (const FilmPanel& panel : panels_)
+    picture.panels.push_back({panel.place, panel.composer->shot(film, panel.end).list});
+  return picture;
+}
+
 std::vector<TextRoom> Film::text_rooms(double film) const {
   return page_at(film).taken;
 }
@@ -169,10 +199,7 @@ void Film::add_plots(double t, Page& page) const {
     const int now = plot.first + static_cast<int>(std::lround(part * (plot.last - plot.first)));
     page.picture.stamps.push_back({plot.axes, plot.place.x, plot.place.y});
     page.picture.stamps.push_back({plot.curves, plot.place.x, plot.place.y, 1.0, now + 1});
-    page.taken.push_back({static_cast<double>(plot.place.x),
-                          static_cast<double>(plot.place.y),
-                          static_cast<double>(plot.place.right()),
-                          static_cast<double>(plot.place.bottom())});
+    page.taken.push_back(room_of(plot.place));
   }
 }
 
@@ -190,21 +217,7 @@ void Film::add_frame_text(double film, Page& page) const {
         {x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom});
   };
 
-  // thin lines between panels
-  const int seam = std::max(1, static_cast<int>(std::lround(kSeamWidth * size_.height)));
-  const Rgb grey = bytes(theme.space_axes);
-  for (const FilmPanel& panel : panels_) {
-    if (panel.place.x > 0) {
-      const auto line =
-          std::make_shared<Sprite>(filled_sprite(seam, panel.place.height, grey, 0.6));
-      page.picture.stamps.push_back({line, panel.place.x - seam / 2, panel.place.y});
-    }
-    if (panel.place.y > 0) {
-      const auto line = std::make_shared<Sprite>(filled_sprite(panel.place.width, seam, grey, 0.6));
-      page.picture.stamps.push_back({line, panel.place.x, panel.place.y - seam / 2});
-    }
-  }
-
+  page.picture.stamps.insert(page.picture.stamps.end(), seams_.begin(), seams_.end());
   if (!text_.title.empty()) {
     TextStyle style = style_of(theme, kTitleSize * unit, theme.position);
     style.bold = true;
@@ -259,17 +272,16 @@ void Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
   const std::string markup = plain_text(notes.stamp);
   const TextBox box = typesetter_->measure(markup, style);
   const auto pad = static_cast<int>(std::lround(0.35 * style.size));
-  const int left = place.x + static_cast<int>(std::lround(edge)) - pad;
-  const int top = static_cast<int>(std::lround(y));
-  const int width = static_cast<int>(std::lround(box.width)) + 2 * pad;
-  const auto height = static_cast<int>(std::lround(box.height));
+  const PixelBox badge{place.x + static_cast<int>(std::lround(edge)) - pad,
+                       static_cast<int>(std::lround(y)),
+                       static_cast<int>(std::lround(box.width)) + 2 * pad,
+                       static_cast<int>(std::lround(box.height))};
   page.picture.stamps.push_back(
-      {std::make_shared<Sprite>(filled_sprite(width, height, kAlarm, 0.92)), left, top});
-  page.picture.stamps.push_back(typesetter_->set(markup, style, left + pad, top));
-  page.taken.push_back({static_cast<double>(left),
-                        static_cast<double>(top),
-                        static_cast<double>(left + width),
-                        static_cast<double>(top + height)});
+      {std::make_shared<Sprite>(filled_sprite(badge.width, badge.height, kAlarm, 0.92)),
+       badge.x,
+       badge.y});
+  page.picture.stamps.push_back(typesetter_->set(markup, style, badge.x + pad, badge.y));
+  page.taken.push_back(room_of(badge));
 }
 
 void Film::add_labels(const FilmPanel& panel,
@@ -291,8 +303,8 @@ void Film::add_labels(const FilmPanel& panel,
     styles.push_back(style);
   }
   const double inset = 0.25 * size;
-  const TextRoom frame{
-      place.x + inset, place.y + inset, place.right() - inset, place.bottom() - inset};
+  TextRoom frame = room_of(place);
+  frame = {frame.left + inset, frame.top + inset, frame.right - inset, frame.bottom - inset};
   const std::vector<TextRoom> rooms = place_labels(wishes, page.taken, shafts, frame, 0.2 * size);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const TextBox box = typesetter_->measure(labels[i].markup, styles[i]);

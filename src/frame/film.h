@@ -69,6 +69,8 @@ class Film {
 
   // At a moment of the film, s.
   Picture at(double film) const;
+  // The same panels with nothing laid over them: no text, plots or lines between panels.
+  Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
   // Where text stands at this moment, labels last; for tests.
   std::vector<TextRoom> text_rooms(double film) const;
@@ -85,6 +87,7 @@ class Film {
   FilmText text_;
   FrameSize size_;
   std::vector<FilmPlot> plots_;
+  std::vector<Stamp> seams_;  // thin lines between panels
   std::unique_ptr<Typesetter> typesetter_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -122,7 +123,7 @@ void fade_new(Marks& marks, const MarkCounts& before, double presence) {
 
 Vec3 point_of(const ArcMark& arc, double part) {
   const Vec3 across = (arc.to - arc.to.dot(arc.from) * arc.from).normalized();
-  const double angle = part * std::atan2(arc.from.cross(arc.to).norm(), arc.from.dot(arc.to));
+  const double angle = part * angle_between(arc.from, arc.to);
   return arc.center + arc.radius * (std::cos(angle) * arc.from + std::sin(angle) * across);
 }
 

@@ -41,34 +41,33 @@ Timeline::Timeline(const std::vector<StoryStep>& story, double duration, double 
   }
 }
 
+template <class Counts>
+double Timeline::held(const Counts& counts) const {
+  double sum = 0.0;
+  for (const Pause& pause : pauses_) {
+    if (counts(pause)) sum += pause.ends - pause.begins;
+  }
+  return sum;
+}
+
 double Timeline::film_duration() const {
   return film_time(duration_);
 }
 
 double Timeline::motion_time(double film) const {
-  double held = 0.0;
   for (const Pause& pause : pauses_) {
-    if (film < pause.begins) break;
-    if (film < pause.ends) return pause.at;
-    held += pause.ends - pause.begins;
+    if (film >= pause.begins && film < pause.ends) return pause.at;
   }
-  return std::min((film - held) * time_scale_, duration_);
+  const double before = held([&](const Pause& pause) { return pause.ends <= film; });
+  return std::min((film - before) * time_scale_, duration_);
 }
 
 double Timeline::film_time(double motion) const {
-  double held = 0.0;
-  for (const Pause& pause : pauses_) {
-    if (pause.at <= motion) held += pause.ends - pause.begins;
-  }
-  return motion / time_scale_ + held;
+  return motion / time_scale_ + held([&](const Pause& pause) { return pause.at <= motion; });
 }
 
 double Timeline::first_film_time(double motion) const {
-  double held = 0.0;
-  for (const Pause& pause : pauses_) {
-    if (pause.at < motion) held += pause.ends - pause.begins;
-  }
-  return motion / time_scale_ + held;
+  return motion / time_scale_ + held([&](const Pause& pause) { return pause.at < motion; });
 }
 
 double Timeline::presence(const std::string& element, double film) const {

@@ -48,6 +48,10 @@ class Timeline {
   const std::vector<double>& starts() const { return starts_; }
 
  private:
+  // How long the pauses that `counts` is true of have held the film, s.
+  template <class Counts>
+  double held(const Counts& counts) const;
+
   std::vector<StoryStep> story_;  // by time
   std::vector<double> starts_;    // of each step, s of the film
   std::vector<Pause> pauses_;

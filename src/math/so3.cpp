@@ -18,6 +18,10 @@ double rotation_angle_between(const Quat& a, const Quat& b) {
   return 2.0 * std::atan2(between.vec().norm(), std::abs(between.w()));
 }
 
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 Vec3 zxz_angles(const Quat& q) {
   // q = z(phi) x(theta) z(psi): (w, z) carry cos(theta/2) and phi + psi, (x, y) sin(theta/2) and
   // phi - psi

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations: exponential map, Euler angles, distance.
+// Rotations: exponential map, Euler angles, distance; angles between directions.
 #pragma once
 
 #include "math/notation.h"
@@ -12,6 +12,10 @@ Quat exp_rotation(const Vec3& v);
 // Angle in radians, 0..pi, of the rotation that takes one attitude into the other. Keeps its digits
 // for tiny angles (uses the vector part, not acos of the scalar part).
 double rotation_angle_between(const Quat& a, const Quat& b);
+
+// Angle in radians, 0..pi, between two directions of any length. Keeps its digits near 0 and pi,
+// where acos of the scalar product has none left; 0 if either is zero.
+double angle_between(const Vec3& a, const Vec3& b);
 
 // zxz Euler angles (phi, theta, psi) in radians, 0 <= theta <= pi; at the poles psi = 0.
 Vec3 zxz_angles(const Quat& q);

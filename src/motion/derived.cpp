@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "math/elliptic.h"
+#include "math/so3.h"
 #include "motion/exact/exact.h"
 
 namespace polhode {
@@ -14,10 +15,6 @@ namespace {
 
 using Q = QuantityUnit;
 using List = std::vector<Quantity>;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 // kinetic energy as that of the centre of mass and that about it (notes, eq. 4)
 void add_energies(List& list, const Model& model, const MotionSpec& spec, const State& start) {

@@ -93,6 +93,10 @@ Sample Motion::at(double t) const {
   return sample;
 }
 
+Drift drift_at(const Motion& motion, double t) {
+  return DriftWatch(motion.model(), motion.state_at(0.0)).of(motion.state_at(t));
+}
+
 Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B) {
   return sample.reference_S + sample.q_SB * (r_B - model.reference_B());
 }

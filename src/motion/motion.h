@@ -42,6 +42,9 @@ class Motion {
   double duration_;
 };
 
+// How far the invariants are off at t (s) from where they began.
+Drift drift_at(const Motion& motion, double t);
+
 // Where the point r_B of the body (m, from the body origin) is in space, m.
 Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B);
 

@@ -20,11 +20,6 @@ Vec3 axis_S(const Motion& motion, const Sample& sample) {
   return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
 }
 
-Drift drift_at(const Motion& motion, const Sample& sample) {
-  const DriftWatch watch(motion.model(), motion.state_at(0.0));
-  return watch.of(motion.state_at(sample.t));
-}
-
 }  // namespace
 
 const std::vector<Recorded>& recorded_quantities() {
@@ -62,9 +57,8 @@ const std::vector<Recorded>& recorded_quantities() {
        "°",
        {"θ"},
        [](const Motion& motion, const Sample& now) {
-         const Vec3& up = motion.model().up_S;
-         const Vec3 axis = axis_S(motion, now);
-         return std::vector<double>{std::atan2(axis.cross(up).norm(), axis.dot(up)) * 180.0 / kPi};
+         const double tilt = angle_between(axis_S(motion, now), motion.model().up_S);
+         return std::vector<double>{tilt * 180.0 / kPi};
        }},
       {"euler_angles",
        "zxz angles",
@@ -89,7 +83,7 @@ const std::vector<Recorded>& recorded_quantities() {
        "",
        {"energy", "L"},
        [](const Motion& motion, const Sample& now) {
-         const Drift drift = drift_at(motion, now);
+         const Drift drift = drift_at(motion, now.t);
          return std::vector<double>{drift.energy.value_or(NAN), drift.momentum.value_or(NAN)};
        }},
       {"position",

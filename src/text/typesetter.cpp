@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <unordered_map>
 
@@ -28,6 +29,7 @@ constexpr std::array<Wanted, 2> kWanted = {{
 
 constexpr std::size_t kMostKept = 2048;
 constexpr int kPartsOfPixel = 4;
+constexpr int kBesideStrip = 2;  // columns drawn at each side of a strip and cut off
 
 template <class T>
 struct Unref {
@@ -75,6 +77,79 @@ std::unique_ptr<PangoFontDescription, FreeFont> font_of(const TextStyle& style) 
 
 void set_source(cairo_t* cairo, const Rgb& color) {
   cairo_set_source_rgb(cairo, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+}
+
+// A letter of a line where it is set, in units of Pango from the corner of the text.
+struct Letter {
+  PangoFont* font;
+  PangoGlyphInfo* glyph;
+  int x, baseline;
+  int ink_left, ink_right;  // equal: no ink
+};
+
+// Some columns of a text. The fonts are kept so that a key that names them stays theirs.
+struct Strip {
+  SpritePtr sprite;
+  std::vector<GObjectPtr<PangoFont>> fonts;
+};
+
+// is there more to draw of a run than its letters side by side?
+bool is_decorated(const PangoGlyphItem& run) {
+  if (run.y_offset != 0 || run.start_x_offset != 0 || run.end_x_offset != 0) return true;
+  for (const GSList* at = run.item->analysis.extra_attrs; at; at = at->next) {
+    const PangoAttrType type = static_cast<PangoAttribute*>(at->data)->klass->type;
+    if (type == PANGO_ATTR_UNDERLINE || type == PANGO_ATTR_OVERLINE ||
+        type == PANGO_ATTR_STRIKETHROUGH || type == PANGO_ATTR_SHAPE) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The letters of unbroken text from left to right; none where they are not all that is drawn.
+std::vector<Letter> letters_of(PangoLayout* layout) {
+  if (pango_layout_get_line_count(layout) != 1) return {};
+  const int baseline = pango_layout_get_baseline(layout);
+  std::vector<Letter> letters;
+  int x = 0;
+  for (const GSList* at = pango_layout_get_line_readonly(layout, 0)->runs; at; at = at->next) {
+    const auto* run = static_cast<PangoGlyphItem*>(at->data);
+    if (is_decorated(*run)) return {};
+    PangoFont* font = run->item->analysis.font;
+    for (int i = 0; i < run->glyphs->num_glyphs; ++i) {
+      PangoGlyphInfo* glyph = &run->glyphs->glyphs[i];
+      Letter letter{font, glyph, x, baseline, 0, 0};
+      if (glyph->glyph != PANGO_GLYPH_EMPTY) {
+        PangoRectangle ink;
+        pango_font_get_glyph_extents(font, glyph->glyph, &ink, nullptr);
+        letter.ink_left = x + glyph->geometry.x_offset + ink.x;
+        letter.ink_right = letter.ink_left + ink.width;
+      }
+      letters.push_back(letter);
+      x += glyph->geometry.width;
+    }
+  }
+  return letters;
+}
+
+// adds the outline of a letter to the path
+void add_outline(cairo_t* cairo, const Letter& letter) {
+  int cluster = 0;
+  PangoGlyphString alone{1, letter.glyph, &cluster, 1};
+  cairo_move_to(cairo, pixels(letter.x), pixels(letter.baseline));
+  pango_cairo_glyph_string_path(cairo, letter.font, &alone);
+}
+
+// `count` columns of one sprite to another of the same height
+void copy_columns(const Sprite& from, int first, int count, Sprite& to, int at) {
+  const auto place = [](const Sprite& sprite, int x, int y) {
+    return 4 * (static_cast<std::ptrdiff_t>(y) * sprite.width + x);
+  };
+  for (int y = 0; y < from.height; ++y) {
+    std::copy_n(from.pixels.begin() + place(from, first, y),
+                4 * static_cast<std::size_t>(count),
+                to.pixels.begin() + place(to, at, y));
+  }
 }
 
 // a set text with its place in the picture still open, up to the part of a pixel
@@ -173,12 +248,94 @@ class Typesetter::Implementation {
     const int width = std::max(1, right - left);
     const int height = std::max(1, bottom - top);
 
+    // what is never broken is put together from strips that are kept: of a clock, only the digits
+    // that are new beside their neighbours are drawn
+    if (style.width <= 0.0) {
+      const std::vector<Letter> letters = letters_of(text.get());
+      if (!letters.empty()) {
+        return {in_strips(letters, style, part_x - left, part_y - top, width, height), left, top};
+      }
+    }
+    const SpritePtr whole =
+        painted(style, part_x - left, part_y - top, width, height, [&](cairo_t* cairo) {
+          pango_cairo_layout_path(cairo, text.get());
+        });
+    return {whole, left, top};
+  }
+
+  // A text from one strip per letter, its corner at (x, y). Cairo looks at 15 lines in a row of
+  // pixels unless nothing turns or crosses in all of it, so that edges may differ from those of a
+  // text drawn whole by a 15th.
+  SpritePtr in_strips(const std::vector<Letter>& letters,
+                      const TextStyle& style,
+                      double x,
+                      double y,
+                      int width,
+                      int height) {
+    auto sprite = std::make_shared<Sprite>(width, height);
+    int first = 0;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      const bool is_last = i + 1 == letters.size();
+      const int end = is_last ? width : static_cast<int>(x + pixels(letters[i + 1].x));
+      if (end <= first) continue;
+      const SpritePtr strip = strip_of(letters, style, x - first, y, end - first, height);
+      if (strip) copy_columns(*strip, kBesideStrip, end - first, *sprite, first);
+      first = end;
+    }
+    return sprite;
+  }
+
+  // The columns 0 to `width` and those beside them, with all letters that reach there; none
+  // without.
+  SpritePtr strip_of(const std::vector<Letter>& letters,
+                     const TextStyle& style,
+                     double x,
+                     double y,
+                     int width,
+                     int height) {
+    const double rim = style.halo + 1.0;
+    std::vector<Letter> reach;
+    std::string key = fmt::format("{} {} {} {}", key_of({}, style), y, width, height);
+    for (const Letter& letter : letters) {
+      const bool inside = letter.ink_left < letter.ink_right &&
+                          x + pixels(letter.ink_left) - rim < width + kBesideStrip &&
+                          x + pixels(letter.ink_right) + rim > -kBesideStrip;
+      if (!inside) continue;
+      reach.push_back(letter);
+      const PangoGlyphGeometry& moved = letter.glyph->geometry;
+      fmt::format_to(std::back_inserter(key),
+                     "\n{} {} {} {} {} {}",
+                     fmt::ptr(letter.font),
+                     letter.glyph->glyph,
+                     x + pixels(letter.x),
+                     letter.baseline,
+                     moved.x_offset,
+                     moved.y_offset);
+    }
+    if (reach.empty()) return nullptr;
+    const auto known = strips_.find(key);
+    if (known != strips_.end()) return known->second.sprite;
+    if (strips_.size() >= kMostKept) strips_.clear();
+    Strip made;
+    made.sprite =
+        painted(style, x + kBesideStrip, y, width + 2 * kBesideStrip, height, [&](cairo_t* cairo) {
+          for (const Letter& letter : reach)
+            add_outline(cairo, letter);
+        });
+    for (const Letter& letter : reach)
+      made.fonts.emplace_back(PANGO_FONT(g_object_ref(letter.font)));
+    return strips_.emplace(key, std::move(made)).first->second.sprite;
+  }
+
+  // Letters as filled outlines, with their rim; glyphs would be put on whole pixels.
+  template <class AddPath>
+  static SpritePtr painted(
+      const TextStyle& style, double x, double y, int width, int height, const AddPath& add_path) {
     const std::unique_ptr<cairo_surface_t, DestroySurface> surface(
         cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
     const std::unique_ptr<cairo_t, DestroyCairo> cairo(cairo_create(surface.get()));
-    cairo_translate(cairo.get(), part_x - left, part_y - top);
-    // letters as filled outlines: glyphs would be put on whole pixels
-    pango_cairo_layout_path(cairo.get(), text.get());
+    cairo_translate(cairo.get(), x, y);
+    add_path(cairo.get());
     if (style.halo > 0.0) {
       set_source(cairo.get(), style.halo_color);
       cairo_set_line_width(cairo.get(), 2.0 * style.halo);
@@ -192,7 +349,7 @@ class Typesetter::Implementation {
                               cairo_status_to_string(cairo_status(cairo.get())));
     }
     cairo_surface_flush(surface.get());
-    return {copy_of(surface.get()), left, top};
+    return copy_of(surface.get());
   }
 
   // Cairo keeps a pixel as one 32-bit number, alpha highest
@@ -220,6 +377,7 @@ class Typesetter::Implementation {
   GObjectPtr<PangoContext> context_;
   std::unordered_map<std::string, TextBox> boxes_;
   std::unordered_map<std::string, Set> set_;
+  std::unordered_map<std::string, Strip> strips_;
 };
 
 Typesetter::Typesetter() : implementation_(std::make_unique<Implementation>()) {}

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/film_plan.h"
 #include "base/units.h"
 #include "math/so3.h"
+#include "support/scenes.h"
 
 namespace polhode {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 constexpr double kFrame = 1.0 / 60.0;
 
 Solved solved(const std::string& name) {
-  return solve(load_scene(POLHODE_SOURCE_DIR "/scenes/" + name + ".toml"));
+  return solve(load_scene(test::scene_path(name)));
 }
 
 // explicit Euler on the transverse Omega of a free symmetric body multiplies it by
@@ -24,15 +26,13 @@ TEST(Comparison, ExplicitEulerGainsEnergyAsTheorySays) {
   const Solved truth = solved("compare_euler");
   const Comparison comparison(truth, kFrame);
   const Contender& euler = comparison.contenders()[0];
-  const Model& model = truth.model;
   const double I1 = 0.01, I3 = 0.004, h = 0.1;
   const Vec3 w = euler.motion.at(0.0).w_B;
   const double lambda = w.z() * (I3 - I1) / I1;
   const double across = I1 * (w.x() * w.x() + w.y() * w.y());
   const double growth = std::pow(1.0 + h * h * lambda * lambda, 30.0) - 1.0;
   const double expected = across * growth / (across + I3 * w.z() * w.z());
-  const DriftWatch drift(model, euler.motion.state_at(0.0));
-  EXPECT_NEAR(*drift.of(euler.motion.state_at(3.0)).energy, expected, 1e-9 * expected);
+  EXPECT_NEAR(*drift_at(euler.motion, 3.0).energy, expected, 1e-9 * expected);
   EXPECT_EQ(comparison.notes(euler, 3.0).lines[2].substr(0, 12), "energy +20 %");
   EXPECT_NE(comparison.notes(euler, 3.0).stamp, "");
 }
@@ -83,7 +83,7 @@ TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
 
 // a method that cannot take one step has a panel that shows the start
 TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
-  Scene scene = load_scene(POLHODE_SOURCE_DIR "/scenes/compare_euler.toml");
+  Scene scene = load_scene(test::scene_path("compare_euler"));
   scene.numerics.compare = {"dmv2", "exact"};
   scene.numerics.step = 5.0;
   const Solved truth = solve(scene);
@@ -99,14 +99,45 @@ TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
 TEST(Comparison, EnginesErrInTheirOwnWays) {
   const Comparison comparison(solved("compare_engines"), kFrame);
   const auto energy = [&](std::size_t i) {
-    const Contender& one = comparison.contenders()[i];
-    const DriftWatch drift(one.motion.model(), one.motion.state_at(0.0));
-    return *drift.of(one.motion.state_at(6.0)).energy;
+    return *drift_at(comparison.contenders()[i].motion, 6.0).energy;
   };
   EXPECT_GT(energy(0), 0.2);
   EXPECT_GT(energy(1), 0.2);
   EXPECT_LT(energy(2), -0.2);
   EXPECT_LT(std::abs(energy(4)), 1e-13);
+}
+
+// a panel draws the paths of its own method, not those of the truth
+TEST(Comparison, EachPanelHasThePathsOfItsOwnMethod) {
+  Scene scene = load_scene(test::scene_path("compare_euler"));
+  scene.video.size = {320, 180};
+  scene.show["trail"] = scene.show["herpolhode"] = true;
+  const Solved truth = solve(scene);
+  const Frames frames = plan_frames(truth, {});
+  const Comparison comparison(truth, kFrame);
+  const Film film = make_film(truth, frames.timeline, &comparison, true);
+  double apart = 0.0;
+  for (std::size_t i = 0; i < film.panels().size(); ++i) {
+    const Motion& motion = comparison.contenders()[i].motion;
+    const Stage& stage = film.panels()[i].composer->stage();
+    const Path& trail = stage.paths.axis.path();
+    ASSERT_GT(trail.points.size(), 8U);
+    for (std::size_t k = 0; k < trail.points.size(); k += 8) {
+      const double t = trail.parameters[k];
+      const double length = kTrailRadius * stage.scale.body;
+      const auto tip = [&](const Motion& of) {
+        return Vec3(of.at(t).reference_S + length * (of.at(t).q_SB * Vec3::UnitZ()));
+      };
+      EXPECT_LT((trail.points[k] - tip(motion)).norm(), 1e-12 * length) << i << ' ' << t;
+      apart = std::max(apart, (tip(motion) - tip(truth.simulation.motion)).norm() / length);
+    }
+    const Path& herpolhode = stage.paths.herpolhode.path();
+    for (std::size_t k = 0; k < herpolhode.points.size(); k += 8) {
+      const Vec3 tip = omega_tip(stage, motion.at(herpolhode.parameters[k]));
+      EXPECT_EQ(herpolhode.points[k], tip) << i << ' ' << herpolhode.parameters[k];
+    }
+  }
+  EXPECT_GT(apart, 0.1) << "explicit Euler is bad here";
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Films as a viewer sees them: text that can be read, plots, loops, shutters.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,28 +12,19 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "support/run.h"
+#include "support/scenes.h"
 
 namespace polhode {
 namespace {
 
-std::string path_of(const std::string& scene) {
-  return POLHODE_SOURCE_DIR "/scenes/" + scene + ".toml";
-}
-
-std::vector<std::string> all_scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(POLHODE_SOURCE_DIR "/scenes")) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
+using test::scene_names;
+using test::scene_path;
 
 class WholeFilm : public ::testing::TestWithParam<std::string> {};
 
 // at every moment of every film no text runs over another, and none leaves the frame
 TEST_P(WholeFilm, TextNeverRunsOverText) {
-  Scene scene = load_scene(path_of(GetParam()));
+  Scene scene = load_scene(scene_path(GetParam()));
   scene.video.size = {640, 360};
   const Solved solved = solve(scene);
   const Frames frames = plan_frames(solved, {});
@@ -56,13 +46,14 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Scenes, WholeFilm, ::testing::ValuesIn(all_scenes()), [](const auto& row) {
-  return row.param;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes,
+                         WholeFilm,
+                         ::testing::ValuesIn(scene_names()),
+                         [](const auto& row) { return row.param; });
 
 // what is revealed of a plot ends at the clock's column, and what is behind it is as before
 TEST(Plots, AreRevealedUpToNow) {
-  Scene scene = load_scene(path_of("nutation_plots"));
+  Scene scene = load_scene(scene_path("nutation_plots"));
   scene.video.size = {640, 360};
   const Solved solved = solve(scene);
   const std::vector<FilmPlot> plots = make_plots(solved);
@@ -155,7 +146,7 @@ TEST(Shutter, SpreadsWhatMoves) {
 TEST(LoopedFilm, EndsWhereItBegan) {
   const test::TemporaryFolder folder;
   RenderJob job;
-  job.scene = path_of("closed_loop");
+  job.scene = scene_path("closed_loop");
   job.output = folder / "frame_%03d.png";
   job.overrides.size = "160x90";
   job.overrides.fps = "12";

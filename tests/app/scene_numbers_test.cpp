@@ -10,12 +10,13 @@
 #include "app/load.h"
 #include "base/units.h"
 #include "motion/derived.h"
+#include "support/scenes.h"
 
 namespace polhode {
 namespace {
 
 Solved solved_scene(const std::string& name) {
-  return solve(load_with_overrides(POLHODE_SOURCE_DIR "/scenes/" + name + ".toml", {}));
+  return solve(load_with_overrides(test::scene_path(name), {}));
 }
 
 // the closed-form numbers that inspect prints
@@ -292,7 +293,7 @@ TEST(SceneNumbers, TwoMethodsAgreeWhereThereIsNoClosedForm) {
     adaptive.tolerance = 1e-14;
     splitting.method = "kick_srkn11";
     splitting.step = 5e-4;
-    const std::string file = std::string(POLHODE_SOURCE_DIR "/scenes/") + scene + ".toml";
+    const std::string file = test::scene_path(scene);
     const Motion one = solve(load_with_overrides(file, adaptive)).simulation.motion;
     const Motion other = solve(load_with_overrides(file, splitting)).simulation.motion;
     const double apart = one.at(10.0).q_SB.angularDistance(other.at(10.0).q_SB);

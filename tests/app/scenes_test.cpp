@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every shipped scene loads, moves as its kind says, and renders one small frame.
+#include "support/scenes.h"
+
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -15,23 +16,13 @@
 namespace polhode {
 namespace {
 
-std::vector<std::string> scene_files() {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(POLHODE_SOURCE_DIR "/scenes")) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path().stem().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::string path_of(const std::string& scene) {
-  return POLHODE_SOURCE_DIR "/scenes/" + scene + ".toml";
-}
+using test::scene_names;
+using test::scene_path;
 
 class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, SaysWhatToLookAt) {
-  const std::string text = test::read_text(path_of(GetParam()));
+  const std::string text = test::read_text(scene_path(GetParam()));
   EXPECT_EQ(text.rfind("# Look at:", 0), 0u);
   EXPECT_NE(text.find("# Closed form"), std::string::npos);
 }
@@ -41,8 +32,8 @@ TEST(AllScenes, TogetherShowEveryName) {
   std::set<std::string> missing;
   for (const Element& element : elements())
     missing.insert(element.name);
-  for (const std::string& name : scene_files()) {
-    const Scene scene = load_scene(path_of(name));
+  for (const std::string& name : scene_names()) {
+    const Scene scene = load_scene(scene_path(name));
     const Solved solved = solve(scene);
     const Composer picture(
         solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, {320, 180});
@@ -56,7 +47,7 @@ TEST(AllScenes, TogetherShowEveryName) {
 TEST_P(EveryScene, RendersOneSmallFrame) {
   const test::TemporaryFolder folder;
   RenderJob job;
-  job.scene = path_of(GetParam());
+  job.scene = scene_path(GetParam());
   job.output = folder / "still.png";
   job.overrides.size = "240x136";
   job.still = std::min(1.0, load_scene(job.scene).motion.duration / 2);
@@ -76,14 +67,14 @@ TEST_P(EveryScene, RendersOneSmallFrame) {
 }
 
 TEST_P(EveryScene, KeepsWhatIsConserved) {
-  const Solved solved = solve(load_with_overrides(path_of(GetParam()), {}));
+  const Solved solved = solve(load_with_overrides(scene_path(GetParam()), {}));
   // absent where torques change it
   EXPECT_LT(solved.simulation.report.record.drift.energy.value_or(0.0), 1e-6);
   EXPECT_LT(solved.simulation.report.record.drift.momentum.value_or(0.0), 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          EveryScene,
-                         ::testing::ValuesIn(scene_files()),
+                         ::testing::ValuesIn(scene_names()),
                          [](const auto& row) { return row.param; });
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "math/so3.h"
 #include "support/motions.h"
+#include "support/show_only.h"
 
 namespace polhode {
 namespace {
@@ -15,6 +17,7 @@ using test::cone_body;
 using test::moving;
 using test::oblate_body;
 using test::prolate_body;
+using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
 
@@ -25,10 +28,6 @@ Composer composer(const BodySpec& body,
                   const ShowSpec& show = {},
                   const CameraSpec& camera = {}) {
   return {moving(body, motion), body, camera, show, ThemeSpec{}, kSize};
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // both cones hold omega on their surface and end at its tip, at every time
@@ -137,15 +136,6 @@ TEST(Shown, AskingForWhatIsNotThereIsAnError) {
   }
 }
 
-// nothing but what is named
-ShowSpec only(const std::string& name) {
-  ShowSpec show;
-  for (const Element& element : elements())
-    show[element.name] = false;
-  if (!name.empty()) show[name] = true;
-  return show;
-}
-
 // a force, a couple and a spring
 MotionSpec pulled() {
   MotionSpec spec = wobbling();
@@ -205,7 +195,8 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
     const MotionSpec motion = heavy              ? spinning_on_pivot()
                               : name == "forces" ? pulled()
                                                  : wobbling();
-    const Composer picture = composer(heavy ? cone_body() : prolate_body(), motion, only(name));
+    const Composer picture =
+        composer(heavy ? cone_body() : prolate_body(), motion, show_only(name));
     const Marks marks = picture.marks_at(picture.stage().motion.at(0.5));
     const Count found{marks.arrows.size(),
                       marks.meshes.size(),
@@ -232,7 +223,7 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
 TEST(VelocityField, PointsWhereThePointsGo) {
   MotionSpec spec = wobbling();
   spec.velocity = Vec3(0.1, -0.2, 0.3);
-  const Composer picture = composer(prolate_body(), spec, only("velocity_field"));
+  const Composer picture = composer(prolate_body(), spec, show_only("velocity_field"));
   const Motion& motion = picture.stage().motion;
   const double h = 1e-5;
   const Marks before = picture.marks_at(motion.at(0.7 - h));
@@ -252,7 +243,7 @@ TEST(VelocityField, PointsWhereThePointsGo) {
 TEST(FixedFrame, VectorsCloseAndArcsEndOnTheAxes) {
   MotionSpec spec = wobbling();
   spec.position = Vec3(0.3, 0.5, 0.2);
-  ShowSpec show = only("fixed_frame");
+  ShowSpec show = show_only("fixed_frame");
   show["angles"] = true;
   show.points = {Vec3(0.05, 0.02, 0.1)};
   const Composer picture = composer(prolate_body(), spec, show);
@@ -278,7 +269,7 @@ TEST(FixedFrame, VectorsCloseAndArcsEndOnTheAxes) {
 
 // far side, then near side; cones would not know where to go
 TEST(BodyOpacity, SeenThrough) {
-  ShowSpec show = only("body");
+  ShowSpec show = show_only("body");
   show.body_opacity = 0.4;
   const DrawList list = composer(prolate_body(), wobbling(), show).at(0.3);
   EXPECT_TRUE(list.opaque.empty());

@@ -93,6 +93,81 @@ TEST(Film, PanelsShareCameraAndScale) {
               1e-9);
 }
 
+// a motion that blows up is drawn as far as single precision goes
+TEST(Film, TipsOfVectorsStayDrawable) {
+  const BodySpec body = test::prolate_body();
+  MotionSpec wild = test::wobbling();
+  *wild.spin.body *= 1e9;
+  wild.duration = 1e-12;
+  const Composer tame(test::moving(body, test::wobbling()), body, CameraSpec{}, {}, {}, {320, 180});
+  const Composer picture(tame, test::moving(body, wild));
+  const Sample now = picture.stage().motion.at(0.0);
+  const double size = picture.stage().scale.body;
+  for (const Vec3& tip : {omega_tip(picture.stage(), now), momentum_tip(picture.stage(), now)})
+    EXPECT_NEAR((tip - now.reference_S).norm(), 50.0 * size, 1e-9 * size);
+  for (const Cone& cone : picture.marks_at(now).cones)
+    EXPECT_NEAR(cone.slant, 50.0 * size, 1e-9 * size);
+}
+
+// two panels side by side, with everything that can be laid over them
+Film two_panels() {
+  const BodySpec body = test::prolate_body();
+  const std::vector<PixelBox> places = panel_places({640, 180}, 2);
+  std::vector<FilmPanel> panels;
+  for (const PixelBox& place : places) {
+    FilmPanel panel;
+    panel.place = place;
+    panel.composer = std::make_shared<const Composer>(test::moving(body, test::wobbling()),
+                                                      body,
+                                                      CameraSpec{},
+                                                      ShowSpec{},
+                                                      ThemeSpec{},
+                                                      FrameSize{place.width, place.height});
+    panel.end = 4.0;
+    panels.push_back(panel);
+  }
+  FilmText text;
+  text.title = "Title";
+  text.caption = "Words";
+  return {panels, text, {640, 180}};
+}
+
+TEST(Film, ABarePictureIsThePictureWithoutStamps) {
+  const Film film = two_panels();
+  const Picture whole = film.at(1.3);
+  const Picture bare = film.bare_at(1.3);
+  EXPECT_FALSE(whole.stamps.empty());
+  EXPECT_TRUE(bare.stamps.empty());
+  ASSERT_EQ(bare.panels.size(), whole.panels.size());
+  for (std::size_t i = 0; i < bare.panels.size(); ++i) {
+    const DrawList& a = whole.panels[i].list;
+    const DrawList& b = bare.panels[i].list;
+    EXPECT_EQ(bare.panels[i].place, whole.panels[i].place);
+    EXPECT_EQ(b.view.clip_from_world, a.view.clip_from_world);
+    EXPECT_EQ(b.background, a.background);
+    ASSERT_EQ(b.opaque.size(), a.opaque.size());
+    ASSERT_EQ(b.translucent.size(), a.translucent.size());
+    for (std::size_t k = 0; k < a.opaque.size(); ++k)
+      EXPECT_EQ(b.opaque[k].world_from_mesh, a.opaque[k].world_from_mesh);
+  }
+}
+
+// the same bytes of text for a frame drawn alone, or after all those before it
+TEST(Film, TextIsNoFunctionOfWhatWasDrawnBefore) {
+  const Film film = two_panels();
+  for (double t = 0.0; t < 2.0; t += 1.0 / 60.0)
+    static_cast<void>(film.at(t));
+  const Picture after = film.at(2.0);
+  const Picture alone = two_panels().at(2.0);
+  ASSERT_EQ(after.stamps.size(), alone.stamps.size());
+  for (std::size_t i = 0; i < alone.stamps.size(); ++i) {
+    EXPECT_EQ(after.stamps[i].x, alone.stamps[i].x);
+    EXPECT_EQ(after.stamps[i].y, alone.stamps[i].y);
+    EXPECT_EQ(after.stamps[i].sprite->width, alone.stamps[i].sprite->width);
+    EXPECT_EQ(after.stamps[i].sprite->pixels, alone.stamps[i].sprite->pixels);
+  }
+}
+
 // behind its end a panel stands still while the clock goes on
 TEST(Film, APanelStandsStillBehindItsEnd) {
   const BodySpec body = test::prolate_body();

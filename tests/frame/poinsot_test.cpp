@@ -6,21 +6,12 @@
 
 #include "frame/compose.h"
 #include "frame/elements/parts.h"
+#include "math/so3.h"
 #include "support/motions.h"
+#include "support/show_only.h"
 
 namespace polhode {
 namespace {
-
-// no two moments alike
-BodySpec brick() {
-  SolidSpec solid;
-  solid.kind = "box";
-  solid.size = Vec3(0.3, 0.2, 0.06);
-  solid.mass = 1.0;
-  BodySpec body;
-  body.solid = solid;
-  return body;
-}
 
 ShowSpec poinsot() {
   ShowSpec show;
@@ -40,7 +31,7 @@ const Vec3 kSpins[] = {{1.0, 0.8, 2.0}, {2.0, 0.5, 0.3}, {0.1, 1.5, 0.1}};
 // the ellipsoid touches the plane at the tip of omega, and lies on one side of it
 TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
   for (const Vec3& spin : kSpins) {
-    const Composer picture = picture_of(brick(), spin);
+    const Composer picture = picture_of(test::brick_body(), spin);
     for (const double t : {0.0, 0.7, 2.9}) {
       const Sample now = picture.stage().motion.at(t);
       const Marks marks = picture.marks_at(now);
@@ -60,7 +51,7 @@ TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
 
 // rolling without slipping: the body's point at the contact is at rest, as omega passes through it
 TEST(Poinsot, TheContactDoesNotSlip) {
-  const Composer picture = picture_of(brick(), kSpins[0]);
+  const Composer picture = picture_of(test::brick_body(), kSpins[0]);
   const Motion& motion = picture.stage().motion;
   const double h = 1e-4;
   for (const double t : {0.4, 1.9}) {
@@ -174,12 +165,13 @@ TEST(Trails, EndWhereThePointIs) {
 // the sums that make components what they are
 TEST(Components, AddUpToOmega) {
   for (const char* name : {"omega_components", "euler_rates"}) {
-    ShowSpec show;
-    for (const Element& element : elements())
-      show[element.name] = element.name == name;
-    const BodySpec body = brick();
-    const Composer picture(
-        test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+    const BodySpec body = test::brick_body();
+    const Composer picture(test::moving(body, test::wobbling()),
+                           body,
+                           CameraSpec{},
+                           test::show_only(name),
+                           {},
+                           {640, 360});
     const Sample now = picture.stage().motion.at(1.1);
     Vec3 sum = Vec3::Zero();
     for (const ArrowMark& arrow : picture.marks_at(now).arrows)
@@ -190,12 +182,13 @@ TEST(Components, AddUpToOmega) {
 
 // dL/dt is the torque that is drawn
 TEST(Torque, IsTheRateOfL) {
-  ShowSpec show;
-  for (const Element& element : elements())
-    show[element.name] = element.name == "torque";
   const BodySpec body = test::cone_body();
-  const Composer picture(
-      test::moving(body, test::spinning_on_pivot()), body, CameraSpec{}, show, {}, {640, 360});
+  const Composer picture(test::moving(body, test::spinning_on_pivot()),
+                         body,
+                         CameraSpec{},
+                         test::show_only("torque"),
+                         {},
+                         {640, 360});
   const Motion& motion = picture.stage().motion;
   const double h = 1e-5;
   for (const double t : {0.3, 1.0}) {

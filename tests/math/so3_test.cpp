@@ -80,6 +80,16 @@ TEST(RotationAngle, TakesTheShortWayAndIgnoresTheSignOfQ) {
   EXPECT_EQ(rotation_angle_between(q, Quat(-q.coeffs())), 0.0);
 }
 
+TEST(AngleBetween, KeepsItsDigitsAtBothEnds) {
+  const Vec3 a = 0.2 * Vec3::UnitX();
+  for (const double angle : {0.0, 1e-150, 1e-12, 1e-3, 1.0, 3.0}) {
+    const Vec3 b(5.0 * std::cos(angle), 5.0 * std::sin(angle), 0.0);
+    EXPECT_NEAR(angle_between(a, b), angle, 1e-15 * angle);
+    EXPECT_NEAR(angle_between(a, -b), kPi - angle, 1e-15);
+  }
+  EXPECT_EQ(angle_between(a, Vec3::Zero()), 0.0);
+}
+
 TEST(ZxzAngles, RoundTrip) {
   std::mt19937_64 random(5);
   double worst = 0.0;

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "math/elliptic.h"
+#include "math/so3.h"
 #include "motion/simulate.h"
 #include "support/motions.h"
 #include "support/residual.h"
@@ -32,10 +33,6 @@ struct Case {
 Case moving(const BodySpec& body, const MotionSpec& spec) {
   const Model model = make_model(body, spec);
   return {simulate(model, spec, {}, 1e-9).motion, derived_quantities(model, spec)};
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // angle from a to b about the axis n

@@ -15,6 +15,7 @@
 #include "frame/to_glm.h"
 #include "render/renderer.h"
 #include "support/motions.h"
+#include "support/show_only.h"
 
 namespace polhode {
 namespace {
@@ -245,19 +246,11 @@ TEST_P(ScenePicture, TipsOfOmegaAndMomentum) {
 // within half a pixel of the projected curve.
 void expect_on_curve(const char* name,
                      const std::function<Vec3(const Stage&, const Sample&)>& curve) {
-  ShowSpec show;
-  for (const Element& element : elements())
-    show[element.name] = element.name == name;
-  SolidSpec solid;
-  solid.kind = "box";
-  solid.size = Vec3(0.3, 0.2, 0.06);
-  solid.mass = 1.0;
-  BodySpec body;
-  body.solid = solid;
+  const BodySpec body = test::brick_body();
   MotionSpec spec = test::wobbling();
   spec.duration = 2.0;
   const Motion motion = test::moving(body, spec);
-  const Composer picture(motion, body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Composer picture(motion, body, CameraSpec{}, test::show_only(name), ThemeSpec{}, kSize);
   const Image image = draw(picture.at(spec.duration));
   const Camera& camera = picture.camera();
   std::vector<std::pair<double, double>> found;  // what is covered, how far its middle is off
@@ -363,11 +356,13 @@ Image draw_alone(const Composer& picture, const MeshMark& mark) {
 }
 
 Composer shown_alone(const char* name) {
-  ShowSpec show;
-  for (const Element& element : elements())
-    show[element.name] = element.name == name;
   const BodySpec body = test::ellipsoid_body({0.1, 0.15, 0.2});
-  return {test::moving(body, test::wobbling()), body, CameraSpec{}, show, ThemeSpec{}, kSize};
+  return {test::moving(body, test::wobbling()),
+          body,
+          CameraSpec{},
+          test::show_only(name),
+          ThemeSpec{},
+          kSize};
 }
 
 // of an ellipsoid {c + A x : |x| = 1} the eye sees the circle in which the plane e.x = 1 cuts the

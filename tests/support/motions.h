@@ -24,6 +24,17 @@ inline BodySpec oblate_body() {
   return ellipsoid_body({0.15, 0.15, 0.06});
 }
 
+// no two moments alike
+inline BodySpec brick_body() {
+  SolidSpec solid;
+  solid.kind = "box";
+  solid.size = Vec3(0.3, 0.2, 0.06);
+  solid.mass = 1.0;
+  BodySpec body;
+  body.solid = solid;
+  return body;
+}
+
 // tilted by 40 degrees, spinning and wobbling
 inline MotionSpec wobbling() {
   MotionSpec motion;

@@ -79,6 +79,44 @@ TEST(Typesetter, WhatWasSetBeforeDoesNotMatter) {
   EXPECT_EQ(a.x, b.x);
 }
 
+// text is put together from kept strips, one per letter; where lines may be broken it is drawn
+// whole
+TEST(Typesetter, StripsAreAsTheWhole) {
+  const Typesetter typesetter;
+  for (const double size : {9.0, 14.3, 36.7, 90.0}) {
+    for (const Face face : {Face::sans, Face::math}) {
+      TextStyle strips = style(size);
+      strips.face = face;
+      strips.halo = 0.075 * size;
+      strips.color = {250, 200, 20};
+      strips.halo_color = {10, 20, 60};
+      TextStyle whole = strips;
+      whole.width = 1e5;
+      for (const char* text : {"<i>t</i> = 3.25 s   4.5× slower",
+                               "<i>t</i> = 13.70 s",
+                               "AVAToyfjf 1.23 –7.77 (ffi)",
+                               "<b>ê</b><sub>3</sub>",
+                               "<i>φ̇</i>",
+                               "<i>m</i><b>g</b>",
+                               "<u>under</u> and <s>through</s>",
+                               "",
+                               "two\nlines"}) {
+        for (const double x : {100.0, 3.25, 7.62}) {
+          const Stamp a = typesetter.set(text, strips, x, 20.5);
+          const Stamp b = typesetter.set(text, whole, x, 20.5);
+          EXPECT_EQ(a.x, b.x) << text;
+          EXPECT_EQ(a.y, b.y) << text;
+          ASSERT_EQ(a.sprite->width, b.sprite->width) << text;
+          int most = 0;
+          for (std::size_t i = 0; i < a.sprite->pixels.size(); ++i)
+            most = std::max(most, std::abs(a.sprite->pixels[i] - b.sprite->pixels[i]));
+          EXPECT_LE(most, 17) << text << ' ' << size << ' ' << x;
+        }
+      }
+    }
+  }
+}
+
 TEST(Typesetter, PlainTextIsNoMarkup) {
   const Typesetter typesetter;
   for (const char* text : {"<b>", "a & b", "</span><span size='900%'>", "\"'<i>", "&#x41;", ""}) {

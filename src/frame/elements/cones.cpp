@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "frame/elements/parts.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
-constexpr double kSmallestCone = 1e-4;  // rad; below this there is no wobble to draw
 constexpr double kWidestCone = 0.995 * kPi / 2.0;
 
 void add_arc(const Stage& stage,
@@ -68,7 +68,7 @@ void add_space_cone(const Stage& stage, const Sample& sample, Marks& marks) {
            sample,
            sample.L_S.normalized(),
            angle_between(sample.L_S, sample.w_S),
-           stage.scale.omega * sample.w_S.norm(),
+           drawn_length(stage, stage.scale.omega * sample.w_S.norm()),
            shell(stage.theme.space_cone, 0.30f),
            marks);
 }
@@ -80,7 +80,7 @@ void add_body_cone(const Stage& stage, const Sample& sample, Marks& marks) {
            sample,
            axis,
            angle_between(axis, sample.w_S),
-           stage.scale.omega * sample.w_S.norm(),
+           drawn_length(stage, stage.scale.omega * sample.w_S.norm()),
            shell(stage.theme.body_cone, 0.30f),
            marks);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "frame/elements/parts.h"
@@ -73,16 +72,10 @@ void add_floor(const Stage& stage, const Sample& sample, Marks& marks) {
   const Vec3& up = stage.motion.model().up_S;
   const double depth = floor_depth(stage);
   const Vec3 start = stage.motion.at(0.0).reference_S;
-  const Mat3 turned = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix();
   const Vec3 center = start - depth * up;
-  Placement place = Placement::Identity();
-  place.translation() = center;
-  place.linear() = turned * (kFloorRadius * stage.scale.body);
+  const Placement place = disc_placement(center, up, kFloorRadius * stage.scale.body);
   marks.meshes.push_back({stage.disc, place, plain(stage.theme.floor, 0.0f)});
-  for (int k = 0; k < 16; ++k) {
-    const double angle = 2.0 * kPi * k / 16;
-    marks.reach.push_back(place * Vec3(std::cos(angle), std::sin(angle), 0.0));
-  }
+  add_rim_reach(place, 16, marks);
 
   // under the middle of the body, wider and paler the higher it is
   Vec3 middle = Vec3::Zero();
@@ -98,10 +91,8 @@ void add_floor(const Stage& stage, const Sample& sample, Marks& marks) {
   Material shade = plain(glm::vec3(0.0f), 0.0f);
   shade.flat = shade.soft = true;
   shade.alpha = static_cast<float>(kShadowDepth * (1.0 - 0.6 * high));
-  Placement shadow = Placement::Identity();
-  shadow.translation() = center + middle + 1e-3 * stage.scale.body * up;
-  shadow.linear() = turned * wide;
-  marks.shades.push_back({stage.disc, shadow, shade});
+  const Vec3 just_above = center + middle + 1e-3 * stage.scale.body * up;
+  marks.shades.push_back({stage.disc, disc_placement(just_above, up, wide), shade});
 }
 
 }  // namespace polhode

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/so3.h"
+
 namespace polhode {
 namespace {
 
 constexpr double kLongestVector = 50.0;
 constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
 constexpr double kLongEnough = 0.3;      // longer ones have it in full
-constexpr double kSmallestCone = 1e-4;   // rad; below this there is no wobble to draw
 
 bool is_free_top(const Stage& stage) {
   const Model& model = stage.motion.model();
@@ -18,10 +19,6 @@ bool is_free_top(const Stage& stage) {
 }
 
 }  // namespace
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Material plain(const glm::vec3& color, float gloss) {
   Material material;
@@ -40,6 +37,16 @@ ArrowShape times(const ArrowShape& shape, double factor) {
   return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
 }
 
+double drawn_length(const Stage& stage, double length) {
+  return std::min(length, kLongestVector * stage.scale.body);
+}
+
+Vec3 drawn_tip(const Stage& stage, const Vec3& from, const Vec3& end) {
+  const double length = (end - from).norm();
+  const double drawn = drawn_length(stage, length);
+  return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
+}
+
 void add_vector(const Stage& stage,
                 const Vec3& from,
                 const Vec3& end,
@@ -47,10 +54,8 @@ void add_vector(const Stage& stage,
                 const Material& material,
                 Marks& marks,
                 const char* name) {
-  // a vector that a failing method has blown up still fits single precision
-  const double most = kLongestVector * stage.scale.body;
   const double length = (end - from).norm();
-  const Vec3 tip = length > most ? Vec3(from + (end - from) * (most / length)) : end;
+  const Vec3 tip = drawn_tip(stage, from, end);
   marks.arrows.push_back({from, tip, times(shape, stage.scale.body), material});
   // the name of a vector that shrinks into the body goes with it
   const double named =
@@ -60,7 +65,17 @@ void add_vector(const Stage& stage,
   marks.labels.push_back({tip, tip - from, name, material.color, fade});
 }
 
-// the axis that a picture follows: of symmetry, else towards the centre of mass, else the third
+void add_at_reference(const Stage& stage,
+                      const Sample& sample,
+                      const Vec3& along,
+                      const ArrowShape& shape,
+                      const Material& material,
+                      Marks& marks,
+                      const char* name) {
+  const Vec3& from = sample.reference_S;
+  add_vector(stage, from, from + along, shape, material, marks, name);
+}
+
 Vec3 figure_axis_B(const Stage& stage) {
   const Model& model = stage.motion.model();
   const Vec3 arm = model.body.center - model.pivot_B;
@@ -85,6 +100,28 @@ Placement principal_placement(const Stage& stage, const Sample& sample) {
   place.linear() = sample.q_SB.toRotationMatrix() * stage.motion.model().R_BP;
   place.translation() = sample.reference_S;
   return place;
+}
+
+Placement disc_placement(const Vec3& center, const Vec3& normal, double radius) {
+  Placement place = Placement::Identity();
+  place.translation() = center;
+  place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), normal).toRotationMatrix() * radius;
+  return place;
+}
+
+void add_rim_reach(const Placement& disc, int count, Marks& marks) {
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * kPi * k / count;
+    marks.reach.push_back(disc * Vec3(std::cos(angle), std::sin(angle), 0.0));
+  }
+}
+
+Vec3 principal_rate(const Model& model, const Sample& sample) {
+  return model.R_BP.transpose() * sample.w_B;
+}
+
+double twice_the_energy(const Model& model, const Vec3& w_P) {
+  return w_P.dot(model.moments.cwiseProduct(w_P));
 }
 
 bool has_cones(const Stage& stage) {

@@ -19,7 +19,8 @@ inline constexpr ArrowShape kComponentShape{0.015, 0.042, 0.12};  // may lie alo
 inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
 inline constexpr double kRimRadius = 0.008;  // of tubes along rims and curves
 
-double angle_between(const Vec3& a, const Vec3& b);
+inline constexpr double kSmallestCone = 1e-4;  // rad; below this there is no wobble to draw
+
 Material plain(const glm::vec3& color, float gloss);
 Material shell(const glm::vec3& color, float alpha);
 
@@ -31,6 +32,19 @@ void add_vector(const Stage& stage,
                 const Material& material,
                 Marks& marks,
                 const char* name = nullptr);
+// The same from the reference point; `along` in m.
+void add_at_reference(const Stage& stage,
+                      const Sample& sample,
+                      const Vec3& along,
+                      const ArrowShape& shape,
+                      const Material& material,
+                      Marks& marks,
+                      const char* name = nullptr);
+// A vector of that length, m, as long as it is drawn: one that a failing method has blown up still
+// fits single precision.
+double drawn_length(const Stage& stage, double length);
+// Where a vector ends that is drawn so.
+Vec3 drawn_tip(const Stage& stage, const Vec3& from, const Vec3& end);
 
 // The axis that a picture follows, in body axes: of symmetry, else towards the centre of mass, else
 // the third.
@@ -40,6 +54,14 @@ Vec3 figure_axis_B(const Stage& stage);
 Placement body_placement(const Stage& stage, const Sample& sample);
 // From principal axes about the reference point to space.
 Placement principal_placement(const Stage& stage, const Sample& sample);
+// The unit disc about z with its middle at `center`, square to `normal` (unit); radius in m.
+Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);
+// So many points along its rim, for framing.
+void add_rim_reach(const Placement& disc, int count, Marks& marks);
+
+// Angular velocity in principal axes, rad/s, and twice the energy of turning with it, J.
+Vec3 principal_rate(const Model& model, const Sample& sample);
+double twice_the_energy(const Model& model, const Vec3& w_P);
 
 // Conditions that several elements share: "" or why not.
 std::string needs_cones(const Stage& stage);
@@ -61,7 +83,7 @@ Add add_stand, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 
-// segments: pieces of a circle as large as the frame.
-Paths make_paths(const Stage& stage, const ShowSpec& show, int segments);
+// The part of a path between two times, s.
+void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Marks& marks);
 
 }  // namespace polhode

@@ -1,32 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Paths of points in space.
+// Paths of points in space, and curves of a whole film.
+#include <algorithm>
+#include <cmath>
+
 #include "frame/elements/parts.h"
 
 namespace polhode {
 namespace {
 
-void add_path(const Stage& stage,
-              const Sample& sample,
-              const Trail& trail,
-              const glm::vec3& color,
-              Marks& marks) {
-  if (trail.empty()) return;
+constexpr int kFamily = 9;  // polhodes between two axes
+
+// as much of a trail as the scene lets it be long
+void add_tail(const Stage& stage, const Sample& sample, const Trail& trail, Marks& marks) {
   const double from = sample.t - stage.options.trail_s.value_or(stage.motion.duration());
-  for (const MeshPtr& mesh : trail.part(std::max(0.0, from), sample.t))
+  add_path(trail, std::max(0.0, from), sample.t, stage.theme.trail, marks);
+}
+
+}  // namespace
+
+void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Marks& marks) {
+  if (trail.empty()) return;
+  for (const MeshPtr& mesh : trail.part(from, to))
     marks.meshes.push_back({mesh, trail.place(), plain(color, 0.1f)});
   for (std::size_t i = 0; i < trail.path().points.size(); i += 8)
     marks.reach.push_back(trail.path().points[i]);
 }
 
-}  // namespace
-
 void add_trail(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_path(stage, sample, stage.paths.axis, stage.theme.trail, marks);
+  add_tail(stage, sample, stage.paths.axis, marks);
 }
 
 void add_point_trails(const Stage& stage, const Sample& sample, Marks& marks) {
   for (const Trail& trail : stage.paths.points)
-    add_path(stage, sample, trail, stage.theme.trail, marks);
+    add_tail(stage, sample, trail, marks);
 }
 
 // the sphere on which the body's axis writes
@@ -39,6 +45,84 @@ void add_trail_sphere(const Stage& stage, const Sample& sample, Marks& marks) {
     marks.reach.push_back(place * Vec3(Vec3::Unit(i)));
     marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
   }
+}
+
+Paths make_paths(const Stage& stage) {
+  const ShowSpec& show = stage.options;
+  const int segments = stage.segments;
+  // a quarter of a pixel where the body is as high as the frame; the pieces of a circle that look
+  // round grow as the root of its radius
+  const double tolerance = stage.scale.body * (1.0 - std::cos(kPi / segments));
+  const int sides = std::max(8, static_cast<int>(std::ceil(segments * std::sqrt(kRimRadius))));
+  const auto wanted = [&](const char* name) {
+    const auto found = show.asked.find(name);
+    return found != show.asked.end() && found->second.value_or(false);
+  };
+  Paths paths;
+  const Motion& motion = stage.motion;
+  const Model& model = motion.model();
+  const double tube = kRimRadius * stage.scale.body;
+  double fastest = 0.0;
+  for (const double t : framing_times(motion))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  // a straight piece is never more than a tenth of a turn
+  const int pieces =
+      static_cast<int>(std::clamp(fastest * motion.duration() / 0.6, 64.0, 100'000.0));
+  const auto trail = [&](const auto& point) {
+    return Trail(sampled([&](double t) { return Vec3(point(motion.at(t))); },
+                         0.0,
+                         motion.duration(),
+                         pieces,
+                         tolerance),
+                 tube,
+                 stage.scale.body,
+                 sides);
+  };
+  if (wanted("trail")) {
+    const Vec3 tip_B = kTrailRadius * stage.scale.body * figure_axis_B(stage);
+    paths.axis = trail([&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
+  }
+  for (const Vec3& point_B : show.trail_points) {
+    paths.points.push_back(
+        trail([&](const Sample& now) { return point_position(model, now, point_B); }));
+  }
+  if (wanted("herpolhode"))
+    paths.herpolhode = trail([&](const Sample& now) { return omega_tip(stage, now); });
+
+  // curves of the body, closed, in units of its radius
+  const Vec3 w_P = principal_rate(model, motion.at(0.0));
+  const int pieces_of_curve = 8 * segments;
+  const auto tube_of = [&](const std::vector<Vec3>& points, const Vec3& factor) -> MeshPtr {
+    if (points.empty()) return nullptr;
+    std::vector<Vec3> drawn;
+    drawn.reserve(points.size());
+    for (const Vec3& w : points)
+      drawn.emplace_back(w.cwiseProduct(factor) / stage.scale.body);
+    return std::make_shared<const Mesh>(tube_along(drawn, kRimRadius, sides, true));
+  };
+  const Vec3 as_omega = Vec3::Constant(stage.scale.omega);
+  if (wanted("polhode"))
+    paths.polhode = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_omega);
+  const Vec3 as_momentum = stage.scale.momentum * model.moments;
+  if (wanted("binet"))
+    paths.binet = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_momentum);
+  if (wanted("polhodes")) {
+    // the same energy, other momenta: starts along the great circle through the axes of the
+    // smallest and the largest moment, whose polhodes cover both sides of the separatrix
+    const double energy2 = twice_the_energy(model, w_P);
+    int least = 0, most = 0;
+    model.moments.minCoeff(&least);
+    model.moments.maxCoeff(&most);
+    for (int k = 0; k < 4 * kFamily; ++k) {
+      const double angle = 2.0 * kPi * (k + 0.5) / (4 * kFamily);
+      Vec3 w = Vec3::Zero();
+      w[least] = std::sqrt(energy2 / model.moments[least]) * std::cos(angle);
+      w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
+      if (const MeshPtr mesh = tube_of(polhode(model.moments, w, pieces_of_curve), as_omega))
+        paths.polhodes.push_back(mesh);
+    }
+  }
+  return paths;
 }
 
 }  // namespace polhode

@@ -40,16 +40,15 @@ void add_axes_at(const Stage& stage, const Vec3& from, Marks& marks) {
 }  // namespace
 
 void add_body_axes(const Stage& stage, const Sample& sample, Marks& marks) {
-  const Vec3& from = sample.reference_S;
   for (int i = 0; i < 3; ++i) {
     const Vec3 along = kBodyAxisLength * stage.scale.body * (sample.q_SB * Vec3::Unit(i));
-    add_vector(stage,
-               from,
-               from + along,
-               kAxisShape,
-               plain(stage.theme.body_axes, 0.2f),
-               marks,
-               kBodyAxisNames[static_cast<std::size_t>(i)]);
+    add_at_reference(stage,
+                     sample,
+                     along,
+                     kAxisShape,
+                     plain(stage.theme.body_axes, 0.2f),
+                     marks,
+                     kBodyAxisNames[static_cast<std::size_t>(i)]);
   }
 }
 
@@ -92,13 +91,13 @@ void add_momentum(const Stage& stage, const Sample& sample, Marks& marks) {
 void add_omega_components(const Stage& stage, const Sample& sample, Marks& marks) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 along = stage.scale.omega * sample.w_B[i] * (sample.q_SB * Vec3::Unit(i));
-    add_vector(stage,
-               sample.reference_S,
-               sample.reference_S + along,
-               kComponentShape,
-               plain(stage.theme.omega, 0.2f),
-               marks,
-               kComponentNames[static_cast<std::size_t>(i)]);
+    add_at_reference(stage,
+                     sample,
+                     along,
+                     kComponentShape,
+                     plain(stage.theme.omega, 0.2f),
+                     marks,
+                     kComponentNames[static_cast<std::size_t>(i)]);
   }
 }
 
@@ -117,13 +116,13 @@ void add_euler_rates(const Stage& stage, const Sample& sample, Marks& marks) {
   const Vec3 rates = basis.inverse() * sample.w_S;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    add_vector(stage,
-               sample.reference_S,
-               sample.reference_S + stage.scale.omega * rates[i] * axes_S[k],
-               kComponentShape,
-               plain(stage.theme.omega, 0.2f),
-               marks,
-               kRateNames[k]);
+    add_at_reference(stage,
+                     sample,
+                     stage.scale.omega * rates[i] * axes_S[k],
+                     kComponentShape,
+                     plain(stage.theme.omega, 0.2f),
+                     marks,
+                     kRateNames[k]);
   }
 }
 
@@ -132,13 +131,13 @@ void add_torque(const Stage& stage, const Sample& sample, Marks& marks) {
   const Model& model = stage.motion.model();
   const State state = stage.motion.state_at(sample.t);
   const Vec3 torque_S = state.q * torque(model, sample.t, state);
-  add_vector(stage,
-             sample.reference_S,
-             sample.reference_S + stage.scale.torque * torque_S,
-             kForceShape,
-             plain(stage.theme.force, 0.25f),
-             marks,
-             "<b>τ</b>");
+  add_at_reference(stage,
+                   sample,
+                   stage.scale.torque * torque_S,
+                   kForceShape,
+                   plain(stage.theme.force, 0.25f),
+                   marks,
+                   "<b>τ</b>");
 }
 
 // m g on the centre of mass
