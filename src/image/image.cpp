@@ -24,7 +24,7 @@ void Image::fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color) 
   if (box.empty()) return;
   std::uint8_t* first = at(box.x, box.y);
   for (int x = 0; x < box.width; ++x)
-    std::memcpy(first + 4 * x, color.data(), 4);
+    std::memcpy(first + std::ptrdiff_t{4} * x, color.data(), 4);
   for (int row = 1; row < box.height; ++row)
     std::memcpy(at(box.x, box.y + row), first, 4 * static_cast<std::size_t>(box.width));
 }

@@ -214,16 +214,15 @@ void OutlineSmoother::smooth(const std::vector<float>& depth, Image& image) {
     std::array<std::uint8_t, 4> value{};
     for (std::size_t c = 0; c < 4; ++c) {
       const float mean = (sum[c] + rest * static_cast<float>(own[c])) / (shares + rest);
-      value[c] = static_cast<std::uint8_t>(mean + 0.5f);
+      value[c] = static_cast<std::uint8_t>(std::lround(mean));
     }
     mixed_.push_back(value);
   }
-  for (const Crossed& pixel : crossed_)
-    number_[index_of(pixel.x, pixel.y)] = -1;
-  for (std::size_t i = 0; i < crossed_.size(); ++i)
-    std::copy(mixed_[i].begin(),
-              mixed_[i].end(),
-              image.at(box_.x + crossed_[i].x, box_.y + crossed_[i].y));
+  for (std::size_t i = 0; i < crossed_.size(); ++i) {
+    const auto& [x, y, shares] = crossed_[i];
+    number_[index_of(x, y)] = -1;
+    std::copy(mixed_[i].begin(), mixed_[i].end(), image.at(box_.x + x, box_.y + y));
+  }
 }
 
 }  // namespace polhode

@@ -27,7 +27,10 @@ class SurfacePrograms {
   struct Kind {
     Finish finish = Finish::plain;
     bool flat = false, soft = false, marked = false, shell = false;
-    friend auto operator<=>(const Kind&, const Kind&) = default;
+    friend bool operator<(const Kind& a, const Kind& b) {
+      return std::tie(a.finish, a.flat, a.soft, a.marked, a.shell) <
+             std::tie(b.finish, b.flat, b.soft, b.marked, b.shell);
+    }
   };
   struct Uniforms {
     explicit Uniforms(const Program& p);

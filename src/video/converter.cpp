@@ -113,8 +113,8 @@ void Converter::convert_box(const Image& image, const PixelBox& box) {
   for (int c = 0; c < kind.nb_components; ++c) {
     const AVComponentDescriptor& part = kind.comp[c];
     const bool color = (c == 1 || c == 2) && !is_rgb(kind);
-    const int x = color ? box.x >> kind.log2_chroma_w : box.x;
-    const int y = color ? box.y >> kind.log2_chroma_h : box.y;
+    const std::ptrdiff_t x = color ? box.x >> kind.log2_chroma_w : box.x;
+    const std::ptrdiff_t y = color ? box.y >> kind.log2_chroma_h : box.y;
     planes[part.plane] =
         frame_->data[part.plane] + y * frame_->linesize[part.plane] + x * part.step;
   }
