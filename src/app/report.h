@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -32,6 +33,13 @@ struct FilmFacts {
   double from_s = 0.0;
   double to_s = 0.0;
   bool transparent = false;
+  bool text = true;
+  bool still = false;
+  bool resume = false;  // encoded in pieces
+  std::string shard;    // "K/N"; empty: the whole film
+  int first_frame = 0;  // of a shard
+  int jobs = 1;
+  std::vector<std::string> hashes;  // of the frames
   EncoderSettings encoder;
   RendererInfo renderer;
   FilmTimes times;
