@@ -51,6 +51,9 @@ FilmFacts facts_of(const FilmOrder& order, const PlannedFilm& film, FilmTarget& 
   if (order.shard) facts.shard = fmt::format("{}/{}", order.shard->number, order.shard->of);
   facts.first_frame = target.range().first;
   facts.jobs = order.jobs;
+  for (const StoryStep& step : order.story) {
+    facts.captions.push_back(step.caption);
+  }
   facts.hashes = target.hashes();
   facts.encoder = order.sink.encoder;
   facts.times.simulate = film.solved().simulate_time;

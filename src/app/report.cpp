@@ -89,6 +89,11 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
   if (!facts.shard.empty()) report["shard"] = facts.shard;
   report["first_frame"] = facts.first_frame;
   report["jobs"] = facts.jobs;
+  report["captions"] = nlohmann::ordered_json::array();
+  for (const std::optional<std::string>& caption : facts.captions) {
+    report["captions"].push_back(nullptr);
+    if (caption) report["captions"].back() = *caption;
+  }
   report["encoder"] = encoder_json(facts.encoder);
   report["stages"] = {{"simulate", stage(facts.times.simulate)},
                       {"compose", stage(facts.times.compose)},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,8 @@ struct FilmFacts {
   std::string shard;    // "K/N"; empty: the whole film
   int first_frame = 0;  // of a shard
   int jobs = 1;
-  std::vector<std::string> hashes;  // of the frames
+  std::vector<std::optional<std::string>> captions;  // of the steps of the story
+  std::vector<std::string> hashes;                   // of the frames
   EncoderSettings encoder;
   RendererInfo renderer;
   FilmTimes times;

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/check.h"
+#include "base/console.h"
 #include "base/log.h"
 #include "video/seal.h"
 
@@ -75,7 +76,8 @@ void ResumedFilm::begin(const PlannedFilm& film, const FilmMarks& marks) {
     }
   }
   if (whole_ > 0) {
-    spdlog::warn("{}: {} of {} pieces are there already", order_.sink.output, whole_, pieces_);
+    print_err(fmt::format(
+        "polhode: {}: {} of {} pieces were there already\n", order_.sink.output, whole_, pieces_));
   }
 }
 
@@ -177,10 +179,8 @@ void ResumedFilm::finish() {
 
 std::string ResumedFilm::kept() const {
   if (whole_ == 0) return "no piece was whole yet, so nothing is kept";
-  return fmt::format("{} of {} pieces are kept in {}; the same command goes on from there",
-                     whole_,
-                     pieces_,
-                     folder_);
+  return fmt::format(
+      "kept in {}: {} of {} pieces; the same command goes on from there", folder_, whole_, pieces_);
 }
 
 }  // namespace polhode

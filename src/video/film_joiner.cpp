@@ -188,9 +188,9 @@ class FilmJoiner::Implementation {
       check_libav(avcodec_parameters_copy(stream_->codecpar, from.codecpar), "no memory");
       stream_->time_base = {fps_.denominator, fps_.numerator};
       stream_->avg_frame_rate = {fps_.numerator, fps_.denominator};
-      // says that a WebM film has alpha
-      if (const auto* alpha = av_dict_get(from.metadata, "alpha_mode", nullptr, 0)) {
-        av_dict_set(&stream_->metadata, "alpha_mode", alpha->value, 0);
+      // FFmpeg's own decoder of VP9 sees no alpha, the muxer says so by the pixels
+      if (av_dict_get(from.metadata, "alpha_mode", nullptr, 0) != nullptr) {
+        stream_->codecpar->format = AV_PIX_FMT_YUVA420P;
       }
       add_notes(*muxer_,
                 {{"title", title}, {"comment", comment}, {"encoder", input.note("encoder")}});
