@@ -38,7 +38,10 @@ Scene small_scene(const PreviewJob& job) {
   scene.video.shutter = 0.0;
   scene.show.clock = false;
   scene.show.title = false;
-  scene.show.text_size = std::max(scene.show.text_size, kTextOfTiles);
+  // plots have no room for more
+  if (scene.show.plots.empty()) {
+    scene.show.text_size = std::max(scene.show.text_size, kTextOfTiles);
+  }
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "app/film_target.h"
+#include "app/frame_crew.h"
 #include "app/report.h"
 #include "base/atomic_file.h"
 #include "base/console.h"
@@ -16,13 +17,17 @@
 namespace polhode {
 namespace {
 
+// of this process and of those that have ended
 double process_cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  double sum = 0.0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& t : {usage.ru_utime, usage.ru_stime}) {
+      sum += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    }
+  }
+  return sum;
 }
 
 // no output lands on what is needed, or on another output
@@ -97,8 +102,10 @@ void render_film(const RenderJob& job) {
   // simulate, plan, compose; open the drawing side
   const PlannedFilm film(order);
   target.begin(film);
-  const std::unique_ptr<FrameMaker> maker =
-      make_drawer(film, order.backend, order.sink.transparent);
+  std::unique_ptr<FrameMaker> maker =
+      order.jobs == 1
+          ? make_drawer(film, order.backend, order.sink.transparent)
+          : make_crew(film, order.backend, order.sink.transparent, order.jobs, target.frames());
 
   // draw here, convert and encode behind the queue
   Progress progress(job.progress, target.range().count, "frames", target.there());
@@ -110,6 +117,7 @@ void render_film(const RenderJob& job) {
   if (!reported) return;
   FilmFacts facts = facts_of(order, film, target);
   add_makers_facts(*maker, facts);
+  maker.reset();  // its processes are reaped, and their time is counted
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();

@@ -8,6 +8,7 @@
 #include "app/version.h"
 #include "base/atomic_file.h"
 #include "scene/canonical.h"
+#include "video/encoders.h"
 
 namespace polhode {
 namespace {
@@ -27,13 +28,19 @@ void refuse_other_versions(const Json& report) {
   }
 }
 
-EncoderSettings encoder_from(const Json& json) {
-  EncoderSettings encoder;
-  encoder.codec = json.at("codec").is_null() ? "" : json.at("codec").get<std::string>();
-  encoder.preset = json.at("preset").is_null() ? "" : json.at("preset").get<std::string>();
-  encoder.crf = json.at("crf").is_null() ? 0 : json.at("crf").get<int>();
+// settings that a user could have asked for
+EncoderSettings encoder_from(const std::string& output, const Json& json) {
+  EncoderWish wish;
+  wish.grade = json.at("finest") ? Grade::archive : Grade::lecture;
+  if (!json.at("codec").is_null()) wish.codec = json.at("codec").get<std::string>();
+  if (!json.at("preset").is_null()) wish.forced = json.at("preset").get<std::string>();
+  if (!json.at("crf").is_null()) wish.crf = json.at("crf").get<int>();
+  EncoderSettings encoder = settle_encoder(output, wish);
+  constexpr int kMostThreads = 64;
   encoder.threads = json.at("threads");
-  encoder.finest = json.at("finest");
+  if (encoder.threads < 1 || encoder.threads > kMostThreads) {
+    throw input_error("encoder.threads must be 1 to {}, got {}", kMostThreads, encoder.threads);
+  }
   return encoder;
 }
 
@@ -63,7 +70,7 @@ FilmOrder order_from(const Json& report) {
   sink.width = order.scene.video.size.width;
   sink.height = order.scene.video.size.height;
   sink.fps = order.scene.video.fps;
-  sink.encoder = encoder_from(report.at("encoder"));
+  sink.encoder = encoder_from(sink.output, report.at("encoder"));
   sink.transparent = report.at("transparent");
   sink.still = still;
   sink.title = order.scene.title;
