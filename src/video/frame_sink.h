@@ -37,12 +37,12 @@ struct FilmMarks {
     int end = 0;    // first frame that has it no more
     std::string words;
   };
-  int first = 0;                  // number of the first in names and lists
   int frames = 0;                 // how many will come
   std::vector<int> key_frames;    // where a player must be able to stop and begin, beside 0
   std::vector<Chapter> chapters;  // by start, the first at 0; none: empty
   std::vector<Caption> captions;  // by start; written beside films as NAME.vtt
-  std::string comment;            // for the container; empty: the job's
+  std::string comment = {};       // for the container; empty: the job's
+  int first = 0;                  // number of the first in names and lists
 };
 
 // Times of the sink's own stages.
