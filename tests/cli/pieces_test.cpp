@@ -231,7 +231,7 @@ TEST_F(Resume, AKilledFilmGoesOnAndIsTheSame) {
   std::filesystem::copy_file(piece(2), piece(4), std::filesystem::copy_options::overwrite_existing);
   write_text(piece(1), bytes);
 
-  const Ran ran = render("a.mp4", "--resume --report " + at("a.json"));
+  const Ran ran = render("a.mp4", fmt::format("--resume --report {}", at("a.json")));
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.err.find("00001.mp4: is damaged and made again"), std::string::npos) << ran.err;
   EXPECT_NE(ran.err.find("of 4 pieces were there already"), std::string::npos) << ran.err;
