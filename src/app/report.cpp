@@ -21,8 +21,11 @@ nlohmann::ordered_json maybe(const std::optional<double>& value) {
 
 // what the format has none of is null
 nlohmann::ordered_json encoder_json(const EncoderSettings& encoder) {
-  nlohmann::ordered_json told = {
-      {"codec", nullptr}, {"preset", nullptr}, {"crf", nullptr}, {"threads", encoder.threads}};
+  nlohmann::ordered_json told = {{"codec", nullptr},
+                                 {"preset", nullptr},
+                                 {"crf", nullptr},
+                                 {"threads", encoder.threads},
+                                 {"finest", encoder.finest}};
   if (!encoder.codec.empty()) told["codec"] = encoder.codec;
   if (!encoder.preset.empty()) told["preset"] = encoder.preset;
   if (encoder.crf > 0) told["crf"] = encoder.crf;
@@ -79,6 +82,18 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
   report["from_s"] = facts.from_s;
   report["to_s"] = facts.to_s;
   report["transparent"] = facts.transparent;
+  report["text"] = facts.text;
+  report["still"] = facts.still;
+  report["resume"] = facts.resume;
+  report["shard"] = nullptr;
+  if (!facts.shard.empty()) report["shard"] = facts.shard;
+  report["first_frame"] = facts.first_frame;
+  report["jobs"] = facts.jobs;
+  report["captions"] = nlohmann::ordered_json::array();
+  for (const std::optional<std::string>& caption : facts.captions) {
+    report["captions"].push_back(nullptr);
+    if (caption) report["captions"].back() = *caption;
+  }
   report["encoder"] = encoder_json(facts.encoder);
   report["stages"] = {{"simulate", stage(facts.times.simulate)},
                       {"compose", stage(facts.times.compose)},
@@ -89,6 +104,7 @@ nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts)
                       {"encode", stage(facts.times.encode)}};
   report["total"] = stage(facts.times.total);
   report["scene"] = scene_to_json(solved.scene);
+  report["frame_hashes"] = facts.hashes;
   return report;
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -32,6 +34,14 @@ struct FilmFacts {
   double from_s = 0.0;
   double to_s = 0.0;
   bool transparent = false;
+  bool text = true;
+  bool still = false;
+  bool resume = false;  // encoded in pieces
+  std::string shard;    // "K/N"; empty: the whole film
+  int first_frame = 0;  // of a shard
+  int jobs = 1;
+  std::vector<std::optional<std::string>> captions;  // of the steps of the story
+  std::vector<std::string> hashes;                   // of the frames
   EncoderSettings encoder;
   RendererInfo renderer;
   FilmTimes times;

@@ -22,6 +22,9 @@ struct Command {
 const std::vector<Command>& commands();
 
 Action define_render(CLI::App& command);
+Action define_join(CLI::App& command);
+Action define_verify(CLI::App& command);
+Action define_preview(CLI::App& command);
 Action define_simulate(CLI::App& command);
 Action define_inspect(CLI::App& command);
 Action define_chart(CLI::App& command);

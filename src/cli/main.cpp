@@ -22,6 +22,11 @@ namespace polhode {
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
       {"render", "make a film or a picture of a scene", define_render},
+      {"join", "put the pieces of a film together, without encoding again", define_join},
+      {"verify",
+       "make a film again from its report and tell whether it is the same",
+       define_verify},
+      {"preview", "draw a sheet of small pictures from the whole film", define_preview},
       {"simulate", "write the motion of a scene as a table (CSV)", define_simulate},
       {"inspect", "tell what the body of a scene is and what theory says of it", define_inspect},
       {"chart", "chart speed against accuracy of the methods on scenes", define_chart},

@@ -10,6 +10,7 @@ namespace polhode {
 Action define_render(CLI::App& command) {
   auto job = std::make_shared<RenderJob>();
   auto progress = std::make_shared<std::string>("auto");
+  auto jobs = std::make_shared<std::optional<int>>();
   add_scene(command, job->scene);
   add_text(command,
            "-o,--output",
@@ -34,6 +35,12 @@ Action define_render(CLI::App& command) {
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("NAME");
   command.add_flag("--transparent", job->transparent, "no background, where the format has alpha");
+  add_whole_number(command, "--jobs", *jobs, "processes that draw (default 1)")->type_name("N");
+  command.add_flag("--resume",
+                   job->resume,
+                   "make the film in pieces that outlive a killed run, and go on from those there");
+  add_text(command, "--shard", job->shard, "only the K-th of N pieces, for `polhode join`")
+      ->type_name("K/N");
   command.add_flag_callback(
       "--no-text", [job] { job->text = false; }, "no labels, clock, title or caption");
   add_text(command,
@@ -42,7 +49,8 @@ Action define_render(CLI::App& command) {
            "write what was done, how exact and how fast, as JSON; - for standard output")
       ->type_name("FILE.json");
   add_progress(command, *progress);
-  return [job, progress] {
+  return [job, progress, jobs] {
+    if (*jobs) job->jobs = **jobs;
     job->progress = parse_progress(*progress);
     render_film(*job);
     return 0;

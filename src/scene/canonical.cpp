@@ -2,11 +2,13 @@
 #include "scene/canonical.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/hash.h"
+#include "model/solids.h"
 #include "scene/keys.h"
 #include "scene/to_json.h"
 
@@ -76,6 +78,18 @@ class Canonical {
   Json json_ = Json::object();
 };
 
+// JSON as a value of TOML
+std::string inline_toml(const Json& json) {
+  if (!json.is_structured()) return json.dump();
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    if (!text.empty()) text += ", ";
+    if (json.is_object()) text += key + " = ";
+    text += inline_toml(value);
+  }
+  return json.is_array() ? fmt::format("[{}]", text) : fmt::format("{{ {} }}", text);
+}
+
 }  // namespace
 
 nlohmann::ordered_json scene_to_json(const Scene& scene) {
@@ -84,6 +98,16 @@ nlohmann::ordered_json scene_to_json(const Scene& scene) {
   Canonical canonical;
   fields(canonical, copy);
   return canonical.json();
+}
+
+Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name) {
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    text += fmt::format("{} = {}\n", key, inline_toml(value));
+  }
+  Scene scene = parse_scene(text, name);
+  load_meshes(scene.body, std::filesystem::path(name).parent_path());
+  return scene;
 }
 
 std::string scene_hash(const Scene& scene) {

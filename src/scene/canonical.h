@@ -13,4 +13,8 @@ namespace polhode {
 // file's name left out. Read as a scene again, it gives the same scene.
 nlohmann::ordered_json scene_to_json(const Scene& scene);
 
+// The scene of such a JSON; `name` stands for the file in messages, and files that the scene names
+// stand beside it. Throws Error (input) as load_scene does.
+Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name);
+
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 #include "base/interrupt.h"
 #include "video/libav.h"
+#include "video/seal.h"
 
 namespace polhode {
 namespace {
@@ -78,11 +79,12 @@ FilmOutput::~FilmOutput() {
   }
 }
 
-void FilmOutput::finish() {
+void FilmOutput::finish(const std::optional<std::string>& seal) {
   avio_flush(stream_);
   check_libav(stream_->error, "cannot write the film");
   if (!file_) return;
   check_libav(avio_closep(&stream_), "cannot close the film");
+  if (seal) seal_file(file_->part(), *seal);
   file_->commit();
 }
 

@@ -28,8 +28,9 @@ class FilmOutput {
   AVIOContext* stream() const { return stream_; }
   const std::string& url() const { return url_; }
 
-  // All has been written: closes it and gives it its name. Throws Error (environment).
-  void finish();
+  // All has been written: closes it, seals it with that text (video/seal.h), and gives it its name.
+  // Throws Error (environment).
+  void finish(const std::optional<std::string>& seal = std::nullopt);
 
  private:
   std::optional<AtomicFile> file_;

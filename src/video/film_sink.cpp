@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "video/converter.h"
 #include "video/film_writer.h"
+#include "video/plain_sinks.h"
 
 namespace polhode {
 namespace {
@@ -28,6 +29,7 @@ class FilmSink final : public FrameSink {
       converted = converter_.convert(frame);
     });
     const StageTimer timer(times_.encode);
+    if (job_.piece) hashes_ += frame_hash(frame) + "\n";
     converted->pts = next_;
     writer_.write(*converted, key_frames_.contains(next_));
     ++next_;
@@ -35,6 +37,7 @@ class FilmSink final : public FrameSink {
 
   void finish() override {
     const StageTimer timer(times_.encode);
+    if (job_.piece) writer_.seal_with(hashes_);
     // the thread that looks ahead ends with the last frame, the others with the encoder
     ThreadClocks clocks(writer_.threads());
     clocks.read();
@@ -50,7 +53,8 @@ class FilmSink final : public FrameSink {
   FilmWriter writer_;
   Converter converter_;
   std::set<int> key_frames_;
-  int next_ = 0;  // index of the next frame
+  int next_ = 0;        // index of the next frame
+  std::string hashes_;  // of a piece, a line per frame
   SinkTimes times_;
 };
 

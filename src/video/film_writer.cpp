@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/stage_clock.h"
+#include "video/film_header.h"
 
 namespace polhode {
 namespace {
@@ -57,25 +58,9 @@ FilmWriter::FilmWriter(const SinkJob& job)
     : job_(job), format_(format_of(job)), row_(fitting_encoder(format_, job)), output_(job.output) {
   quieten_libav();
   naming_output(job_.output, [&] {
-    open_muxer();
+    muxer_ = open_container(format_, output_);
     open_encoder();
   });
-}
-
-void FilmWriter::open_muxer() {
-  AVFormatContext* muxer = nullptr;
-  check_libav(
-      avformat_alloc_output_context2(&muxer, nullptr, format_.muxer.c_str(), output_.url().c_str()),
-      fmt::format("this FFmpeg writes no {}", format_.ending));
-  muxer_.reset(muxer);
-  muxer_->pb = output_.stream();
-  if (!format_.tells) return;
-  const std::string encoder = fmt::format("{} of FFmpeg {}", row_.name, av_version_info());
-  const std::pair<const char*, const std::string&> notes[] = {
-      {"title", job_.title}, {"comment", job_.comment}, {"encoder", encoder}};
-  for (const auto& [key, text] : notes) {
-    if (!text.empty()) check_libav(av_dict_set(&muxer_->metadata, key, text.c_str(), 0), key);
-  }
 }
 
 void FilmWriter::open_encoder() {
@@ -120,33 +105,17 @@ void FilmWriter::open_encoder() {
 void FilmWriter::describe(const FilmMarks& marks) {
   CHECK(!begun_);
   if (!format_.tells) return;
-  for (std::size_t i = 0; i < marks.chapters.size(); ++i) {
-    const bool last = i + 1 == marks.chapters.size();
-    auto* chapter = static_cast<AVChapter*>(made(av_mallocz(sizeof(AVChapter))));
-    chapter->id = static_cast<std::int64_t>(i) + 1;
-    chapter->time_base = {job_.fps.denominator, job_.fps.numerator};
-    chapter->start = marks.chapters[i].start;
-    chapter->end = last ? marks.frames : marks.chapters[i + 1].start;
-    av_dict_set(&chapter->metadata, "title", marks.chapters[i].title.c_str(), 0);
-    int count = static_cast<int>(muxer_->nb_chapters);
-    const int added = av_dynarray_add_nofree(&muxer_->chapters, &count, chapter);
-    muxer_->nb_chapters = static_cast<unsigned>(count);
-    if (added < 0) {
-      av_dict_free(&chapter->metadata);
-      av_free(chapter);
-      throw environment_error("no memory for the film");
-    }
-  }
+  add_chapters(*muxer_, marks, job_.fps);
+  if (!marks.comment.empty()) job_.comment = marks.comment;
 }
 
 void FilmWriter::write_header() {
   begun_ = true;
-  LibavOptions options;
-  for (const auto& [key, value] : format_.options) {
-    options.set(key.c_str(), value);
+  if (format_.tells) {
+    const std::string encoder = fmt::format("{} of FFmpeg {}", row_.name, av_version_info());
+    add_notes(*muxer_, {{"title", job_.title}, {"comment", job_.comment}, {"encoder", encoder}});
   }
-  check_libav(avformat_write_header(muxer_.get(), options.pass()), "cannot begin the film");
-  options.refuse_leftovers(fmt::format("the muxer {}", format_.muxer));
+  begin_film(*muxer_, format_);
 }
 
 void FilmWriter::write(AVFrame& frame, bool key) {
@@ -180,7 +149,7 @@ void FilmWriter::finish() {
     CHECK(begun_);
     encode(nullptr);
     check_libav(av_write_trailer(muxer_.get()), "cannot finish the film");
-    output_.finish();
+    output_.finish(seal_);
   });
 }
 

@@ -2,7 +2,9 @@
 // Encoder, container and output of one film. Not for other rooms.
 #pragma once
 
+#include <optional>
 #include <set>
+#include <string>
 
 #include "video/encoders.h"
 #include "video/film_output.h"
@@ -27,6 +29,8 @@ class FilmWriter {
   void write(AVFrame& frame, bool key);
   // An option that the muxer only needs at the end.
   void set_at_end(const char* option, std::int64_t value);
+  // Text that the finished film is sealed with (video/seal.h).
+  void seal_with(const std::string& text) { seal_ = text; }
   // The rest is encoded, the container closed, the film gets its name.
   void finish();
 
@@ -34,7 +38,6 @@ class FilmWriter {
   const std::set<int>& threads() const { return threads_; }
 
  private:
-  void open_muxer();
   void open_encoder();
   void write_header();
   void encode(const AVFrame* frame);
@@ -49,6 +52,7 @@ class FilmWriter {
   AVStream* stream_ = nullptr;  // owned by the muxer
   std::set<int> threads_;
   bool begun_ = false;
+  std::optional<std::string> seal_;
 };
 
 // Runs work, whose errors get the name of the output.

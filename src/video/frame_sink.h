@@ -23,6 +23,7 @@ struct SinkJob {
   bool still = false;        // exactly one frame will come
   std::string title;         // container metadata
   std::string comment;       // container metadata
+  bool piece = false;        // of a film: no captions beside it, and sealed (video/seal.h)
 };
 
 // What is known of a film when its motion has been found. Frames count from 0.
@@ -40,6 +41,8 @@ struct FilmMarks {
   std::vector<int> key_frames;    // where a player must be able to stop and begin, beside 0
   std::vector<Chapter> chapters;  // by start, the first at 0; none: empty
   std::vector<Caption> captions;  // by start; written beside films as NAME.vtt
+  std::string comment = {};       // for the container; empty: the job's
+  int first = 0;                  // number of the first in names and lists
 };
 
 // Times of the sink's own stages.

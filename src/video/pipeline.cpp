@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "video/pipeline.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -21,7 +22,9 @@ class FrameQueue {
   // A buffer to draw into; waits while the queue is full. False when the writer has stopped.
   bool take_buffer(Image& buffer) {
     std::unique_lock lock(mutex_);
+    const Clock::time_point start = Clock::now();
     changed_.wait(lock, [&] { return full_.size() < kFramesAhead || stopped_; });
+    maker_waited_ += Clock::now() - start;
     if (stopped_) return false;
     if (!used_.empty()) {
       buffer = std::move(used_.back());
@@ -37,7 +40,9 @@ class FrameQueue {
   // The next frame; false when there will be none.
   bool pop(Image& frame) {
     std::unique_lock lock(mutex_);
+    const Clock::time_point start = Clock::now();
     changed_.wait(lock, [&] { return !full_.empty() || ended_ || stopped_; });
+    writer_waited_ += Clock::now() - start;
     if (full_.empty() || stopped_) return false;
     frame = std::move(full_.front());
     full_.pop_front();
@@ -47,6 +52,15 @@ class FrameQueue {
   void give_back(Image&& buffer) {
     const std::lock_guard lock(mutex_);
     used_.push_back(std::move(buffer));
+  }
+  // Has the writer waited more than the maker? What is long ago counts less.
+  bool writer_waits() {
+    constexpr double kFading = 0.95;  // a frame
+    const std::lock_guard lock(mutex_);
+    const bool longer = writer_waited_ >= maker_waited_;
+    writer_waited_ *= kFading;
+    maker_waited_ *= kFading;
+    return longer;
   }
   // No more frames will come; the rest is still written.
   void end() {
@@ -62,12 +76,14 @@ class FrameQueue {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Image> full_;
   std::deque<Image> used_;
   bool ended_ = false;
   bool stopped_ = false;
+  std::chrono::duration<double> maker_waited_{}, writer_waited_{};
 };
 
 // the writing thread; joined on every way out
@@ -113,7 +129,7 @@ class Writer {
 void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,
-                  const std::function<void(int done)>& on_frame) {
+                  const std::function<void(const PipelineStep&)>& on_frame) {
   FrameQueue queue;
   Writer writer(queue, sink);
   for (int index = 0; index < frames; ++index) {
@@ -122,7 +138,7 @@ void run_pipeline(int frames,
     if (!queue.take_buffer(image)) break;
     produce(index, image);
     queue.push(std::move(image));
-    on_frame(index + 1);
+    on_frame({index + 1, queue.writer_waits()});
   }
   queue.end();
   writer.join();

@@ -27,13 +27,10 @@ class HashSink final : public FrameSink {
  public:
   explicit HashSink(const SinkJob& job) : file_(hash_file(job)) {}
 
+  void describe(const FilmMarks& marks) override { index_ = marks.first; }
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
-    lines_ += fmt::format("{} {}x{} {}\n",
-                          index_++,
-                          frame.width,
-                          frame.height,
-                          content_hash(frame.pixels.data(), frame.pixels.size()));
+    lines_ += fmt::format("{} {}x{} {}\n", index_++, frame.width, frame.height, frame_hash(frame));
   }
   void finish() override { file_.commit_with(lines_); }
   SinkTimes times() const override { return times_; }
@@ -52,7 +49,34 @@ class NullSink final : public FrameSink {
   SinkTimes times() const override { return {}; }
 };
 
+class ListingSink final : public FrameSink {
+ public:
+  ListingSink(std::unique_ptr<FrameSink> sink, std::vector<std::string>& hashes)
+      : sink_(std::move(sink)), hashes_(hashes) {}
+
+  void describe(const FilmMarks& marks) override { sink_->describe(marks); }
+  void push(const Image& frame) override {
+    hashes_.push_back(frame_hash(frame));
+    sink_->push(frame);
+  }
+  void finish() override { sink_->finish(); }
+  SinkTimes times() const override { return sink_->times(); }
+
+ private:
+  std::unique_ptr<FrameSink> sink_;
+  std::vector<std::string>& hashes_;
+};
+
 }  // namespace
+
+std::string frame_hash(const Image& frame) {
+  return content_hash(frame.pixels.data(), frame.pixels.size());
+}
+
+std::unique_ptr<FrameSink> with_hashes(std::unique_ptr<FrameSink> sink,
+                                       std::vector<std::string>& hashes) {
+  return std::make_unique<ListingSink>(std::move(sink), hashes);
+}
 
 std::unique_ptr<FrameSink> make_hash_sink(const SinkJob& job) {
   return std::make_unique<HashSink>(job);

@@ -62,9 +62,10 @@ class PngSequenceSink final : public FrameSink {
   PngSequenceSink(const PngSequenceSink&) = delete;
   PngSequenceSink& operator=(const PngSequenceSink&) = delete;
 
+  void describe(const FilmMarks& marks) override { first_ = marks.first; }
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
-    files_.emplace_back(name_.of(static_cast<int>(files_.size())));
+    files_.emplace_back(name_.of(first_ + static_cast<int>(files_.size())));
     write_png(files_.back(), frame, with_alpha_);
     // the first frame's lock stands for the whole sequence
     if (files_.size() > 1) files_.back().unlock();
@@ -82,6 +83,7 @@ class PngSequenceSink final : public FrameSink {
  private:
   NumberedName name_;
   bool with_alpha_;
+  int first_ = 0;  // number of the first frame
   std::deque<AtomicFile> files_;
   std::size_t named_ = 0;  // how many of them have been committed
   SinkTimes times_;

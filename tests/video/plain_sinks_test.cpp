@@ -199,7 +199,7 @@ TEST(Pipeline, EveryFrameOnceAndInOrder) {
   TestSink sink(-1);
   int last = 0;
   run_pipeline(
-      30, [](int i, Image& image) { image = frame(i); }, sink, [&](int done) { last = done; });
+      30, [](int i, Image& image) { image = frame(i); }, sink, [&](const PipelineStep& step) { last = step.done; });
   ASSERT_EQ(sink.seen.size(), 30u);
   for (int i = 0; i < 30; ++i)
     EXPECT_EQ(sink.seen[static_cast<std::size_t>(i)], (i * 7 + 1) & 255);
@@ -218,7 +218,7 @@ TEST(Pipeline, AFailingSinkStopsTheMakerAndIsHeard) {
           ++made;
         },
         sink,
-        [](int) {});
+        [](const PipelineStep&) {});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.message(), "sink failed");
@@ -233,7 +233,7 @@ TEST(Pipeline, AFailingMakerStopsTheSinkAndIsHeard) {
     if (i == 5) throw environment_error("maker failed");
     image = frame(i);
   };
-  EXPECT_THROW(run_pipeline(1000, produce, sink, [](int) {}), Error);
+  EXPECT_THROW(run_pipeline(1000, produce, sink, [](const PipelineStep&) {}), Error);
   EXPECT_FALSE(sink.finished);
   EXPECT_LE(sink.seen.size(), 5u);
 }
@@ -248,7 +248,7 @@ TEST(Pipeline, AnInterruptIsAnErrorOfItsOwn) {
           image = frame(i);
         };
         try {
-          run_pipeline(1000, produce, sink, [](int) {});
+          run_pipeline(1000, produce, sink, [](const PipelineStep&) {});
         } catch (const Error& error) {
           std::exit(error.fault() == Fault::interrupted && !sink.finished ? 42 : 1);
         }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "app/frame_crew.h"
+
+#include <algorithm>
+
+#include "app/drawing_process.h"
+#include "base/check.h"
+
+namespace polhode {
+namespace {
+
+void add(const StageTime& more, StageTime& sum) {
+  sum.wall_s += more.wall_s;
+  sum.cpu_s += more.cpu_s;
+}
+
+class Crew final : public FrameMaker {
+ public:
+  Crew(const PlannedFilm& film,
+       const std::string& backend,
+       bool transparent,
+       int jobs,
+       const std::vector<int>& frames)
+      : frames_(frames) {
+    const auto count =
+        std::min(static_cast<std::size_t>(jobs), std::max<std::size_t>(1, frames.size()));
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<int> share;
+      for (std::size_t i = k; i < frames.size(); i += count) {
+        share.push_back(frames[i]);
+      }
+      members_.push_back(
+          std::make_unique<DrawingProcess>(film.solved().scene.video.size, std::move(share), [&] {
+            return make_drawer(film, backend, transparent);
+          }));
+    }
+  }
+
+  void make(int index, Image& image) override {
+    CHECK(made_ < frames_.size() && frames_[made_] == index);
+    members_[made_ % members_.size()]->next(image);
+    ++made_;
+  }
+  const RendererInfo& info() const override { return members_.front()->info(); }
+  MakingTimes times() const override {
+    MakingTimes sum;
+    for (const std::unique_ptr<DrawingProcess>& member : members_) {
+      const MakingTimes& times = member->times();
+      add(times.compose, sum.compose);
+      add(times.render.draw, sum.render.draw);
+      add(times.render.read_back, sum.render.read_back);
+      add(times.render.smooth, sum.render.smooth);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<int> frames_;
+  std::vector<std::unique_ptr<DrawingProcess>> members_;
+  std::size_t made_ = 0;  // frames
+};
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_crew(const PlannedFilm& film,
+                                      const std::string& backend,
+                                      bool transparent,
+                                      int jobs,
+                                      const std::vector<int>& frames) {
+  return std::make_unique<Crew>(film, backend, transparent, jobs, frames);
+}
+
+}  // namespace polhode

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Several processes that draw the frames of one film.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/frame_maker.h"
+
+namespace polhode {
+
+// Forks `jobs` processes (contexts of one process wait for each other in llvmpipe), each of which
+// draws every jobs-th of `frames` with one thread, into memory that is shared, at most three frames
+// ahead. make() must be called for `frames` in their order. The processes end with the maker, and
+// with this process, however that ends. `film` must outlive it. Pixels are those of make_drawer.
+// Throws Error (environment) for a process that cannot be started, and from make() for one that was
+// killed; what fails in a process is thrown by make() too.
+std::unique_ptr<FrameMaker> make_crew(const PlannedFilm& film,
+                                      const std::string& backend,
+                                      bool transparent,
+                                      int jobs,
+                                      const std::vector<int>& frames);
+
+}  // namespace polhode

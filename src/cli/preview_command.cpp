@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/preview.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+
+Action define_preview(CLI::App& command) {
+  auto job = std::make_shared<PreviewJob>();
+  add_scene(command, job->scene);
+  add_text(command, "-o,--output", job->output, "the sheet (default output/SCENE_preview.png)")
+      ->type_name("OUT.png");
+  add_numerics_options(command, job->overrides);
+  add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
+      ->type_name("NAME");
+  return [job] {
+    write_preview(*job);
+    return 0;
+  };
+}
+
+}  // namespace polhode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "app/verify.h"
+#include "base/console.h"
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+
+namespace polhode {
+
+Action define_verify(CLI::App& command) {
+  auto job = std::make_shared<VerifyJob>();
+  auto progress = std::make_shared<std::string>("auto");
+  command.add_option("output", job->output, "what `polhode render` made")
+      ->required()
+      ->type_name("OUT");
+  add_text(command,
+           "--report",
+           job->report,
+           "the report of that run (default: OUT with the ending .json)")
+      ->type_name("FILE.json");
+  add_progress(command, *progress);
+  return [job, progress] {
+    job->progress = parse_progress(*progress);
+    const Verified verified = verify(*job);
+    print_out(verified.text + "\n");
+    return verified.same ? 0 : static_cast<int>(Fault::check_failed);
+  };
+}
+
+}  // namespace polhode

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// verify, preview and progress, with the real program.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "image/png.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+using Json = nlohmann::ordered_json;
+
+class Verify : public ::testing::Test {
+ protected:
+  Verify() {
+    write_text(folder_ / "scene.toml",
+               std::string(test::kSmallScene) +
+                   "[[story]]\nat = 0\ncaption = \"It turns\"\n"
+                   "[[story]]\nat = 0.5\nhold = 0.5\ncaption = \"It stands\"\n");
+  }
+  std::string at(const std::string& name) const { return fmt::format("'{}'", folder_ / name); }
+  void render(const std::string& output, const std::string& options = "") const {
+    const Ran ran = run_polhode(fmt::format(
+        "render {} -o {} --report {} {}", at("scene.toml"), at(output), at("r.json"), options));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+  }
+  Ran verify(const std::string& output) const {
+    return run_polhode(fmt::format("verify {} --report {}", at(output), at("r.json")));
+  }
+  void expect(const std::string& output, int code, const std::string& says) const {
+    const Ran ran = verify(output);
+    const std::string words = ran.out + ran.err;
+    EXPECT_EQ(ran.code, code) << words;
+    EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
+    EXPECT_NE(words.find(says), std::string::npos) << words;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Verify, WhatWasMadeIsTheSame) {
+  const struct {
+    const char* output;
+    const char* options;
+    const char* says;
+  } cases[] = {{"a.mp4", "", "all 15 frames are the same"},
+               {"a.mp4", "--no-text --quality draft", "all 15"},
+               {"a.mp4", "--resume --jobs 2", "all 15"},
+               {"a.mp4", "--shard 2/3", "all 5"},
+               {"a.webm", "--transparent", "all 15"},
+               {"a.mov", "--from 0.3 --to 0.6", "all 8"},
+               {"a.apng", "", "all 15"},
+               {"a.y4m", "", "all 15"},
+               {"f_%d.png", "", "all 15"},
+               {"a.png", "--still 0.5", "all 1"},
+               {"a.hash", "", "all 15"}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(std::string(one.output) + one.options);
+    render(one.output, one.options);
+    expect(one.output, 0, one.says);
+  }
+}
+
+TEST_F(Verify, TheReportStandsBesideByDefault) {
+  const std::string line =
+      fmt::format("render {} -o {} --report {}", at("scene.toml"), at("a.mp4"), at("a.json"));
+  ASSERT_EQ(run_polhode(line).code, 0);
+  EXPECT_EQ(run_polhode(fmt::format("verify {}", at("a.mp4"))).code, 0);
+}
+
+TEST_F(Verify, AFilmThatWasTamperedWithIsFound) {
+  render("a.mp4");
+  const std::string film = read_text(folder_ / "a.mp4");
+  // another film under its name: brighter, shorter, longer
+  const struct {
+    const char* options;
+    const char* says;
+  } others[] = {{"--crf 40", "frame 0 (0.000 s) differs"},
+                {"--to 0.4", "frame 4 (0.400 s)"},
+                {"--fps 20", "frame 1 (0.100 s)"}};
+  for (const auto& other : others) {
+    const std::string line =
+        fmt::format("render {} -o {} {}", at("scene.toml"), at("a.mp4"), other.options);
+    ASSERT_EQ(run_polhode(line).code, 0);
+    expect("a.mp4", 1, "a.mp4: frame ");
+  }
+  write_text(folder_ / "a.mp4", film.substr(0, film.size() * 2 / 3));
+  expect("a.mp4", 1, "is damaged");
+  write_text(folder_ / "a.mp4", "nothing");
+  expect("a.mp4", 1, "is no film");
+  write_text(folder_ / "a.mp4", film);
+  write_text(folder_ / "a.vtt", "WEBVTT\n");
+  EXPECT_EQ(verify("a.mp4").code, 0) << "captions were those of --fps 20";
+}
+
+TEST_F(Verify, OnePixelIsEnough) {
+  render("f_%d.png");
+  Image image = read_png(folder_ / "f_7.png");
+  image.at(3, 4)[1] ^= 1;
+  write_png(folder_ / "f_7.png", image, false);
+  expect("f_%d.png", 1, "frame 7 (0.700 s) differs");
+  std::filesystem::remove(folder_ / "f_5.png");
+  expect("f_%d.png", 1, "frame 5 (0.500 s)");
+  render("a.hash");
+  std::string list = read_text(folder_ / "a.hash");
+  list[list.find("\n3 ") + 12] ^= 1;
+  write_text(folder_ / "a.hash", list);
+  expect("a.hash", 1, "frame 3 (0.300 s) differs");
+}
+
+TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
+  render("a.mp4");
+  const Json report = Json::parse(read_text(folder_ / "r.json"));
+  const auto with = [&](const auto& change) {
+    Json changed = report;
+    change(changed);
+    write_text(folder_ / "r.json", changed.dump());
+  };
+  with([](Json& r) { r["frame_hashes"][7] = std::string(32, '0'); });
+  expect("a.mp4", 1, "frame 7 (0.700 s) is not what the report says");
+  with([](Json& r) { r["frame_hashes"].erase(0); });
+  expect("a.mp4", 1, "was altered: it has 14 hashes of 15 frames");
+  with([](Json& r) { r["scene"]["motion"]["duration"] = 0.9; });
+  expect("a.mp4", 1, "was altered: its scene");
+  // nothing to compare with
+  with([](Json& r) { r["versions"]["polhode"] = "0.0.1"; });
+  expect("a.mp4", 2, "made with polhode \"0.0.1\"");
+  with([](Json& r) { r["gl_renderer"] = "another"; });
+  expect("a.mp4", 2, "was drawn by another");
+  with([](Json& r) { r["encoder"]["crf"] = 99; });
+  expect("a.mp4", 2, "--crf");
+  with([](Json& r) { r["encoder"]["threads"] = 0; });
+  expect("a.mp4", 2, "encoder.threads");
+  with([](Json& r) { r.erase("scene"); });
+  expect("a.mp4", 2, "is no report");
+  write_text(folder_ / "r.json", "[");
+  expect("a.mp4", 2, "is no report");
+  std::filesystem::remove(folder_ / "r.json");
+  expect("a.mp4", 2, "no such file");
+  expect("b.mp4", 2, "there is no such file");
+  EXPECT_EQ(run_polhode("verify -").code, 2);
+  EXPECT_EQ(run_polhode("verify null").code, 2);
+}
+
+TEST_F(Verify, APreviewIsASheetOfTwelve) {
+  const Ran ran = run_polhode(fmt::format("preview {} -o {}", at("scene.toml"), at("sheet.png")));
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Image sheet = read_png(folder_ / "sheet.png");
+  EXPECT_EQ(sheet.width, 4 * 480 + 5 * 16);
+  EXPECT_EQ(run_polhode(fmt::format("preview {} -o {}", at("scene.toml"), at("a.mp4"))).code, 2);
+  EXPECT_EQ(folder_.entries(), 2);
+}
+
+TEST_F(Verify, ProgressIsJsonLineByLine) {
+  const Ran ran =
+      run_polhode(fmt::format("render {} -o {} --progress json", at("scene.toml"), at("a.mp4")));
+  ASSERT_EQ(ran.code, 0);
+  std::istringstream lines(ran.err);
+  Json last;
+  for (std::string line; std::getline(lines, line);) {
+    last = Json::parse(line);
+    EXPECT_TRUE(last["limit"] == "drawing" || last["limit"] == "encoding") << line;
+    EXPECT_GE(last["frames_per_s"].get<double>(), 0.0);
+    EXPECT_GE(last["seconds_left"].get<double>(), 0.0);
+  }
+  EXPECT_EQ(last["done"], 15);
+  EXPECT_EQ(last["total"], 15);
+  const Ran bar =
+      run_polhode(fmt::format("render {} -o {} --progress bar", at("scene.toml"), at("f_%d.png")));
+  EXPECT_NE(bar.err.find("15/15 frames"), std::string::npos) << bar.err;
+  EXPECT_NE(bar.err.find(" limits"), std::string::npos) << bar.err;
+}
+
+}  // namespace
+}  // namespace polhode
