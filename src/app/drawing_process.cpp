@@ -138,7 +138,7 @@ DrawingProcess::Slot& DrawingProcess::slot(int index) const {
 }
 
 DrawingProcess::DrawingProcess(PictureSize size,
-                               std::vector<int> frames,
+                               const std::vector<int>& frames,
                                const std::function<std::unique_ptr<FrameMaker>()>& open)
     : size_(size) {
   memory_ = mmap(

@@ -17,7 +17,7 @@ class DrawingProcess {
   // Forks; the child calls open(), draws all of `frames` in their order and ends. Throws Error
   // (environment) without memory or processes.
   DrawingProcess(PictureSize size,
-                 std::vector<int> frames,
+                 const std::vector<int>& frames,
                  const std::function<std::unique_ptr<FrameMaker>()>& open);
   ~DrawingProcess();
   DrawingProcess(const DrawingProcess&) = delete;

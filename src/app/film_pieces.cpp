@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <nlohmann/json.hpp>
+
 #include "app/version.h"
 #include "video/film_joiner.h"
 #include "video/film_sink.h"
@@ -14,18 +16,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBegin = "; piece ";
 
-Json settings_of(const FilmOrder& order, const PlannedFilm& film) {
+std::map<std::string, std::string> settings_of(const FilmOrder& order, const PlannedFilm& film) {
   const SinkJob& sink = order.sink;
   return {{"codec", sink.encoder.codec},
           {"preset", sink.encoder.preset},
-          {"crf", sink.encoder.crf},
-          {"finest", sink.encoder.finest},
-          {"threads", sink.encoder.threads},
+          {"crf", fmt::format("{}", sink.encoder.crf)},
+          {"finest", fmt::format("{}", sink.encoder.finest)},
+          {"threads", fmt::format("{}", sink.encoder.threads)},
           {"size", fmt::format("{}x{}", sink.width, sink.height)},
           {"fps", fmt::format("{}/{}", sink.fps.numerator, sink.fps.denominator)},
-          {"from", film.frames().from},
-          {"to", film.frames().to},
-          {"transparent", sink.transparent}};
+          {"from", fmt::format("{}", film.frames().from)},
+          {"to", fmt::format("{}", film.frames().to)},
+          {"transparent", fmt::format("{}", sink.transparent)}};
 }
 
 Json chapters_json(const FilmMarks& marks) {
@@ -50,7 +52,7 @@ PieceRecord record_from(const Json& json) {
   json.at("ffmpeg").get_to(record.ffmpeg);
   json.at("scene").get_to(record.scene);
   json.at("title").get_to(record.title);
-  record.settings = json.at("settings");
+  json.at("settings").get_to(record.settings);
   record.shard = {json.at("shard").at(0), json.at("shard").at(1)};
   record.range = {json.at("first"), json.at("count")};
   json.at("frames").get_to(record.film.frames);
@@ -116,7 +118,7 @@ std::string comment_with(const PieceRecord& record) {
                      {"frames", record.film.frames},
                      {"chapters", chapters_json(record.film)},
                      {"captions", captions_json(record.film)}};
-  const std::string comment =
+  std::string comment =
       fmt::format("{}{}{}", film_comment(record.version, record.scene), kBegin, json.dump());
   // what a tag of a .mov can hold
   constexpr std::size_t kMost = 60000;  // bytes
@@ -150,10 +152,11 @@ std::string difference_between(const PieceRecord& a, const PieceRecord& b) {
     return fmt::format("versions differ (FFmpeg {} and {})", a.ffmpeg, b.ffmpeg);
   }
   if (a.scene != b.scene) return "scenes differ";
-  for (const auto& [key, value] : a.settings.items()) {
-    const Json other = b.settings.value(key, Json());
-    if (value != other) {
-      return fmt::format("settings differ ({} {} and {})", key, value.dump(), other.dump());
+  for (const auto& [key, value] : a.settings) {
+    const auto other = b.settings.find(key);
+    if (other == b.settings.end()) return fmt::format("settings differ ({})", key);
+    if (value != other->second) {
+      return fmt::format("settings differ ({} {} and {})", key, value, other->second);
     }
   }
   if (a.shard.of != b.shard.of) {

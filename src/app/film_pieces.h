@@ -2,9 +2,8 @@
 // Pieces of a film: which frames each has, and what it says of itself so that they can be joined.
 #pragma once
 
+#include <map>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "app/film_order.h"
 #include "app/planned_film.h"
@@ -27,7 +26,7 @@ struct PieceRecord {
   std::string ffmpeg;   // that encoded it
   std::string scene;    // hash
   std::string title;
-  nlohmann::ordered_json settings;  // of the whole film
+  std::map<std::string, std::string> settings;  // of the whole film: "crf" is "18"
   Shard shard;
   FrameRange range;
   FilmMarks film;  // of the whole film; key frames are not told

@@ -30,7 +30,7 @@ class Crew final : public FrameMaker {
         share.push_back(frames[i]);
       }
       members_.push_back(
-          std::make_unique<DrawingProcess>(film.solved().scene.video.size, std::move(share), [&] {
+          std::make_unique<DrawingProcess>(film.solved().scene.video.size, share, [&] {
             return make_drawer(film, backend, transparent);
           }));
     }

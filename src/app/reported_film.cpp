@@ -64,7 +64,6 @@ FilmOrder order_from(const Json& report) {
   } else {
     order.piece = {from, to, {}, false};
   }
-  check_piece(order.scene, order.piece);
   SinkJob& sink = order.sink;
   sink.output = report.at("output");
   sink.width = order.scene.video.size.width;
@@ -111,6 +110,7 @@ ReportedFilm read_report(const std::string& file) {
     film.first_frame = report.at("first_frame");
     report.at("frame_hashes").get_to(film.hashes);
     film.broken = contradiction(report, film);
+    if (!film.broken) check_piece(film.order.scene, film.order.piece);
     return film;
   } catch (const Json::exception&) {
     throw input_error("is no report of `polhode render --report`").at(place);

@@ -153,7 +153,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --progress loud", 2, "json"},
     {"rendr SCENE", 2, "did you mean 'render'?"},
     {"render", 2, "scene"},
-    {"", 2, "give a command: render, simulate"},
+    {"", 2, "give a command: render, join, verify, preview, simulate"},
     {"list methds", 2, "did you mean 'methods'?"},
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},

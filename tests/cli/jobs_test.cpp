@@ -41,9 +41,13 @@ TEST_F(Jobs, PixelsDoNotDependOnTheirNumber) {
 class KilledJobs : public Jobs {
  protected:
   // a film that takes long, by two processes
+  KilledJobs() {
+    std::string text = test::kSmallScene;
+    text.replace(text.find("duration = 1"), 12, "duration = 5000");
+    test::write_text(folder_ / "scene.toml", text);
+  }
   std::vector<std::string> long_film() const {
-    return {
-        "render", folder_ / "scene.toml", "-o", folder_ / "a.mp4", "--fps", "10000", "--jobs", "2"};
+    return {"render", folder_ / "scene.toml", "-o", folder_ / "a.mp4", "--jobs", "2"};
   }
   std::vector<pid_t> workers(const Background& run) const {
     EXPECT_TRUE(test::becomes([&] { return run.children().size() == 2; }));

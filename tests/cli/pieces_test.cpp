@@ -153,7 +153,7 @@ TEST_F(Pieces, ThatDoNotFitAreNamedWithWhatDiffers) {
   ASSERT_EQ(render("crf.mp4", "--shard 2/5 --crf 30").code, 0);
   expect_one_line(join("p1.mp4 crf.mp4"), 2, "settings differ (crf 18 and 30)");
   ASSERT_EQ(render("from.mp4", "--shard 2/5 --from 0.1").code, 0);
-  expect_one_line(join("p1.mp4 from.mp4"), 2, "settings differ (from 0.0 and 0.1)");
+  expect_one_line(join("p1.mp4 from.mp4"), 2, "settings differ (from 0 and 0.1)");
   ASSERT_EQ(render("text.mp4", "--shard 2/5 --no-text").code, 0);
   expect_one_line(join("p1.mp4 text.mp4"), 2, "scenes differ");
   ASSERT_EQ(render("of.mp4", "--shard 2/4").code, 0);
