@@ -224,9 +224,9 @@ std::string whole_page(const std::string& title, const std::string& body) {
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<title>{}</title>\n<style>\n",
              title) +
-         page_css() + "</style>\n</head>\n<body>\n" + body +
+         report_css() + "</style>\n</head>\n<body>\n" + body +
          fmt::format("<footer>polhode {}</footer>\n<script>\n", escaped(program_version())) +
-         page_js() + "</script>\n</body>\n</html>\n";
+         report_js() + "</script>\n</body>\n</html>\n";
 }
 
 std::string verdict_line(bool good, const std::string& words) {

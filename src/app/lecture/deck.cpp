@@ -31,7 +31,8 @@ const PictureClass* find_class(const std::string& name) {
 
 // where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none
 Json* attributes_of(Json& node) {
-  static const std::set<std::string> first = {"Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
+  static const std::set<std::string> first = {
+      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
   const std::string type = node["t"];
   if (type == "Header") return &node["c"][1];
   return first.contains(type) ? &node["c"][0] : nullptr;
@@ -70,7 +71,7 @@ class Reader {
     }
     if (type == "RawBlock" || type == "RawInline") {
       tell(0, input_error("raw {} is not allowed in a deck", node["c"][0].get<std::string>()));
-      node = type == "RawBlock" ? Json{{"t", "Null"}} : string_inlines("")[0];
+      node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
       return;
     }
     if (type == "Link") read_link(node);
@@ -87,7 +88,8 @@ class Reader {
   static bool names_scene(const Json& image) {
     const Json& classes = image["c"][0][1];
     const std::string target = image["c"][2][0];
-    return target.ends_with(".toml") || std::any_of(classes.begin(), classes.end(), [](const Json& one) {
+    return target.ends_with(".toml") ||
+           std::any_of(classes.begin(), classes.end(), [](const Json& one) {
              return find_class(one.get<std::string>()) != nullptr;
            });
   }
@@ -124,15 +126,19 @@ class Reader {
       const std::string name = one;
       const PictureClass* found = find_class(name);
       if (found == nullptr) {
-        throw input_error("no picture is a '.{}'{}", name, suggestion(name, names_of(picture_classes())));
+        throw input_error(
+            "no picture is a '.{}'{}", name, suggestion(name, names_of(picture_classes())));
       }
       if (row != nullptr && row != found)
         throw input_error("a picture is either a .{} or a .{}", row->name, found->name);
       row = found;
     }
     if (row == nullptr) {
-      throw input_error("say what to make of '{}': .film, .loop, .still, .compare, .chart, "
-                        ".stability or .inspect, as in ![…]({}){{.film}}", picture.scenes[0], picture.scenes[0]);
+      throw input_error(
+          "say what to make of '{}': .film, .loop, .still, .compare, .chart, "
+          ".stability or .inspect, as in ![…]({}){{.film}}",
+          picture.scenes[0],
+          picture.scenes[0]);
     }
     picture.kind = row->kind;
     for (const Json& pair : attributes[2]) {
@@ -168,10 +174,12 @@ class Reader {
     const std::string target = image["c"][2][0];
     const int line = line_of(target);
     try {
-      if (names_scene(image)) throw input_error("a picture of a scene stands in a paragraph of its own");
+      if (names_scene(image))
+        throw input_error("a picture of a scene stands in a paragraph of its own");
       const std::string file = percent_decoded(target);
       const std::string ending = std::filesystem::path(file).extension();
-      if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" && ending != ".webp")
+      if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
+          ending != ".webp")
         throw input_error("'{}' is no picture (.png, .jpg, .svg, .webp) and no scene", file);
       trusted_file(deck_.root, deck_.root.folder, file);
       read(image["c"][1]);
@@ -211,14 +219,16 @@ class Reader {
     Json kept = Json::array();
     for (const Json& pair : attributes[2]) {
       const std::string key = pair[0], value = pair[1];
-      const bool width = key == "width" && !value.empty() && value.size() <= 5 && value.back() == '%' &&
+      const bool width = key == "width" && !value.empty() && value.size() <= 5 &&
+                         value.back() == '%' &&
                          std::all_of(value.begin(), value.end() - 1, [](char c) {
                            return (c >= '0' && c <= '9') || c == '.';
                          });
       if (width) {
         kept.push_back(pair);
       } else {
-        tell(lines_.next(key + "="), input_error("'{}' cannot be set here; only width=N% of columns can", key));
+        tell(lines_.next(key + "="),
+             input_error("'{}' cannot be set here; only width=N% of columns can", key));
       }
     }
     attributes[2] = kept;
@@ -240,16 +250,21 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
     }
     const int line = lines.next(key);
     deck.problems.push_back(
-        input_error("a deck says nothing of its '{}'{}", key, suggestion(key, known)).at({deck.file, line, {}}));
+        input_error("a deck says nothing of its '{}'{}", key, suggestion(key, known))
+            .at({deck.file, line, {}}));
   }
   if (!deck.meta.contains("lang")) return;
   const Json& lang = deck.meta["lang"];
-  const std::string name = lang["t"] == "MetaInlines" ? plain_text(lang["c"]) : lang["t"] == "MetaString" ? lang["c"].get<std::string>() : "";
-  const bool good = name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
-  });
+  const std::string name = lang["t"] == "MetaInlines"  ? plain_text(lang["c"])
+                           : lang["t"] == "MetaString" ? lang["c"].get<std::string>()
+                                                       : "";
+  const bool good =
+      name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
+      });
   if (good) return;
-  deck.problems.push_back(input_error("lang is a tag such as en or de-CH").at({deck.file, lines.next("lang"), {}}));
+  deck.problems.push_back(
+      input_error("lang is a tag such as en or de-CH").at({deck.file, lines.next("lang"), {}}));
   deck.meta.erase("lang");
 }
 
@@ -258,25 +273,48 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
 const std::vector<PictureClass>& picture_classes() {
   static const PictureSetting from = {"from", "where it begins, s of the motion (0)"};
   static const PictureSetting to = {"to", "where it ends, s of the motion (its end)"};
-  static const PictureSetting at = {"at", "the moment of its poster, s of the motion (a third of the way, or the first pause)"};
+  static const PictureSetting at = {
+      "at", "the moment of its poster, s of the motion (a third of the way, or the first pause)"};
   static const PictureSetting size = {"size", "WxH, pixels"};
   static const PictureSetting fps = {"fps", "frames per second"};
   static const PictureSetting method = {"method", "how the motion is found"};
   static const PictureSetting step = {"step", "of that method, s"};
-  static const PictureSetting alt = {"alt", "what is to be seen, for those who cannot see it (the caption)"};
-  static const PictureSetting stills = {"stills", "moments for the handout, s, with spaces between (the story's pauses, else the poster)"};
+  static const PictureSetting alt = {
+      "alt", "what is to be seen, for those who cannot see it (the caption)"};
+  static const PictureSetting stills = {
+      "stills",
+      "moments for the handout, s, with spaces between (the story's pauses, else the poster)"};
   static const PictureSetting methods = {"methods", "only these, with commas between"};
   static const std::vector<PictureClass> table = {
       {PictureKind::film, "film", "a film", {from, to, at, stills, size, fps, method, step, alt}},
-      {PictureKind::loop, "loop", "a film that closes and repeats", {at, stills, size, fps, method, step, alt}},
+      {PictureKind::loop,
+       "loop",
+       "a film that closes and repeats",
+       {at, stills, size, fps, method, step, alt}},
       {PictureKind::still, "still", "one picture", {at, size, method, step, alt}},
-      {PictureKind::compare, "compare", "films side by side on one clock",
+      {PictureKind::compare,
+       "compare",
+       "films side by side on one clock",
        {{"with", "the other scenes, with spaces between"}, from, to, at, stills, size, fps, alt}},
-      {PictureKind::chart, "chart", "speed against accuracy of the methods", {methods, {"accuracy", "the line: what the scene needs"}, alt}},
-      {PictureKind::stability, "stability", "where methods fail",
-       {methods, {"x", "key across (numerics.step)"}, {"y", "key upwards (spin)"}, {"x-range", "A:B"}, {"y-range", "A:B"},
-        {"cells", "NxM"}, {"turns", "how far the body turns in a run"}, alt}},
-      {PictureKind::inspect, "inspect", "a table of the numbers", {{"keys", "only these, with spaces between"}}},
+      {PictureKind::chart,
+       "chart",
+       "speed against accuracy of the methods",
+       {methods, {"accuracy", "the line: what the scene needs"}, alt}},
+      {PictureKind::stability,
+       "stability",
+       "where methods fail",
+       {methods,
+        {"x", "key across (numerics.step)"},
+        {"y", "key upwards (spin)"},
+        {"x-range", "A:B"},
+        {"y-range", "A:B"},
+        {"cells", "NxM"},
+        {"turns", "how far the body turns in a run"},
+        alt}},
+      {PictureKind::inspect,
+       "inspect",
+       "a table of the numbers",
+       {{"keys", "only these, with spaces between"}}},
   };
   return table;
 }
@@ -287,11 +325,12 @@ int LineFinder::next(const std::string& words) {
   std::size_t at = text_.find(words, from);
   if (at == std::string::npos) return 0;
   from = at + words.size();
-  return 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return 1 + static_cast<int>(
+                 std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 Json Deck::tree(const Json& with_blocks) const {
-  return {{"pandoc-api-version", {1, 22, 2, 1}}, {"meta", meta}, {"blocks", with_blocks}};
+  return {{"pandoc-api-version", api_version}, {"meta", meta}, {"blocks", with_blocks}};
 }
 
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
@@ -299,6 +338,7 @@ Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot
   deck.file = name;
   deck.root = root;
   Json tree = read_markdown(text);
+  deck.api_version = tree["pandoc-api-version"];
   LineFinder lines(text);
   keep_known_meta(deck, tree["meta"], lines);
   Reader reader(deck, text);
@@ -333,7 +373,9 @@ void for_each_node(Json& tree, const std::function<void(Json&)>& visit) {
     for_each_node(child, visit);
 }
 
-Json with_pictures(const Json& blocks, const std::function<Json(const DeckPicture&)>& make, const Deck& deck) {
+Json with_pictures(const Json& blocks,
+                   const std::function<Json(const DeckPicture&)>& make,
+                   const Deck& deck) {
   if (blocks.is_object()) {
     Json copy = blocks;
     if (copy.contains("c")) copy["c"] = with_pictures(copy["c"], make, deck);

@@ -36,8 +36,9 @@ const std::vector<PictureClass>& picture_classes();
 // A picture that names a scene.
 struct DeckPicture {
   PictureKind kind = PictureKind::film;
-  std::string name;                 // unique in the deck, for links: letters, digits, - and _
-  std::vector<std::string> scenes;  // as the deck names them; more than one where films are compared
+  std::string name;  // unique in the deck, for links: letters, digits, - and _
+  std::vector<std::string>
+      scenes;  // as the deck names them; more than one where films are compared
   std::map<std::string, std::string> settings;
   Json caption = Json::array();  // inlines
   int line = 0;                  // of the deck, from 1; 0: unknown
@@ -49,6 +50,7 @@ inline constexpr const char* kPictureNode = "PolhodePicture";
 struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
+  Json api_version = {1, 22};  // of the tree, pandoc's own
   Json meta = Json::object();  // title, subtitle, author, date, lang, description, licence alone
   Json blocks = Json::array();
   std::vector<DeckPicture> pictures;
@@ -70,8 +72,8 @@ class LineFinder {
   std::map<std::string, std::size_t> seen_;  // words -> behind the last place
 };
 
-// Throws Error (input) when the file cannot be read as a deck at all; what is wrong in single places
-// is left out and told in `problems`.
+// Throws Error (input) when the file cannot be read as a deck at all; what is wrong in single
+// places is left out and told in `problems`.
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
 // The same for text in memory.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
@@ -80,7 +82,9 @@ Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
 
 // The blocks with other blocks in place of each picture.
-Json with_pictures(const Json& blocks, const std::function<Json(const DeckPicture&)>& make, const Deck& deck);
+Json with_pictures(const Json& blocks,
+                   const std::function<Json(const DeckPicture&)>& make,
+                   const Deck& deck);
 
 // The words of inlines, without marks.
 std::string plain_text(const Json& inlines);

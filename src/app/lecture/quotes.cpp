@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/nearest.h"
-#include "math/notation.h"
+#include "base/units.h"
 
 namespace polhode {
 namespace {
@@ -68,7 +68,8 @@ void collect(const Json& value, const std::string& path, std::vector<std::string
 
 // "principal_moments_kg_m2.0" has the unit of its list
 std::string without_numbers(std::string path) {
-  while (path.size() > 2 && path[path.size() - 2] == '.' && std::isdigit(static_cast<unsigned char>(path.back())) != 0) {
+  while (path.size() > 2 && path[path.size() - 2] == '.' &&
+         std::isdigit(static_cast<unsigned char>(path.back())) != 0) {
     path.resize(path.size() - 2);
   }
   return path;
@@ -83,7 +84,8 @@ bool means(const std::string& full, const std::string& asked) {
 }
 
 const char* superscript(char c) {
-  constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  constexpr std::array<const char*, 10> kDigits = {
+      "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return c == '-' ? "⁻" : kDigits[static_cast<std::size_t>(c - '0')];
 }
 
@@ -103,7 +105,8 @@ Quoted number(double value, const std::string& format) {
   const std::string sign = minus.empty() ? "" : "-";
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return {minus + text, sign + text};
-  const std::string mantissa = text.substr(0, e), power = std::to_string(std::stoi(text.substr(e + 1)));
+  const std::string mantissa = text.substr(0, e),
+                    power = std::to_string(std::stoi(text.substr(e + 1)));
   std::string raised;
   for (const char c : power)
     raised += superscript(c);
@@ -140,7 +143,8 @@ Quoted value_text(const Json& value, double factor, const std::string& format) {
   if (value.is_string()) {
     std::string words;
     for (const char c : value.get<std::string>()) {
-      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '_' || c == '-') words += c == '_' ? ' ' : c;
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '_' || c == '-')
+        words += c == '_' ? ' ' : c;
     }
     return {value.get<std::string>(), "\\text{" + words + "}"};
   }
@@ -155,7 +159,8 @@ Quoted value_text(const Json& value, double factor, const std::string& format) {
 }
 
 // Replaces all quotes of a text by what `answer` says.
-std::string replaced(const std::string& text, const std::function<std::string(const std::string&)>& answer) {
+std::string replaced(const std::string& text,
+                     const std::function<std::string(const std::string&)>& answer) {
   std::string out;
   std::size_t from = 0;
   for (std::size_t at = text.find(kHead); at != std::string::npos; at = text.find(kHead, from)) {
@@ -192,7 +197,8 @@ std::pair<std::string, std::string> split_unit(const std::string& key) {
 }
 
 Quote parse_quote(const std::string& words) {
-  const std::string inside = words.substr(std::string_view(kHead).size(), words.size() - std::string_view(kHead).size() - 1);
+  const std::string inside = words.substr(std::string_view(kHead).size(),
+                                          words.size() - std::string_view(kHead).size() - 1);
   const std::size_t hash = inside.rfind('#');
   if (hash == std::string::npos || hash == 0)
     throw input_error("'{}' names no number; write {{inspect:scene.toml#key}}", words);
@@ -209,11 +215,12 @@ Quote parse_quote(const std::string& words) {
     if (comma != 0) quote.format = how.substr(0, comma);
   }
   const std::string& f = quote.format;
-  const bool good = f.size() >= 2 && f.size() <= 5 && f[0] == '%' &&
-                    std::string_view("efg").find(f.back()) != std::string_view::npos &&
-                    (f.size() == 2 || (f[1] == '.' && f.size() > 3 && std::all_of(f.begin() + 2, f.end() - 1, [](char c) {
-                       return c >= '0' && c <= '9';
-                     })));
+  const bool good =
+      f.size() >= 2 && f.size() <= 5 && f[0] == '%' &&
+      std::string_view("efg").find(f.back()) != std::string_view::npos &&
+      (f.size() == 2 ||
+       (f[1] == '.' && f.size() > 3 &&
+        std::all_of(f.begin() + 2, f.end() - 1, [](char c) { return c >= '0' && c <= '9'; })));
   if (!good) throw input_error("'{}' is no format; write %.3g, %.2f or %.1e", f);
   if (quote.key.empty()) throw input_error("'{}' names no number", words);
   return quote;
@@ -222,7 +229,8 @@ Quote parse_quote(const std::string& words) {
 Quoted quoted(const Json& inspection, const Quote& quote) {
   std::vector<std::string> paths;
   collect(inspection, "", paths);
-  const auto found = std::find_if(paths.begin(), paths.end(), [&](const std::string& path) { return means(path, quote.key); });
+  const auto found = std::find_if(
+      paths.begin(), paths.end(), [&](const std::string& path) { return means(path, quote.key); });
   if (found == paths.end()) {
     for (std::string& path : paths)
       if (path.starts_with("derived.")) path.erase(0, 8);
@@ -230,8 +238,9 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
     throw input_error("{} has no '{}'{}",
                       quote.scene,
                       quote.key,
-                      nearest.empty() ? fmt::format("; `polhode inspect {} --json` has all keys", quote.scene)
-                                      : fmt::format(" (did you mean '{}'?)", nearest));
+                      nearest.empty()
+                          ? fmt::format("; `polhode inspect {} --json` has all keys", quote.scene)
+                          : fmt::format(" (did you mean '{}'?)", nearest));
   }
   std::string pointer = "/" + *found;
   std::replace(pointer.begin(), pointer.end(), '.', '/');
@@ -249,7 +258,8 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
       if (row.name == quote.unit) other = &row;
     }
     if (other == nullptr)
-      throw input_error("'{}' cannot be told in '{}'{}", quote.key, quote.unit, suggestion(quote.unit, names));
+      throw input_error(
+          "'{}' cannot be told in '{}'{}", quote.key, quote.unit, suggestion(quote.unit, names));
     unit = other->text;
     factor = other->factor;
   }
@@ -288,7 +298,8 @@ std::set<std::string> quoted_scenes(const Deck& deck) {
   for_each_text(copy, [&](const Json& text, bool) {
     replaced(text.get<std::string>(), [&](const std::string& words) {
       const std::size_t start = std::string_view(kHead).size(), hash = words.rfind('#');
-      if (hash != std::string::npos && hash > start) scenes.insert(words.substr(start, hash - start));
+      if (hash != std::string::npos && hash > start)
+        scenes.insert(words.substr(start, hash - start));
       return std::string();
     });
   });

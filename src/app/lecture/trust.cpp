@@ -83,13 +83,39 @@ void check_link(const std::string& target) {
 
 void check_formula(const std::string& tex) {
   // pandoc refuses what it does not know; these it might know, and a TeX program surely does
-  constexpr std::array<std::string_view, 33> kRefused = {
-      "input",       "include",   "openin",     "openout",      "read",       "write",
-      "immediate",   "special",   "catcode",    "csname",       "def",        "edef",
-      "gdef",        "xdef",      "let",        "newcommand",   "renewcommand",
-      "usepackage",  "directlua", "loop",       "expandafter",  "afterassignment",
-      "everymath",   "jobname",   "scantokens", "verbatiminput", "lstinputlisting",
-      "includegraphics", "href",  "url",        "providecommand", "newwrite", "begingroup"};
+  constexpr std::array<std::string_view, 33> kRefused = {"input",
+                                                         "include",
+                                                         "openin",
+                                                         "openout",
+                                                         "read",
+                                                         "write",
+                                                         "immediate",
+                                                         "special",
+                                                         "catcode",
+                                                         "csname",
+                                                         "def",
+                                                         "edef",
+                                                         "gdef",
+                                                         "xdef",
+                                                         "let",
+                                                         "newcommand",
+                                                         "renewcommand",
+                                                         "usepackage",
+                                                         "directlua",
+                                                         "loop",
+                                                         "expandafter",
+                                                         "afterassignment",
+                                                         "everymath",
+                                                         "jobname",
+                                                         "scantokens",
+                                                         "verbatiminput",
+                                                         "lstinputlisting",
+                                                         "includegraphics",
+                                                         "href",
+                                                         "url",
+                                                         "providecommand",
+                                                         "newwrite",
+                                                         "begingroup"};
   if (tex.find("^^") != std::string::npos || std::any_of(tex.begin(), tex.end(), [](char c) {
         return c != '\n' && c != '\r' && c != '\t' && is_control(c);
       })) {
@@ -127,7 +153,8 @@ std::string percent_encoded(const std::string& text) {
   std::string out;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80 && (std::isalnum(byte) != 0 || std::string_view("-_./").find(c) != std::string_view::npos)) {
+    if (byte < 0x80 &&
+        (std::isalnum(byte) != 0 || std::string_view("-_./").find(c) != std::string_view::npos)) {
       out += c;
     } else {
       out += fmt::format("%{:02X}", byte);

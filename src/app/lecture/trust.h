@@ -14,8 +14,8 @@ struct DeckRoot {
 };
 
 // The ordinary file that a deck or one of its scenes names, as folder / name; `from` is the folder
-// that the name counts from. Throws Error (input) for a name that leaves the deck's folder (absolute,
-// with "..", by a symbolic link), has control characters, or names no ordinary file.
+// that the name counts from. Throws Error (input) for a name that leaves the deck's folder
+// (absolute, with "..", by a symbolic link), has control characters, or names no ordinary file.
 std::filesystem::path trusted_file(const DeckRoot& root,
                                    const std::filesystem::path& from,
                                    const std::string& name);
