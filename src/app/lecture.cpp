@@ -183,7 +183,10 @@ void tell_failures(LectureWork& work) {
 }
 
 Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
-  const auto i = static_cast<std::size_t>(&picture - work.deck.pictures.data());
+  const std::vector<DeckPicture>& all = work.deck.pictures;
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const DeckPicture& one) { return one.name == picture.name; });
+  const auto i = static_cast<std::size_t>(found - all.begin());
   Figure figure{&picture, {}, work.failures[i]};
   if (!figure.failure.empty()) return figure;
   for (const std::string& stem : work.stems[i]) {

@@ -418,4 +418,10 @@ Json paragraph(const Json& inlines) {
   return {{"t", "Para"}, {"c", inlines}};
 }
 
+Json div(const std::string& name, const Json& blocks, const std::string& width) {
+  Json settings = Json::array();
+  if (!width.empty()) settings.push_back(Json::array({"width", width}));
+  return {{"t", "Div"}, {"c", {{"", Json::array({name}), settings}, blocks}}};
+}
+
 }  // namespace polhode

@@ -93,5 +93,6 @@ std::string plain_text(const Json& inlines);
 Json string_inlines(const std::string& text);
 Json raw_html(const std::string& html);
 Json paragraph(const Json& inlines);
+Json div(const std::string& name, const Json& blocks, const std::string& width = "");
 
 }  // namespace polhode

@@ -20,6 +20,68 @@ Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Fi
       deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
 }
 
+// Brackets say on which side they stand: browsers guess it only at the ends of a formula. Text of
+// the deck is escaped, so what is found here is pandoc's own.
+std::string with_brackets(std::string html) {
+  const auto tell = [&](const std::string& bracket, const char* form) {
+    for (const std::string& before :
+         {std::string("<mo stretchy=\"false\">"), std::string("<mo>")}) {
+      const std::string plain = fmt::format("{}{}</mo>", before, bracket);
+      const std::string told =
+          fmt::format("<mo stretchy=\"false\" form=\"{}\">{}</mo>", form, bracket);
+      for (std::size_t at = html.find(plain); at != std::string::npos;
+           at = html.find(plain, at + told.size()))
+        html.replace(at, plain.size(), told);
+    }
+  };
+  for (const char* opening : {"(", "["})
+    tell(opening, "prefix");
+  for (const char* closing : {")", "]"})
+    tell(closing, "postfix");
+  return html;
+}
+
+// One slide for programs that place things themselves: where words and one picture share it, they
+// stand side by side.
+void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
+  Json words = Json::array(), pictures = Json::array(), notes = Json::array();
+  bool several = false;
+  for (const Json& block : slide) {
+    const std::string type = block["t"];
+    if (type == kPictureNode) {
+      pictures.push_back(block);
+      several = several || deck.pictures[block["c"].get<std::size_t>()].scenes.size() > 1;
+    } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
+      notes.push_back(block);
+    } else {
+      several = several || type == "Div";
+      words.push_back(block);
+    }
+  }
+  if (pictures.size() == 1 && !words.empty() && !several) {
+    blocks.push_back(
+        div("columns", Json::array({div("column", words, "40%"), div("column", pictures, "60%")})));
+    blocks.insert(blocks.end(), notes.begin(), notes.end());
+  } else {
+    blocks.insert(blocks.end(), slide.begin(), slide.end());
+  }
+}
+
+Json as_slides(const Deck& deck) {
+  Json blocks = Json::array(), slide = Json::array();
+  for (const Json& block : deck.blocks) {
+    if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
+      add_slide(blocks, slide, deck);
+      slide = Json::array();
+      blocks.push_back(block);
+    } else {
+      slide.push_back(block);
+    }
+  }
+  add_slide(blocks, slide, deck);
+  return blocks;
+}
+
 // Words for the speaker are text on the page: the page is what a student reads.
 Json with_notes_as_text(Json blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -78,14 +140,14 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of) {
                                               {"-t",
                                                "html5",
                                                "--toc",
-                                               "--toc-depth=2",
+                                               "--toc-depth=3",
                                                "--shift-heading-level-by=1",
                                                "-s",
                                                "--template=" + only_contents,
                                                "--metadata=title:-"},
                                               false)
                                    .text;
-  return lecture_page(words_of(deck), body, contents);
+  return lecture_page(words_of(deck), with_brackets(body), contents);
 }
 
 std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal) {
@@ -94,7 +156,7 @@ std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Revea
   const Json tree = plain.tree(filled(deck, figure_of, slide_blocks));
   const std::string body =
       write_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"}).text;
-  return slides_page(words_of(deck), body, reveal);
+  return slides_page(words_of(deck), with_brackets(body), reveal);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
@@ -105,11 +167,13 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
       write_document(tree,
                      {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
           .text;
-  return handout_page(words_of(deck), body);
+  return handout_page(words_of(deck), with_brackets(body));
 }
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
-  const Json tree = deck.tree(filled(deck, figure_of, beamer_blocks));
+  Deck slides = deck;
+  slides.blocks = as_slides(deck);
+  const Json tree = deck.tree(filled(slides, figure_of, beamer_blocks));
   return write_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"})
       .text;
 }
@@ -117,7 +181,9 @@ std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
 std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,
                       const std::filesystem::path& folder) {
-  const Json tree = deck.tree(filled(deck, figure_of, office_blocks));
+  Deck slides = deck;
+  slides.blocks = as_slides(deck);
+  const Json tree = deck.tree(filled(slides, figure_of, office_blocks));
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";
   // it reads the posters, which are ours, and copies of the deck's own pictures

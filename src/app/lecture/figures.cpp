@@ -135,28 +135,48 @@ Json picture_blocks(const DeckPicture& picture,
 Json columns(const std::vector<Json>& contents) {
   const std::string width = fmt::format("{}%", 100 / static_cast<int>(contents.size()));
   Json inside = Json::array();
-  for (const Json& content : contents) {
-    inside.push_back(
-        {{"t", "Div"},
-         {"c",
-          {{"", Json::array({"column"}), Json::array({Json::array({"width", width})})}, content}}});
-  }
-  return Json::array(
-      {{{"t", "Div"}, {"c", {{"", Json::array({"columns"}), Json::array()}, inside}}}});
+  for (const Json& content : contents)
+    inside.push_back(div("column", content, width));
+  return Json::array({div("columns", inside)});
 }
 
-Json document_blocks(const Figure& figure, bool links) {
+// The posters of films that are compared, each with its scene's title; the first has the caption
+// too. `across`: how many stand side by side; the others come on further slides.
+Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
+  std::vector<Json> posters;
+  for (const Json& facts : figure.facts) {
+    DeckPicture one = *figure.picture;
+    Json words = string_inlines(facts.at("title").get<std::string>());
+    if (posters.empty() && !one.caption.empty()) {
+      words.push_back({{"t", "Str"}, {"c", "."}});
+      words.push_back({{"t", "Space"}});
+      words.insert(words.end(), one.caption.begin(), one.caption.end());
+    }
+    one.caption = words;
+    posters.push_back(
+        picture_blocks(one, media(facts, "poster"), links ? media(facts, "film") : "", "fig:"));
+  }
+  Json blocks = Json::array();
+  for (std::size_t i = 0; i < posters.size(); i += across) {
+    if (i > 0) blocks.push_back({{"t", "HorizontalRule"}});
+    const std::size_t end = std::min(i + across, posters.size());
+    const Json row = end - i == 1 ? posters[i]
+                                  : columns({posters.begin() + static_cast<std::ptrdiff_t>(i),
+                                             posters.begin() + static_cast<std::ptrdiff_t>(end)});
+    blocks.insert(blocks.end(), row.begin(), row.end());
+  }
+  return blocks;
+}
+
+Json document_blocks(const Figure& figure, bool links, std::size_t across) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) return figure.facts[0].at("table");
   if (is_plot(picture)) return picture_blocks(picture, media(figure.facts[0], "png"), "", "fig:");
-  std::vector<Json> shown;
-  for (const Json& facts : figure.facts) {
-    const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
-    shown.push_back(picture_blocks(picture, media(facts, "poster"), link, "fig:"));
-  }
-  if (shown.size() == 1) return shown[0];
-  return columns(shown);
+  if (figure.facts.size() > 1) return compared_blocks(figure, links, across);
+  const Json& facts = figure.facts[0];
+  const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
+  return picture_blocks(picture, media(facts, "poster"), link, "fig:");
 }
 
 Json cell(const Json& inlines) {
@@ -266,11 +286,11 @@ Json handout_blocks(const Figure& figure) {
 }
 
 Json office_blocks(const Figure& figure) {
-  return document_blocks(figure, true);
+  return document_blocks(figure, true, 2);
 }
 
 Json beamer_blocks(const Figure& figure) {
-  return document_blocks(figure, false);
+  return document_blocks(figure, false, 4);
 }
 
 }  // namespace polhode

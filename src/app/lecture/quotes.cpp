@@ -115,23 +115,7 @@ Quoted number(double value, const std::string& format) {
 }
 
 std::string tex_unit(const std::string& unit) {
-  if (unit == "°") return "^\\circ";
-  std::string tex;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (unit.compare(i, 2, "²") == 0) {
-      tex += "^2";
-      ++i;
-    } else if (unit.compare(i, 2, "°") == 0) {
-      tex += "^\\circ";
-      ++i;
-    } else if (unit.compare(i, 2, "µ") == 0) {
-      tex += "\\mu ";
-      ++i;
-    } else {
-      tex += unit[i] == ' ' ? std::string("\\,") : std::string(1, unit[i]);
-    }
-  }
-  return fmt::format("\\,\\mathrm{{{}}}", tex);
+  return unit == "°" ? "^\\circ" : fmt::format("\\;\\text{{{}}}", unit);
 }
 
 Quoted value_text(const Json& value, double factor, const std::string& format) {

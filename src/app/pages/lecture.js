@@ -72,8 +72,8 @@ for (const figure of document.querySelectorAll("figure.film")) {
   };
   const play = button("▶", "Play", () => (first.paused ? start() : pause()));
   const step = (by) => seek((first.readyState >= 1 ? Math.min(frames - 1, frameOf(first)) : 0) + by);
-  const back = button("−1", "One frame back", () => step(-1));
-  const on = button("+1", "One frame on", () => step(1));
+  const back = button("−1", "−1 frame", () => step(-1));
+  const on = button("+1", "+1 frame", () => step(1));
   const speed = document.createElement("select");
   speed.setAttribute("aria-label", "Speed");
   for (const value of speeds) {
@@ -91,7 +91,7 @@ for (const figure of document.querySelectorAll("figure.film")) {
     loop.setAttribute("aria-pressed", String(set));
   });
   loop.setAttribute("aria-pressed", String(repeats));
-  const link = button("Link", "Copy a link to this frame", () => {
+  const link = button("Link", "Link to this frame: copy", () => {
     const place = `#film=${encodeURIComponent(first.dataset.film)}&frame=${Math.min(frames - 1, frameOf(first))}`;
     history.replaceState(null, "", place);
     if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
@@ -105,7 +105,7 @@ for (const figure of document.querySelectorAll("figure.film")) {
   });
   bar.append(range, play, back, on, speed, loop, link);
   if (first.textTracks.length > 0) {
-    const captions = button("CC", "Captions", () => {
+    const captions = button("CC", "CC: captions", () => {
       const off = first.textTracks[0].mode !== "showing";
       videos.forEach((video) => [...video.textTracks].forEach((track) => (track.mode = off ? "showing" : "hidden")));
       captions.setAttribute("aria-pressed", String(off));
@@ -186,3 +186,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", showLook);
 showLook();
 // on a phone the contents start closed
 if (matchMedia("(max-width: 68rem)").matches) document.querySelector(".contents details").open = false;
+// a formula wider than the page can be reached and scrolled by keys
+for (const formula of document.querySelectorAll('math[display="block"]')) {
+  if (formula.scrollWidth > formula.clientWidth) formula.setAttribute("tabindex", "0");
+}

@@ -63,7 +63,7 @@ const step = (by) => shown().forEach((video) => {
 const next = () => goOn() || Reveal.next();
 
 Reveal.initialize({
-  width: 1280, height: 720, margin: 0.02, center: false, display: "flex", hash: true, respondToHashChanges: true,
+  width: 1280, height: 720, margin: 0.02, center: false, display: "flex", controls: false, navigationMode: "linear", hash: true, respondToHashChanges: true,
   transition: "none", backgroundTransition: "none", slideNumber: "c/t", autoPlayMedia: false, preloadIframes: false,
   keyboard: {
     32: next, 39: next, 40: next, 34: next, 78: next,
