@@ -341,8 +341,11 @@ const std::vector<LectureOutput>& lecture_outputs() {
 
 LectureResult lecture(const LectureJob& job) {
   require_pandoc();
-  const std::optional<Reveal> reveal = find_reveal();
-  const std::string printer = find_printer();
+  const auto may_want = [&](const char* name) {
+    return job.to.empty() || job.to.find(name) != std::string::npos;
+  };
+  const std::optional<Reveal> reveal = may_want("slides") ? find_reveal() : std::nullopt;
+  const std::string printer = may_want("handout") ? find_printer() : "";
   LectureResult result;
   const std::vector<std::string> outputs = settle_outputs(job.to, reveal, printer, result.summary);
   const auto wants = [&](const char* name) {

@@ -113,7 +113,7 @@ TEST_F(LectureRun, NothingLeavesTheFolder) {
   EXPECT_NE(ran.err.find("deck.md:1: '../scene.toml' leaves the deck's folder"), std::string::npos)
       << ran.err;
   EXPECT_NE(ran.err.find("deck.md:5: "), std::string::npos) << ran.err;
-  EXPECT_EQ(page().find("root:"), std::string::npos);
+  EXPECT_EQ(page().find("root:x:"), std::string::npos);
   write_text(folder_ / "deck/deck.md",
              "![](../scene.toml){.still}\n\n{inspect:../scene.toml#kind}\n");
   const Ran trusted = lecture("--to html --allow-outside");

@@ -216,8 +216,9 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
   const auto found = std::find_if(
       paths.begin(), paths.end(), [&](const std::string& path) { return means(path, quote.key); });
   if (found == paths.end()) {
+    // as a deck would write them
     for (std::string& path : paths)
-      if (path.starts_with("derived.")) path.erase(0, 8);
+      path = split_unit(path.starts_with("derived.") ? path.substr(8) : path).first;
     const std::string nearest = nearest_name(quote.key, paths);
     throw input_error("{} has no '{}'{}",
                       quote.scene,
