@@ -67,7 +67,7 @@ const DeckScene& scene_of(LectureWork& work, const std::string& name) {
 }
 
 std::string add_task(LectureWork& work, Product product, bool alone = false) {
-  const std::string stem = Media::stem_of(product);
+  std::string stem = Media::stem_of(product);
   work.tasks.try_emplace(stem, Task{std::move(product), alone, {}, {}});
   return stem;
 }
@@ -245,9 +245,10 @@ std::vector<std::string> parse_outputs(const std::string& to) {
   for (std::size_t from = 0; from < to.size();) {
     const std::size_t end = std::min(to.find(',', from), to.size());
     const std::string name = to.substr(from, end - from);
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw input_error("no output is called '{}'{}", name, suggestion(name, known))
           .at({{}, 0, "--to"});
+    }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
     from = end + 1;
   }

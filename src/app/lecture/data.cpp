@@ -23,10 +23,10 @@ class DataFolder {
     std::error_code failed;
     const fs::path file = folder_ / name;
     fs::create_directories(file.parent_path(), failed);
-    if (failed)
+    if (failed) {
       throw environment_error(
           "cannot make the folder '{}': {}", file.parent_path().string(), failed.message());
-    // an AtomicFile refuses nothing that is not wrong: same bytes, same file
+    }
     write_file(file, bytes);
     files_.push_back({{"name", name}, {"bytes", bytes.size()}, {"hash", content_hash(bytes)}});
     names_.insert(name);
@@ -70,9 +70,10 @@ Json licences(const LectureData& data) {
                   {"licence", data.licence.empty() ? "not told by the deck" : data.licence}});
   list.push_back({{"what", "styles and scripts of index.html, slides.html and handout.pdf"},
                   {"licence", "MIT (Polhode)"}});
-  if (!data.reveal_version.empty())
-    list.push_back({{"what", "reveal.js " + data.reveal_version + ", inside slides.html"},
+  if (!data.reveal_version.empty()) {
+    list.push_back({{"what", fmt::format("reveal.js {}, inside slides.html", data.reveal_version)},
                     {"licence", "MIT"}});
+  }
   list.push_back({{"what", "Latin Modern Math, inside the pages where it was installed"},
                   {"licence", "GUST Font License"}});
   list.push_back({{"what", "Inter, Nimbus Roman, DejaVu as drawn in pictures"},
@@ -112,9 +113,10 @@ void write_data(const LectureData& data, const fs::path& folder) {
   }
 
   Json products = Json::array();
-  for (const auto& [stem, facts] : data.products)
+  for (const auto& [stem, facts] : data.products) {
     products.push_back(
         {{"name", stem}, {"kind", facts.value("kind", "")}, {"files", facts.at("files")}});
+  }
   std::string to;
   for (const std::string& output : data.outputs)
     to += (to.empty() ? "" : ",") + output;

@@ -17,6 +17,7 @@ constexpr std::size_t kLargestDeck = 4U << 20U;  // bytes
 template <class List>
 std::vector<std::string> names_of(const List& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const auto& one : list)
     names.push_back(one.name);
   return names;

@@ -20,25 +20,26 @@ Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Fi
       deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
 }
 
-// Brackets say on which side they stand: browsers guess it only at the ends of a formula. Text of
-// the deck is escaped, so what is found here is pandoc's own.
-std::string with_brackets(std::string html) {
-  const auto tell = [&](const std::string& bracket, const char* form) {
-    for (const std::string& before :
-         {std::string("<mo stretchy=\"false\">"), std::string("<mo>")}) {
-      const std::string plain = fmt::format("{}{}</mo>", before, bracket);
-      const std::string told =
-          fmt::format("<mo stretchy=\"false\" form=\"{}\">{}</mo>", form, bracket);
-      for (std::size_t at = html.find(plain); at != std::string::npos;
-           at = html.find(plain, at + told.size()))
-        html.replace(at, plain.size(), told);
+// Brackets that need not grow are told so: browsers give those that may grow the width of large
+// ones. Text of the deck is escaped, so that what looks like an element is pandoc's own.
+std::string with_brackets(const std::string& html) {
+  const std::string grows = "stretchy=\"true\"", stays = "stretchy=\"false\"", last = "</math>";
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = html.find("<math"); at != std::string::npos;
+       at = html.find("<math", from)) {
+    out += html.substr(from, at - from);
+    from = std::min(html.find(last, at), html.size() - last.size()) + last.size();
+    std::string formula = html.substr(at, from - at);
+    // its TeX is in it
+    if (formula.find("\\left") == std::string::npos &&
+        formula.find("\\begin") == std::string::npos) {
+      for (std::size_t k = formula.find(grows); k != std::string::npos; k = formula.find(grows, k))
+        formula.replace(k, grows.size(), stays);
     }
-  };
-  for (const char* opening : {"(", "["})
-    tell(opening, "prefix");
-  for (const char* closing : {")", "]"})
-    tell(closing, "postfix");
-  return html;
+    out += formula;
+  }
+  return out + html.substr(from);
 }
 
 // One slide for programs that place things themselves: where words and one picture share it, they

@@ -42,9 +42,10 @@ Json framed(const std::string& before, const DeckPicture& picture) {
 
 std::string pauses_of(const Json& facts) {
   std::string text;
-  for (const Json& pause : facts.at("pauses"))
+  for (const Json& pause : facts.at("pauses")) {
     text += fmt::format(
         "{}{:.6f} {:.6f}", text.empty() ? "" : ",", pause[0].get<double>(), pause[1].get<double>());
+  }
   return text;
 }
 
@@ -263,10 +264,11 @@ Json handout_blocks(const Figure& figure) {
   int count = 0;
   for (const Json& facts : figure.facts) {
     Json stills = facts.at("stills");
-    if (stills.empty())
+    if (stills.empty()) {
       stills = Json::array({{{"file", facts.at("poster")},
                              {"at", facts.at("poster_at")},
                              {"caption", figure.facts.size() > 1 ? facts.at("title") : Json("")}}});
+    }
     for (const Json& still : stills) {
       const std::string caption = still.at("caption");
       text +=

@@ -23,9 +23,10 @@ Media::Media(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
   std::string name = (folder_ / ".work-XXXXXX").string();
-  if (failed || mkdtemp(name.data()) == nullptr)
+  if (failed || mkdtemp(name.data()) == nullptr) {
     throw input_error("cannot write into the folder '{}'", folder_.string())
         .at({{}, 0, "--output"});
+  }
   work_ = name;
 }
 
@@ -62,7 +63,7 @@ Json Media::obtain(const Product& product) {
   }
   std::error_code missing;
   if (std::filesystem::exists(card, missing)) {
-    const Json facts = Json::parse(read_file(card), nullptr, false);
+    Json facts = Json::parse(read_file(card), nullptr, false);
     if (is_whole(facts)) return facts;
   }
   const std::filesystem::path work = work_ / stem;
@@ -80,9 +81,10 @@ Json Media::obtain(const Product& product) {
                               {"hash", content_hash(bytes)}});
     std::error_code failed;
     std::filesystem::rename(file, folder_ / file.filename(), failed);
-    if (failed)
+    if (failed) {
       throw environment_error(
           "cannot write '{}': {}", (folder_ / file.filename()).string(), failed.message());
+    }
   }
   write_file(card, facts.dump(1) + "\n");
   const std::lock_guard guard(lock_);
@@ -94,7 +96,7 @@ void Media::forget_the_rest() {
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, failed)) {
     // only what a card of ours lists
-    const std::filesystem::path card = entry.path();
+    const std::filesystem::path& card = entry.path();
     if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
     const Json facts = Json::parse(read_file(card), nullptr, false);
     if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) continue;

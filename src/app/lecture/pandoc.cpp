@@ -50,7 +50,7 @@ void require_pandoc() {
 
 nlohmann::ordered_json read_markdown(const std::string& text) {
   const ChildResult ran = run_child({"pandoc", "--sandbox", "-f", kMarkdown, "-t", "json"}, text);
-  const nlohmann::ordered_json tree = nlohmann::ordered_json::parse(ran.out, nullptr, false);
+  nlohmann::ordered_json tree = nlohmann::ordered_json::parse(ran.out, nullptr, false);
   if (ran.status == 0 && tree.is_object() && tree.contains("blocks")) return tree;
   const std::string words = ran.err.substr(0, ran.err.find('\n'));
   throw input_error("pandoc cannot read this deck: {}", words.empty() ? "no reason given" : words);

@@ -79,7 +79,7 @@ std::vector<std::string> words_of(const DeckPicture& picture, const LectureSetti
       settings.size.value_or(""), settings.fps.value_or(""), settings.quality, settings.backend};
   for (const auto& [key, value] : picture.settings) {
     // words that change no pixel
-    if (key != "alt" && key != "with") words.push_back(key + "=" + value);
+    if (key != "alt" && key != "with") words.push_back(fmt::format("{}={}", key, value));
   }
   return words;
 }

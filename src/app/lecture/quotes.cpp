@@ -59,7 +59,7 @@ void collect(const Json& value, const std::string& path, std::vector<std::string
   if (!path.empty()) paths.push_back(path);
   if (value.is_object()) {
     for (const auto& [key, inside] : value.items())
-      collect(inside, path.empty() ? key : path + "." + key, paths);
+      collect(inside, path.empty() ? key : fmt::format("{}.{}", path, key), paths);
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i)
       collect(value[i], fmt::format("{}.{}", path, i), paths);
@@ -242,9 +242,10 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
       names.emplace_back(row.name);
       if (row.name == quote.unit) other = &row;
     }
-    if (other == nullptr)
+    if (other == nullptr) {
       throw input_error(
           "'{}' cannot be told in '{}'{}", quote.key, quote.unit, suggestion(quote.unit, names));
+    }
     unit = other->text;
     factor = other->factor;
   }

@@ -43,7 +43,7 @@ std::filesystem::path trusted_file(const DeckRoot& root,
     throw input_error(
         "'{}' leaves the deck's folder; put the file inside it, or give --allow-outside", name);
   }
-  const std::filesystem::path file = from / asked;
+  std::filesystem::path file = from / asked;
   std::error_code failed;
   const std::filesystem::path real = std::filesystem::canonical(file, failed);
   if (failed) throw input_error("'{}' is not there", name);
