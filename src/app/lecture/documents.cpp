@@ -6,6 +6,7 @@
 #include "app/lecture/pandoc.h"
 #include "app/scratch_folder.h"
 #include "base/atomic_file.h"
+#include "base/utf8.h"
 
 namespace polhode {
 namespace {
@@ -81,6 +82,65 @@ Json as_slides(const Deck& deck) {
   }
   add_slide(blocks, slide, deck);
   return blocks;
+}
+
+Json formula(const std::string& tex) {
+  return {{"t", "Math"}, {"c", {{{"t", "InlineMath"}}, tex}}};
+}
+
+// Raised digits and the minus sign as TeX has them: its fonts lack these characters.
+Json latex_words(const std::string& text) {
+  const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
+  Json words = Json::array();
+  std::string plain, power;
+  const auto end_plain = [&] {
+    if (!plain.empty()) words.push_back(string_inlines(plain)[0]);
+    plain.clear();
+  };
+  const auto end_power = [&] {
+    if (!power.empty()) words.push_back(formula("{}^{" + power + "}"));
+    power.clear();
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+    const std::string one = text.substr(i, length);
+    i += length;
+    const auto digit = std::find(raised.begin(), raised.end(), one);
+    if (digit != raised.end()) {
+      end_plain();
+      power += one == "⁻" ? "-" : std::to_string(digit - raised.begin());
+      continue;
+    }
+    end_power();
+    if (one == "−") {
+      end_plain();
+      words.push_back(formula("-"));
+    } else {
+      plain += one;
+    }
+  }
+  end_power();
+  end_plain();
+  return words;
+}
+
+Json for_latex(const Json& tree) {
+  if (!tree.is_structured()) return tree;
+  Json copy = tree.is_array() ? Json::array() : Json::object();
+  if (tree.is_object()) {
+    for (const auto& [key, value] : tree.items())
+      copy[key] = for_latex(value);
+    return copy;
+  }
+  for (const Json& child : tree) {
+    if (child.is_object() && child.value("t", "") == "Str") {
+      for (Json& word : latex_words(child["c"].get<std::string>()))
+        copy.push_back(std::move(word));
+    } else {
+      copy.push_back(for_latex(child));
+    }
+  }
+  return copy;
 }
 
 // Words for the speaker are text on the page: the page is what a student reads.
@@ -174,7 +234,7 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
   slides.blocks = as_slides(deck);
-  const Json tree = deck.tree(filled(slides, figure_of, beamer_blocks));
+  const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
   return write_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"})
       .text;
 }
