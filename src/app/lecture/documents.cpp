@@ -45,14 +45,16 @@ std::string with_brackets(const std::string& html) {
 
 // One slide for programs that place things themselves: where words and one picture share it, they
 // stand side by side.
-void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
+void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
   Json words = Json::array(), pictures = Json::array(), notes = Json::array();
   bool several = false;
   for (const Json& block : slide) {
     const std::string type = block["t"];
     if (type == kPictureNode) {
       pictures.push_back(block);
-      several = several || deck.pictures[block["c"].get<std::size_t>()].scenes.size() > 1;
+      const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
+      several =
+          several || picture.scenes.size() > 1 || (!tables && picture.kind == PictureKind::inspect);
     } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
       notes.push_back(block);
     } else {
@@ -69,18 +71,19 @@ void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
   }
 }
 
-Json as_slides(const Deck& deck) {
+// tables: may they stand beside words, too
+Json as_slides(const Deck& deck, bool tables) {
   Json blocks = Json::array(), slide = Json::array();
   for (const Json& block : deck.blocks) {
     if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
-      add_slide(blocks, slide, deck);
+      add_slide(blocks, slide, deck, tables);
       slide = Json::array();
       blocks.push_back(block);
     } else {
       slide.push_back(block);
     }
   }
-  add_slide(blocks, slide, deck);
+  add_slide(blocks, slide, deck, tables);
   return blocks;
 }
 
@@ -233,7 +236,7 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
-  slides.blocks = as_slides(deck);
+  slides.blocks = as_slides(deck, false);
   const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
   return write_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"})
       .text;
@@ -243,7 +246,7 @@ std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
-  slides.blocks = as_slides(deck);
+  slides.blocks = as_slides(deck, true);
   const Json tree = deck.tree(filled(slides, figure_of, office_blocks));
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";

@@ -122,9 +122,12 @@ Json picture_blocks(const DeckPicture& picture,
                     const std::string& link,
                     const std::string& title) {
   const Json no_attributes = Json::array({"", Json::array(), Json::array()});
+  // LaTeX has a caption below: a picture without a link is no higher than leaves room for it
+  Json settings = Json::array();
+  if (link.empty()) settings.push_back(Json::array({"height", "62%"}));
   Json image = {{"t", "Image"},
                 {"c",
-                 {no_attributes,
+                 {Json::array({"", Json::array(), settings}),
                   picture.caption.empty() ? string_inlines(alt_of(picture)) : picture.caption,
                   {file, title}}}};
   if (link.empty()) return Json::array({paragraph(Json::array({image}))});
