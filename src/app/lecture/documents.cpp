@@ -2,6 +2,7 @@
 #include "app/lecture/documents.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/lecture/pandoc.h"
 #include "app/scratch_folder.h"
@@ -91,9 +92,14 @@ Json formula(const std::string& tex) {
   return {{"t", "Math"}, {"c", {{{"t", "InlineMath"}}, tex}}};
 }
 
-// Raised digits and the minus sign as TeX has them: its fonts lack these characters.
+// Raised digits, the minus sign and Greek letters as TeX has them: its fonts lack these characters.
 Json latex_words(const std::string& text) {
   const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
+  static const std::map<std::string, std::string> kLetters = {
+      {"−", "-"},       {"Ω", "\\Omega"}, {"Δ", "\\Delta"},   {"α", "\\alpha"},  {"β", "\\beta"},
+      {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\epsilon"}, {"θ", "\\theta"},  {"λ", "\\lambda"},
+      {"π", "\\pi"},    {"σ", "\\sigma"}, {"τ", "\\tau"},     {"φ", "\\varphi"}, {"ψ", "\\psi"},
+      {"ω", "\\omega"}, {"∞", "\\infty"}, {"≈", "\\approx"},  {"≤", "\\le"},     {"≥", "\\ge"}};
   Json words = Json::array();
   std::string plain, power;
   const auto end_plain = [&] {
@@ -115,9 +121,10 @@ Json latex_words(const std::string& text) {
       continue;
     }
     end_power();
-    if (one == "−") {
+    const auto letter = kLetters.find(one);
+    if (letter != kLetters.end()) {
       end_plain();
-      words.push_back(formula("-"));
+      words.push_back(formula(letter->second));
     } else {
       plain += one;
     }
