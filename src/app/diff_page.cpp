@@ -7,6 +7,7 @@
 
 #include "app/page_parts.h"
 #include "app/version.h"
+#include "base/base64.h"
 #include "base/utf8.h"
 #include "image/png.h"
 
@@ -16,22 +17,6 @@ namespace {
 constexpr int kGain = 16;         // of the amplified difference
 constexpr int kSmallWidth = 640;  // pixels: below this a picture is shown with hard pixels
 constexpr int kColumns = 600;     // of a strip at most
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < left ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= left ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
 
 std::string img(const Image& image, const char* of, const std::string& alt) {
   return fmt::format(
@@ -239,9 +224,9 @@ std::string whole_page(const std::string& title, const std::string& body) {
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<title>{}</title>\n<style>\n",
              title) +
-         page_css() + "</style>\n</head>\n<body>\n" + body +
+         report_css() + "</style>\n</head>\n<body>\n" + body +
          fmt::format("<footer>polhode {}</footer>\n<script>\n", escaped(program_version())) +
-         page_js() + "</script>\n</body>\n</html>\n";
+         report_js() + "</script>\n</body>\n</html>\n";
 }
 
 std::string verdict_line(bool good, const std::string& words) {

@@ -1,9 +1,11 @@
-# Writes OUTPUT, a C++ file that holds the style and the script of the pages.
+# Writes OUTPUT, a C++ file that holds the styles and the scripts of the pages: NAME.css is NAME_css().
 set(text "// Made by src/app/embed_pages.cmake; the sources are in src/app/pages/.\n")
 string(APPEND text "#include \"app/page_parts.h\"\n\nnamespace polhode {\n\n")
-foreach(part css js)
-  file(READ "${FOLDER}/report.${part}" source)
-  string(APPEND text "const std::string& page_${part}() {\n  static const std::string text = R\"page(${source})page\";\n")
+foreach(file ${FILES})
+  file(READ "${file}" source)
+  get_filename_component(name "${file}" NAME)
+  string(REPLACE "." "_" name "${name}")
+  string(APPEND text "const std::string& ${name}() {\n  static const std::string text = R\"page(${source})page\";\n")
   string(APPEND text "  return text;\n}\n\n")
 endforeach()
 string(APPEND text "}  // namespace polhode\n")

@@ -61,6 +61,7 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   if (overrides.fps) {
     replace("video.fps", "--fps", [&] { scene.video.fps = parse_frame_rate(*overrides.fps); });
   }
+  if (overrides.loop) scene.video.loop = true;
   return scene;
 }
 

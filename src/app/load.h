@@ -24,6 +24,7 @@ struct Overrides {
   std::optional<std::string> accuracy;  // "0.1px" or radians
   std::optional<std::string> size;      // "1920x1080"
   std::optional<std::string> fps;       // "60" or "30000/1001"
+  bool loop = false;                    // ends the film where the motion is back at its start
 };
 
 // A scene, checked, with its model and its motion.

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "app/lecture.h"
 #include "app/report.h"
 #include "base/error.h"
 #include "base/nearest.h"
@@ -187,6 +188,8 @@ Diagnosis examine() {
   }
   const std::string gnuplot = gnuplot_version();
   rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
+  for (const LectureNeed& need : lecture_needs())
+    rows.push_back({need.name, need.state});
   for (const FontFound& font : examine_fonts()) {
     rows.push_back({"font " + font.wanted,
                     font.there ? "ok"

@@ -31,6 +31,7 @@ Action define_chart(CLI::App& command);
 Action define_stability(CLI::App& command);
 Action define_diff(CLI::App& command);
 Action define_golden(CLI::App& command);
+Action define_lecture(CLI::App& command);
 Action define_list(CLI::App& command);
 Action define_schema(CLI::App& command);
 Action define_doctor(CLI::App& command);

@@ -35,6 +35,7 @@ const std::vector<Command>& commands() {
        "tell whether pictures or films are the same, and how far they are apart",
        define_diff},
       {"golden", "keep a folder of pictures that scenes must go on looking like", define_golden},
+      {"lecture", "make a page, slides, a handout and data from a deck", define_lecture},
       {"list", "list methods, models, shapes, scenes or formats", define_list},
       {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
       {"doctor", "tell what works here and what is missing", define_doctor},

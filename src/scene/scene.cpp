@@ -160,6 +160,20 @@ Scene load_scene(const std::filesystem::path& file, const Replacements& numbers)
   return scene;
 }
 
+std::vector<std::string> mesh_files(const std::filesystem::path& file) {
+  const Scene scene =
+      scene_from(parse_toml(read_file(file, kLargestScene), file.string()), file.string());
+  std::vector<std::string> names;
+  const auto add = [&](const SolidSpec& solid) {
+    if (solid.kind == "mesh" && solid.file) names.push_back(*solid.file);
+  };
+  if (scene.body.solid) add(*scene.body.solid);
+  for (const auto& part : scene.body.parts)
+    add(part);
+  if (scene.body.look) add(*scene.body.look);
+  return names;
+}
+
 int line_of(const Scene& scene, const std::string& key) {
   std::string path = key;
   while (!path.empty()) {

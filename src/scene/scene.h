@@ -58,8 +58,10 @@ using Replacements = std::vector<std::pair<std::string, double>>;
 Scene load_scene(const std::filesystem::path& file, const Replacements& numbers);
 // The number that stands at such a path; none if the file has none there.
 std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
-// The same for text in memory; `name` stands for the file in messages.
+// A scene from text in memory; `name` stands for the file in messages.
 Scene parse_scene(std::string_view text, const std::string& name);
+// The mesh files that a scene names, as it spells them; none of them is opened.
+std::vector<std::string> mesh_files(const std::filesystem::path& file);
 
 // The line of a key such as "body.parts[1].radius", or of the nearest table around it that is in
 // the file; 0 if there is none. For errors that are found after reading.

@@ -1,0 +1,75 @@
+// The films of a slide play when it comes, stop where the story pauses, and go on at the next press.
+"use strict";
+const hint = document.querySelector(".hint");
+const say = (words) => {
+  hint.textContent = words;
+  hint.classList.toggle("shown", words !== "");
+};
+const pausesOf = (video) => (video.dataset.pauses || "").split(",").filter((one) => one !== "").map((one) => one.split(" ").map(Number));
+const shown = () => [...(Reveal.getCurrentSlide()?.querySelectorAll("video") ?? [])];
+
+// the stop that a film stands at, if it does
+const waiting = new Map();
+const watch = (video) => {
+  if (!video.paused) {
+    const last = Number(video.dataset.last ?? -1);
+    const stop = pausesOf(video).find(([begins]) => begins > last && video.currentTime >= begins);
+    if (stop) {
+      video.dataset.last = String(stop[0]);
+      if (stop[1] < video.duration - 0.02 || stop[0] > 0) {
+        waiting.set(video, stop[1]);
+        video.pause();
+        // what comes at the pause has come by its end
+        video.currentTime = Math.max(stop[0], Math.min(stop[1], video.duration) - 1.5 / Number(video.dataset.fps));
+        say("Paused: space goes on");
+      }
+    }
+  }
+  requestAnimationFrame(() => watch(video));
+};
+for (const video of document.querySelectorAll("video")) requestAnimationFrame(() => watch(video));
+
+const restart = (video) => {
+  waiting.delete(video);
+  video.dataset.last = "-1";
+  video.currentTime = 0;
+};
+const enter = () => {
+  say("");
+  for (const video of document.querySelectorAll("video")) video.pause();
+  for (const video of shown()) {
+    restart(video);
+    video.play().catch(() => {});
+  }
+};
+// a paused film goes on before the slide does; true: there was one
+const goOn = () => {
+  let went = false;
+  for (const video of shown()) {
+    if (!waiting.has(video)) continue;
+    waiting.delete(video);
+    video.play().catch(() => {});
+    went = true;
+  }
+  if (went) say("");
+  return went;
+};
+const toggle = () => shown().forEach((video) => (video.paused ? video.play().catch(() => {}) : video.pause()));
+const step = (by) => shown().forEach((video) => {
+  video.pause();
+  const fps = Number(video.dataset.fps);
+  video.currentTime = (Math.max(0, Math.floor(video.currentTime * fps + 1e-3) + by) + 0.5) / fps;
+});
+const next = () => goOn() || Reveal.next();
+
+Reveal.initialize({
+  width: 1280, height: 720, margin: 0.02, center: false, display: "flex", controls: false, navigationMode: "linear", hash: true, respondToHashChanges: true,
+  transition: "none", backgroundTransition: "none", slideNumber: "c/t", autoPlayMedia: false, preloadIframes: false,
+  keyboard: {
+    32: next, 39: next, 40: next, 34: next, 78: next,
+    75: toggle, 188: () => step(-1), 190: () => step(1),
+    84: () => Reveal.configure({ showNotes: !Reveal.getConfig().showNotes }),
+  },
+}).then(enter);
+Reveal.on("slidechanged", enter);
+for (const video of document.querySelectorAll("video")) video.addEventListener("click", () => goOn() || toggle());
