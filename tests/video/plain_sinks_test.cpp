@@ -199,7 +199,10 @@ TEST(Pipeline, EveryFrameOnceAndInOrder) {
   TestSink sink(-1);
   int last = 0;
   run_pipeline(
-      30, [](int i, Image& image) { image = frame(i); }, sink, [&](const PipelineStep& step) { last = step.done; });
+      30,
+      [](int i, Image& image) { image = frame(i); },
+      sink,
+      [&](const PipelineStep& step) { last = step.done; });
   ASSERT_EQ(sink.seen.size(), 30u);
   for (int i = 0; i < 30; ++i)
     EXPECT_EQ(sink.seen[static_cast<std::size_t>(i)], (i * 7 + 1) & 255);
