@@ -70,6 +70,14 @@ std::size_t row_bytes(const PixelBox& box) {
   return 4 * static_cast<std::size_t>(box.width);
 }
 
+// every file but standard streams and this one: outputs are the parent's, and so are their locks
+void close_others(int kept) {
+  constexpr unsigned kFirst = STDERR_FILENO + 1;
+  const auto own = static_cast<unsigned>(kept);
+  if (own > kFirst) close_range(kFirst, own - 1, 0);
+  close_range(own + 1, ~0U, 0);
+}
+
 }  // namespace
 
 // A picture in shared memory: whole, or the boxes that differ from its ground one after another.
@@ -170,8 +178,8 @@ DrawingProcess::DrawingProcess(PictureSize size,
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_IGN);
   }
-  close(ends[0]);
   channel_ = ends[1];
+  close_others(channel_);
   draw(frames, open);
 }
 

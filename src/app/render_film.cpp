@@ -17,6 +17,12 @@
 namespace polhode {
 namespace {
 
+// Pango's own thread does not come along when a process is forked, and its locks may be held then:
+// films with text are drawn by one process.
+bool draws_in_crew(const FilmOrder& order) {
+  return order.jobs > 1 && !order.text;
+}
+
 // of this process and of those that have ended
 double process_cpu_seconds() {
   double sum = 0.0;
@@ -55,7 +61,7 @@ FilmFacts facts_of(const FilmOrder& order, const PlannedFilm& film, FilmTarget& 
   facts.resume = order.resume;
   if (order.shard) facts.shard = fmt::format("{}/{}", order.shard->number, order.shard->of);
   facts.first_frame = target.range().first;
-  facts.jobs = order.jobs;
+  facts.jobs = draws_in_crew(order) ? order.jobs : 1;
   for (const StoryStep& step : order.story) {
     facts.captions.push_back(step.caption);
   }
@@ -103,7 +109,7 @@ void render_film(const RenderJob& job) {
   const PlannedFilm film(order);
   target.begin(film);
   std::unique_ptr<FrameMaker> maker =
-      order.jobs == 1
+      !draws_in_crew(order)
           ? make_drawer(film, order.backend, order.sink.transparent)
           : make_crew(film, order.backend, order.sink.transparent, order.jobs, target.frames());
 
