@@ -93,9 +93,13 @@ SwsContext& Converter::scaler_for(int width, int height) {
   return *scaler;
 }
 
-// what is painted now or was before; everything where the ground is not known or another one
+// What is painted now or was before; everything where the ground is not known or another one, and
+// for RGB, of which swscale copies whole rows, whatever the width.
 std::vector<PixelBox> Converter::to_convert(const Image& image) const {
-  if (!image.ground || image.ground != ground_) return {{0, 0, image.width, image.height}};
+  const bool rgb = is_rgb(*av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format)));
+  if (rgb || !image.ground || image.ground != ground_) {
+    return {{0, 0, image.width, image.height}};
+  }
   std::vector<PixelBox> boxes;
   for (const std::vector<PixelBox>* list : {&image.painted, &painted_}) {
     for (const PixelBox& box : *list)
