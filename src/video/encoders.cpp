@@ -57,9 +57,10 @@ void configure_x265(const EncoderSettings& settings, AVCodecContext&, LibavOptio
   options.set("preset", settings.preset);
   options.set("crf", std::to_string(settings.crf));
   options.set("forced-idr", "1");
-  options.set(
-      "x265-params",
-      fmt::format("log-level=none:open-gop=0:pools={0}:frame-threads={0}", settings.threads));
+  options.set("x265-params",
+              // without frames out of order: of very short films libx265 gave packets without times
+              fmt::format("log-level=none:open-gop=0:bframes=0:pools={0}:frame-threads={0}",
+                          settings.threads));
 }
 
 void configure_vp9(const EncoderSettings& settings, AVCodecContext& c, LibavOptions& options) {
