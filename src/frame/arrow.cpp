@@ -24,9 +24,9 @@ DrawItem piece(const MeshPtr& mesh,
 
 }  // namespace
 
-ArrowMeshes arrow_meshes(int segments) {
-  return {std::make_shared<const Mesh>(unit_cylinder(segments)),
-          std::make_shared<const Mesh>(unit_cone(segments))};
+ArrowMeshes arrow_meshes(int around_shaft, int around_head) {
+  return {std::make_shared<const Mesh>(unit_cylinder(around_shaft)),
+          std::make_shared<const Mesh>(unit_cone(around_head))};
 }
 
 void add_arrow(std::vector<DrawItem>& items,

@@ -14,7 +14,8 @@ struct ArrowMeshes {
   MeshPtr shaft;  // unit cylinder
   MeshPtr head;   // unit cone
 };
-ArrowMeshes arrow_meshes(int segments);
+// Pieces of a circle, around each.
+ArrowMeshes arrow_meshes(int around_shaft, int around_head);
 
 // Sizes in metres. A vector shorter than the head gets a smaller head, never a shifted tip.
 struct ArrowShape {

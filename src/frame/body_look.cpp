@@ -153,7 +153,7 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
   if (s.kind == "ellipsoid") {
     const Vec3& a = *s.semi_axes;
     const int around = std::min(segments, thinner(std::max(a.x(), a.y()), a.maxCoeff()));
-    return scaled(unit_sphere(around, segments / 2), a);
+    return scaled(unit_sphere(segments, around), a);
   }
   if (s.kind == "cylinder") {
     const int around = thinner(*s.radius, std::hypot(*s.radius, 0.5 * *s.height));

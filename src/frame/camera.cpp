@@ -175,6 +175,7 @@ Camera framing_camera(const std::vector<Vec3>& points,
   CHECK(!points.empty());
   const Mat3 R_CS = camera_axes(direction);
   std::vector<Vec3> points_C;
+  points_C.reserve(points.size());
   double front = -std::numeric_limits<double>::infinity();
   for (const Vec3& point : points) {
     points_C.push_back(R_CS * point);

@@ -81,7 +81,6 @@ Composer::Composer(const Motion& motion,
                    FrameSize size)
     : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, stage_)),
-      meshes_{arrow_meshes(circle_segments(0.1 * size.height)), {}},
       drawing_(make_drawing_frame(stage_)),
       staging_(staging),
       rigs_(make_rigs(size)) {
@@ -91,6 +90,10 @@ Composer::Composer(const Motion& motion,
   const int for_body = circle_segments(largest.body);
   if (for_body < most) make_look(stage_, body, for_body);
   meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)));
+  // twice as fine: what is off at the base of a head puts its tip elsewhere
+  const int for_heads = 2 * circle_segments(largest.head);
+  meshes_.arrows =
+      arrow_meshes(std::min(most, circle_segments(largest.tube)), std::min(most, for_heads));
 }
 
 Composer::Composer(const Motion& motion,
@@ -245,6 +248,7 @@ std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
     // all that will ever be shown: nothing jumps when it comes
     add_extent(marks_of(sample, {}), now);
     const Eigen::Isometry3d rig = rig_from_space(spec, film);
+    if (points.empty()) points.reserve(now.size() * (film_times().size() + 1));
     for (const Vec3& point : now)
       points.push_back(rig * point);
   }
@@ -264,10 +268,23 @@ Composer::Largest Composer::largest_on_screen() const {
     };
     const double body = stage_.scale.body;
     largest.body = std::max(largest.body, pixels(sample.reference_S, body, body));
-    for (const Cone& cone : marks_at(sample, film).cones) {
+    const Marks marks = marks_at(sample, film);
+    for (const Cone& cone : marks.cones) {
       const double rim = cone.slant * std::sin(cone.half_angle);
       largest.cone = std::max(largest.cone, pixels(cone.apex, cone.slant, rim));
     }
+    const auto along = [&](const Vec3& from, const Vec3& to, double radius) {
+      return pixels(0.5 * (from + to), 0.5 * (to - from).norm(), radius);
+    };
+    for (const ArrowMark& arrow : marks.arrows) {
+      const auto& [shaft, head, length] = arrow.shape;
+      largest.tube = std::max(largest.tube, along(arrow.from, arrow.tip, shaft));
+      largest.head = std::max(largest.head, along(arrow.from, arrow.tip, head));
+    }
+    for (const RodMark& rod : marks.rods)
+      largest.tube = std::max(largest.tube, along(rod.from, rod.to, rod.radius));
+    for (const ArcMark& arc : marks.arcs)
+      largest.tube = std::max(largest.tube, pixels(arc.center, arc.radius, arc.tube_radius));
   }
   return largest;
 }

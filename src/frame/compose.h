@@ -96,6 +96,8 @@ class Composer {
   struct Largest {
     double body = 0.0;
     double cone = 0.0;  // of rims
+    double tube = 0.0;  // shafts of arrows, rods, arcs
+    double head = 0.0;  // of arrows
   };
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelMark& label, const Camera& camera) const;

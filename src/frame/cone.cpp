@@ -57,7 +57,9 @@ bool farther(const Cone& a, const Cone& b, const Vec3& eye) {
 }  // namespace
 
 ConeMeshes cone_meshes(int segments) {
-  return {std::make_shared<const Mesh>(unit_cone_shell(segments)),
+  // the rim hides where a shell ends; long thin triangles are dear
+  const int of_shell = segments * 7 / 10;
+  return {std::make_shared<const Mesh>(unit_cone_shell(of_shell)),
           std::make_shared<const Mesh>(torus(1.0, kRimTube, segments))};
 }
 

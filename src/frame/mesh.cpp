@@ -36,11 +36,52 @@ std::vector<Vec2> arc(double radius, double center_r, double from, double to, in
   return points;
 }
 
+// A circle of corners on a sphere; a pole is one corner and has no pieces.
+struct Latitude {
+  std::uint32_t first = 0;
+  int pieces = 0;
+  std::uint32_t corner(int piece) const {
+    return first + (pieces > 0 ? static_cast<std::uint32_t>(piece % pieces) : 0);
+  }
+};
+
+Latitude add_pole(Mesh& mesh, double z) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back({glm::vec3(0.0, 0.0, z), glm::vec3(0.0, 0.0, z > 0.0 ? 1.0 : -1.0)});
+  return {first, 0};
+}
+
+Latitude add_latitude(Mesh& mesh, double latitude, int pieces, double out) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const double z = std::sin(latitude);
+  const double r = std::cos(latitude);
+  const double out_around = out * halfway_out(2.0 * kPi / pieces);
+  for (int k = 0; k < pieces; ++k) {
+    const double angle = 2.0 * kPi * k / pieces;
+    const glm::vec3 normal(r * std::cos(angle), r * std::sin(angle), z);
+    mesh.vertices.push_back({normal * glm::vec3(out_around, out_around, out), normal});
+  }
+  return {first, pieces};
+}
+
+// the triangles between two circles: the one whose next corner comes first goes on
+void sew(Mesh& mesh, const Latitude& low, const Latitude& high) {
+  int a = 0, b = 0;  // pieces done
+  while (a < low.pieces || b < high.pieces) {
+    const bool low_goes_on =
+        b == high.pieces || (a < low.pieces && (a + 1) * high.pieces <= (b + 1) * low.pieces);
+    const std::uint32_t at_low = low.corner(a);
+    const std::uint32_t at_high = high.corner(b);
+    const std::uint32_t next = low_goes_on ? low.corner(++a) : high.corner(++b);
+    mesh.indices.insert(mesh.indices.end(), {at_low, next, at_high});
+  }
+}
+
 }  // namespace
 
 int circle_segments(double radius_px) {
   constexpr double kSagitta = 0.5;  // pixels; half of it inside, half outside
-  constexpr int kFewest = 16;
+  constexpr int kFewest = 8;
   constexpr double kLargest = 1e5;  // nothing is drawn larger
   if (radius_px <= kSagitta) return kFewest;
   const int needed =
@@ -97,14 +138,26 @@ Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease) {
   return mesh;
 }
 
-Mesh unit_sphere(int segments) {
-  return unit_sphere(segments, segments / 2);
+Mesh unit_sphere(int segments, int most_around) {
+  Mesh mesh;
+  const int bands = std::max(8, segments / 2);
+  Latitude low = add_pole(mesh, -halfway_out(kPi / bands));
+  for (int i = 1; i <= bands; ++i) {
+    const double angle = kPi * i / bands;  // from the lower pole
+    const int pieces = static_cast<int>(std::ceil(segments * std::sin(angle)));
+    const Latitude high = i == bands ? add_pole(mesh, halfway_out(kPi / bands))
+                                     : add_latitude(mesh,
+                                                    angle - 0.5 * kPi,
+                                                    std::clamp(pieces, 8, std::max(8, most_around)),
+                                                    halfway_out(kPi / bands));
+    sew(mesh, low, high);
+    low = high;
+  }
+  return mesh;
 }
 
-Mesh unit_sphere(int around, int from_pole_to_pole) {
-  std::vector<Vec2> outline = arc(1.0, 0.0, -kPi / 2, kPi / 2, std::max(8, from_pole_to_pole));
-  outline.front().x() = outline.back().x() = 0.0;
-  return revolved(outline, around);
+Mesh unit_sphere(int segments) {
+  return unit_sphere(segments, segments);
 }
 
 Mesh unit_cylinder(int segments) {

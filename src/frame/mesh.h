@@ -37,10 +37,11 @@ int circle_segments(double radius_px);
 inline constexpr double kCreaseAngle = 0.6;  // rad
 Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kCreaseAngle);
 
-// Unit sphere; cylinder of radius 1 from z = 0 to 1 with caps; cone of base radius 1 at z = 0 with
-// its apex at z = 1 and a base; torus about z of radius 1 and the given tube.
+// Unit sphere, its circles of latitude with as many pieces as their size needs; cylinder of radius
+// 1 from z = 0 to 1 with caps; cone of base radius 1 at z = 0 with its apex at z = 1 and a base;
+// torus about z of radius 1 and the given tube.
 Mesh unit_sphere(int segments);
-Mesh unit_sphere(int around, int from_pole_to_pole);
+Mesh unit_sphere(int segments, int most_around);  // no more pieces around
 Mesh unit_cylinder(int segments);
 Mesh unit_cone(int segments);
 // The unit disc in the plane z = 0, seen from above.

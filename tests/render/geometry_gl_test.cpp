@@ -107,7 +107,7 @@ TEST_P(ArrowTip, IsWithinHalfAPixelOfTheVectorsEnd) {
     DrawList list;
     list.view = camera.view();
     const ArrowShape shape{0.03, 0.12, 0.5};
-    add_arrow(list.opaque, arrow_meshes(96), Vec3::Zero(), vector, shape, Material{});
+    add_arrow(list.opaque, arrow_meshes(96, 96), Vec3::Zero(), vector, shape, Material{});
     const Image image = draw(list);
 
     const Vec2 tip = camera.project(vector);
@@ -127,7 +127,7 @@ TEST_P(ArrowTip, AShiftOfOnePixelIsSeen) {
   list.view = camera.view();
   const double metre_per_pixel = 1.0 / camera.pixels_per_metre(end);
   add_arrow(list.opaque,
-            arrow_meshes(96),
+            arrow_meshes(96, 96),
             Vec3::Zero(),
             end + Vec3(0, 0, metre_per_pixel),
             {0.03, 0.12, 0.5},
