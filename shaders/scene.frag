@@ -2,13 +2,14 @@
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), FLAT (colour and alpha as they are), SOFT (of a flat disc: less
-// towards its rim), MARKED (a strip and a darker half), SHELL (alpha under 1), LIT_AT_CORNERS.
+// towards its rim), MARKED (a strip and a darker half), SHELL (alpha under 1), FADING (fade under
+// 1), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 out vec4 o_color;            // premultiplied
 
 #if LIT_AT_CORNERS
 
-in vec4 v_color;
+noperspective in vec4 v_color;
 
 void main() {
   o_color = v_color;
@@ -16,25 +17,26 @@ void main() {
 
 #else
 
-in vec3 v_normal;
+noperspective in vec3 v_normal;
+noperspective in vec3 v_halfway;
 in vec3 v_to_eye;
+noperspective in vec2 v_along;
 in vec3 v_mesh;
-
-uniform float u_gloss;
-uniform vec3 u_mark_color;   // sRGB-encoded
-uniform float u_mark_width;  // half-width of the strip, mesh units
+flat in vec4 f_color;
+flat in vec4 f_mark;
+flat in vec2 f_alpha;
 
 // A strip along +x and a darker half x < 0: one turn looks different from half a turn.
 vec3 painted() {
 #if MARKED
-  float least = 1e-9 * u_mark_width;  // never divide by nothing
+  float least = 1e-9 * f_mark.w;  // never divide by nothing
   float soft_y = fwidth(v_mesh.y) + least;
   float soft_x = fwidth(v_mesh.x) + least;
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
-  float strip = clamp((u_mark_width - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
-  return mix(u_color * mix(0.80, 1.0, front), u_mark_color, strip);
+  float strip = clamp((f_mark.w - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
+  return mix(f_color.rgb * mix(0.80, 1.0, front), f_mark.rgb, strip);
 #else
-  return u_color;
+  return f_color.rgb;
 #endif
 }
 
@@ -47,7 +49,7 @@ float bands(float x) {
 // What wood and metal do to the colour: grain in rings about the axis, brush strokes.
 vec3 worn(vec3 color) {
 #if FINISH == 1 || FINISH == 2
-  float unit_length = max(u_mark_width, 1e-9);
+  float unit_length = max(f_mark.w, 1e-9);
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;
 #endif
 #if FINISH == 1
@@ -60,29 +62,39 @@ vec3 worn(vec3 color) {
 #endif
 }
 
+// 1 over the length of what was unit at the corners and is a little shorter between them: a step of
+// Newton's method from 1.
+float stretch(vec3 v) {
+  return 1.5 - 0.5 * dot(v, v);
+}
+
 void main() {
 #if FLAT
   float inside = SOFT == 1 ? max(1.0 - dot(v_mesh.xy, v_mesh.xy), 0.0) : 1.0;
-  o_color = vec4(u_color, 1.0) * (u_alpha * u_fade * inside * inside);
+  o_color = vec4(f_color.rgb, 1.0) * (f_alpha.x * f_alpha.y * inside * inside);
 #else
-  vec3 normal = unit(v_normal);
-  if (!gl_FrontFacing) normal = -normal;
+  float to_unit = stretch(v_normal);
+#if FACES == 1
+  to_unit = -to_unit;
+#elif FACES == 2
+  if (!gl_FrontFacing) to_unit = -to_unit;
+#endif
+  vec3 normal = to_unit * v_normal;
 #if SHELL || FINISH >= 2
-  vec3 to_eye = unit(v_to_eye);
+  vec3 to_eye = stretch(v_to_eye) * v_to_eye;
   float facing = abs(dot(normal, to_eye));
 #endif
   vec3 color = worn(painted());
-  vec3 lit = color * color * light_on(normal);
+  vec3 lit = color * color * light_on(to_unit * v_along, normal.z);
 
   // a highlight: cosine to the 32nd
-  vec3 halfway = u_key_light + v_to_eye;
-  float cosine = max(dot(normal, halfway), 0.0);
-  float c2 = cosine * cosine / dot(halfway, halfway);
+  float cosine = max(dot(normal, v_halfway) * stretch(v_halfway), 0.0);
+  float c2 = cosine * cosine;
   float c4 = c2 * c2;
   float c8 = c4 * c4;
   float c16 = c8 * c8;
 #if FINISH < 2
-  lit += vec3(u_gloss * 0.55 * c16 * c16);
+  lit += vec3(f_color.a * 0.55 * c16 * c16);
 #elif FINISH == 2
   // metal mirrors a bright sky and a dark ground
   vec3 mirrored = 2.0 * dot(normal, to_eye) * normal - to_eye;
@@ -96,9 +108,12 @@ void main() {
 #endif
   vec3 shown = sqrt(min(lit, vec3(1.0)));
 #if SHELL
-  o_color = shell(color, shown, facing) * u_fade;
+  o_color = shell(color, shown, f_alpha.x, facing);
 #else
-  o_color = vec4(shown, 1.0) * u_fade;
+  o_color = vec4(shown, 1.0);
+#endif
+#if FADING
+  o_color *= f_alpha.y;
 #endif
 #endif
 }

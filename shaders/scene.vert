@@ -1,6 +1,7 @@
 #version 330 core
 // Places a mesh in space and in the picture. Shells without a mark are lit here, at their corners:
-// they bend gently, and several lie behind each other in a pixel.
+// they bend gently, and several lie behind each other in a pixel. A software rasteriser fetches
+// uniforms anew for each pixel, so what the other stage needs of them comes along with the corners.
 
 layout(location = 0) in vec3 a_position;   // mesh coordinates
 layout(location = 1) in vec3 a_normal;     // mesh coordinates, unit
@@ -8,28 +9,51 @@ layout(location = 1) in vec3 a_normal;     // mesh coordinates, unit
 uniform mat4 u_clip_from_world;
 uniform mat4 u_world_from_mesh;
 uniform mat3 u_normal_from_mesh;           // inverse transpose of the linear part
+uniform vec3 u_eye;
+uniform vec3 u_key_light;
+uniform vec3 u_fill_light;
+uniform vec3 u_color;                      // sRGB-encoded
+uniform float u_alpha;                     // under 1: a shell
+uniform float u_gloss;
+uniform vec3 u_mark_color;                 // sRGB-encoded
+uniform float u_mark_width;                // half-width of the strip, mesh units
+uniform float u_fade;                      // of the whole thing, 1: there
 
 #if LIT_AT_CORNERS
-out vec4 v_color;    // premultiplied
+noperspective out vec4 v_color;    // premultiplied
 #else
-out vec3 v_normal;   // space, not unit
-out vec3 v_to_eye;   // unit at the corners
+// unit at the corners; what bends gently needs no perspective between them
+noperspective out vec3 v_normal;
+noperspective out vec3 v_halfway;  // between the key light and the eye
+out vec3 v_to_eye;
+noperspective out vec2 v_along;    // the normal's parts along the lights
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
+flat out vec4 f_color;  // and gloss
+flat out vec4 f_mark;   // colour and half-width
+flat out vec2 f_alpha;  // and fade
 #endif
 
 void main() {
   vec4 world = u_world_from_mesh * vec4(a_position, 1.0);
   gl_Position = u_clip_from_world * world;
-#if LIT_AT_CORNERS
   vec3 normal = unit(u_normal_from_mesh * a_normal);
   vec3 to_eye = unit(u_eye - world.xyz);
+#if LIT_AT_CORNERS
   float facing = dot(normal, to_eye);
   if (facing < 0.0) normal = -normal;
-  vec3 lit = sqrt(min(u_color * u_color * light_on(normal), vec3(1.0)));
-  v_color = shell(u_color, lit, abs(facing)) * u_fade;
+#endif
+  vec2 along = vec2(dot(normal, u_key_light), dot(normal, u_fill_light));
+#if LIT_AT_CORNERS
+  vec3 lit = sqrt(min(u_color * u_color * light_on(along, normal.z), vec3(1.0)));
+  v_color = shell(u_color, lit, u_alpha, abs(facing)) * u_fade;
 #else
-  v_to_eye = unit(u_eye - world.xyz);
-  v_normal = u_normal_from_mesh * a_normal;
+  v_normal = normal;
+  v_halfway = unit(u_key_light + to_eye);
+  v_to_eye = to_eye;
+  v_along = along;
   v_mesh = a_position;
+  f_color = vec4(u_color, u_gloss);
+  f_mark = vec4(u_mark_color, u_mark_width);
+  f_alpha = vec2(u_alpha, u_fade);
 #endif
 }

@@ -5,7 +5,10 @@
 
 namespace polhode {
 
-void Image::wipe(int w, int h, const std::array<std::uint8_t, 4>& color, const PixelBox& kept) {
+void Image::wipe(int w,
+                 int h,
+                 const std::array<std::uint8_t, 4>& color,
+                 const std::vector<PixelBox>& kept) {
   const bool same = width == w && height == h && ground == color;
   if (width != w || height != h) *this = Image(w, h);
   if (same) {

@@ -41,7 +41,10 @@ struct Image {
 
   // Makes all of it one colour, and that its ground; but for `kept`, which will be painted over,
   // every pixel of it, and may be left as it is.
-  void wipe(int w, int h, const std::array<std::uint8_t, 4>& color, const PixelBox& kept = {});
+  void wipe(int w,
+            int h,
+            const std::array<std::uint8_t, 4>& color,
+            const std::vector<PixelBox>& kept = {});
   // One colour in a box within it; the ground stays.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };

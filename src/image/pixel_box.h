@@ -32,10 +32,11 @@ inline PixelBox around(const PixelBox& a, const PixelBox& b) {
   return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 
-// What `a` has and `b` has not, in boxes that do not overlap.
-std::vector<PixelBox> without(const PixelBox& a, const PixelBox& b);
+// What `a` has and none of `others` has, in boxes that do not overlap.
+std::vector<PixelBox> without(const PixelBox& a, const std::vector<PixelBox>& others);
 
-// Boxes that overlap become one, until none do.
-std::vector<PixelBox> merged(std::vector<PixelBox> boxes);
+// All that the boxes hold and little more, in boxes that do not overlap: each lies in one band of
+// so many rows, counted from row 0.
+std::vector<PixelBox> in_bands(const std::vector<PixelBox>& boxes, int rows);
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -37,10 +38,11 @@ class Corners {
 }  // namespace
 
 MeshEdges::MeshEdges(const Mesh& mesh) {
-  float size = 0.0f;
-  for (const Vertex& v : mesh.vertices)
-    size = std::max({size, std::abs(v.position.x), std::abs(v.position.y), std::abs(v.position.z)});
-  Corners corners(size);
+  for (const Vertex& v : mesh.vertices) {
+    const glm::vec3 away = glm::abs(v.position);
+    reach_ = std::max({reach_, away.x, away.y, away.z});
+  }
+  Corners corners(reach_);
   std::vector<std::uint32_t> corner_of(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     corner_of[i] = corners.of(mesh.vertices[i].position, points_);
@@ -83,12 +85,16 @@ MeshEdges::MeshEdges(const Mesh& mesh) {
   }
   for (const auto& [key, side] : sides)
     (side.edge.border || side.sharp ? sharp_ : smooth_).push_back(side.edge);
+  // neighbours in the mesh are neighbours in the picture, and in memory
+  for (std::vector<Edge>* edges : {&sharp_, &smooth_}) {
+    std::sort(
+        edges->begin(), edges->end(), [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
+  }
 }
 
-void OutlineSmoother::begin(const View& view, const PixelBox& place, const PixelBox& box) {
+void OutlineSmoother::begin(const View& view, const PixelBox& place) {
   view_ = view;
   place_ = place;
-  box_ = box;
   shells_.clear();
   pieces_.clear();
   const glm::vec4 z = glm::row(view.clip_from_world, 2);
@@ -109,16 +115,20 @@ void OutlineSmoother::add(const MeshEdges& edges, const DrawItem& item) {
   }
   const glm::vec3 eye(glm::inverse(item.world_from_mesh) * glm::vec4(view_.eye, 1.0f));
   const glm::mat4 clip_from_mesh = view_.clip_from_world * item.world_from_mesh;
-  const glm::vec2 corner(place_.x - box_.x, place_.y - box_.y);
+  const glm::vec2 corner(place_.x, place_.y);
   const glm::vec2 size(place_.width, place_.height);
   const auto on_picture = [&](const glm::vec4& clip) {
     return corner + (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
   };
-  // a surface just inside its outline is nearer than the outline: by what a ball of the body's size
-  // rises within a pixel
+  // a surface just inside its outline is nearer than the outline: by what a ball somewhat larger
+  // than the thing rises within a pixel
+  const glm::mat3 linear(item.world_from_mesh);
+  const float reach =
+      edges.reach() *
+      std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+  const float radius = 1.5f * std::min(reach, 1.0f);
   const auto depth = [&](float w) {
-    constexpr float kRadius = 1.5f;  // drawing units
-    const float nearer = std::max(0.5f * w, w - std::sqrt(2.0f * kRadius * pixel_ * w));
+    const float nearer = std::max(0.5f * w, w - std::sqrt(2.0f * radius * pixel_ * w));
     return 0.5f + 0.5f * (depth_scale_ + depth_offset_ / nearer);
   };
   edges.each_seen(eye, [&](const glm::vec3& a, const glm::vec3& b) {
@@ -129,14 +139,63 @@ void OutlineSmoother::add(const MeshEdges& edges, const DrawItem& item) {
   });
 }
 
+std::vector<PixelBox> OutlineSmoother::covered() const {
+  constexpr int kRows = 32;      // of a band, counted from the top of the picture
+  constexpr float kRoom = 2.0f;  // pixels on each side
+  const int first = place_.y / kRows;
+  const int last = (place_.bottom() - 1) / kRows;
+  struct Span {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -std::numeric_limits<float>::infinity();
+  };
+  std::vector<Span> spans(static_cast<std::size_t>(std::max(0, last - first + 1)));
+  const auto band_of = [&](float y) {
+    const float band = std::floor(y / static_cast<float>(kRows));
+    return static_cast<int>(std::clamp(band, static_cast<float>(first), static_cast<float>(last)));
+  };
+  for (const Piece& piece : pieces_) {
+    const bool down = piece.from.y <= piece.to.y;
+    const glm::vec2& high = down ? piece.from : piece.to;
+    const glm::vec2& low = down ? piece.to : piece.from;
+    const float height = std::max(low.y - high.y, 1e-3f);
+    const int end = band_of(low.y + kRoom);
+    for (int band = band_of(high.y - kRoom); band <= end; ++band) {
+      // the part of the piece that is near these rows
+      const auto top = static_cast<float>(band * kRows);
+      const auto way = [&](float y) {
+        return std::clamp((y - high.y) / height, 0.0f, 1.0f);
+      };
+      const float begins = high.x + way(top - kRoom) * (low.x - high.x);
+      const float ends = high.x + way(top + static_cast<float>(kRows) + kRoom) * (low.x - high.x);
+      Span& span = spans[static_cast<std::size_t>(band - first)];
+      span.low = std::min({span.low, begins, ends});
+      span.high = std::max({span.high, begins, ends});
+    }
+  }
+  std::vector<PixelBox> boxes;
+  for (int band = first; band <= last; ++band) {
+    const auto& [low, high] = spans[static_cast<std::size_t>(band - first)];
+    if (low > high) continue;
+    const auto within = [&](float x) {
+      return std::clamp(x, static_cast<float>(place_.x), static_cast<float>(place_.right()));
+    };
+    const int left = static_cast<int>(std::floor(within(low - kRoom)));
+    const int right = static_cast<int>(std::ceil(within(high + kRoom)));
+    const PixelBox box = common(place_, {left, band * kRows, right - left, kRows});
+    if (!box.empty()) boxes.push_back(box);
+  }
+  return boxes;
+}
+
 void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& depth) {
   // along its longer side, from one column (or row) of pixels to the next
   const glm::vec2 sides = glm::abs(piece.to - piece.from);
   const int along = sides.x >= sides.y ? 0 : 1;
   const int across = 1 - along;
   const bool forward = piece.from[along] < piece.to[along];
-  const glm::vec2& first = forward ? piece.from : piece.to;
-  const glm::vec2& last = forward ? piece.to : piece.from;
+  const glm::vec2 corner(box_.x, box_.y);
+  const glm::vec2 first = (forward ? piece.from : piece.to) - corner;
+  const glm::vec2 last = (forward ? piece.to : piece.from) - corner;
   const float depth_first = forward ? piece.depth_from : piece.depth_to;
   const float depth_last = forward ? piece.depth_to : piece.depth_from;
   const float length = last[along] - first[along];
@@ -167,10 +226,12 @@ void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& dept
       const float middle = 0.5f - std::abs(off);
       const float most = middle + 0.5f * steep;
       const float share = middle >= 0.5f * steep ? middle : 0.5f * most * most / steep;
-      // pieces that lie on each other count once
-      float& known =
-          crossed(x, y).shares[2 * static_cast<std::size_t>(across) + (off > 0.0f ? 0 : 1)];
-      known = std::max(known, share);
+      // pieces that lie on each other count once; when the edge meets the middle of the pixel, the
+      // rasteriser may have taken either side, so both neighbours count
+      constexpr float kMiddle = 1.0f / 64.0f;  // pixels; it rounds to 1 / 256
+      float* shares = &crossed(x, y).shares[2 * static_cast<std::size_t>(across)];
+      if (off > -kMiddle) shares[0] = std::max(shares[0], share);
+      if (off < kMiddle) shares[1] = std::max(shares[1], share);
     }
   }
 }
@@ -189,32 +250,37 @@ OutlineSmoother::Crossed& OutlineSmoother::crossed(int x, int y) {
   return crossed_[static_cast<std::size_t>(number)];
 }
 
-void OutlineSmoother::smooth(const std::vector<float>& depth, Image& image) {
+void OutlineSmoother::smooth(const PixelBox& box, const std::vector<float>& depth, Image& image) {
+  box_ = box;
   crossed_.clear();
   if (number_.size() < depth.size()) number_.resize(depth.size(), -1);
   for (const Piece& piece : pieces_)
     collect(piece, depth);
 
-  // all colours are those from before
+  // all colours are those from before; shares in parts of 1024
+  constexpr int kWhole = 1024;
   constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   mixed_.clear();
   for (const Crossed& pixel : crossed_) {
     const std::uint8_t* own = image.at(box_.x + pixel.x, box_.y + pixel.y);
-    std::array<float, 4> sum{};
-    float shares = 0.0f;
+    std::array<int, 4> sum{};
+    int shares = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      if (pixel.shares[k] == 0.0f) continue;
+      const int share = static_cast<int>(pixel.shares[k] * kWhole);
+      if (share == 0) continue;
       const auto [dx, dy] = kNeighbours[k];
       const std::uint8_t* other = image.at(box_.x + pixel.x + dx, box_.y + pixel.y + dy);
-      shares += pixel.shares[k];
+      shares += share;
       for (std::size_t c = 0; c < 4; ++c)
-        sum[c] += pixel.shares[k] * static_cast<float>(other[c]);
+        sum[c] += share * other[c];
     }
-    const float rest = std::max(0.0f, 1.0f - shares);
+    const int rest = std::max(0, kWhole - shares);
     std::array<std::uint8_t, 4> value{};
     for (std::size_t c = 0; c < 4; ++c) {
-      const float mean = (sum[c] + rest * static_cast<float>(own[c])) / (shares + rest);
-      value[c] = static_cast<std::uint8_t>(std::lround(mean));
+      const int mixed = sum[c] + rest * own[c];
+      // a constant divides faster
+      value[c] = static_cast<std::uint8_t>(rest > 0 ? (mixed + kWhole / 2) / kWhole
+                                                    : (mixed + shares / 2) / shares);
     }
     mixed_.push_back(value);
   }

@@ -25,6 +25,9 @@ class MeshEdges {
  public:
   explicit MeshEdges(const Mesh& mesh);
 
+  // How far the mesh reaches from its own origin along an axis.
+  float reach() const { return reach_; }
+
   // Calls seen(a, b) with the ends, mesh coordinates, of each edge that may be an outline from this
   // eye: between a face that looks there and one that does not, at a crease, at a border.
   template <class Seen>
@@ -49,6 +52,7 @@ class MeshEdges {
     std::array<std::uint32_t, 2> faces;  // in planes_; a border has the same twice
     bool border = false;
   };
+  float reach_ = 0.0f;
   std::vector<glm::vec3> points_;  // corners, each once
   std::vector<glm::vec4> planes_;  // of the faces: positive for eyes that see them
   std::vector<Edge> smooth_;       // where shading goes on: outlines only against the eye
@@ -59,16 +63,22 @@ class MeshEdges {
 // Collects the outlines of one panel and smooths them.
 class OutlineSmoother {
  public:
-  // Begins with the part `box` of a panel at `place`.
-  void begin(const View& view, const PixelBox& place, const PixelBox& box);
-  // The outlines of a thing that was drawn there.
+  // Begins with a panel at `place`.
+  void begin(const View& view, const PixelBox& place);
+  // The outlines of a thing that is drawn there.
   void add(const MeshEdges& edges, const DrawItem& item);
-  // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of the box,
-  // rows from the top; the picture is premultiplied there, with one sample per pixel.
-  void smooth(const std::vector<float>& depth, Image& image);
+  // Where the things added so far may have pixels, or neighbours of pixels: inside their outlines,
+  // so in each band of rows between the leftmost and the rightmost. Boxes that do not overlap; all
+  // things must be before the eye.
+  std::vector<PixelBox> covered() const;
+  // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of a box
+  // that holds all that is covered, rows from the top; the picture is premultiplied there, with one
+  // sample per pixel.
+  void smooth(const PixelBox& box, const std::vector<float>& depth, Image& image);
 
  private:
-  // A straight piece of an outline: pixels of the box; depths are a little nearer than the edge.
+  // A straight piece of an outline: pixels of the picture; depths are a little nearer than the
+  // edge.
   struct Piece {
     glm::vec2 from, to;
     float depth_from, depth_to;
@@ -84,7 +94,8 @@ class OutlineSmoother {
   Crossed& crossed(int x, int y);
 
   View view_;
-  PixelBox place_, box_;
+  PixelBox place_;
+  PixelBox box_;                                    // that is being smoothed
   float depth_scale_ = 0.0f, depth_offset_ = 0.0f;  // z of clip space = scale * w + offset
   float pixel_ = 0.0f;                              // size of a pixel at w = 1, drawing units
   std::vector<std::pair<const Mesh*, glm::mat4>> shells_;  // translucent things added so far

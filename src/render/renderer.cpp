@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -97,19 +98,19 @@ class Renderer::Implementation {
   }
 
   void draw(const Picture& picture, Image& image) {
-    std::vector<PixelBox> boxes;
-    for (const Panel& panel : picture.panels)
-      boxes.push_back(common(covered(panel), panel.place));
-    clear(picture, boxes.size() == 1 ? boxes.front() : PixelBox{}, image);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Panel& panel = picture.panels[i];
-      const PixelBox& box = boxes[i];
-      if (box.empty()) continue;
-      draw_panel(panel, box);
-      read_back(box, image);
-      if (info_.by_outlines) smooth(panel, box, image);
-      if (settings_.transparent) unpremultiply(image, box);
-      if (image.ground) image.painted.push_back(box);
+    const bool single = picture.panels.size() == 1;
+    if (!single) clear(picture, {}, image);
+    for (const Panel& panel : picture.panels) {
+      const Region region = region_of(panel);
+      if (single) clear(picture, region.parts, image);
+      if (region.parts.empty()) continue;
+      draw_panel(panel, region.box);
+      read_back(region, image);
+      if (info_.by_outlines) smooth(region.box, image);
+      for (const PixelBox& part : region.parts) {
+        if (settings_.transparent) unpremultiply(image, part);
+        if (image.ground) image.painted.push_back(part);
+      }
     }
     refuse_errors();
     forget_unused_meshes();
@@ -137,7 +138,7 @@ class Renderer::Implementation {
   }
 
   // the background of all panels; `kept` is drawn anyway
-  void clear(const Picture& picture, const PixelBox& kept, Image& image) {
+  void clear(const Picture& picture, const std::vector<PixelBox>& kept, Image& image) {
     const StageTimer timer(times_.read_back);
     const std::array<std::uint8_t, 4> ground = ground_of(picture.panels.front());
     image.wipe(settings_.width, settings_.height, ground, kept);
@@ -148,9 +149,26 @@ class Renderer::Implementation {
     }
   }
 
-  // the pixels that the items of a panel may cover; a function of the panel alone, for it decides
-  // where pixels begin
-  PixelBox covered(const Panel& panel) {
+  // The part of the picture that a panel's items may cover: the box that is drawn, and the boxes of
+  // it that are read back. A function of the panel alone.
+  struct Region {
+    PixelBox box;
+    std::vector<PixelBox> parts;
+  };
+  Region region_of(const Panel& panel) {
+    if (info_.by_outlines) find_outlines(panel);
+    const std::optional<PixelBox> box = box_of(panel);
+    if (!box) return {panel.place, {panel.place}};
+    if (box->empty()) return {};
+    if (!info_.by_outlines) return {*box, {*box}};
+    Region region{{}, smoother_.covered()};
+    for (const PixelBox& part : region.parts)
+      region.box = region.box.empty() ? part : around(region.box, part);
+    return region;
+  }
+
+  // the pixels that boxes around all items cover; nothing when one is behind the eye
+  std::optional<PixelBox> box_of(const Panel& panel) {
     const DrawList& list = panel.list;
     const glm::vec2 size(panel.place.width, panel.place.height);
     glm::vec2 low(size);
@@ -160,7 +178,7 @@ class Renderer::Implementation {
         const glm::mat4 clip_from_mesh = list.view.clip_from_world * item.world_from_mesh;
         for (const glm::vec3& corner : uploaded(item.mesh).corners) {
           const glm::vec4 clip = clip_from_mesh * glm::vec4(corner, 1.0f);
-          if (clip.w <= 0.0f) return panel.place;  // behind the eye: no rectangle
+          if (clip.w <= 0.0f) return std::nullopt;
           const glm::vec2 pixel = (0.5f + glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w) * size;
           low = glm::min(low, pixel);
           high = glm::max(high, pixel);
@@ -170,10 +188,22 @@ class Renderer::Implementation {
     // a pixel more on each side for rounding, another for the neighbours of outlines
     low = glm::floor(glm::clamp(low - 2.0f, glm::vec2(0.0f), size));
     high = glm::ceil(glm::clamp(high + 2.0f, glm::vec2(0.0f), size));
-    return {panel.place.x + static_cast<int>(low.x),
-            panel.place.y + static_cast<int>(low.y),
-            static_cast<int>(high.x - low.x),
-            static_cast<int>(high.y - low.y)};
+    return PixelBox{panel.place.x + static_cast<int>(low.x),
+                    panel.place.y + static_cast<int>(low.y),
+                    static_cast<int>(high.x - low.x),
+                    static_cast<int>(high.y - low.y)};
+  }
+
+  void find_outlines(const Panel& panel) {
+    const StageTimer timer(times_.smooth);
+    smoother_.begin(panel.list.view, panel.place);
+    for (const std::vector<DrawItem>* items : {&panel.list.opaque, &panel.list.translucent}) {
+      for (const DrawItem& item : *items) {
+        Uploaded& mesh = uploaded(item.mesh);
+        if (mesh.edges == nullptr) mesh.edges = std::make_unique<MeshEdges>(*item.mesh);
+        smoother_.add(*mesh.edges, item);
+      }
+    }
   }
 
   void draw_panel(const Panel& panel, const PixelBox& box) {
@@ -194,8 +224,8 @@ class Renderer::Implementation {
 
   // the box begins at the framebuffer's corner: what lies outside is neither cleared nor copied
   void begin(const Panel& panel, const PixelBox& box) {
-    grow(drawn_, box, samples_, true);
-    if (samples_ > 0) grow(resolved_, box, 0, false);
+    fit(drawn_, box, samples_, true);
+    if (samples_ > 0) fit(resolved_, box, 0, false);
     const DrawList& list = panel.list;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_->id());
     gl_.Viewport(
@@ -218,27 +248,23 @@ class Renderer::Implementation {
     surfaces_.begin(list.view, flip * list.view.clip_from_world);
   }
 
-  // as large as the largest box so far
-  void grow(std::unique_ptr<Framebuffer>& buffer,
-            const PixelBox& box,
-            int samples,
-            bool with_depth) {
+  // as large as the box: all of a framebuffer is cleared
+  void fit(std::unique_ptr<Framebuffer>& buffer,
+           const PixelBox& box,
+           int samples,
+           bool with_depth) {
     constexpr int kTile = 64;  // pixels, of the rasteriser
     const auto tiles = [](int side) {
       return (side + kTile - 1) / kTile * kTile;
     };
-    int width = std::min(tiles(box.width), settings_.width);
-    int height = std::min(tiles(box.height), settings_.height);
-    if (buffer != nullptr) {
-      if (buffer->width() >= width && buffer->height() >= height) return;
-      width = std::max(width, buffer->width());
-      height = std::max(height, buffer->height());
-    }
+    const int width = std::min(tiles(box.width), settings_.width);
+    const int height = std::min(tiles(box.height), settings_.height);
+    if (buffer != nullptr && buffer->width() == width && buffer->height() == height) return;
     buffer = std::make_unique<Framebuffer>(gl_, width, height, samples, with_depth);
   }
 
   void draw_item(const DrawItem& item) {
-    surfaces_.use(item.material, item.world_from_mesh);
+    surfaces_.use(item.material, item.faces, item.world_from_mesh);
     if (item.faces == Faces::both) {
       gl_.Disable(GL_CULL_FACE);
     } else {
@@ -269,8 +295,9 @@ class Renderer::Implementation {
     }
   }
 
-  void read_back(const PixelBox& box, Image& image) {
+  void read_back(const Region& region, Image& image) {
     const StageTimer timer(times_.read_back);
+    const PixelBox& box = region.box;
     const Framebuffer* source = drawn_.get();
     if (samples_ > 0) {
       gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->id());
@@ -290,24 +317,28 @@ class Renderer::Implementation {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, source->id());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-    gl_.ReadPixels(0, 0, box.width, box.height, GL_RGBA, GL_UNSIGNED_BYTE, image.at(box.x, box.y));
-    gl_.PixelStorei(GL_PACK_ROW_LENGTH, 0);
-    if (!info_.by_outlines) return;
-    depth_.resize(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
-    gl_.ReadPixels(0, 0, box.width, box.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
-  }
-
-  void smooth(const Panel& panel, const PixelBox& box, Image& image) {
-    const StageTimer timer(times_.smooth);
-    smoother_.begin(panel.list.view, panel.place, box);
-    for (const std::vector<DrawItem>* items : {&panel.list.opaque, &panel.list.translucent}) {
-      for (const DrawItem& item : *items) {
-        Uploaded& mesh = uploaded(item.mesh);
-        if (mesh.edges == nullptr) mesh.edges = std::make_unique<MeshEdges>(*item.mesh);
-        smoother_.add(*mesh.edges, item);
+    for (const PixelBox& part : region.parts)
+      read(part, box, GL_RGBA, GL_UNSIGNED_BYTE, image.at(part.x, part.y));
+    if (info_.by_outlines) {
+      gl_.PixelStorei(GL_PACK_ROW_LENGTH, box.width);
+      depth_.resize(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
+      for (const PixelBox& part : region.parts) {
+        const std::size_t first =
+            static_cast<std::size_t>(part.y - box.y) * static_cast<std::size_t>(box.width) +
+            static_cast<std::size_t>(part.x - box.x);
+        read(part, box, GL_DEPTH_COMPONENT, GL_FLOAT, &depth_[first]);
       }
     }
-    smoother_.smooth(depth_, image);
+    gl_.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+  }
+
+  void read(const PixelBox& part, const PixelBox& box, GLenum what, GLenum type, void* to) {
+    gl_.ReadPixels(part.x - box.x, part.y - box.y, part.width, part.height, what, type, to);
+  }
+
+  void smooth(const PixelBox& box, Image& image) {
+    const StageTimer timer(times_.smooth);
+    smoother_.smooth(box, depth_, image);
   }
 
   void refuse_errors() const {
@@ -322,7 +353,8 @@ class Renderer::Implementation {
   std::unique_ptr<Framebuffer> drawn_;
   std::unique_ptr<Framebuffer> resolved_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;
-  std::vector<float> depth_;  // of the box that was read back last
+  // of the panel that is being drawn
+  std::vector<float> depth_;  // in its box, where it was read back
   OutlineSmoother smoother_;
   RendererInfo info_;
   RenderTimes times_;

@@ -44,12 +44,14 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
   if (entry == nullptr) {
     const std::string constants = fmt::format(
         "#define FINISH {}\n#define FLAT {:d}\n#define SOFT {:d}\n#define MARKED {:d}\n"
-        "#define SHELL {:d}\n#define LIT_AT_CORNERS {:d}\n",
+        "#define SHELL {:d}\n#define FADING {:d}\n#define FACES {}\n#define LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
         kind.flat,
         kind.soft,
         kind.marked,
         kind.shell,
+        kind.fading,
+        static_cast<int>(kind.faces),
         kind.shell && !kind.flat && !kind.marked && kind.finish == Finish::plain);
     entry = std::make_unique<Made>(gl_, constants + shader_source("light.glsl"));
   }
@@ -63,12 +65,14 @@ void SurfacePrograms::begin(const View& view, const glm::mat4& clip_from_world) 
     entry->has_view = false;
 }
 
-void SurfacePrograms::use(const Material& material, const glm::mat4& world_from_mesh) {
+void SurfacePrograms::use(const Material& material, Faces faces, const glm::mat4& world_from_mesh) {
   Made& now = made({material.finish,
                     material.flat,
                     material.flat && material.soft,
                     material.mark_width > 0.0f,
-                    material.alpha < 1.0f});
+                    material.alpha < 1.0f,
+                    material.fade < 1.0f,
+                    faces});
   const Uniforms& u = now.u;
   if (used_ != &now) now.program.use();
   used_ = &now;

@@ -20,16 +20,17 @@ class SurfacePrograms {
   // What all items of a panel share; clip_from_world as it is drawn.
   void begin(const View& view, const glm::mat4& clip_from_world);
   // The next mesh is drawn with this material, here.
-  void use(const Material& material, const glm::mat4& world_from_mesh);
+  void use(const Material& material, Faces faces, const glm::mat4& world_from_mesh);
 
  private:
   // What a program is made for: the constants of the shaders.
   struct Kind {
     Finish finish = Finish::plain;
-    bool flat = false, soft = false, marked = false, shell = false;
+    bool flat = false, soft = false, marked = false, shell = false, fading = false;
+    Faces faces = Faces::front;
     friend bool operator<(const Kind& a, const Kind& b) {
-      return std::tie(a.finish, a.flat, a.soft, a.marked, a.shell) <
-             std::tie(b.finish, b.flat, b.soft, b.marked, b.shell);
+      return std::tie(a.finish, a.flat, a.soft, a.marked, a.shell, a.fading, a.faces) <
+             std::tie(b.finish, b.flat, b.soft, b.marked, b.shell, b.fading, b.faces);
     }
   };
   struct Uniforms {

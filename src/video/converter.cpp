@@ -2,6 +2,7 @@
 #include "video/converter.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -60,30 +61,48 @@ Owned<SwsContext> make_scaler(int width, int height, const AVPixFmtDescriptor& k
   return scaler;
 }
 
-// A box with room for the filter of colour samples around it, on a grid, so that few sizes occur.
-PixelBox on_grid(const PixelBox& box, int width, int height) {
-  constexpr int kRoom = 8;
-  constexpr int kGrid = 16;
-  const auto down = [](int x) {
-    return std::max(0, x - kRoom) / kGrid * kGrid;
-  };
-  const auto up = [](int x, int most) {
-    return std::min(most, (x + kRoom + kGrid - 1) / kGrid * kGrid);
-  };
-  const int x = down(box.x);
-  const int y = down(box.y);
-  return {x, y, up(box.right(), width) - x, up(box.bottom(), height) - y};
+// Colour samples are means over neighbouring pixels: a change shows in those beside it.
+constexpr int kReach = 2;  // rows; even, for colour may have half of them
+constexpr int kRows = 64;  // of a piece that is converted at once
+constexpr int kGrid = 32;  // columns, so that few sizes occur
+
+// A box with all that its pixels have a part in.
+PixelBox with_reach(const PixelBox& box, int width, int height) {
+  constexpr int kRoom = 8;  // columns
+  const int x = std::max(0, box.x - kRoom) / kGrid * kGrid;
+  const int y = std::max(0, box.y - kReach) / 2 * 2;
+  const int right = std::min(width, (box.right() + kRoom + kGrid - 1) / kGrid * kGrid);
+  const int bottom = std::min(height, (box.bottom() + kReach + 1) / 2 * 2);
+  return {x, y, right - x, bottom - y};
+}
+
+// where the box begins in each plane
+std::array<std::uint8_t*, 4> planes_at(AVFrame& frame, int x, int y) {
+  const auto format = static_cast<AVPixelFormat>(frame.format);
+  const AVPixFmtDescriptor& kind = *av_pix_fmt_desc_get(format);
+  std::array<std::uint8_t*, 4> planes = {};
+  for (int c = 0; c < kind.nb_components; ++c) {
+    const AVComponentDescriptor& part = kind.comp[c];
+    const bool color = (c == 1 || c == 2) && !is_rgb(kind);
+    const std::ptrdiff_t column = color ? x >> kind.log2_chroma_w : x;
+    const std::ptrdiff_t row = color ? y >> kind.log2_chroma_h : y;
+    planes[static_cast<std::size_t>(part.plane)] =
+        frame.data[part.plane] + row * frame.linesize[part.plane] + column * part.step;
+  }
+  return planes;
 }
 
 }  // namespace
 
 Converter::Converter(int width, int height, AVPixelFormat format) {
-  frame_ = empty_frame(width, height, format, is_rgb(*av_pix_fmt_desc_get(format)));
+  const bool rgb = is_rgb(*av_pix_fmt_desc_get(format));
+  frame_ = empty_frame(width, height, format, rgb);
+  part_ = empty_frame(width, kRows + 2 * kReach, format, rgb);
   scaler_for(width, height);  // what cannot work is told now
 }
 
 SwsContext& Converter::scaler_for(int width, int height) {
-  constexpr std::size_t kMost = 64;  // sizes of boxes change slowly
+  constexpr std::size_t kMost = 256;  // sizes of boxes change slowly
   if (scalers_.size() > kMost) scalers_.clear();
   Owned<SwsContext>& scaler = scalers_[{width, height}];
   if (scaler == nullptr) {
@@ -93,50 +112,52 @@ SwsContext& Converter::scaler_for(int width, int height) {
   return *scaler;
 }
 
-// What is painted now or was before; everything where the ground is not known or another one, and
-// for RGB, of which swscale copies whole rows, whatever the width.
+// What is painted now or was before.
 std::vector<PixelBox> Converter::to_convert(const Image& image) const {
-  const bool rgb = is_rgb(*av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format)));
-  if (rgb || !image.ground || image.ground != ground_) {
-    return {{0, 0, image.width, image.height}};
-  }
   std::vector<PixelBox> boxes;
   for (const std::vector<PixelBox>* list : {&image.painted, &painted_}) {
     for (const PixelBox& box : *list)
-      boxes.push_back(on_grid(box, image.width, image.height));
+      boxes.push_back(with_reach(box, image.width, image.height));
   }
-  return merged(boxes);
+  return in_bands(boxes, kRows);
 }
 
-void Converter::convert_box(const Image& image, const PixelBox& box) {
-  const AVPixFmtDescriptor& kind = *av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
+// to the corner of a frame
+void Converter::convert_box(const Image& image, const PixelBox& box, AVFrame& frame) {
   const std::uint8_t* rows[] = {image.at(box.x, box.y)};
   const int strides[] = {4 * image.width};
-  // where the box begins in each plane
-  std::uint8_t* planes[4] = {};
-  for (int c = 0; c < kind.nb_components; ++c) {
-    const AVComponentDescriptor& part = kind.comp[c];
-    const bool color = (c == 1 || c == 2) && !is_rgb(kind);
-    const std::ptrdiff_t x = color ? box.x >> kind.log2_chroma_w : box.x;
-    const std::ptrdiff_t y = color ? box.y >> kind.log2_chroma_h : box.y;
-    planes[part.plane] =
-        frame_->data[part.plane] + y * frame_->linesize[part.plane] + x * part.step;
-  }
-  check_libav(sws_scale(&scaler_for(box.width, box.height),
-                        rows,
-                        strides,
-                        0,
-                        box.height,
-                        planes,
-                        frame_->linesize),
+  SwsContext& scaler = scaler_for(box.width, box.height);
+  check_libav(sws_scale(&scaler, rows, strides, 0, box.height, frame.data, frame.linesize),
               "cannot convert a frame");
+}
+
+// with its surroundings, for swscale repeats the outermost pixels of what it is given
+void Converter::convert_part(const Image& image, const PixelBox& box) {
+  const int above = std::min(kReach, box.y);
+  const int below = std::min(kReach, image.height - box.bottom());
+  convert_box(image, {box.x, box.y - above, box.width, above + box.height + below}, *part_);
+  std::array<std::uint8_t*, 4> to = planes_at(*frame_, box.x, box.y);
+  const std::array<std::uint8_t*, 4> from = planes_at(*part_, 0, above);
+  av_image_copy(to.data(),
+                frame_->linesize,
+                const_cast<const std::uint8_t**>(from.data()),
+                part_->linesize,
+                static_cast<AVPixelFormat>(frame_->format),
+                box.width,
+                box.height);
 }
 
 AVFrame* Converter::convert(const Image& image) {
   CHECK(image.width == frame_->width && image.height == frame_->height);
   check_libav(av_frame_make_writable(frame_.get()), "no memory for a frame");
-  for (const PixelBox& box : to_convert(image))
-    convert_box(image, box);
+  // of RGB swscale copies whole rows, whatever the width
+  const bool rgb = is_rgb(*av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format)));
+  if (rgb || !image.ground || image.ground != ground_) {
+    convert_box(image, {0, 0, image.width, image.height}, *frame_);
+  } else {
+    for (const PixelBox& box : to_convert(image))
+      convert_part(image, box);
+  }
   ground_ = image.ground;
   painted_ = image.painted;
   return frame_.get();

@@ -26,9 +26,11 @@ class Converter {
  private:
   std::vector<PixelBox> to_convert(const Image& image) const;
   SwsContext& scaler_for(int width, int height);
-  void convert_box(const Image& image, const PixelBox& box);
+  void convert_box(const Image& image, const PixelBox& box, AVFrame& frame);
+  void convert_part(const Image& image, const PixelBox& box);
 
   Owned<AVFrame> frame_;
+  Owned<AVFrame> part_;                                       // a piece of it with its surroundings
   std::map<std::pair<int, int>, Owned<SwsContext>> scalers_;  // by width and height
   // what frame_ shows outside these boxes
   std::optional<std::array<std::uint8_t, 4>> ground_;

@@ -37,29 +37,35 @@ std::vector<int> counted(const std::vector<PixelBox>& boxes) {
   return count;
 }
 
-TEST(PixelBox, WhatOneHasAndTheOtherHasNot) {
+TEST(PixelBox, WhatOneHasAndTheOthersHaveNot) {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
-    const std::vector<PixelBox> two = random_boxes(random, 2);
-    const std::vector<int> a = counted({two[0]});
-    const std::vector<int> b = counted({two[1]});
-    const std::vector<int> rest = counted(without(two[0], two[1]));
+    const PixelBox one = random_boxes(random, 1).front();
+    const std::vector<PixelBox> others = random_boxes(random, round % 4);
+    const std::vector<int> a = counted({one});
+    const std::vector<int> b = counted(others);
+    const std::vector<int> rest = counted(without(one, others));
     for (std::size_t i = 0; i < a.size(); ++i)
       ASSERT_EQ(rest[i], a[i] == 1 && b[i] == 0 ? 1 : 0);
   }
 }
 
-TEST(PixelBox, MergedOnesCoverAllAndDoNotOverlap) {
+TEST(PixelBox, BandsCoverAllAndDoNotOverlap) {
   std::mt19937 random(2);
   for (int round = 0; round < 200; ++round) {
+    const int rows = 1 + round % 7;
     const std::vector<PixelBox> boxes = random_boxes(random, 5);
+    const std::vector<PixelBox> bands = in_bands(boxes, rows);
     const std::vector<int> before = counted(boxes);
-    const std::vector<int> after = counted(merged(boxes));
+    const std::vector<int> after = counted(bands);
     for (std::size_t i = 0; i < before.size(); ++i) {
       ASSERT_LE(after[i], 1);
       ASSERT_GE(after[i], before[i] > 0 ? 1 : 0);
     }
+    for (const PixelBox& band : bands)
+      ASSERT_EQ(band.y / rows, (band.bottom() - 1) / rows);
   }
+  EXPECT_TRUE(in_bands({}, 8).empty());
 }
 
 // a picture that is used again is wiped as a new one, but where it will be painted over
@@ -70,9 +76,10 @@ TEST(ImageWipe, LeavesNothingOfThePictureBefore) {
   std::mt19937 random(3);
   Image used;
   for (int round = 0; round < 50; ++round) {
-    const PixelBox kept = random_boxes(random, 1).front();
+    const std::vector<PixelBox> kept = random_boxes(random, round % 4);
     used.wipe(kSide, kSide, kGround, kept);
-    used.fill(kept, kGround);
+    for (const PixelBox& box : kept)
+      used.fill(box, kGround);
     ASSERT_EQ(used.pixels, plain.pixels);
     for (const PixelBox& box : random_boxes(random, 3)) {
       used.fill(box, {200, static_cast<std::uint8_t>(round), 9, 255});
