@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBegin = "; piece ";
 
-std::map<std::string, std::string> settings_of(const FilmOrder& order, const PlannedFilm& film) {
+std::map<std::string, std::string> settings_of(const FilmOrder& order, const FilmBasis& film) {
   const SinkJob& sink = order.sink;
   return {{"codec", sink.encoder.codec},
           {"preset", sink.encoder.preset},
@@ -25,8 +25,8 @@ std::map<std::string, std::string> settings_of(const FilmOrder& order, const Pla
           {"threads", fmt::format("{}", sink.encoder.threads)},
           {"size", fmt::format("{}x{}", sink.width, sink.height)},
           {"fps", fmt::format("{}/{}", sink.fps.numerator, sink.fps.denominator)},
-          {"from", fmt::format("{}", film.frames().from)},
-          {"to", fmt::format("{}", film.frames().to)},
+          {"from", fmt::format("{}", film.frames.from)},
+          {"to", fmt::format("{}", film.frames.to)},
           {"transparent", fmt::format("{}", sink.transparent)}};
 }
 
@@ -89,12 +89,12 @@ FrameRange range_of(const Shard& shard, int frames) {
 }
 
 PieceRecord record_of(const FilmOrder& order,
-                      const PlannedFilm& film,
+                      const FilmBasis& film,
                       const FilmMarks& marks,
                       const Shard& shard) {
   return {program_version(),
           libav_version(),
-          scene_hash(film.solved().scene),
+          scene_hash(film.solved.scene),
           order.sink.title,
           settings_of(order, film),
           shard,

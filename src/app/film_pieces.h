@@ -32,7 +32,7 @@ struct PieceRecord {
   FilmMarks film;  // of the whole film; key frames are not told
 };
 PieceRecord record_of(const FilmOrder& order,
-                      const PlannedFilm& film,
+                      const FilmBasis& film,
                       const FilmMarks& marks,
                       const Shard& shard);
 

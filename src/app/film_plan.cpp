@@ -100,6 +100,7 @@ Frames plan_frames(const Solved& solved, const Piece& piece) {
 Film make_film(const Solved& solved,
                const Timeline& timeline,
                const Comparison* comparison,
+               const std::vector<FilmPlot>& plots,
                bool with_text) {
   const Scene& scene = solved.scene;
   const FrameSize size = frame_size(scene);
@@ -153,7 +154,7 @@ Film make_film(const Solved& solved,
     }
     panels.push_back(std::move(panel));
   }
-  return {std::move(panels), text, size, make_plots(solved)};
+  return {std::move(panels), text, size, plots};
 }
 
 }  // namespace polhode

@@ -38,10 +38,11 @@ void check_piece(const Scene& scene, const Piece& piece);
 Frames plan_frames(const Solved& solved, const Piece& piece);
 
 // One panel; or one for each method that is compared, or for each of show.views. `comparison` must
-// outlive the film.
+// outlive the film. Throws Error (input) for plots beside several panels.
 Film make_film(const Solved& solved,
                const Timeline& timeline,
                const Comparison* comparison,
+               const std::vector<FilmPlot>& plots,
                bool with_text);
 
 }  // namespace polhode

@@ -21,8 +21,8 @@ FilmTarget::FilmTarget(const FilmOrder& order, bool with_hashes) : order_(order)
   if (with_hashes) sink_ = polhode::with_hashes(std::move(sink_), hashes_);
 }
 
-void FilmTarget::begin(const PlannedFilm& film) {
-  const FilmMarks marks = film_marks(film.solved().scene, order_.story, film.frames());
+void FilmTarget::begin(const FilmBasis& film) {
+  const FilmMarks marks = film_marks(film.solved.scene, order_.story, film.frames);
   range_ = {0, marks.frames};
   if (resumed_ != nullptr) {
     resumed_->begin(film, marks);

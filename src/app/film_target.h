@@ -23,7 +23,7 @@ class FilmTarget {
 
   // Now that the frames are known. Throws Error (input) for a shard of nothing, and for pieces of
   // another film.
-  void begin(const PlannedFilm& film);
+  void begin(const FilmBasis& film);
 
   // Which frames of the film are to be pushed, in this order.
   const std::vector<int>& frames() const { return frames_; }

@@ -16,23 +16,21 @@ void add(const StageTime& more, StageTime& sum) {
 
 class Crew final : public FrameMaker {
  public:
-  Crew(const PlannedFilm& film,
-       const std::string& backend,
-       bool transparent,
-       int jobs,
-       const std::vector<int>& frames)
+  Crew(const FilmOrder& order, const FilmBasis& basis, const std::vector<int>& frames)
       : frames_(frames) {
     const auto count =
-        std::min(static_cast<std::size_t>(jobs), std::max<std::size_t>(1, frames.size()));
+        std::min(static_cast<std::size_t>(order.jobs), std::max<std::size_t>(1, frames.size()));
+    const auto open = [&, film = std::shared_ptr<const PlannedFilm>()]() mutable {
+      film = std::make_shared<const PlannedFilm>(order, basis);
+      return make_drawer(*film, order.backend, order.sink.transparent);
+    };
     for (std::size_t k = 0; k < count; ++k) {
       std::vector<int> share;
       for (std::size_t i = k; i < frames.size(); i += count) {
         share.push_back(frames[i]);
       }
       members_.push_back(
-          std::make_unique<DrawingProcess>(film.solved().scene.video.size, share, [&] {
-            return make_drawer(film, backend, transparent);
-          }));
+          std::make_unique<DrawingProcess>(basis.solved.scene.video.size, share, open));
     }
   }
 
@@ -62,12 +60,10 @@ class Crew final : public FrameMaker {
 
 }  // namespace
 
-std::unique_ptr<FrameMaker> make_crew(const PlannedFilm& film,
-                                      const std::string& backend,
-                                      bool transparent,
-                                      int jobs,
+std::unique_ptr<FrameMaker> make_crew(const FilmOrder& order,
+                                      const FilmBasis& basis,
                                       const std::vector<int>& frames) {
-  return std::make_unique<Crew>(film, backend, transparent, jobs, frames);
+  return std::make_unique<Crew>(order, basis, frames);
 }
 
 }  // namespace polhode

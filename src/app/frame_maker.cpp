@@ -14,7 +14,7 @@ class Drawer final : public FrameMaker {
     // the threads that start here are the rasteriser's
     const std::set<int> before = thread_ids();
     context_ = open_context(backend);
-    const PictureSize& size = film.solved().scene.video.size;
+    const PictureSize& size = film.basis().solved.scene.video.size;
     renderer_ = std::make_unique<Renderer>(*context_,
                                            RenderSettings{size.width, size.height, 4, transparent});
     rasteriser_ = thread_ids();
@@ -24,7 +24,7 @@ class Drawer final : public FrameMaker {
   }
 
   void make(int index, Image& image) override {
-    const double time = film_.frames().film_time(index);
+    const double time = film_.basis().frames.film_time(index);
     const Picture picture = composed(time);
     const int moments = film_.moments();
     if (moments == 1) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/film_plots.h"
 #include "base/log.h"
 
 namespace polhode {
@@ -63,23 +64,40 @@ void warn_of_open_loop(const Scene& scene, const Frames& frames) {
 
 }  // namespace
 
-PlannedFilm::PlannedFilm(const FilmOrder& order) : solved_(solve(order.scene)) {
-  const Scene& scene = solved_.scene;
-  frames_ = with_place(scene, [&] { return plan_frames(solved_, order.piece); });
+FilmBasis find_basis(const FilmOrder& order) {
+  FilmBasis basis{solve(order.scene), {}};
+  const Scene& scene = basis.solved.scene;
+  basis.frames = with_place(scene, [&] { return plan_frames(basis.solved, order.piece); });
   if (!scene.numerics.compare.empty()) {
-    comparison_ = std::make_unique<Comparison>(solved_, scene.video.time_scale / frames_.rate);
+    basis.comparison = std::make_unique<const Comparison>(
+        basis.solved, scene.video.time_scale / basis.frames.rate);
   }
-  film_ = std::make_unique<Film>(with_place(
-      scene, [&] { return make_film(solved_, frames_.timeline, comparison_.get(), order.text); }));
-  open_ = scene.video.shutter / (2.0 * kPi) / frames_.rate;
-  moments_ = moments_of_shutter(solved_.simulation.motion, scene, open_);
+  basis.plots = make_plots(basis.solved);
+  return basis;
+}
 
-  if (order.text) warn_of_missing_fonts();
-  warn_of_open_loop(scene, frames_);
-  for (const Error& warning : film_->panels().front().composer->warnings()) {
+PlannedFilm::PlannedFilm(const FilmOrder& order, const FilmBasis& basis)
+    : basis_(basis),
+      text_(order.text),
+      film_(with_place(basis.solved.scene,
+                       [&] {
+                         return make_film(basis.solved,
+                                          basis.frames.timeline,
+                                          basis.comparison.get(),
+                                          basis.plots,
+                                          order.text);
+                       })),
+      open_(basis.solved.scene.video.shutter / (2.0 * kPi) / basis.frames.rate),
+      moments_(moments_of_shutter(basis.solved.simulation.motion, basis.solved.scene, open_)) {}
+
+void PlannedFilm::warn() const {
+  const Scene& scene = basis_.solved.scene;
+  if (text_) warn_of_missing_fonts();
+  warn_of_open_loop(scene, basis_.frames);
+  for (const Error& warning : film_.panels().front().composer->warnings()) {
     spdlog::warn("{}", placed(scene, warning).what());
   }
-  warn_of_backward_turning(scene, solved_.simulation.motion, frames_);
+  warn_of_backward_turning(scene, basis_.solved.simulation.motion, basis_.frames);
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "app/comparison.h"
 #include "app/film_order.h"
@@ -10,32 +11,40 @@
 
 namespace polhode {
 
-// The motion, the frames, and what each of them shows. Nothing here has touched OpenGL, and no
-// thread of its own runs, so that drawing processes can be forked from it.
+// What a film stands on: all that takes long and needs neither text nor OpenGL, whose threads do
+// not come along when drawing processes are forked.
+struct FilmBasis {
+  Solved solved;
+  Frames frames;
+  std::unique_ptr<const Comparison> comparison = {};  // null: nothing is compared
+  std::vector<FilmPlot> plots = {};
+};
+
+// Finds the motion. Throws Error as solve, plan_frames and make_plots do.
+FilmBasis find_basis(const FilmOrder& order);
+
+// What each frame shows.
 class PlannedFilm {
  public:
-  // Finds the motion and tells what is doubtful of the film. Throws Error as solve, plan_frames and
-  // make_film do.
-  explicit PlannedFilm(const FilmOrder& order);
-  PlannedFilm(const PlannedFilm&) = delete;
-  PlannedFilm& operator=(const PlannedFilm&) = delete;
+  // `basis` must outlive it. Throws Error as make_film does.
+  PlannedFilm(const FilmOrder& order, const FilmBasis& basis);
 
-  const Solved& solved() const { return solved_; }
-  const Frames& frames() const { return frames_; }
-  const Film& film() const { return *film_; }
-  const Comparison* comparison() const { return comparison_.get(); }  // null: nothing is compared
+  const FilmBasis& basis() const { return basis_; }
+  const Film& film() const { return film_; }
+
+  // Tells what is doubtful of it.
+  void warn() const;
 
   // How long the shutter is open, s of film, and in how many pictures that is seen.
   double open() const { return open_; }
   int moments() const { return moments_; }
 
  private:
-  Solved solved_;
-  Frames frames_;
-  std::unique_ptr<Comparison> comparison_;
-  std::unique_ptr<Film> film_;
-  double open_ = 0.0;
-  int moments_ = 1;
+  const FilmBasis& basis_;
+  bool text_;
+  Film film_;
+  double open_;
+  int moments_;
 };
 
 }  // namespace polhode

@@ -77,9 +77,11 @@ void write_preview(const PreviewJob& job) {
   refuse_same_file(output, "the output", job.scene);
   AtomicFile file(output);
 
-  const PlannedFilm film(order);
+  const FilmBasis basis = find_basis(order);
+  const PlannedFilm film(order, basis);
+  film.warn();
   const std::unique_ptr<FrameMaker> maker = make_drawer(film, job.backend, false);
-  const Frames& frames = film.frames();
+  const Frames& frames = basis.frames;
   const PictureSize tile = order.scene.video.size;
   const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;
   Image sheet;

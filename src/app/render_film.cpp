@@ -17,12 +17,6 @@
 namespace polhode {
 namespace {
 
-// Pango's own thread does not come along when a process is forked, and its locks may be held then:
-// films with text are drawn by one process.
-bool draws_in_crew(const FilmOrder& order) {
-  return order.jobs > 1 && !order.text;
-}
-
 // of this process and of those that have ended
 double process_cpu_seconds() {
   double sum = 0.0;
@@ -49,25 +43,25 @@ void refuse_overwriting(const RenderJob& job, const FilmOrder& order) {
   if (!order.story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
 }
 
-FilmFacts facts_of(const FilmOrder& order, const PlannedFilm& film, FilmTarget& target) {
+FilmFacts facts_of(const FilmOrder& order, const FilmBasis& film, FilmTarget& target) {
   FilmFacts facts;
   facts.output = order.sink.output;
   facts.frames = target.range().count;
-  facts.from_s = film.frames().from;
-  facts.to_s = film.frames().to;
+  facts.from_s = film.frames.from;
+  facts.to_s = film.frames.to;
   facts.transparent = order.sink.transparent;
   facts.text = order.text;
   facts.still = order.sink.still;
   facts.resume = order.resume;
   if (order.shard) facts.shard = fmt::format("{}/{}", order.shard->number, order.shard->of);
   facts.first_frame = target.range().first;
-  facts.jobs = draws_in_crew(order) ? order.jobs : 1;
+  facts.jobs = order.jobs;
   for (const StoryStep& step : order.story) {
     facts.captions.push_back(step.caption);
   }
   facts.hashes = target.hashes();
   facts.encoder = order.sink.encoder;
-  facts.times.simulate = film.solved().simulate_time;
+  facts.times.simulate = film.solved.simulate_time;
   facts.times.convert = target.sink().times().convert;
   facts.times.encode = target.sink().times().encode;
   return facts;
@@ -82,12 +76,12 @@ void add_makers_facts(const FrameMaker& maker, FilmFacts& facts) {
   facts.times.smooth = times.render.smooth;
 }
 
-std::string report_text(const PlannedFilm& film, const FilmFacts& facts) {
-  nlohmann::ordered_json told = film_report(film.solved(), facts);
-  if (film.comparison() != nullptr) told["compare"] = film.comparison()->report();
-  if (film.frames().loop) {
-    told["loop"] = {{"duration_s", film.frames().loop->duration},
-                    {"residual_rad", film.frames().loop->residual}};
+std::string report_text(const FilmBasis& film, const FilmFacts& facts) {
+  nlohmann::ordered_json told = film_report(film.solved, facts);
+  if (film.comparison != nullptr) told["compare"] = film.comparison->report();
+  if (film.frames.loop) {
+    told["loop"] = {{"duration_s", film.frames.loop->duration},
+                    {"residual_rad", film.frames.loop->residual}};
   }
   return told.dump(2) + "\n";
 }
@@ -105,13 +99,14 @@ void render_film(const RenderJob& job) {
   if (reported && job.report != "-") report_file = std::make_unique<AtomicFile>(job.report);
   FilmTarget target(order, reported);
 
-  // simulate, plan, compose; open the drawing side
-  const PlannedFilm film(order);
-  target.begin(film);
-  std::unique_ptr<FrameMaker> maker =
-      !draws_in_crew(order)
-          ? make_drawer(film, order.backend, order.sink.transparent)
-          : make_crew(film, order.backend, order.sink.transparent, order.jobs, target.frames());
+  // simulate and plan; open the drawing side, other processes before there is any text here
+  const FilmBasis basis = find_basis(order);
+  target.begin(basis);
+  std::unique_ptr<FrameMaker> maker;
+  if (order.jobs > 1) maker = make_crew(order, basis, target.frames());
+  const PlannedFilm film(order, basis);
+  film.warn();
+  if (maker == nullptr) maker = make_drawer(film, order.backend, order.sink.transparent);
 
   // draw here, convert and encode behind the queue
   Progress progress(job.progress, target.range().count, "frames", target.there());
@@ -121,13 +116,13 @@ void render_film(const RenderJob& job) {
 
   // report
   if (!reported) return;
-  FilmFacts facts = facts_of(order, film, target);
+  FilmFacts facts = facts_of(order, basis, target);
   add_makers_facts(*maker, facts);
   maker.reset();  // its processes are reaped, and their time is counted
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();
-  const std::string report = report_text(film, facts);
+  const std::string report = report_text(basis, facts);
   if (report_file == nullptr) {
     print_out(report);
   } else {

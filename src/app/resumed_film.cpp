@@ -53,7 +53,7 @@ std::string ResumedFilm::file_of(int number) const {
   return (fs::path(folder_) / fmt::format("{:05}{}", number, ending_)).string();
 }
 
-void ResumedFilm::begin(const PlannedFilm& film, const FilmMarks& marks) {
+void ResumedFilm::begin(const FilmBasis& film, const FilmMarks& marks) {
   marks_ = marks;
   const double frames = std::max(1.0, std::round(kPieceSeconds * order_.sink.fps.value()));
   pieces_ = static_cast<int>(std::ceil(marks.frames / frames));

@@ -21,7 +21,7 @@ class ResumedFilm final : public FrameSink {
   ~ResumedFilm() override;
 
   // What remains of an earlier run is looked at. Throws Error (input) when it is of another film.
-  void begin(const PlannedFilm& film, const FilmMarks& marks);
+  void begin(const FilmBasis& film, const FilmMarks& marks);
   // The frames that are still to be pushed, in this order.
   const std::vector<int>& missing() const { return missing_; }
 

@@ -162,8 +162,10 @@ Verified verify(const VerifyJob& job) {
   const std::string made = scratch / fs::path(output).filename().string();
   order.sink.output = job.output.substr(0, prefix) + made;
   FilmTarget target(order, true);
-  const PlannedFilm film(order);
-  target.begin(film);
+  const FilmBasis basis = find_basis(order);
+  target.begin(basis);
+  const PlannedFilm film(order, basis);
+  film.warn();
   const std::unique_ptr<FrameMaker> maker =
       make_drawer(film, order.backend, order.sink.transparent);
   if (maker->info().gl_renderer != reported.gl_renderer) {

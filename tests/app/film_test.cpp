@@ -30,7 +30,7 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
   const Frames frames = plan_frames(solved, {});
   std::unique_ptr<Comparison> comparison;
   if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
-  const Film film = make_film(solved, frames.timeline, comparison.get(), true);
+  const Film film = make_film(solved, frames.timeline, comparison.get(), make_plots(solved), true);
   const double duration = frames.timeline.film_duration();
   constexpr int kLooks = 120;
   for (int i = 0; i <= kLooks; ++i) {

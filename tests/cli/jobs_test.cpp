@@ -24,7 +24,7 @@ class Jobs : public ::testing::Test {
 
 TEST_F(Jobs, PixelsDoNotDependOnTheirNumber) {
   for (const std::string more :
-       {"--size 128x72 --no-text", "--size 960x540 --to 0.5 --no-text", "--transparent"}) {
+       {"--size 128x72", "--size 960x540 --to 0.5", "--size 128x72 --no-text", "--transparent"}) {
     std::string one;
     for (const int jobs : {1, 2, 4}) {
       const Ran ran = run_polhode(fmt::format("render '{}' -o '{}' --jobs {} {}",
@@ -48,7 +48,7 @@ class KilledJobs : public Jobs {
     test::write_text(folder_ / "scene.toml", text);
   }
   std::vector<std::string> long_film() const {
-    return {"render", folder_ / "scene.toml", "-o", folder_ / "a.mp4", "--no-text", "--jobs", "2"};
+    return {"render", folder_ / "scene.toml", "-o", folder_ / "a.mp4", "--jobs", "2"};
   }
   std::vector<pid_t> workers(const Background& run) const {
     EXPECT_TRUE(test::becomes([&] { return run.children().size() == 2; }));
@@ -90,7 +90,7 @@ TEST_F(Jobs, AWorkerWithoutMemoryIsOneLine) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer itself needs terabytes of addresses";
 #endif
-  const Ran ran = run_polhode(fmt::format("render '{}' -o '{}' --size 4096x4096 --no-text --jobs 2",
+  const Ran ran = run_polhode(fmt::format("render '{}' -o '{}' --size 4096x4096 --jobs 2",
                                           folder_ / "scene.toml",
                                           folder_ / "a.hash"),
                               "ulimit -v 900000;");
