@@ -35,6 +35,14 @@ class Corners {
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
 };
 
+// In place of its depth, a pixel that edges cross has its number among those pixels, below zero.
+float mark_of(std::size_t number) {
+  return -1.0f - static_cast<float>(number);
+}
+std::size_t number_of(float mark) {
+  return static_cast<std::size_t>(-1.0f - mark);
+}
+
 }  // namespace
 
 MeshEdges::MeshEdges(const Mesh& mesh) {
@@ -187,7 +195,7 @@ std::vector<PixelBox> OutlineSmoother::covered() const {
   return boxes;
 }
 
-void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& depth) {
+void OutlineSmoother::collect(const Piece& piece, std::vector<float>& depth) {
   // along its longer side, from one column (or row) of pixels to the next
   const glm::vec2 sides = glm::abs(piece.to - piece.from);
   const int along = sides.x >= sides.y ? 0 : 1;
@@ -220,7 +228,10 @@ void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& dept
     for (int j = low; j < high; ++j) {
       const int x = along == 0 ? i : j;
       const int y = along == 0 ? j : i;
-      if (depth[index_of(x, y)] < z) continue;  // hidden
+      float& here = depth[index_of(x, y)];
+      const bool known = here < 0.0f;
+      const float seen = known ? crossed_[number_of(here)].depth : here;
+      if (seen < z) continue;  // hidden
       // the part of the pixel beyond the edge: a trapezium, or a triangle at a corner
       const float off = edge - (static_cast<float>(j) + 0.5f);
       const float middle = 0.5f - std::abs(off);
@@ -229,7 +240,11 @@ void OutlineSmoother::collect(const Piece& piece, const std::vector<float>& dept
       // pieces that lie on each other count once; when the edge meets the middle of the pixel, the
       // rasteriser may have taken either side, so both neighbours count
       constexpr float kMiddle = 1.0f / 64.0f;  // pixels; it rounds to 1 / 256
-      float* shares = &crossed(x, y).shares[2 * static_cast<std::size_t>(across)];
+      if (!known) {
+        here = mark_of(crossed_.size());
+        crossed_.push_back({x, y, seen, {}});
+      }
+      float* shares = &crossed_[number_of(here)].shares[2 * static_cast<std::size_t>(across)];
       if (off > -kMiddle) shares[0] = std::max(shares[0], share);
       if (off < kMiddle) shares[1] = std::max(shares[1], share);
     }
@@ -241,19 +256,9 @@ std::size_t OutlineSmoother::index_of(int x, int y) const {
          static_cast<std::size_t>(x);
 }
 
-OutlineSmoother::Crossed& OutlineSmoother::crossed(int x, int y) {
-  std::int32_t& number = number_[index_of(x, y)];
-  if (number < 0) {
-    number = static_cast<std::int32_t>(crossed_.size());
-    crossed_.push_back({x, y, {}});
-  }
-  return crossed_[static_cast<std::size_t>(number)];
-}
-
-void OutlineSmoother::smooth(const PixelBox& box, const std::vector<float>& depth, Image& image) {
+void OutlineSmoother::smooth(const PixelBox& box, std::vector<float>& depth, Image& image) {
   box_ = box;
   crossed_.clear();
-  if (number_.size() < depth.size()) number_.resize(depth.size(), -1);
   for (const Piece& piece : pieces_)
     collect(piece, depth);
 
@@ -285,9 +290,8 @@ void OutlineSmoother::smooth(const PixelBox& box, const std::vector<float>& dept
     mixed_.push_back(value);
   }
   for (std::size_t i = 0; i < crossed_.size(); ++i) {
-    const auto& [x, y, shares] = crossed_[i];
-    number_[index_of(x, y)] = -1;
-    std::copy(mixed_[i].begin(), mixed_[i].end(), image.at(box_.x + x, box_.y + y));
+    const Crossed& pixel = crossed_[i];
+    std::copy(mixed_[i].begin(), mixed_[i].end(), image.at(box_.x + pixel.x, box_.y + pixel.y));
   }
 }
 

@@ -73,8 +73,8 @@ class OutlineSmoother {
   std::vector<PixelBox> covered() const;
   // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of a box
   // that holds all that is covered, rows from the top; the picture is premultiplied there, with one
-  // sample per pixel.
-  void smooth(const PixelBox& box, const std::vector<float>& depth, Image& image);
+  // sample per pixel. The depths are used up.
+  void smooth(const PixelBox& box, std::vector<float>& depth, Image& image);
 
  private:
   // A straight piece of an outline: pixels of the picture; depths are a little nearer than the
@@ -87,11 +87,11 @@ class OutlineSmoother {
   // to the right, to the left, below and above have the colour.
   struct Crossed {
     int x, y;
+    float depth;
     std::array<float, 4> shares{};
   };
-  void collect(const Piece& piece, const std::vector<float>& depth);
+  void collect(const Piece& piece, std::vector<float>& depth);
   std::size_t index_of(int x, int y) const;
-  Crossed& crossed(int x, int y);
 
   View view_;
   PixelBox place_;
@@ -102,7 +102,6 @@ class OutlineSmoother {
   std::vector<Piece> pieces_;
   std::vector<Crossed> crossed_;
   std::vector<std::array<std::uint8_t, 4>> mixed_;  // their new colours
-  std::vector<std::int32_t> number_;  // in crossed_, of each pixel of the box; -1: not there
 };
 
 }  // namespace polhode
