@@ -26,8 +26,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSlots = 3;   // frames that one process may be ahead
-constexpr int kBoxes = 64;  // a picture of more is handed over whole
+constexpr int kSlots = 3;    // frames that one process may be ahead
+constexpr int kBoxes = 256;  // a picture of more is handed over whole
 
 enum class Kind { info, frame, error };
 

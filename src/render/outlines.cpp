@@ -35,7 +35,8 @@ class Corners {
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
 };
 
-// In place of its depth, a pixel that edges cross has its number among those pixels, below zero.
+// In place of its depth, a pixel that edges cross has its number among those pixels, below zero,
+// until all are mixed: a map of its own would be out of the cache.
 float mark_of(std::size_t number) {
   return -1.0f - static_cast<float>(number);
 }
@@ -291,6 +292,7 @@ void OutlineSmoother::smooth(const PixelBox& box, std::vector<float>& depth, Ima
   }
   for (std::size_t i = 0; i < crossed_.size(); ++i) {
     const Crossed& pixel = crossed_[i];
+    depth[index_of(pixel.x, pixel.y)] = pixel.depth;
     std::copy(mixed_[i].begin(), mixed_[i].end(), image.at(box_.x + pixel.x, box_.y + pixel.y));
   }
 }

@@ -73,7 +73,7 @@ class OutlineSmoother {
   std::vector<PixelBox> covered() const;
   // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of a box
   // that holds all that is covered, rows from the top; the picture is premultiplied there, with one
-  // sample per pixel. The depths are used up.
+  // sample per pixel. The depths are used and left as they were.
   void smooth(const PixelBox& box, std::vector<float>& depth, Image& image);
 
  private:
