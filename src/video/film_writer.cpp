@@ -128,16 +128,12 @@ void FilmWriter::write(AVFrame& frame, bool key) {
 
 // hands a frame over (null: no more) and writes what comes out
 void FilmWriter::encode(const AVFrame* frame) {
-  check_libav(avcodec_send_frame(encoder_.get(), frame), "cannot encode");
-  while (true) {
-    const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
-    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-    check_libav(code, "cannot encode");
+  encode_frame(*encoder_, frame, *packet_, "cannot encode", [&] {
     packet_->stream_index = stream_->index;
     packet_->duration = 1;
     av_packet_rescale_ts(packet_.get(), encoder_->time_base, stream_->time_base);
     check_libav(av_interleaved_write_frame(muxer_.get(), packet_.get()), "cannot write the film");
-  }
+  });
 }
 
 void FilmWriter::set_at_end(const char* option, std::int64_t value) {
