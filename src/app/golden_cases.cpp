@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/golden_cases.h"
 
-#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <set>
