@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/golden_cases.h"
 
-#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <set>
@@ -11,7 +10,7 @@
 #include "app/render_film.h"
 #include "app/version.h"
 #include "base/atomic_file.h"
-#include "base/nearest.h"
+#include "base/name_list.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -49,18 +48,7 @@ std::set<std::string> chosen_names(const std::string& names, const GoldenFile& f
   std::vector<std::string> known;
   for (const GoldenCase& one : file.cases)
     known.push_back(one.name);
-  std::set<std::string> chosen;
-  for (std::size_t start = 0; start < names.size();) {
-    const std::size_t end = std::min(names.find(',', start), names.size());
-    const std::string name = names.substr(start, end - start);
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw input_error("no case is called '{}'{}", name, suggestion(name, known))
-          .at({{}, 0, "--cases"});
-    }
-    chosen.insert(name);
-    start = end + 1;
-  }
-  return chosen;
+  return known_names(names, known, "case", "--cases");
 }
 
 // "llvmpipe (LLVM 15.0.6, 256 bits)" -> "15.0.6"

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 
 #include "app/lecture/data.h"
 #include "app/lecture/documents.h"
@@ -15,7 +16,7 @@
 #include "base/atomic_file.h"
 #include "base/hash.h"
 #include "base/interrupt.h"
-#include "base/nearest.h"
+#include "base/name_list.h"
 #include "base/parallel.h"
 #include "chart/gnuplot.h"
 
@@ -238,21 +239,11 @@ std::string why_not(const std::string& output,
   return "";
 }
 
-std::vector<std::string> parse_outputs(const std::string& to) {
-  std::vector<std::string> known, wanted;
+std::set<std::string> parse_outputs(const std::string& to) {
+  std::vector<std::string> known;
   for (const LectureOutput& output : lecture_outputs())
     known.push_back(output.name);
-  for (std::size_t from = 0; from < to.size();) {
-    const std::size_t end = std::min(to.find(',', from), to.size());
-    const std::string name = to.substr(from, end - from);
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw input_error("no output is called '{}'{}", name, suggestion(name, known))
-          .at({{}, 0, "--to"});
-    }
-    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
-    from = end + 1;
-  }
-  return wanted;
+  return known_names(to, known, "output", "--to");
 }
 
 // Outputs that this machine can make; what was asked for by name must be possible.
@@ -260,11 +251,11 @@ std::vector<std::string> settle_outputs(const std::string& to,
                                         const std::optional<Reveal>& reveal,
                                         const std::string& printer,
                                         std::string& summary) {
-  std::vector<std::string> wanted = parse_outputs(to);
+  const std::set<std::string> wanted = parse_outputs(to);
   const bool all = wanted.empty();
   std::vector<std::string> possible;
   for (const LectureOutput& output : lecture_outputs()) {
-    if (!all && std::find(wanted.begin(), wanted.end(), output.name) == wanted.end()) continue;
+    if (!all && wanted.count(output.name) == 0) continue;
     const std::string reason = why_not(output.name, reveal, printer);
     if (reason.empty()) {
       possible.push_back(output.name);

@@ -5,6 +5,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "base/at_place.h"
+#include "base/name_list.h"
+
 namespace polhode {
 namespace {
 
@@ -19,11 +22,7 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   Scene scene = load_scene(file);
   // runs `set`, and remembers where the value of the key comes from; its errors name the option
   const auto replace = [&](const char* key, const char* option, const auto& set) {
-    try {
-      set();
-    } catch (const Error& error) {
-      throw error.at({{}, 0, option});
-    }
+    at_place({{}, 0, option}, set);
     scene.options[key] = option;
   };
   NumericsSpec& numerics = scene.numerics;
@@ -128,15 +127,8 @@ Solved solve(const Scene& scene) {
 
 std::vector<const StepperInfo*> parse_methods(const std::string& names) {
   std::vector<const StepperInfo*> methods;
-  for (std::size_t start = 0; start < names.size();) {
-    const std::size_t end = std::min(names.find(',', start), names.size());
-    try {
-      methods.push_back(&find_stepper(names.substr(start, end - start)));
-    } catch (const Error& error) {
-      throw error.at({{}, 0, "--methods"});
-    }
-    start = end + 1;
-  }
+  for (const std::string& name : split_names(names))
+    at_place({{}, 0, "--methods"}, [&] { methods.push_back(&find_stepper(name)); });
   if (methods.empty()) {
     for (const StepperInfo& row : stepper_table())
       methods.push_back(&row);

@@ -104,16 +104,22 @@ void AtomicFile::commit_with(std::string_view content) {
 }
 
 void AtomicFile::write(std::string_view content) {
-  std::FILE* out = std::fopen(part_.c_str(), "wb");
+  if (const int reason = failure_to_write(part_, "wb", content); reason != 0) {
+    throw environment_error("cannot write: {}", std::strerror(reason))
+        .at({target_.string(), 0, {}});
+  }
+}
+
+int failure_to_write(const fs::path& file, const char* mode, std::string_view bytes) {
+  std::FILE* out = std::fopen(file.c_str(), mode);
   const bool written = out != nullptr &&
-                       std::fwrite(content.data(), 1, content.size(), out) == content.size() &&
+                       std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
                        std::fflush(out) == 0;
   const int reason = errno;
   const bool closed = out != nullptr && std::fclose(out) == 0;
-  if (!written || !closed) {
-    throw environment_error("cannot write: {}", std::strerror(written ? errno : reason))
-        .at({target_.string(), 0, {}});
-  }
+  if (written && closed) return 0;
+  const int failure = written ? errno : reason;
+  return failure != 0 ? failure : EIO;
 }
 
 void write_file(const fs::path& target, std::string_view content) {

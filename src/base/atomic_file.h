@@ -41,6 +41,9 @@ class AtomicFile {
   int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
 };
 
+// Opens a file as fopen does, writes to it and closes it: 0, or the errno of what failed.
+int failure_to_write(const std::filesystem::path& file, const char* mode, std::string_view bytes);
+
 // Writes a whole small file atomically. Throws Error as AtomicFile does, or (environment) when the
 // disk is full.
 void write_file(const std::filesystem::path& target, std::string_view content);

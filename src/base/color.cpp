@@ -4,17 +4,13 @@
 #include "base/error.h"
 
 namespace polhode {
-namespace {
 
-// the value of one hex digit, -1 for any other character
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   return -1;
 }
-
-}  // namespace
 
 std::array<std::uint8_t, 3> parse_color(std::string_view text) {
   bool valid = text.size() == 7 && text[0] == '#';

@@ -87,8 +87,4 @@ Magnitude magnitude_of(Unit unit) {
   return {1e-100, 1e100};
 }
 
-std::string si_symbol(Unit unit) {
-  return suffixes_of(unit).front().symbol;
-}
-
 }  // namespace polhode

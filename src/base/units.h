@@ -40,9 +40,6 @@ std::vector<std::string> all_suffixes();
 // the last bit.
 double to_si(double value, const UnitSuffix& suffix);
 
-// "kg m^2", "" for plain numbers.
-std::string si_symbol(Unit unit);
-
 // The sizes, in SI, of the values of this unit that can be computed with: generous for anything
 // from a molecule to a star, and small enough that no product of a few of them overflows. What must
 // be positive must not be below `least`; for the rest, what is below is nothing.

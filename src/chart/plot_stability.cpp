@@ -49,6 +49,15 @@ std::string axis_script(const char* letter, const MapAxis& axis, bool alone) {
   return text + fmt::format("set {}tics ({})\n", letter, tics);
 }
 
+// a verdict in the key: its colour and its name
+std::string key_entry(int verdict) {
+  std::string words = name_of(static_cast<Verdict>(verdict));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return fmt::format("NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}",
+                     kColors[static_cast<std::size_t>(verdict)],
+                     gnuplot_text(words));
+}
+
 // one map, with its axes named or not
 std::string map_script(
     const StabilityMap& map, std::size_t index, const MapAxis& x, const MapAxis& y, bool alone) {
@@ -90,13 +99,8 @@ std::string map_script(
         gnuplot_text(alone ? "limit of theory" : ""));
   }
   if (alone) {
-    for (int v = 0; v < kVerdicts; ++v) {
-      std::string words = name_of(static_cast<Verdict>(v));
-      std::replace(words.begin(), words.end(), '_', ' ');
-      text += fmt::format(", NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}",
-                          kColors[static_cast<std::size_t>(v)],
-                          gnuplot_text(words));
-    }
+    for (int v = 0; v < kVerdicts; ++v)
+      text += ", " + key_entry(v);
   }
   return text + "\n";
 }
@@ -141,13 +145,8 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
       gnuplot_text(maps[0]->title),
       gnuplot_text("across: " + x.key),
       gnuplot_text("up: " + y.key));
-  for (int v = 0; v < kVerdicts; ++v) {
-    std::string words = name_of(static_cast<Verdict>(v));
-    std::replace(words.begin(), words.end(), '_', ' ');
-    script += fmt::format("NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}, ",
-                          kColors[static_cast<std::size_t>(v)],
-                          gnuplot_text(words));
-  }
+  for (int v = 0; v < kVerdicts; ++v)
+    script += key_entry(v) + ", ";
   script += "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n";
   script += "unset multiplot\n";
   return draw_with_gnuplot(script, format, 290 * columns, 260 * rows);

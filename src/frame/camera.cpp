@@ -166,6 +166,16 @@ std::vector<std::string> follow_names() {
   return {"none", "center", "body", "momentum"};
 }
 
+Ball ball_around(const std::vector<Vec3>& points) {
+  Vec3 center = Vec3::Zero();
+  for (const Vec3& point : points)
+    center += point / static_cast<double>(points.size());
+  double radius = 0.0;
+  for (const Vec3& point : points)
+    radius = std::max(radius, (point - center).norm());
+  return {center, radius == 0.0 ? 1.0 : radius};
+}
+
 Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,
@@ -189,14 +199,7 @@ Camera framing_camera(const std::vector<Vec3>& points,
   Vec3 eye_C =
       target ? nearest_eye(points_C, tangent, R_CS * *target) : nearest_eye(points_C, tangent);
 
-  // the ball around the points, for the clip planes
-  Vec3 center = Vec3::Zero();
-  for (const Vec3& point : points)
-    center += point / static_cast<double>(points.size());
-  double radius = 0.0;
-  for (const Vec3& point : points)
-    radius = std::max(radius, (point - center).norm());
-  if (radius == 0.0) radius = 1.0;  // a single point
+  const auto [center, radius] = ball_around(points);
   if (eye_C.z() - front < 0.1 * radius) eye_C.z() = front + 0.1 * radius;
   const Vec3 eye = R_CS.transpose() * eye_C;
   return {eye, eye - radius * R_CS.row(2).transpose(), fov, size, center, radius};

@@ -78,6 +78,14 @@ class Camera {
   Eigen::Matrix4d clip_from_world_;
 };
 
+struct Ball {
+  Vec3 center;  // space, m
+  double radius;
+};
+
+// About the mean of the points, for the clip planes; a single point gets a radius of 1 m.
+Ball ball_around(const std::vector<Vec3>& points);
+
 // The nearest camera with this line of sight that keeps every point inside the frame less its
 // margins. direction: from the scene towards the camera; target: in
 // the middle of the picture, when there is one.

@@ -57,13 +57,7 @@ Camera make_camera(const CameraSpec& spec,
   }
 
   // the scene's own camera; the ball of what is drawn sets the clip planes
-  Vec3 center = Vec3::Zero();
-  for (const Vec3& point : points)
-    center += point / static_cast<double>(points.size());
-  double radius = 0.0;
-  for (const Vec3& point : points)
-    radius = std::max(radius, (point - center).norm());
-  if (radius == 0.0) radius = 1.0;  // nothing but a point
+  const auto [center, radius] = ball_around(points);
   const Vec3 target = spec.target.value_or(center);
   if ((*spec.eye - target).norm() < 1e-9 * (radius + target.norm())) {
     throw input_error("the camera is where it looks at").at({{}, 0, "camera.eye"});

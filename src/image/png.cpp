@@ -37,6 +37,16 @@ std::vector<std::uint8_t> without_alpha(const Image& image) {
   return rgb;
 }
 
+png_image header_of(const Image& image, bool with_alpha) {
+  CHECK(image.width > 0 && image.height > 0);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  return png;
+}
+
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha) {
@@ -46,7 +56,6 @@ void write_png(const std::filesystem::path& path, const Image& image, bool with_
 }
 
 void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
-  CHECK(image.width > 0 && image.height > 0);
   // the system's reason, where there is one, says more than libpng's
   const auto failed = [&](const char* why) {
     return environment_error("cannot write the picture: {}",
@@ -54,11 +63,7 @@ void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
         .at({target.target().string(), 0, {}});
   };
 
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.width);
-  png.height = static_cast<png_uint_32>(image.height);
-  png.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  png_image png = header_of(image, with_alpha);
   const std::vector<std::uint8_t> rgb =
       with_alpha ? std::vector<std::uint8_t>() : without_alpha(image);
   const std::uint8_t* pixels = with_alpha ? image.pixels.data() : rgb.data();
@@ -74,12 +79,7 @@ void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
 }
 
 std::string encode_png(const Image& image, bool with_alpha) {
-  CHECK(image.width > 0 && image.height > 0);
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.width);
-  png.height = static_cast<png_uint_32>(image.height);
-  png.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  png_image png = header_of(image, with_alpha);
   const std::vector<std::uint8_t> rgb =
       with_alpha ? std::vector<std::uint8_t>() : without_alpha(image);
   const std::uint8_t* pixels = with_alpha ? image.pixels.data() : rgb.data();

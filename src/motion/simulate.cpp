@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/at_place.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/nearest.h"
@@ -75,16 +76,6 @@ Integration refine(const StepperInfo& method,
   }
 }
 
-// runs `work`; an error without a key gets this one
-template <class Work>
-decltype(auto) with_key(const char* key, const Work& work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    throw error.at({{}, 0, key});
-  }
-}
-
 void refuse_wrong_fineness(const StepperInfo& method, const NumericsSpec& numerics) {
   if (method.adaptive && numerics.step) {
     throw input_error(
@@ -112,7 +103,7 @@ Integration integrate_by(const StepperInfo& method,
   if (given) {
     report.step = numerics.step;
     report.tolerance = numerics.tolerance;
-    return with_key(method.adaptive ? "numerics.tolerance" : "numerics.step",
+    return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"},
                     [&] { return run(method, model, start, duration, *given); });
   }
   if (report.accuracy_rad < kLeastAccuracy) {
@@ -123,8 +114,8 @@ Integration integrate_by(const StepperInfo& method,
         kLeastAccuracy)
         .at({{}, 0, "numerics.accuracy"});
   }
-  Integration found =
-      with_key("numerics.accuracy", [&] { return refine(method, model, start, duration, report); });
+  Integration found = at_place({{}, 0, "numerics.accuracy"},
+                               [&] { return refine(method, model, start, duration, report); });
   report.method_reason +=
       fmt::format("; refined until two runs agree within {:.3g} rad", report.accuracy_rad);
   return found;
@@ -185,7 +176,7 @@ Integration integrate(const Model& model,
   if (numerics.method == "auto")
     return integrate_by_cheapest(model, chosen, start, duration, numerics, report);
   report.method_reason = "asked for";
-  const StepperInfo& method = with_key("numerics.method", [&]() -> const StepperInfo& {
+  const StepperInfo& method = at_place({{}, 0, "numerics.method"}, [&]() -> const StepperInfo& {
     const StepperInfo& found = find_stepper(numerics.method);
     if (const std::string wrong = why_not(found, model); !wrong.empty())
       throw input_error("{}", wrong);

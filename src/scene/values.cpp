@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at_place.h"
 #include "base/color.h"
 #include "base/nearest.h"
 #include "scene/keys.h"
@@ -169,11 +170,7 @@ void read_value(const Found& found, const Doc& doc, std::string& value) {
     refuse(found, fmt::format("'{}' is not known{}", cut(value), suggestion(value, doc.choices)));
   }
   if (!doc.color) return;
-  try {
-    parse_color(value);
-  } catch (const Error& fault) {
-    throw fault.at(found.place);
-  }
+  at_place(found.place, [&] { parse_color(value); });
 }
 
 void read_value(const Found& found, const Doc& doc, Vec2& value) {
@@ -229,22 +226,14 @@ void read_value(const Found& found, const Doc& doc, std::vector<std::string>& va
 void read_value(const Found& found, const Doc&, PictureSize& value) {
   const std::string wanted = "a picture size, such as \"1920x1080\" or [1920, 1080]";
   if (const auto* text = found.node.as_string()) {
-    try {
-      value = parse_picture_size(text->get());
-    } catch (const Error& fault) {
-      throw fault.at(found.place);
-    }
+    value = at_place(found.place, [&] { return parse_picture_size(text->get()); });
     return;
   }
   const toml::array& sides = array_of(found, 2, wanted);
   const Doc side{.text = "", .range = Range{kSmallestSide, kLargestSide}};
   read_value(element_of(found, sides, 0), side, value.width);
   read_value(element_of(found, sides, 1), side, value.height);
-  try {
-    check_picture_size(value);
-  } catch (const Error& fault) {
-    throw fault.at(found.place);
-  }
+  at_place(found.place, [&] { check_picture_size(value); });
 }
 
 void read_value(const Found& found, const Doc&, FrameRate& value) {
@@ -260,20 +249,12 @@ void read_value(const Found& found, const Doc&, FrameRate& value) {
   } else {
     refuse_type(found, "a whole number, such as 60, or an exact ratio, such as \"30000/1001\"");
   }
-  try {
-    value = parse_frame_rate(text);
-  } catch (const Error& fault) {
-    throw fault.at(found.place);
-  }
+  value = at_place(found.place, [&] { return parse_frame_rate(text); });
 }
 
 void read_value(const Found& found, const Doc&, Accuracy& value) {
   if (const auto* text = found.node.as_string()) {
-    try {
-      value = parse_accuracy(text->get());
-    } catch (const Error& fault) {
-      throw fault.at(found.place);
-    }
+    value = at_place(found.place, [&] { return parse_accuracy(text->get()); });
     return;
   }
   const Doc radians{.text = "", .range = kPositive};

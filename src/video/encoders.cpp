@@ -63,15 +63,23 @@ void configure_x265(const EncoderSettings& settings, AVCodecContext&, LibavOptio
                           settings.threads));
 }
 
+// as libvpx and its successor libaom have it: without a bit rate the quality alone decides
+void set_constant_quality(const EncoderSettings& settings,
+                          int cpu_used,
+                          AVCodecContext& c,
+                          LibavOptions& options) {
+  options.set("cpu-used", std::to_string(cpu_used));
+  options.set("crf", std::to_string(settings.crf));
+  options.set("row-mt", "1");
+  c.bit_rate = 0;
+}
+
 void configure_vp9(const EncoderSettings& settings, AVCodecContext& c, LibavOptions& options) {
   // realtime for the two fastest, else from 5 (fast) to 0
   constexpr std::array kCpuUsed = {8, 6, 5, 5, 4, 3, 2, 1, 0};
   const std::size_t e = effort(settings);
   options.set("deadline", e < 2 ? "realtime" : "good");
-  options.set("cpu-used", std::to_string(kCpuUsed[e]));
-  options.set("crf", std::to_string(settings.crf));
-  options.set("row-mt", "1");
-  c.bit_rate = 0;
+  set_constant_quality(settings, kCpuUsed[e], c, options);
   // pictures that are never shown would get no alpha
   if (c.pix_fmt == AV_PIX_FMT_YUVA420P) options.set("auto-alt-ref", "0");
 }
@@ -80,10 +88,7 @@ void configure_aom(const EncoderSettings& settings, AVCodecContext& c, LibavOpti
   constexpr std::array kCpuUsed = {8, 8, 8, 7, 6, 6, 5, 4, 3};
   const std::size_t e = effort(settings);
   options.set("usage", e < 5 ? "realtime" : "good");
-  options.set("cpu-used", std::to_string(kCpuUsed[e]));
-  options.set("crf", std::to_string(settings.crf));
-  options.set("row-mt", "1");
-  c.bit_rate = 0;
+  set_constant_quality(settings, kCpuUsed[e], c, options);
 }
 
 void configure_svt(const EncoderSettings& settings, AVCodecContext&, LibavOptions& options) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/at_place.h"
 #include "base/atomic_file.h"
 #include "base/interrupt.h"
 #include "video/captions.h"
@@ -135,7 +136,7 @@ class FilmJoiner::Implementation {
       copy(input, frames[i], first);
       first += parts[i].frames;
     }
-    naming([&] {
+    at_place({name_, 0, {}}, [&] {
       check_libav(av_write_trailer(muxer_.get()), "cannot finish the film");
       output_.finish();
     });
@@ -147,17 +148,6 @@ class FilmJoiner::Implementation {
     const FilmFormat* format = find_film_format(output);
     if (format != nullptr && format->tells) return *format;
     throw input_error("pieces become a .mp4, .webm or .mov").at({output, 0, {}});
-  }
-
-  // errors of writing name the film
-  template <class Work>
-  void naming(const Work& work) const {
-    try {
-      work();
-    } catch (const Error& error) {
-      if (error.fault() == Fault::interrupted) throw;
-      throw error.at({name_, 0, {}});
-    }
   }
 
   std::vector<std::vector<int>> read_order(const std::vector<Part>& parts) {
@@ -182,7 +172,7 @@ class FilmJoiner::Implementation {
              const std::string& comment,
              const FilmMarks& marks) {
     const AVStream& from = input.stream();
-    naming([&] {
+    at_place({name_, 0, {}}, [&] {
       muxer_ = open_container(format_, output_);
       stream_ = made(avformat_new_stream(muxer_.get(), nullptr));
       check_libav(avcodec_parameters_copy(stream_->codecpar, from.codecpar), "no memory");
@@ -211,7 +201,7 @@ class FilmJoiner::Implementation {
       packet->pos = -1;
       packet->stream_index = 0;
       av_packet_rescale_ts(packet, step, stream_->time_base);
-      naming([&] {
+      at_place({name_, 0, {}}, [&] {
         check_libav(av_interleaved_write_frame(muxer_.get(), packet), "cannot write the film");
       });
       ++count;

@@ -10,6 +10,7 @@ extern "C" {
 #include <cstring>
 #include <filesystem>
 
+#include "base/at_place.h"
 #include "base/error.h"
 #include "image/png.h"
 #include "video/libav.h"
@@ -36,7 +37,7 @@ void refuse_missing(const std::string& file) {
 class FilmReader::Implementation {
  public:
   explicit Implementation(const std::string& file) : file_(file) {
-    with_name([&] {
+    at_place({file_, 0, {}}, [&] {
       refuse_missing(file);
       quieten_libav();
       open_input();
@@ -50,7 +51,7 @@ class FilmReader::Implementation {
 
   bool next(Image& frame, double& time) {
     bool more = false;
-    with_name([&] {
+    at_place({file_, 0, {}}, [&] {
       more = decode();
       if (!more) {
         refuse_short();
@@ -64,16 +65,6 @@ class FilmReader::Implementation {
   }
 
  private:
-  // errors of this reader name the film
-  template <class Work>
-  void with_name(const Work& work) const {
-    try {
-      work();
-    } catch (const Error& error) {
-      throw error.at({file_, 0, {}});
-    }
-  }
-
   void open_input() {
     AVFormatContext* input = nullptr;
     // the protocol is named, or libav would find one in a name such as "take:1.mp4"

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "base/at_place.h"
 #include "base/check.h"
 #include "video/converter.h"
 #include "video/film_writer.h"
@@ -24,7 +25,7 @@ class FilmSink final : public FrameSink {
   void push(const Image& frame) override {
     CHECK(frame.width == job_.width && frame.height == job_.height);
     AVFrame* converted = nullptr;
-    naming_output(job_.output, [&] {
+    at_place({job_.output, 0, {}}, [&] {
       const StageTimer timer(times_.convert);
       converted = converter_.convert(frame);
     });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/at_place.h"
 #include "base/check.h"
 #include "base/stage_clock.h"
 #include "video/film_header.h"
@@ -57,7 +58,7 @@ void set_colours(AVCodecContext& c) {
 FilmWriter::FilmWriter(const SinkJob& job)
     : job_(job), format_(format_of(job)), row_(fitting_encoder(format_, job)), output_(job.output) {
   quieten_libav();
-  naming_output(job_.output, [&] {
+  at_place({job_.output, 0, {}}, [&] {
     muxer_ = open_container(format_, output_);
     open_encoder();
   });
@@ -119,7 +120,7 @@ void FilmWriter::write_header() {
 }
 
 void FilmWriter::write(AVFrame& frame, bool key) {
-  naming_output(job_.output, [&] {
+  at_place({job_.output, 0, {}}, [&] {
     if (!begun_) write_header();
     frame.pict_type = key ? AV_PICTURE_TYPE_I : AV_PICTURE_TYPE_NONE;
     encode(&frame);
@@ -128,16 +129,12 @@ void FilmWriter::write(AVFrame& frame, bool key) {
 
 // hands a frame over (null: no more) and writes what comes out
 void FilmWriter::encode(const AVFrame* frame) {
-  check_libav(avcodec_send_frame(encoder_.get(), frame), "cannot encode");
-  while (true) {
-    const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
-    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-    check_libav(code, "cannot encode");
+  encode_frame(*encoder_, frame, *packet_, "cannot encode", [&] {
     packet_->stream_index = stream_->index;
     packet_->duration = 1;
     av_packet_rescale_ts(packet_.get(), encoder_->time_base, stream_->time_base);
     check_libav(av_interleaved_write_frame(muxer_.get(), packet_.get()), "cannot write the film");
-  }
+  });
 }
 
 void FilmWriter::set_at_end(const char* option, std::int64_t value) {
@@ -145,7 +142,7 @@ void FilmWriter::set_at_end(const char* option, std::int64_t value) {
 }
 
 void FilmWriter::finish() {
-  naming_output(job_.output, [&] {
+  at_place({job_.output, 0, {}}, [&] {
     CHECK(begun_);
     encode(nullptr);
     check_libav(av_write_trailer(muxer_.get()), "cannot finish the film");

@@ -55,15 +55,4 @@ class FilmWriter {
   std::optional<std::string> seal_;
 };
 
-// Runs work, whose errors get the name of the output.
-template <class Work>
-void naming_output(const std::string& output, const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    if (error.fault() == Fault::interrupted) throw;  // has no place
-    throw error.at({output, 0, {}});
-  }
-}
-
 }  // namespace polhode

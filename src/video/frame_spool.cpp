@@ -73,11 +73,7 @@ void FrameSpool::push(const AVFrame& frame) {
 
 // each packet behind its size
 void FrameSpool::encode(const AVFrame* frame) {
-  check_libav(avcodec_send_frame(encoder_.get(), frame), "cannot keep a frame");
-  while (true) {
-    const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
-    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-    check_libav(code, "cannot keep a frame");
+  encode_frame(*encoder_, frame, *packet_, "cannot keep a frame", [&] {
     const std::int32_t size = packet_->size;
     const bool written =
         std::fwrite(&size, sizeof size, 1, file_.get()) == 1 &&
@@ -85,7 +81,7 @@ void FrameSpool::encode(const AVFrame* frame) {
             static_cast<std::size_t>(size);
     av_packet_unref(packet_.get());
     if (!written) throw no_room();
-  }
+  });
 }
 
 void FrameSpool::rewind() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/at_place.h"
 #include "base/check.h"
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -64,7 +65,7 @@ class GifSink final : public FrameSink {
   void push(const Image& frame) override {
     CHECK(frame.width == job_.width && frame.height == job_.height);
     if (count_++ % step_ != 0) return;
-    naming_output(job_.output, [&] {
+    at_place({job_.output, 0, {}}, [&] {
       AVFrame* converted = nullptr;
       {
         const StageTimer timer(times_.convert);
@@ -80,7 +81,7 @@ class GifSink final : public FrameSink {
   // the palette is known only now
   void finish() override {
     const StageTimer timer(times_.encode);
-    naming_output(job_.output, [&] {
+    at_place({job_.output, 0, {}}, [&] {
       palette_.push(0, nullptr);
       AVFrame* palette = palette_.pull();
       CHECK(palette != nullptr);

@@ -54,6 +54,23 @@ std::string libav_words(int code);
 // (environment) with libav's words, (interrupted) when a signal ended the call.
 int check_libav(int code, const std::string& what);
 
+// Hands a frame (null: no more) to an encoder, and every packet that comes out to `use`. Throws as
+// check_libav does.
+template <class Use>
+void encode_frame(AVCodecContext& encoder,
+                  const AVFrame* frame,
+                  AVPacket& packet,
+                  const std::string& what,
+                  const Use& use) {
+  check_libav(avcodec_send_frame(&encoder, frame), what);
+  while (true) {
+    const int code = avcodec_receive_packet(&encoder, &packet);
+    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+    check_libav(code, what);
+    use();
+  }
+}
+
 // libav's way to say that there was no memory. Throws Error (environment).
 template <class T>
 T* made(T* object) {

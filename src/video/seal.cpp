@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -67,15 +67,8 @@ std::string element_head(const std::filesystem::path& file, std::size_t bytes) {
 }
 
 void append(const std::filesystem::path& file, std::string_view bytes) {
-  std::FILE* out = std::fopen(file.c_str(), "ab");
-  const bool written = out != nullptr &&
-                       std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
-                       std::fflush(out) == 0;
-  const int reason = errno;
-  const bool closed = out != nullptr && std::fclose(out) == 0;
-  if (!written || !closed) {
-    throw environment_error("cannot write the film: {}", std::strerror(written ? errno : reason));
-  }
+  if (const int reason = failure_to_write(file, "ab", bytes); reason != 0)
+    throw environment_error("cannot write the film: {}", std::strerror(reason));
 }
 
 }  // namespace

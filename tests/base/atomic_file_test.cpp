@@ -170,22 +170,23 @@ TEST_F(AtomicFileTest, a_full_disk_leaves_nothing) {
   EXPECT_EQ(files_in_folder(), 0u);
 }
 
+// the exit code that stop_if_interrupted() would end in
+int interruption() {
+  try {
+    stop_if_interrupted();
+  } catch (const Error& error) {
+    return static_cast<int>(error.fault());
+  }
+  return 0;
+}
+
 TEST(Interrupt, a_signal_becomes_an_error) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const int code = exit_code_of_child([&] {
       watch_for_interrupt();
-      try {
-        stop_if_interrupted();
-      } catch (...) {
-        return 1;
-      }
+      if (interruption() != 0) return 1;
       raise(signal);
-      try {
-        stop_if_interrupted();
-      } catch (const Error& error) {
-        return static_cast<int>(error.fault());
-      }
-      return 0;
+      return interruption();
     });
     EXPECT_EQ(code, 130);
   }
@@ -197,12 +198,7 @@ TEST(Interrupt, two_signals_at_once_are_one) {
     watch_for_interrupt();
     raise(SIGHUP);
     raise(SIGHUP);
-    try {
-      stop_if_interrupted();
-    } catch (const Error& error) {
-      return static_cast<int>(error.fault());
-    }
-    return 0;
+    return interruption();
   });
   EXPECT_EQ(code, 130);
 }

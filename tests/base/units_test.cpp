@@ -36,7 +36,6 @@ TEST(Units, every_unit_has_si_first_and_no_suffix_twice) {
     ASSERT_FALSE(suffixes.empty());
     EXPECT_STREQ(suffixes.front().suffix, "");
     EXPECT_EQ(suffixes.front().factor, 1.0);
-    EXPECT_EQ(si_symbol(unit), suffixes.front().symbol);
     std::set<std::string> names;
     for (const UnitSuffix& row : suffixes) {
       EXPECT_TRUE(names.insert(row.suffix).second) << row.suffix;

@@ -12,42 +12,14 @@
 
 #include "app/film_plan.h"
 #include "app/load.h"
+#include "image/compare.h"
 #include "render/renderer.h"
+#include "support/edge_truth.h"
 
 namespace polhode {
 namespace {
 
 constexpr int kMoments = 3;
-constexpr int kSide = 8;  // pictures along each side of a pixel
-
-std::vector<float> truth(const Context& context, const Picture& picture, PictureSize size) {
-  Renderer renderer(context, {size.width, size.height, 0, false, Edges::samples});
-  std::vector<float> mean(4 * static_cast<std::size_t>(size.width) *
-                          static_cast<std::size_t>(size.height));
-  Image image;
-  for (int k = 0; k < kSide * kSide; ++k) {
-    Picture moved = picture;
-    for (Panel& panel : moved.panels) {
-      glm::mat4 aside(1.0f);
-      aside[3][0] = 2.0f * ((k % kSide + 0.5f) / kSide - 0.5f) / panel.place.width;
-      aside[3][1] = 2.0f * ((k / kSide + 0.5f) / kSide - 0.5f) / panel.place.height;
-      panel.list.view.clip_from_world = aside * panel.list.view.clip_from_world;
-    }
-    renderer.draw(moved, image);
-    for (std::size_t i = 0; i < mean.size(); ++i)
-      mean[i] += image.pixels[i] / static_cast<float>(kSide * kSide);
-  }
-  return mean;
-}
-
-double squared_error(const Image& image, const std::vector<float>& truth) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double off = i % 4 == 3 ? 0.0 : image.pixels[i] - truth[i];
-    sum += off * off;
-  }
-  return sum / (0.75 * static_cast<double>(truth.size()));
-}
 
 void judge(const std::string& file, const std::string& size, const Context& context) {
   Overrides overrides;
@@ -65,23 +37,24 @@ void judge(const std::string& file, const std::string& size, const Context& cont
   for (int i = 0; i < kMoments; ++i) {
     Picture picture = film.at(frames.film_time(frames.count * (2 * i + 1) / (2 * kMoments)));
     picture.stamps.clear();
-    const std::vector<float> mean = truth(context, picture, pixels);
+    const std::vector<double> truth =
+        test::edge_truth(context, picture, pixels.width, pixels.height);
     for (Way& way : ways) {
       Renderer renderer(context, {pixels.width, pixels.height, way.samples, false, way.edges});
       Image image;
       renderer.draw(picture, image);
-      way.error += squared_error(image, mean) / kMoments;
+      way.error += test::mean_square_error(image, truth) / kMoments;
     }
   }
-  const auto psnr = [](double error) {
-    return 10.0 * std::log10(255.0 * 255.0 / error);
+  const auto decibels = [&](std::size_t way) {
+    return psnr(std::sqrt(ways[way].error));
   };
   fmt::print("{:<36} {:>8.2f} {:>9.2f} {:>9.2f} {:>+9.2f}\n",
              std::filesystem::path(file).stem().string(),
-             psnr(ways[0].error),
-             psnr(ways[1].error),
-             psnr(ways[2].error),
-             psnr(ways[2].error) - psnr(ways[1].error));
+             decibels(0),
+             decibels(1),
+             decibels(2),
+             decibels(2) - decibels(1));
 }
 
 }  // namespace

@@ -27,18 +27,8 @@ Image picture(int noise) {
   return image;
 }
 
-void values(benchmark::State& state) {
-  const Image a = picture(0), b = picture(1);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(compare(a, b, 3).rms);
-}
-void values_over_threshold(benchmark::State& state) {
-  const Image a = picture(0), b = picture(9);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(compare(a, b, 3).rms);
-}
-void equal(benchmark::State& state) {
-  const Image a = picture(0), b = picture(0);
+void values(benchmark::State& state, int noise) {
+  const Image a = picture(0), b = picture(noise);
   for (auto _ : state)
     benchmark::DoNotOptimize(compare(a, b, 3).rms);
 }
@@ -53,9 +43,9 @@ void flip_map(benchmark::State& state) {
     benchmark::DoNotOptimize(flip(a, b, kPixelsPerDegree, static_cast<int>(state.range(0))).mean);
 }
 
-BENCHMARK(equal)->Unit(benchmark::kMillisecond);
-BENCHMARK(values)->Unit(benchmark::kMillisecond);
-BENCHMARK(values_over_threshold)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(values, equal, 0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(values, a_level_apart, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(values, over_threshold, 9)->Unit(benchmark::kMillisecond);
 BENCHMARK(structural_similarity)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(flip_map)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 

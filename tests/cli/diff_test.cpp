@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/png.h"
+#include "support/flat_image.h"
 #include "support/run.h"
 #include "video/frame_sink.h"
 
@@ -19,10 +20,7 @@ using test::TemporaryFolder;
 using test::write_text;
 
 Image flat(int level, int width = 64, int height = 48) {
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(level);
-  return image;
+  return test::flat_image(width, height, level, level, level);
 }
 
 class Diff : public ::testing::Test {

@@ -12,6 +12,7 @@
 #include "image/compare.h"
 #include "image/flip.h"
 #include "image/ssim.h"
+#include "support/flat_image.h"
 
 namespace polhode {
 namespace {
@@ -48,14 +49,7 @@ Image scene(const std::string& kind) {
 }
 
 Image flat(int r, int g, int b, int alpha = 255, int side = 48) {
-  Image image(side, side);
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    image.pixels[i] = static_cast<std::uint8_t>(r);
-    image.pixels[i + 1] = static_cast<std::uint8_t>(g);
-    image.pixels[i + 2] = static_cast<std::uint8_t>(b);
-    image.pixels[i + 3] = static_cast<std::uint8_t>(alpha);
-  }
-  return image;
+  return test::flat_image(side, side, r, g, b, alpha);
 }
 
 struct Reference {

@@ -5,6 +5,7 @@
 #include "frame/compose.h"
 #include "image/compare.h"
 #include "render/renderer.h"
+#include "support/edge_truth.h"
 #include "support/motions.h"
 
 namespace polhode {
@@ -113,26 +114,12 @@ TEST(Renderer, OutlinesAreNoWorseThanFourSamples) {
     renderer.draw(what, image);
     return image;
   };
-  std::vector<double> truth;
-  constexpr int kSide = 8;
-  Renderer plain(*context, {kLarge.width, kLarge.height, 0, false, Edges::samples});
-  for (int k = 0; k < kSide * kSide; ++k) {
-    DrawList moved = list;
-    glm::mat4 aside(1.0f);
-    aside[3][0] = 2.0f * ((k % kSide + 0.5f) / kSide - 0.5f) / kLarge.width;
-    aside[3][1] = 2.0f * ((k / kSide + 0.5f) / kSide - 0.5f) / kLarge.height;
-    moved.view.clip_from_world = aside * moved.view.clip_from_world;
-    Image image;
-    plain.draw(moved, image);
-    truth.resize(image.pixels.size());
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      truth[i] += image.pixels[i] / static_cast<double>(kSide * kSide);
-  }
+  Picture picture;
+  picture.panels.push_back({{0, 0, kLarge.width, kLarge.height}, list});
+  const std::vector<double> truth =
+      test::edge_truth(*context, picture, kLarge.width, kLarge.height);
   const auto error = [&](const Image& image) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      squares += (image.pixels[i] - truth[i]) * (image.pixels[i] - truth[i]);
-    return std::sqrt(squares / static_cast<double>(truth.size()));
+    return std::sqrt(test::mean_square_error(image, truth));
   };
   const double none = error(drawn(list, 0, Edges::samples));
   const double four = error(drawn(list, 4, Edges::samples));

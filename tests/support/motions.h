@@ -7,14 +7,18 @@
 
 namespace polhode::test {
 
+inline BodySpec body_of(const SolidSpec& solid) {
+  BodySpec body;
+  body.solid = solid;
+  return body;
+}
+
 inline BodySpec ellipsoid_body(const Vec3& semi_axes) {
   SolidSpec solid;
   solid.kind = "ellipsoid";
   solid.semi_axes = semi_axes;
   solid.mass = 1.0;
-  BodySpec body;
-  body.solid = solid;
-  return body;
+  return body_of(solid);
 }
 
 inline BodySpec prolate_body() {
@@ -30,9 +34,7 @@ inline BodySpec brick_body() {
   solid.kind = "box";
   solid.size = Vec3(0.3, 0.2, 0.06);
   solid.mass = 1.0;
-  BodySpec body;
-  body.solid = solid;
-  return body;
+  return body_of(solid);
 }
 
 // tilted by 40 degrees, spinning and wobbling
@@ -56,9 +58,7 @@ inline BodySpec cone_body() {
   solid.radius = 0.03;
   solid.height = 0.05;
   solid.mass = 0.1;
-  BodySpec body;
-  body.solid = solid;
-  return body;
+  return body_of(solid);
 }
 
 inline MotionSpec spinning_on_pivot() {

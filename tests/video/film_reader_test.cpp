@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "image/compare.h"
 #include "support/expect_error.h"
+#include "support/flat_image.h"
 #include "support/run.h"
 #include "video/decoded_film.h"
 #include "video/frame_sink.h"
@@ -19,14 +20,7 @@ namespace {
 using test::TemporaryFolder;
 
 Image flat(int r, int g, int b) {
-  Image image(64, 48);
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    image.pixels[i] = static_cast<std::uint8_t>(r);
-    image.pixels[i + 1] = static_cast<std::uint8_t>(g);
-    image.pixels[i + 2] = static_cast<std::uint8_t>(b);
-    image.pixels[i + 3] = 255;
-  }
-  return image;
+  return test::flat_image(64, 48, r, g, b);
 }
 
 void write_film(const std::string& file,

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "support/flat_image.h"
 #include "support/full_disk.h"
 #include "support/run.h"
 #include "video/decoded_film.h"
@@ -32,14 +33,7 @@ SinkJob job_for(const std::string& output, FrameRate fps = {60, 1}) {
 }
 
 Image flat(const SinkJob& job, int r, int g, int b) {
-  Image image(job.width, job.height);
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    image.pixels[i] = static_cast<std::uint8_t>(r);
-    image.pixels[i + 1] = static_cast<std::uint8_t>(g);
-    image.pixels[i + 2] = static_cast<std::uint8_t>(b);
-    image.pixels[i + 3] = 255;
-  }
-  return image;
+  return test::flat_image(job.width, job.height, r, g, b);
 }
 
 // a white square that walks over grey

@@ -273,16 +273,20 @@ FilmMarks some_marks() {
   return marks;
 }
 
+DecodedFilm marked_film(const TemporaryFolder& folder, const Way& way) {
+  const SinkJob job = job_for(folder, way);
+  write_film(job, 40, some_marks());
+  return decode(job.output);
+}
+
 TEST(Formats, TitleChaptersAndEncoderAreInTheContainer) {
   for (const Way& way : all_ways()) {
     if (!way.format->tells) continue;
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
-    const SinkJob job = job_for(folder, way);
-    write_film(job, 40, some_marks());
-    const DecodedFilm film = decode(job.output);
-    EXPECT_EQ(film.title, job.title);
-    EXPECT_EQ(film.comment, job.comment);
+    const DecodedFilm film = marked_film(folder, way);
+    EXPECT_EQ(film.title, job_for(folder, way).title);
+    EXPECT_EQ(film.comment, job_for(folder, way).comment);
     ASSERT_EQ(film.chapters.size(), 2u);
     EXPECT_EQ(film.chapters[0].title, "First <one>");
     EXPECT_EQ(film.chapters[1].title, "Second & last ü");
@@ -298,9 +302,7 @@ TEST(Formats, KeyFramesAreWhereTheStoryStopsAndEverySecond) {
     if (!way.format->tells) continue;
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
-    const SinkJob job = job_for(folder, way);
-    write_film(job, 40, some_marks());
-    const DecodedFilm film = decode(job.output);
+    const DecodedFilm film = marked_film(folder, way);
     ASSERT_EQ(film.packets.size(), 40u);
     std::set<int> keys;
     for (const DecodedFilm::Packet& packet : film.packets) {

@@ -164,6 +164,19 @@ Json with_notes_as_text(Json blocks) {
   return blocks;
 }
 
+// The deck for pages that write its title themselves.
+Json without_meta(const Deck& deck, const Json& blocks) {
+  Deck plain = deck;
+  plain.meta = Json::object();
+  return plain.tree(blocks);
+}
+
+std::string sections_html(const Json& tree) {
+  return write_document(tree,
+                        {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
+      .text;
+}
+
 }  // namespace
 
 void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
@@ -196,13 +209,8 @@ void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
 }
 
 std::string make_page(const Deck& deck, const FigureOf& figure_of) {
-  Deck plain = deck;
-  plain.meta = Json::object();
-  const Json tree = plain.tree(with_notes_as_text(filled(deck, figure_of, page_blocks)));
-  const std::string body =
-      write_document(tree,
-                     {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
-          .text;
+  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, page_blocks)));
+  const std::string body = sections_html(tree);
   // the contents come from pandoc's own template, which has nothing else here
   const ScratchFolder scratch;
   const std::string only_contents = scratch / "contents.html";
@@ -222,23 +230,15 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of) {
 }
 
 std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal) {
-  Deck plain = deck;
-  plain.meta = Json::object();
-  const Json tree = plain.tree(filled(deck, figure_of, slide_blocks));
+  const Json tree = without_meta(deck, filled(deck, figure_of, slide_blocks));
   const std::string body =
       write_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"}).text;
   return slides_page(words_of(deck), with_brackets(body), reveal);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
-  Deck plain = deck;
-  plain.meta = Json::object();
-  const Json tree = plain.tree(with_notes_as_text(filled(deck, figure_of, handout_blocks)));
-  const std::string body =
-      write_document(tree,
-                     {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
-          .text;
-  return handout_page(words_of(deck), with_brackets(body));
+  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, handout_blocks)));
+  return handout_page(words_of(deck), with_brackets(sections_html(tree)));
 }
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {

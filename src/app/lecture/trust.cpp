@@ -6,6 +6,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "scene/scene.h"
 
@@ -21,13 +22,6 @@ bool is_inside(const std::filesystem::path& file, const std::filesystem::path& f
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
   static_cast<void>(rest);
   return end == folder.end();
-}
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "base/name_list.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/nearest.h"
+
+namespace polhode {
+
+std::vector<std::string> split_names(std::string_view list) {
+  std::vector<std::string> names;
+  for (std::size_t start = 0; start < list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    names.emplace_back(list.substr(start, end - start));
+    start = end + 1;
+  }
+  return names;
+}
+
+std::set<std::string> known_names(std::string_view list,
+                                  const std::vector<std::string>& known,
+                                  std::string_view what,
+                                  const std::string& option) {
+  std::set<std::string> names;
+  for (const std::string& name : split_names(list)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw input_error("no {} is called '{}'{}", what, name, suggestion(name, known))
+          .at({{}, 0, option});
+    }
+    names.insert(name);
+  }
+  return names;
+}
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "base/name_list.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+
+namespace polhode {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(SplitNames, takes_what_is_between_commas) {
+  EXPECT_EQ(split_names(""), Names());
+  EXPECT_EQ(split_names("a"), Names{"a"});
+  EXPECT_EQ(split_names("b,a,b"), (Names{"b", "a", "b"}));
+  EXPECT_EQ(split_names("a,,b,"), (Names{"a", "", "b"}));
+}
+
+TEST(KnownNames, refuses_names_of_nothing) {
+  const Names known = {"body", "plane"};
+  EXPECT_EQ(known_names("plane,body,plane", known, "case", "--cases"),
+            (std::set<std::string>{"body", "plane"}));
+  EXPECT_TRUE(known_names("", known, "case", "--cases").empty());
+  test::expect_input_error([&] { known_names("body,plan", known, "case", "--cases"); },
+                           "--cases",
+                           "no case is called 'plan' (did you mean 'plane'?)");
+}
+
+}  // namespace
+}  // namespace polhode
