@@ -33,9 +33,10 @@ Action define_lecture(CLI::App& command) {
                    "let the deck name files outside its folder; only for decks that you trust");
   add_text(command, "--size", job->settings.size, "of all pictures; default: each scene's own")
       ->type_name("WxH");
-  add_text(command, "--fps", job->settings.fps, "of all films; default: each scene's own");
+  add_text(command, "--fps", job->settings.fps, "of all films; default: each scene's own")
+      ->type_name("N");
   add_text(command, "--quality", job->settings.quality, "draft, lecture or archive");
-  add_whole_number(command, "--jobs", *jobs, "films made at the same time (2)");
+  add_whole_number(command, "--jobs", *jobs, "films made at the same time (2)")->type_name("N");
   add_progress(command, *progress);
   return [=] {
     if (*jobs && **jobs < 1) {

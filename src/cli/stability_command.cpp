@@ -28,9 +28,12 @@ Action define_stability(CLI::App& command) {
   add_text(command, "--x-range", job->x_range, "default: around the scene's own")->type_name("A:B");
   add_text(command, "--y-range", job->y_range, "default: around the scene's own")->type_name("A:B");
   add_text(command, "--cells", job->cells, "cells across and upwards")->type_name("NxM");
-  add_number(command, "--turns", *turns, "how far the body turns in every run (default: 100)");
-  add_number(command, "--allowed", *allowed, "attitude error that is fine, rad (default: 0.1)");
-  add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)");
+  add_number(command, "--turns", *turns, "how far the body turns in every run (default: 100)")
+      ->type_name("N");
+  add_number(command, "--allowed", *allowed, "attitude error that is fine, rad (default: 0.1)")
+      ->type_name("RAD");
+  add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
+      ->type_name("N");
   add_progress(command, *progress);
   return [=] {
     const auto positive = [](const auto& value, const char* option) {
