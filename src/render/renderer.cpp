@@ -332,7 +332,7 @@ class Renderer::Implementation {
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, 0);
   }
 
-  void read(const PixelBox& part, const PixelBox& box, GLenum what, GLenum type, void* to) {
+  void read(const PixelBox& part, const PixelBox& box, GLenum what, GLenum type, void* to) const {
     gl_.ReadPixels(part.x - box.x, part.y - box.y, part.width, part.height, what, type, to);
   }
 
