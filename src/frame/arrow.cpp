@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "frame/to_glm.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -17,7 +18,7 @@ DrawItem piece(const MeshPtr& mesh,
                const Material& material) {
   Placement place = Placement::Identity();
   place.translation() = base;
-  place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), direction).toRotationMatrix() *
+  place.linear() = turn_between(Vec3::UnitZ(), direction).toRotationMatrix() *
                    Vec3(radius, radius, length).asDiagonal();
   return {mesh, to_glm(place.matrix()), material, Faces::front};
 }

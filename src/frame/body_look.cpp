@@ -134,7 +134,7 @@ std::vector<LookPart> points_look(const BodySpec& spec,
     look.push_back(ball);
     if (arm.norm() < radius) continue;
     rod.body_from_mesh.translation() = model.body.center;
-    rod.body_from_mesh.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), arm).toRotationMatrix() *
+    rod.body_from_mesh.linear() = turn_between(Vec3::UnitZ(), arm).toRotationMatrix() *
                                   Vec3(0.025 * reach, 0.025 * reach, arm.norm()).asDiagonal();
     look.push_back(rod);
   }

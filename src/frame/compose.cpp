@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -161,7 +162,7 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
     if (spec.follow == "body") {
       turn = (start.q_SB * now.q_SB.conjugate()).toRotationMatrix();
     } else if (spec.follow == "momentum" && now.L_S.norm() > 0.0 && start.L_S.norm() > 0.0) {
-      turn = Quat::FromTwoVectors(now.L_S, start.L_S).toRotationMatrix();
+      turn = turn_between(now.L_S, start.L_S).toRotationMatrix();
     }
     rig.linear() = turn;
     rig.translation() = start.reference_S - turn * now.reference_S;

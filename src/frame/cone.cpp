@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 Mat3 turned_to(const Vec3& axis) {
-  return Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+  return turn_between(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
 DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/units.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -102,7 +103,7 @@ Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool 
   Vec3 normal = t.unitOrthogonal();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 now = tangent(i);
-    if (t.dot(now) > -0.999999) normal = Quat::FromTwoVectors(t, now) * normal;
+    if (t.dot(now) > -0.999999) normal = turn_between(t, now) * normal;
     t = now;
     const Vec3 across = t.cross(normal);
     for (int k = 0; k < sides; ++k) {

@@ -142,7 +142,7 @@ void add_extent(const Marks& marks, std::vector<Vec3>& points) {
       points.push_back(point_of(arc, static_cast<double>(i) / kPiecesOfArc));
   }
   for (const Cone& cone : marks.cones) {
-    const Mat3 R = Quat::FromTwoVectors(Vec3::UnitZ(), cone.axis).toRotationMatrix();
+    const Mat3 R = turn_between(Vec3::UnitZ(), cone.axis).toRotationMatrix();
     points.push_back(cone.apex);
     for (int k = 0; k < kPiecesOfRim; ++k) {
       const double angle = 2.0 * kPi * k / kPiecesOfRim;

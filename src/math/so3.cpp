@@ -22,6 +22,10 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+Quat turn_between(const Vec3& from, const Vec3& to) {
+  return Quat::FromTwoVectors(from, to);
+}
+
 Vec3 zxz_angles(const Quat& q) {
   // q = z(phi) x(theta) z(psi): (w, z) carry cos(theta/2) and phi + psi, (x, y) sin(theta/2) and
   // phi - psi

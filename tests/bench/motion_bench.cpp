@@ -2,6 +2,7 @@
 // What a step and an evaluation cost. A timing is a benchmark, never a test.
 #include <benchmark/benchmark.h>
 
+#include "math/so3.h"
 #include "motion/exact/exact.h"
 #include "support/motions.h"
 #include "support/tops.h"
@@ -16,7 +17,7 @@ void step(benchmark::State& run, const StepperInfo& method) {
   const Model model = make_model(body, false, Vec3::Zero());
   State state;
   state.y = Vec3(0.3, 2.0, 0.6);
-  state.q = Quat::FromTwoVectors(state.y, Vec3::UnitZ());  // away from the poles of angles
+  state.q = turn_between(state.y, Vec3::UnitZ());  // away from the poles of angles
   const std::unique_ptr<Stepper> stepper = method.make(model, state.y.norm());
   for (auto _ : run) {
     stepper->step(0.0, 0.01, state);

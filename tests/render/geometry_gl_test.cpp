@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "frame/compose.h"
 #include "frame/to_glm.h"
+#include "math/so3.h"
 #include "render/renderer.h"
 #include "support/motions.h"
 #include "support/show_only.h"
@@ -164,7 +165,7 @@ TEST_P(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
   list.translucent.clear();  // the rim alone
   const Image image = draw(list);
 
-  const Mat3 R = Quat::FromTwoVectors(Vec3::UnitZ(), cone.axis).toRotationMatrix();
+  const Mat3 R = turn_between(Vec3::UnitZ(), cone.axis).toRotationMatrix();
   const auto rim = [&](double angle) {
     const double across = std::sin(cone.half_angle);
     return camera.project(cone.apex + cone.slant * (R * Vec3(across * std::cos(angle),

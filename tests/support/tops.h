@@ -52,7 +52,7 @@ inline Problem heavy_asymmetric() {
 // The same with its angular momentum up: the third axis then stays away from the vertical if it
 // stays away from L, and angles about it exist.
 inline Problem upright(Problem p) {
-  p.start.q = Quat::FromTwoVectors(p.start.y, Vec3::UnitZ());
+  p.start.q = turn_between(p.start.y, Vec3::UnitZ());
   return p;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "frame/elements/parts.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -57,7 +58,7 @@ void add_stand(const Stage& stage, const Sample&, Marks& marks) {
   const double size = stage.scale.body;
   Placement place = Placement::Identity();
   place.translation() = -kStandHeight * size * up;
-  place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), up).toRotationMatrix() *
+  place.linear() = turn_between(Vec3::UnitZ(), up).toRotationMatrix() *
                    (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
   marks.meshes.push_back({stage.stand, place, plain(stage.theme.stand, 0.3f)});
   // corners around the foot

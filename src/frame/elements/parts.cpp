@@ -105,7 +105,7 @@ Placement principal_placement(const Stage& stage, const Sample& sample) {
 Placement disc_placement(const Vec3& center, const Vec3& normal, double radius) {
   Placement place = Placement::Identity();
   place.translation() = center;
-  place.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), normal).toRotationMatrix() * radius;
+  place.linear() = turn_between(Vec3::UnitZ(), normal).toRotationMatrix() * radius;
   return place;
 }
 

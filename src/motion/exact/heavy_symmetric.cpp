@@ -276,7 +276,7 @@ Quat third_axis_into(const Vec3& v) {
   if (v.x() == 0.0 && v.y() == 0.0) {
     return v.z() >= 0.0 ? Quat::Identity() : Quat(0.0, 1.0, 0.0, 0.0);
   }
-  return Quat::FromTwoVectors(Vec3::UnitZ(), v).normalized();
+  return turn_between(Vec3::UnitZ(), v).normalized();
 }
 
 // The start in axes of its own: q = q_SU o (a, b) o q_PN^-1.
