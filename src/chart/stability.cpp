@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/interrupt.h"
 #include "base/nearest.h"
+#include "base/system/interrupt.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
 

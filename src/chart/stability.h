@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "chart/judge.h"
+#include "chart/reference_solution.h"
 #include "motion/stepper.h"
 
 namespace polhode {

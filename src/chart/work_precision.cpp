@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
 #include "motion/walk.h"

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/tables.h"
-#include "base/console.h"
+#include "app/commands/list.h"
 #include "base/error.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 
 namespace polhode {

@@ -7,7 +7,7 @@
 #include "frame/draw_list.h"
 #include "frame/theme.h"
 #include "frame/to_glm.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 

@@ -8,7 +8,7 @@
 
 #include "frame/body_look.h"
 #include "frame/curves.h"
-#include "frame/marks.h"
+#include "frame/glyphs.h"
 #include "frame/theme.h"
 #include "motion/motion.h"
 

@@ -2,7 +2,7 @@
 // Typical sizes of a motion, from its start: what steps and errors are measured in.
 #pragma once
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 

@@ -8,8 +8,8 @@
 
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
-#include "motion/motion_model.h"
-#include "motion/trust.h"
+#include "motion/reliability.h"
+#include "motion/solution_method.h"
 
 namespace polhode {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
+#include "base/system/atomic_file.h"
 #include "video/encoders.h"
 
 namespace polhode {

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "base/at_place.h"
-#include "base/atomic_file.h"
-#include "base/interrupt.h"
+#include "base/system/atomic_file.h"
+#include "base/system/interrupt.h"
 #include "video/captions.h"
-#include "video/film_header.h"
-#include "video/film_output.h"
+#include "video/libav/film_header.h"
+#include "video/libav/film_output.h"
 
 namespace polhode {
 namespace {

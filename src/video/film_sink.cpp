@@ -5,8 +5,8 @@
 
 #include "base/at_place.h"
 #include "base/check.h"
-#include "video/converter.h"
-#include "video/film_writer.h"
+#include "video/libav/converter.h"
+#include "video/libav/film_writer.h"
 #include "video/plain_sinks.h"
 
 namespace polhode {

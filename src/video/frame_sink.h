@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/stage_clock.h"
+#include "base/system/stage_clock.h"
 #include "image/image.h"
 #include "video/video_spec.h"
 

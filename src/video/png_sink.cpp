@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 #include "image/png.h"
 
 namespace polhode {

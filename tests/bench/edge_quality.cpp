@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "app/film_plan.h"
-#include "app/load.h"
+#include "film/frame_times.h"
+#include "film/load.h"
 #include "image/compare.h"
 #include "render/renderer.h"
 #include "support/edge_truth.h"

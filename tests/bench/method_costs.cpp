@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "chart/work_precision.h"
-#include "motion/motion_model.h"
 #include "motion/scales.h"
+#include "motion/solution_method.h"
 #include "support/loads.h"
 #include "support/tops.h"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.h"
+#include "base/system/parallel.h"
 #include "chart/work_precision.h"
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"

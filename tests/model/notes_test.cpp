@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 #include "model/rigid_body.h"
 #include "support/expect_error.h"
 #include "support/particles.h"

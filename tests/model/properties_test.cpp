@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "model/model.h"
+#include "model/body_model.h"
 #include "model/rigid_body.h"
 
 namespace polhode {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode::test {
 

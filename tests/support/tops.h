@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode::test {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 #include "motion/stepper.h"
 
 namespace polhode {

@@ -3,7 +3,7 @@
 // step: what the kick methods are made of.
 #pragma once
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 

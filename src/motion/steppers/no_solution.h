@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/wide_registers.h"
+#include "base/system/wide_registers.h"
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
 #include "motion/steppers/turn.h"
