@@ -16,8 +16,8 @@ namespace {
 constexpr int kTimes = 65;
 constexpr double kHopeless = 0.05;  // rad; two runs further apart than this prove nothing
 
-const MotionModel* closed_form_of(const Model& model) {
-  for (const MotionModel& row : motion_models()) {
+const SolutionMethod* closed_form_of(const BodyModel& model) {
+  for (const SolutionMethod& row : solution_methods()) {
     if (row.closed_form && row.why_not(model).empty()) return &row;
   }
   return nullptr;
@@ -26,7 +26,7 @@ const MotionModel* closed_form_of(const Model& model) {
 // the most accurate run of a method that double precision gives: its last refinement that still
 // changes the answer by more than round-off does
 std::vector<State> finest(const StepperInfo& method,
-                          const Model& model,
+                          const BodyModel& model,
                           const State& start,
                           double duration,
                           const std::vector<double>& times) {
@@ -47,7 +47,7 @@ std::vector<State> finest(const StepperInfo& method,
 
 }  // namespace
 
-Judge::Judge(const Model& model, const State& start, double duration)
+ReferenceSolution::ReferenceSolution(const BodyModel& model, const State& start, double duration)
     : model_(model), duration_(duration) {
   for (int i = 0; i < kTimes; ++i)
     times_.push_back(duration * i / (kTimes - 1));
@@ -58,17 +58,17 @@ Judge::Judge(const Model& model, const State& start, double duration)
   }
 }
 
-void Judge::by_closed_form(const State& start) {
-  const MotionModel& row = *closed_form_of(model_);
+void ReferenceSolution::by_closed_form(const State& start) {
+  const SolutionMethod& row = *closed_form_of(model_);
   source_ = "closed form (" + row.name + ")";
   const std::unique_ptr<Trajectory> truth = row.make(model_, start);
   for (const double t : times_)
     states_.push_back(truth->at(t));
   // measured against a 19-digit reference: round-off of the phases
-  doubt_ = 4e-16 * (10.0 + typical_rate(model_, start) * duration_);
+  uncertainty_ = 4e-16 * (10.0 + typical_rate(model_, start) * duration_);
 }
 
-void Judge::by_two_methods(const State& start) {
+void ReferenceSolution::by_two_methods(const State& start) {
   // of different kinds, so that they do not err together
   const StepperInfo& one = find_stepper("dop853");
   const StepperInfo& splitting = find_stepper("kick_srkn11");
@@ -80,23 +80,23 @@ void Judge::by_two_methods(const State& start) {
     const std::vector<State> second = finest(other, model_, start, duration_, times_);
     for (std::size_t i = 0; i < times_.size(); ++i) {
       const double apart = deviation(model_, states_[i], second[i]);
-      if (!(apart <= doubt_)) doubt_ = apart;
+      if (!(apart <= uncertainty_)) uncertainty_ = apart;
     }
   } catch (const Error& error) {
     if (error.fault() == Fault::interrupted) throw;
-    doubt_ = std::numeric_limits<double>::infinity();
+    uncertainty_ = std::numeric_limits<double>::infinity();
   }
-  if (doubt_ <= kHopeless) return;
+  if (uncertainty_ <= kHopeless) return;
   source_ =
       "nobody: there is no closed form, and " + one.name + " and " + other.name + " do not agree";
-  doubt_ = std::numeric_limits<double>::infinity();
+  uncertainty_ = std::numeric_limits<double>::infinity();
 }
 
-double Judge::error_at_end(const State& end) const {
+double ReferenceSolution::error_at_end(const State& end) const {
   return deviation(model_, end, states_.back());
 }
 
-double Judge::error_of(const Trajectory& run) const {
+double ReferenceSolution::error_of(const Trajectory& run) const {
   double worst = 0.0;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const double error = deviation(model_, run.at(times_[i]), states_[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The truth that runs are held against.
+// The reference solution that runs are compared with.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,20 @@ namespace polhode {
 
 // Knows the motion at times spread over it: from the closed form, or where there is none from two
 // runs with methods of different kinds.
-class Judge {
+class ReferenceSolution {
  public:
-  Judge(const Model& model, const State& start, double duration);
+  ReferenceSolution(const BodyModel& model, const State& start, double duration);
 
   // How it knows, for people: "closed form (asymmetric)", "dop853 and kick_srkn11 agree".
   const std::string& source() const { return source_; }
-  // How far the truth itself may be off, rad; infinite when nobody knows it.
-  double doubt() const { return doubt_; }
-  // Errors smaller than this cannot be told from the judge's own: ten times its doubt.
-  double least_error() const { return 10.0 * doubt_; }
+  // How far the reference itself may be off, rad; infinite when nobody knows it.
+  double uncertainty() const { return uncertainty_; }
+  // Errors smaller than this cannot be told from those of the reference: ten times its uncertainty.
+  double least_error() const { return 10.0 * uncertainty_; }
   // The times over the motion, first and last included, and the states there.
   const std::vector<double>& times() const { return times_; }
   const std::vector<State>& states() const { return states_; }
-  // The largest deviation (motion/scales.h) at the times of the judge; NaN if one is.
+  // The largest deviation (motion/scales.h) at the times of the reference; NaN if one is.
   double error_of(const Trajectory& run) const;
   // The deviation of this state from the end of the motion.
   double error_at_end(const State& end) const;
@@ -34,10 +34,10 @@ class Judge {
   void by_closed_form(const State& start);
   void by_two_methods(const State& start);
 
-  Model model_;
+  BodyModel model_;
   double duration_;
   std::string source_;
-  double doubt_ = 0.0;
+  double uncertainty_ = 0.0;
   std::vector<double> times_;
   std::vector<State> states_;
 };

@@ -19,7 +19,7 @@ constexpr int kHalvings = 40;         // of the time in which a method fails
 
 // the motion of a scene by one method with the scene's step or tolerance
 Simulation simulate_by(const Scene& scene,
-                       const Model& model,
+                       const BodyModel& model,
                        const std::string& method,
                        double duration,
                        double allowed_rad) {
@@ -88,7 +88,7 @@ std::string title_of(const std::string& method) {
 Comparison::Comparison(const Solved& truth, double frame_s)
     : allowed_rad_(truth.simulation.report.accuracy_rad), truth_(truth_of(truth)) {
   const Scene& scene = truth.scene;
-  const Model model = make_model(scene.body, scene.motion);
+  const BodyModel model = make_model(scene.body, scene.motion);
   for (std::size_t i = 0; i < scene.numerics.compare.size(); ++i) {
     try {
       contenders_.push_back(run(scene, model, truth.simulation.motion, scene.numerics.compare[i]));
@@ -101,7 +101,7 @@ Comparison::Comparison(const Solved& truth, double frame_s)
 }
 
 Contender Comparison::run(const Scene& scene,
-                          const Model& model,
+                          const BodyModel& model,
                           const Motion& start,
                           const std::string& method) const {
   const double whole = scene.motion.duration;

@@ -42,7 +42,7 @@ class Comparison {
  private:
   // start: a motion that begins as all of them do
   Contender run(const Scene& scene,
-                const Model& model,
+                const BodyModel& model,
                 const Motion& start,
                 const std::string& method) const;
   std::optional<double> first_error(const Contender& one, double frame_s) const;

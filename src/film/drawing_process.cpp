@@ -35,7 +35,7 @@ enum class Kind { info, frame, error };
 struct Message {
   Kind kind = Kind::frame;
   std::uint32_t length = 0;  // bytes of JSON
-  MakingTimes times;         // so far
+  DrawingTimes times;        // so far
 };
 
 bool send_all(int channel, const void* bytes, std::size_t count) {
@@ -50,7 +50,7 @@ bool send_all(int channel, const void* bytes, std::size_t count) {
   return true;
 }
 
-bool send_message(int channel, Kind kind, const MakingTimes& times, const Json& json) {
+bool send_message(int channel, Kind kind, const DrawingTimes& times, const Json& json) {
   const std::string text =
       json.is_null() ? "" : json.dump(-1, ' ', false, Json::error_handler_t::replace);
   const Message message{kind, static_cast<std::uint32_t>(text.size()), times};
@@ -147,7 +147,7 @@ DrawingProcess::Slot& DrawingProcess::slot(int index) const {
 
 DrawingProcess::DrawingProcess(PictureSize size,
                                const std::vector<int>& frames,
-                               const std::function<std::unique_ptr<FrameMaker>()>& open)
+                               const std::function<std::unique_ptr<FrameRenderer>()>& open)
     : size_(size) {
   memory_ = mmap(
       nullptr, kSlots * slot_bytes(), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -195,20 +195,20 @@ DrawingProcess::~DrawingProcess() {
 
 // the child's life; nothing of the parent is unwound
 void DrawingProcess::draw(const std::vector<int>& frames,
-                          const std::function<std::unique_ptr<FrameMaker>()>& open) {
+                          const std::function<std::unique_ptr<FrameRenderer>()>& open) {
   try {
     // the rasteriser draws on this thread
     setenv("LP_NUM_THREADS", "0", 1);
-    const std::unique_ptr<FrameMaker> maker = open();
-    if (!send_message(channel_, Kind::info, {}, info_json(maker->info()))) _exit(0);
+    const std::unique_ptr<FrameRenderer> renderer = open();
+    if (!send_message(channel_, Kind::info, {}, info_json(renderer->info()))) _exit(0);
     Image image;
     int free = kSlots, next = 0;
     for (const int frame : frames) {
-      maker->make(frame, image);
+      renderer->make(frame, image);
       if (!wait_for_slot(free)) _exit(0);
       slot(next).put(image);
       next = (next + 1) % kSlots;
-      if (!send_message(channel_, Kind::frame, maker->times(), {})) _exit(0);
+      if (!send_message(channel_, Kind::frame, renderer->times(), {})) _exit(0);
     }
     // what is shared stays until the parent has taken it
     _exit(0);

@@ -18,7 +18,7 @@ class DrawingProcess {
   // (environment) without memory or processes.
   DrawingProcess(PictureSize size,
                  const std::vector<int>& frames,
-                 const std::function<std::unique_ptr<FrameMaker>()>& open);
+                 const std::function<std::unique_ptr<FrameRenderer>()>& open);
   ~DrawingProcess();
   DrawingProcess(const DrawingProcess&) = delete;
   DrawingProcess& operator=(const DrawingProcess&) = delete;
@@ -28,14 +28,14 @@ class DrawingProcess {
   // The next of its frames. Throws what the child could not do, Error (environment) when it has
   // been killed, (interrupted) when a signal asks us to stop.
   void next(Image& image);
-  const MakingTimes& times() const { return times_; }
+  const DrawingTimes& times() const { return times_; }
 
  private:
   struct Slot;
   Slot& slot(int index) const;
   std::size_t slot_bytes() const;
   [[noreturn]] void draw(const std::vector<int>& frames,
-                         const std::function<std::unique_ptr<FrameMaker>()>& open);
+                         const std::function<std::unique_ptr<FrameRenderer>()>& open);
   bool wait_for_slot(int& free) const;
   void read_all(void* bytes, std::size_t count);
   std::string read_text(std::size_t length);
@@ -49,7 +49,7 @@ class DrawingProcess {
   int taken_ = 0;       // frames
   bool known_ = false;  // is info_?
   RendererInfo info_;
-  MakingTimes times_;
+  DrawingTimes times_;
 };
 
 }  // namespace polhode

@@ -10,7 +10,7 @@ namespace {
 
 // the first frame at or after a moment of the film; negative before the piece that is made, the
 // number of its frames behind it
-int frame_at(const Frames& frames, double film_time) {
+int frame_at(const FrameTimes& frames, double film_time) {
   constexpr double kRounding = 1e-6;  // frames
   const double frame = std::ceil((film_time - frames.first) * frames.rate - kRounding);
   return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(frames.count)));
@@ -28,8 +28,8 @@ std::string title_of(const StoryStep& step) {
   return fmt::format("Pause at {:.4g} s", step.at);
 }
 
-std::vector<FilmMarks::Caption> captions_of(const Timeline& told, const Frames& frames) {
-  std::vector<FilmMarks::Caption> captions;
+std::vector<FilmMetadata::Caption> captions_of(const Timeline& told, const FrameTimes& frames) {
+  std::vector<FilmMetadata::Caption> captions;
   for (std::size_t i = 0; i < told.steps().size(); ++i) {
     const StoryStep& step = told.steps()[i];
     if (!step.caption) continue;
@@ -38,16 +38,16 @@ std::vector<FilmMarks::Caption> captions_of(const Timeline& told, const Frames& 
     if (!captions.empty()) captions.back().end = start;
     captions.push_back({start, frames.count, *step.caption});
   }
-  std::erase_if(captions, [](const FilmMarks::Caption& caption) {
+  std::erase_if(captions, [](const FilmMetadata::Caption& caption) {
     return caption.words.empty() || caption.end <= caption.start;
   });
   return captions;
 }
 
-std::vector<FilmMarks::Chapter> chapters_of(const Scene& scene,
-                                            const Timeline& told,
-                                            const Frames& frames) {
-  std::vector<FilmMarks::Chapter> chapters;
+std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
+                                               const Timeline& told,
+                                               const FrameTimes& frames) {
+  std::vector<FilmMetadata::Chapter> chapters;
   for (std::size_t i = 0; i < told.steps().size(); ++i) {
     const StoryStep& step = told.steps()[i];
     const bool says = step.caption && !step.caption->empty();
@@ -84,25 +84,25 @@ std::vector<FilmMarks::Chapter> chapters_of(const Scene& scene,
 
 }  // namespace
 
-FilmMarks film_marks(const Scene& scene,
-                     const std::vector<StoryStep>& story,
-                     const Frames& frames) {
+FilmMetadata film_metadata(const Scene& scene,
+                           const std::vector<StoryStep>& story,
+                           const FrameTimes& frames) {
   const Timeline told = frames.timeline.retold(story);
-  FilmMarks marks;
-  marks.frames = frames.count;
-  marks.captions = captions_of(told, frames);
-  marks.chapters = chapters_of(scene, told, frames);
+  FilmMetadata metadata;
+  metadata.frames = frames.count;
+  metadata.captions = captions_of(told, frames);
+  metadata.chapters = chapters_of(scene, told, frames);
 
   std::set<int> keys;
   for (const Pause& pause : told.pauses()) {
     keys.insert({frame_at(frames, pause.begins), frame_at(frames, pause.ends)});
   }
-  for (const FilmMarks::Chapter& chapter : marks.chapters) {
+  for (const FilmMetadata::Chapter& chapter : metadata.chapters) {
     keys.insert(chapter.start);
   }
   std::erase_if(keys, [&](int frame) { return frame <= 0 || frame >= frames.count; });
-  marks.key_frames.assign(keys.begin(), keys.end());
-  return marks;
+  metadata.key_frames.assign(keys.begin(), keys.end());
+  return metadata;
 }
 
 }  // namespace polhode

@@ -12,6 +12,8 @@ namespace polhode {
 // Key frames where a pause begins and ends and where a chapter starts; a chapter for each step of
 // the story that pauses or says something and for each shot with a name; a caption for each words
 // of the story. All of `frames`, counted from its first. `story` is the scene's, with its words.
-FilmMarks film_marks(const Scene& scene, const std::vector<StoryStep>& story, const Frames& frames);
+FilmMetadata film_metadata(const Scene& scene,
+                           const std::vector<StoryStep>& story,
+                           const FrameTimes& frames);
 
 }  // namespace polhode

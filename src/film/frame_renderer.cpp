@@ -8,9 +8,9 @@
 namespace polhode {
 namespace {
 
-class Drawer final : public FrameMaker {
+class Drawer final : public FrameRenderer {
  public:
-  Drawer(const PlannedFilm& film, const std::string& backend, bool transparent) : film_(film) {
+  Drawer(const FilmFrames& film, const std::string& backend, bool transparent) : film_(film) {
     // the threads that start here are the rasteriser's
     const std::set<int> before = thread_ids();
     context_ = open_context(backend);
@@ -43,8 +43,8 @@ class Drawer final : public FrameMaker {
   }
 
   const RendererInfo& info() const override { return renderer_->info(); }
-  MakingTimes times() const override {
-    MakingTimes times{compose_time_, renderer_->times()};
+  DrawingTimes times() const override {
+    DrawingTimes times{compose_time_, renderer_->times()};
     ThreadClocks clocks(rasteriser_);
     clocks.read();
     times.render.draw.cpu_s += clocks.total();
@@ -57,7 +57,7 @@ class Drawer final : public FrameMaker {
     return film_.film().at(film_time);
   }
 
-  const PlannedFilm& film_;
+  const FilmFrames& film_;
   std::unique_ptr<Context> context_;
   std::unique_ptr<Renderer> renderer_;
   std::set<int> rasteriser_;  // threads
@@ -67,9 +67,9 @@ class Drawer final : public FrameMaker {
 
 }  // namespace
 
-std::unique_ptr<FrameMaker> make_drawer(const PlannedFilm& film,
-                                        const std::string& backend,
-                                        bool transparent) {
+std::unique_ptr<FrameRenderer> make_frame_renderer(const FilmFrames& film,
+                                                   const std::string& backend,
+                                                   bool transparent) {
   return std::make_unique<Drawer>(film, backend, transparent);
 }
 

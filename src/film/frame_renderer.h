@@ -13,25 +13,25 @@
 namespace polhode {
 
 // Time spent on drawing; of several processes, the sum.
-struct MakingTimes {
+struct DrawingTimes {
   StageTime compose;
   RenderTimes render;
 };
 
 // Makes any frame of a film; the same index gives the same pixels, whoever makes it.
-class FrameMaker {
+class FrameRenderer {
  public:
-  virtual ~FrameMaker() = default;
+  virtual ~FrameRenderer() = default;
   // `image` gets the right size; its buffer is used again. Throws Error.
   virtual void make(int index, Image& image) = 0;
   virtual const RendererInfo& info() const = 0;
-  virtual MakingTimes times() const = 0;
+  virtual DrawingTimes times() const = 0;
 };
 
 // Draws on the calling thread. `film` must outlive it. Throws Error as open_context and Renderer
 // do.
-std::unique_ptr<FrameMaker> make_drawer(const PlannedFilm& film,
-                                        const std::string& backend,
-                                        bool transparent);
+std::unique_ptr<FrameRenderer> make_frame_renderer(const FilmFrames& film,
+                                                   const std::string& backend,
+                                                   bool transparent);
 
 }  // namespace polhode

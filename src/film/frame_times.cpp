@@ -25,7 +25,7 @@ double time_option(const char* option,
 void refuse_too_many_frames(double count) {
   if (count > kMostFrames) {
     throw input_error(
-        "the film would have {:.3g} frames; take a shorter piece or a larger video.time_scale",
+        "the film would have {:.3g} frames; take a shorter range or a larger video.time_scale",
         count);
   }
 }
@@ -53,12 +53,12 @@ std::string heading_of(const std::string& view) {
 
 }  // namespace
 
-void check_piece(const Scene& scene, const Piece& piece) {
+void check_time_range(const Scene& scene, const TimeRange& range) {
   const double duration = scene.motion.duration;
-  const double from = time_option("--from", piece.from, 0.0, duration);
-  const double to = time_option("--to", piece.to, duration, duration);
-  if (piece.one_picture) {
-    time_option("--still", piece.still, from, duration);
+  const double from = time_option("--from", range.from, 0.0, duration);
+  const double to = time_option("--to", range.to, duration, duration);
+  if (range.one_picture) {
+    time_option("--still", range.still, from, duration);
     return;
   }
   if (to <= from)
@@ -67,9 +67,9 @@ void check_piece(const Scene& scene, const Piece& piece) {
   refuse_too_many_frames(count);
 }
 
-Frames plan_frames(const Solved& solved, const Piece& piece) {
+FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
   const Scene& scene = solved.scene;
-  Frames frames;
+  FrameTimes frames;
   frames.rate = scene.video.fps.value();
   double duration = scene.motion.duration;
   double time_scale = scene.video.time_scale;
@@ -81,10 +81,10 @@ Frames plan_frames(const Solved& solved, const Piece& piece) {
     time_scale = duration * frames.rate / count;
   }
   frames.timeline = Timeline(scene.story, duration, time_scale);
-  frames.from = std::min(piece.from.value_or(0.0), duration);
-  frames.to = std::min(piece.to.value_or(duration), duration);
-  if (piece.one_picture) {
-    frames.from = frames.to = std::min(piece.still.value_or(frames.from), duration);
+  frames.from = std::min(range.from.value_or(0.0), duration);
+  frames.to = std::min(range.to.value_or(duration), duration);
+  if (range.one_picture) {
+    frames.from = frames.to = std::min(range.still.value_or(frames.from), duration);
     frames.first = frames.timeline.film_time(frames.from);
     return frames;
   }

@@ -12,15 +12,15 @@
 
 namespace polhode {
 
-// What piece of a film is wanted, in seconds of the motion.
-struct Piece {
+// Which part of the motion a film shows, in seconds of the motion.
+struct TimeRange {
   std::optional<double> from, to;  // absent: the start, the end
   std::optional<double> still;     // one picture
   bool one_picture = false;
 };
 
 // Which moments are drawn: frame i shows the film at first + i / fps.
-struct Frames {
+struct FrameTimes {
   Timeline timeline;
   double first = 0.0;  // s of the film
   double rate = 60.0;  // frames per s of film
@@ -31,11 +31,11 @@ struct Frames {
   double film_time(int index) const { return first + index / rate; }
 };
 
-// Checks the piece against the scene alone: what can be refused before any work is.
-void check_piece(const Scene& scene, const Piece& piece);
+// Checks the range against the scene alone: what can be refused before any work is.
+void check_time_range(const Scene& scene, const TimeRange& range);
 
 // Throws Error (input) for times outside the motion (naming the option), too many frames.
-Frames plan_frames(const Solved& solved, const Piece& piece);
+FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range);
 
 // One panel; or one for each method that is compared, or for each of show.views. `comparison` must
 // outlive the film. Throws Error (input) for plots beside several panels.

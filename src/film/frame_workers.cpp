@@ -14,15 +14,15 @@ void add(const StageTime& more, StageTime& sum) {
   sum.cpu_s += more.cpu_s;
 }
 
-class Crew final : public FrameMaker {
+class Crew final : public FrameRenderer {
  public:
-  Crew(const FilmOrder& order, const FilmBasis& basis, const std::vector<int>& frames)
+  Crew(const RenderPlan& plan, const PreparedFilm& basis, const std::vector<int>& frames)
       : frames_(frames) {
     const auto count =
-        std::min(static_cast<std::size_t>(order.jobs), std::max<std::size_t>(1, frames.size()));
-    const auto open = [&, film = std::shared_ptr<const PlannedFilm>()]() mutable {
-      film = std::make_shared<const PlannedFilm>(order, basis);
-      return make_drawer(*film, order.backend, order.sink.transparent);
+        std::min(static_cast<std::size_t>(plan.jobs), std::max<std::size_t>(1, frames.size()));
+    const auto open = [&, film = std::shared_ptr<const FilmFrames>()]() mutable {
+      film = std::make_shared<const FilmFrames>(plan, basis);
+      return make_frame_renderer(*film, plan.backend, plan.sink.transparent);
     };
     for (std::size_t k = 0; k < count; ++k) {
       std::vector<int> share;
@@ -40,10 +40,10 @@ class Crew final : public FrameMaker {
     ++made_;
   }
   const RendererInfo& info() const override { return members_.front()->info(); }
-  MakingTimes times() const override {
-    MakingTimes sum;
+  DrawingTimes times() const override {
+    DrawingTimes sum;
     for (const std::unique_ptr<DrawingProcess>& member : members_) {
-      const MakingTimes& times = member->times();
+      const DrawingTimes& times = member->times();
       add(times.compose, sum.compose);
       add(times.render.draw, sum.render.draw);
       add(times.render.read_back, sum.render.read_back);
@@ -60,10 +60,10 @@ class Crew final : public FrameMaker {
 
 }  // namespace
 
-std::unique_ptr<FrameMaker> make_crew(const FilmOrder& order,
-                                      const FilmBasis& basis,
-                                      const std::vector<int>& frames) {
-  return std::make_unique<Crew>(order, basis, frames);
+std::unique_ptr<FrameRenderer> start_frame_workers(const RenderPlan& plan,
+                                                   const PreparedFilm& basis,
+                                                   const std::vector<int>& frames) {
+  return std::make_unique<Crew>(plan, basis, frames);
 }
 
 }  // namespace polhode

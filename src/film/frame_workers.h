@@ -14,11 +14,11 @@ namespace polhode {
 // which draws every jobs-th of `frames` with one thread, into memory that is shared, at most three
 // frames ahead. make() must be called for `frames` in their order. The processes end with the
 // maker, and with this process, however that ends. Each sets its own text: Pango's threads would
-// not come along. Pixels are those of make_drawer. Throws Error (environment) for a process that
-// cannot be started, and from make() for one that was killed; what fails in a process is thrown by
-// make() too.
-std::unique_ptr<FrameMaker> make_crew(const FilmOrder& order,
-                                      const FilmBasis& basis,
-                                      const std::vector<int>& frames);
+// not come along. Pixels are those of make_frame_renderer. Throws Error (environment) for a process
+// that cannot be started, and from make() for one that was killed; what fails in a process is
+// thrown by make() too.
+std::unique_ptr<FrameRenderer> start_frame_workers(const RenderPlan& plan,
+                                                   const PreparedFilm& basis,
+                                                   const std::vector<int>& frames);
 
 }  // namespace polhode

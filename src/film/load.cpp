@@ -64,7 +64,7 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   return scene;
 }
 
-double accuracy_in_radians(const Scene& scene, const Model& model) {
+double accuracy_in_radians(const Scene& scene, const BodyModel& model) {
   const Accuracy& accuracy = scene.numerics.accuracy;
   if (!accuracy.pixels) return accuracy.value;
   constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
@@ -101,7 +101,7 @@ void refuse_same_file(const std::string& written,
 Solved solve(const Scene& scene) {
   return with_place(scene, [&] {
     StageTime time;
-    Model model = make_model(scene.body, scene.motion);
+    BodyModel model = make_model(scene.body, scene.motion);
     const double accuracy = accuracy_in_radians(scene, model);
     const auto warn = [&](const std::string& words, const char* key) {
       spdlog::warn("{}", placed(scene, input_error("{}", words).at({{}, 0, key})).what());
@@ -119,7 +119,7 @@ Solved solve(const Scene& scene) {
       const StageTimer timer(time);
       return simulate(model, scene.motion, numerics, accuracy);
     }();
-    for (const std::string& doubt : found.report.trust.doubts)
+    for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");
     return Solved{scene, model, std::move(found), time};
   });

@@ -30,7 +30,7 @@ struct Overrides {
 // A scene, checked, with its model and its motion.
 struct Solved {
   Scene scene;
-  Model model;
+  BodyModel model;
   Simulation simulation;
   StageTime simulate_time;
 };
@@ -54,7 +54,7 @@ Solved solve(const Scene& scene);
 
 // The attitude error that the scene allows, rad: given, or what moves nothing in the picture by
 // more than its pixels.
-double accuracy_in_radians(const Scene& scene, const Model& model);
+double accuracy_in_radians(const Scene& scene, const BodyModel& model);
 
 // The error with the place of its key: file and line, or the option that the value came from.
 Error placed(const Scene& scene, const Error& error);

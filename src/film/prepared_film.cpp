@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 // the wheels of coaches in films
-void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Frames& frames) {
+void warn_of_backward_turning(const Scene& scene, const Motion& motion, const FrameTimes& frames) {
   constexpr double kBlurring = kPi;  // an angle of the shutter beyond which nothing seems to turn
   if (frames.count < 2 || scene.video.shutter >= kBlurring) return;
   double fastest = 0.0;
@@ -52,7 +52,7 @@ int moments_of_shutter(const Motion& motion, const Scene& scene, double open) {
   return std::clamp(static_cast<int>(std::ceil(turned / kTurn)), 4, kMost);
 }
 
-void warn_of_open_loop(const Scene& scene, const Frames& frames) {
+void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
   if (!frames.loop || frames.loop->residual <= scene.video.loop_residual) return;
   const Error warning = input_error(
       "the motion comes back to its start only to {:.2g} degrees (after {:.4g} s); give it a "
@@ -64,10 +64,10 @@ void warn_of_open_loop(const Scene& scene, const Frames& frames) {
 
 }  // namespace
 
-FilmBasis find_basis(const FilmOrder& order) {
-  FilmBasis basis{solve(order.scene), {}};
+PreparedFilm prepare_film(const RenderPlan& plan) {
+  PreparedFilm basis{solve(plan.scene), {}};
   const Scene& scene = basis.solved.scene;
-  basis.frames = with_place(scene, [&] { return plan_frames(basis.solved, order.piece); });
+  basis.frames = with_place(scene, [&] { return plan_frame_times(basis.solved, plan.range); });
   if (!scene.numerics.compare.empty()) {
     basis.comparison = std::make_unique<const Comparison>(
         basis.solved, scene.video.time_scale / basis.frames.rate);
@@ -76,21 +76,21 @@ FilmBasis find_basis(const FilmOrder& order) {
   return basis;
 }
 
-PlannedFilm::PlannedFilm(const FilmOrder& order, const FilmBasis& basis)
+FilmFrames::FilmFrames(const RenderPlan& plan, const PreparedFilm& basis)
     : basis_(basis),
-      text_(order.text),
+      text_(plan.text),
       film_(with_place(basis.solved.scene,
                        [&] {
                          return make_film(basis.solved,
                                           basis.frames.timeline,
                                           basis.comparison.get(),
                                           basis.plots,
-                                          order.text);
+                                          plan.text);
                        })),
       open_(basis.solved.scene.video.shutter / (2.0 * kPi) / basis.frames.rate),
       moments_(moments_of_shutter(basis.solved.simulation.motion, basis.solved.scene, open_)) {}
 
-void PlannedFilm::warn() const {
+void FilmFrames::warn() const {
   const Scene& scene = basis_.solved.scene;
   if (text_) warn_of_missing_fonts();
   warn_of_open_loop(scene, basis_.frames);

@@ -13,23 +13,23 @@ namespace polhode {
 
 // What a film stands on: all that takes long and needs neither text nor OpenGL, whose threads do
 // not come along when drawing processes are forked.
-struct FilmBasis {
+struct PreparedFilm {
   Solved solved;
-  Frames frames;
+  FrameTimes frames;
   std::unique_ptr<const Comparison> comparison = {};  // null: nothing is compared
   std::vector<FilmPlot> plots = {};
 };
 
-// Finds the motion. Throws Error as solve, plan_frames and make_plots do.
-FilmBasis find_basis(const FilmOrder& order);
+// Finds the motion. Throws Error as solve, plan_frame_times and make_plots do.
+PreparedFilm prepare_film(const RenderPlan& plan);
 
 // What each frame shows.
-class PlannedFilm {
+class FilmFrames {
  public:
   // `basis` must outlive it. Throws Error as make_film does.
-  PlannedFilm(const FilmOrder& order, const FilmBasis& basis);
+  FilmFrames(const RenderPlan& plan, const PreparedFilm& basis);
 
-  const FilmBasis& basis() const { return basis_; }
+  const PreparedFilm& basis() const { return basis_; }
   const Film& film() const { return film_; }
 
   // Tells what is doubtful of it.
@@ -40,7 +40,7 @@ class PlannedFilm {
   int moments() const { return moments_; }
 
  private:
-  const FilmBasis& basis_;
+  const PreparedFilm& basis_;
   bool text_;
   Film film_;
   double open_;

@@ -14,16 +14,16 @@
 namespace polhode {
 
 // Claims the output before any work is done.
-class FilmTarget {
+class RenderOutput {
  public:
   // Throws Error as make_sink does. `order` must outlive it.
-  FilmTarget(const FilmOrder& order, bool with_hashes);
-  FilmTarget(const FilmTarget&) = delete;
-  FilmTarget& operator=(const FilmTarget&) = delete;
+  RenderOutput(const RenderPlan& plan, bool with_hashes);
+  RenderOutput(const RenderOutput&) = delete;
+  RenderOutput& operator=(const RenderOutput&) = delete;
 
   // Now that the frames are known. Throws Error (input) for a shard of nothing, and for pieces of
   // another film.
-  void begin(const FilmBasis& film);
+  void begin(const PreparedFilm& film);
 
   // Which frames of the film are to be pushed, in this order.
   const std::vector<int>& frames() const { return frames_; }
@@ -40,7 +40,7 @@ class FilmTarget {
   Error explained(const Error& error) const;
 
  private:
-  const FilmOrder& order_;
+  const RenderPlan& plan_;
   std::unique_ptr<FrameSink> sink_;
   ResumedFilm* resumed_ = nullptr;  // sink_, if it is one
   std::vector<int> frames_;
@@ -50,8 +50,8 @@ class FilmTarget {
 };
 
 // Makes all frames that the target wants and finishes it. `on_frame` as in run_pipeline.
-void fill_target(FilmTarget& target,
-                 FrameMaker& maker,
+void fill_output(RenderOutput& target,
+                 FrameRenderer& renderer,
                  const std::function<void(const PipelineStep&)>& on_frame);
 
 }  // namespace polhode

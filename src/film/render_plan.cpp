@@ -87,25 +87,25 @@ Scene shrunk(Scene scene, int factor) {
 }
 
 // a piece is of a film, or of numbered pictures or hashes
-void check_shard(const FilmOrder& order) {
-  const std::string& output = order.sink.output;
+void check_shard(const RenderPlan& plan) {
+  const std::string& output = plan.sink.output;
   const FilmFormat* format = find_film_format(output);
   const bool numbered = find_sink_kind(output).name == "png sequence";
   const bool hashes = find_sink_kind(output).name == "hash";
-  const bool film = format != nullptr && format->tells;
-  if (order.shard && (order.sink.still || !(film || numbered || hashes))) {
+  const bool film = format != nullptr && format->keeps_metadata;
+  if (plan.shard && (plan.sink.still || !(film || numbered || hashes))) {
     throw input_error(
         "no pieces can be made of '{}': name a .mp4, .webm, .mov, numbered .png or "
         ".hash",
         output)
         .at({{}, 0, "--shard"});
   }
-  if (order.resume && !film) {
+  if (plan.resume && !film) {
     throw input_error("nothing could go on in '{}': name a .mp4, .webm or .mov, or use --shard",
                       output)
         .at({{}, 0, "--resume"});
   }
-  if (order.resume && order.shard) {
+  if (plan.resume && plan.shard) {
     throw input_error("is for whole films; a shard is small enough to be made again")
         .at({{}, 0, "--resume"});
   }
@@ -144,30 +144,30 @@ Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-FilmOrder settle_order(const RenderJob& job) {
+RenderPlan plan_render(const RenderJob& job) {
   const Quality& quality = find_quality(job.quality);
-  FilmOrder order;
+  RenderPlan plan;
   Scene asked = load_with_overrides(job.scene, job.overrides);
-  order.story = asked.story;
+  plan.story = asked.story;
   if (!job.text) asked = without_text(std::move(asked));
-  order.scene = shrunk(std::move(asked), quality.shrink);
+  plan.scene = shrunk(std::move(asked), quality.shrink);
   const std::string output = output_of(job);
   const bool still = is_still(job, output);
-  order.piece = {job.from, job.to, job.still, still};
-  check_piece(order.scene, order.piece);
-  order.sink = sink_job(job, order.scene, quality, output, still);
-  if (job.shard) order.shard = parse_shard(*job.shard);
-  order.resume = job.resume;
-  check_shard(order);
-  order.text = job.text;
+  plan.range = {job.from, job.to, job.still, still};
+  check_time_range(plan.scene, plan.range);
+  plan.sink = sink_job(job, plan.scene, quality, output, still);
+  if (job.shard) plan.shard = parse_shard(*job.shard);
+  plan.resume = job.resume;
+  check_shard(plan);
+  plan.text = job.text;
   if (job.jobs < 1) throw input_error("must be at least 1, got {}", job.jobs).at({{}, 0, "--jobs"});
   constexpr int kMostJobs = 64;
   if (job.jobs > kMostJobs) {
     throw input_error("may be at most {}, got {}", kMostJobs, job.jobs).at({{}, 0, "--jobs"});
   }
-  order.jobs = job.jobs;
-  order.backend = job.backend;
-  return order;
+  plan.jobs = job.jobs;
+  plan.backend = job.backend;
+  return plan;
 }
 
 }  // namespace polhode

@@ -54,10 +54,10 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 
 // A film that is to be made.
-struct FilmOrder {
+struct RenderPlan {
   Scene scene;                   // with the options' words and size
   std::vector<StoryStep> story;  // with its captions, whatever the picture shows
-  Piece piece;                   // of the motion
+  TimeRange range;               // of the motion
   SinkJob sink;                  // output and encoder
   std::optional<Shard> shard;    // absent: the whole film
   bool resume = false;
@@ -67,6 +67,6 @@ struct FilmOrder {
 };
 
 // Throws Error (input) for all that can be refused before any work.
-FilmOrder settle_order(const RenderJob& job);
+RenderPlan plan_render(const RenderJob& job);
 
 }  // namespace polhode

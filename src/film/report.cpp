@@ -56,9 +56,9 @@ nlohmann::ordered_json motion_report(const SimulationReport& report) {
           {"error_estimate_rad", maybe(report.error_estimate_rad)},
           {"energy_drift", maybe(report.record.drift.energy)},
           {"momentum_drift", maybe(report.record.drift.momentum)},
-          {"attitude_error_rad", maybe(report.trust.attitude_error_rad)},
-          {"trusted", report.trust.doubts.empty()},
-          {"doubts", report.trust.doubts}};
+          {"attitude_error_rad", maybe(report.reliability.attitude_error_rad)},
+          {"trusted", report.reliability.doubts.empty()},
+          {"doubts", report.reliability.doubts}};
 }
 
 nlohmann::ordered_json film_report(const Solved& solved, const FilmFacts& facts) {

@@ -53,36 +53,36 @@ std::vector<StoryStep> story_from(const Json& captions, std::vector<StoryStep> s
   return story;
 }
 
-FilmOrder order_from(const Json& report) {
-  FilmOrder order;
-  order.scene = scene_from_json(report.at("scene"), report.at("scene_file"));
-  order.story = story_from(report.at("captions"), order.scene.story);
+RenderPlan order_from(const Json& report) {
+  RenderPlan plan;
+  plan.scene = scene_from_json(report.at("scene"), report.at("scene_file"));
+  plan.story = story_from(report.at("captions"), plan.scene.story);
   const bool still = report.at("still");
   const double from = report.at("from_s"), to = report.at("to_s");
   if (still) {
-    order.piece = {{}, {}, from, true};
+    plan.range = {{}, {}, from, true};
   } else {
-    order.piece = {from, to, {}, false};
+    plan.range = {from, to, {}, false};
   }
-  SinkJob& sink = order.sink;
+  SinkJob& sink = plan.sink;
   sink.output = report.at("output");
-  sink.width = order.scene.video.size.width;
-  sink.height = order.scene.video.size.height;
-  sink.fps = order.scene.video.fps;
+  sink.width = plan.scene.video.size.width;
+  sink.height = plan.scene.video.size.height;
+  sink.fps = plan.scene.video.fps;
   sink.encoder = encoder_from(sink.output, report.at("encoder"));
   sink.transparent = report.at("transparent");
   sink.still = still;
-  sink.title = order.scene.title;
-  sink.comment = film_comment(program_version(), scene_hash(order.scene));
-  if (!report.at("shard").is_null()) order.shard = parse_shard(report.at("shard"));
-  order.resume = report.at("resume");
-  order.text = report.at("text");
-  order.backend = report.at("backend");
-  return order;
+  sink.title = plan.scene.title;
+  sink.comment = film_comment(program_version(), scene_hash(plan.scene));
+  if (!report.at("shard").is_null()) plan.shard = parse_shard(report.at("shard"));
+  plan.resume = report.at("resume");
+  plan.text = report.at("text");
+  plan.backend = report.at("backend");
+  return plan;
 }
 
 std::optional<std::string> contradiction(const Json& report, const ReportedFilm& film) {
-  const std::string hash = scene_hash(film.order.scene);
+  const std::string hash = scene_hash(film.plan.scene);
   if (report.at("scene_hash") != hash) {
     return fmt::format("its scene, or a file that the scene names, has the hash {} and not {}",
                        hash,
@@ -105,12 +105,12 @@ ReportedFilm read_report(const std::string& file) {
     const Json report = Json::parse(text);
     refuse_other_versions(report);
     ReportedFilm film;
-    film.order = order_from(report);
+    film.plan = order_from(report);
     film.gl_renderer = report.at("gl_renderer");
     film.first_frame = report.at("first_frame");
     report.at("frame_hashes").get_to(film.hashes);
     film.broken = contradiction(report, film);
-    if (!film.broken) check_piece(film.order.scene, film.order.piece);
+    if (!film.broken) check_time_range(film.plan.scene, film.plan.range);
     return film;
   } catch (const Json::exception&) {
     throw input_error("is no report of `polhode render --report`").at(place);

@@ -11,7 +11,7 @@
 namespace polhode {
 
 struct ReportedFilm {
-  FilmOrder order;                    // with the output as it was given then
+  RenderPlan plan;                    // with the output as it was given then
   std::string gl_renderer;            // that drew it
   int first_frame = 0;                // of a shard
   std::vector<std::string> hashes;    // of all frames

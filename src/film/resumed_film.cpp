@@ -29,18 +29,18 @@ StageTime sum(const StageTime& a, const StageTime& b) {
 }
 
 // the output as a whole is refused now, if it must be
-const std::string& examined(const FilmOrder& order) {
-  make_sink(order.sink);
-  return order.sink.output;
+const std::string& examined(const RenderPlan& plan) {
+  make_sink(plan.sink);
+  return plan.sink.output;
 }
 
 }  // namespace
 
-ResumedFilm::ResumedFilm(const FilmOrder& order)
-    : order_(order),
-      folder_(folder_of(order.sink.output)),
-      ending_(fs::path(order.sink.output).extension().string()),
-      joiner_(examined(order)) {}
+ResumedFilm::ResumedFilm(const RenderPlan& plan)
+    : plan_(plan),
+      folder_(folder_of(plan.sink.output)),
+      ending_(fs::path(plan.sink.output).extension().string()),
+      joiner_(examined(plan)) {}
 
 // an empty folder is no use to the next run
 ResumedFilm::~ResumedFilm() {
@@ -53,11 +53,11 @@ std::string ResumedFilm::file_of(int number) const {
   return (fs::path(folder_) / fmt::format("{:05}{}", number, ending_)).string();
 }
 
-void ResumedFilm::begin(const FilmBasis& film, const FilmMarks& marks) {
-  marks_ = marks;
-  const double frames = std::max(1.0, std::round(kPieceSeconds * order_.sink.fps.value()));
-  pieces_ = static_cast<int>(std::ceil(marks.frames / frames));
-  record_ = record_of(order_, film, marks, {1, pieces_});
+void ResumedFilm::begin(const PreparedFilm& film, const FilmMetadata& metadata) {
+  metadata_ = metadata;
+  const double frames = std::max(1.0, std::round(kPieceSeconds * plan_.sink.fps.value()));
+  pieces_ = static_cast<int>(std::ceil(metadata.frames / frames));
+  record_ = record_of(plan_, film, metadata, {1, pieces_});
   look_at_old_pieces();
   std::error_code failed;
   fs::create_directory(folder_, failed);
@@ -70,14 +70,14 @@ void ResumedFilm::begin(const FilmBasis& film, const FilmMarks& marks) {
       ++whole_;
       continue;
     }
-    const FrameRange range = range_of({number, pieces_}, marks.frames);
+    const FrameRange range = range_of({number, pieces_}, metadata.frames);
     for (int i = 0; i < range.count; ++i) {
       missing_.push_back(range.first + i);
     }
   }
   if (whole_ > 0) {
     print_err(fmt::format(
-        "polhode: {}: {} of {} pieces were there already\n", order_.sink.output, whole_, pieces_));
+        "polhode: {}: {} of {} pieces were there already\n", plan_.sink.output, whole_, pieces_));
   }
 }
 
@@ -120,21 +120,21 @@ void ResumedFilm::look_at_old_pieces() {
 
 void ResumedFilm::open_piece(int frame) {
   int number = 1;
-  FrameRange range = range_of({number, pieces_}, marks_.frames);
+  FrameRange range = range_of({number, pieces_}, metadata_.frames);
   while (frame >= range.first + range.count) {
-    range = range_of({++number, pieces_}, marks_.frames);
+    range = range_of({++number, pieces_}, metadata_.frames);
   }
   CHECK(frame == range.first);
-  SinkJob job = order_.sink;
+  SinkJob job = plan_.sink;
   job.output = file_of(number);
-  job.piece = true;
+  job.segment = true;
   piece_ = make_sink(job);
-  PieceRecord record = record_;
+  SegmentRecord record = record_;
   record.shard.number = number;
   record.range = range;
-  FilmMarks marks = marks_of_piece(marks_, range);
-  marks.comment = comment_with(record);
-  piece_->describe(marks);
+  FilmMetadata metadata = metadata_of_segment(metadata_, range);
+  metadata.comment = comment_with(record);
+  piece_->describe(metadata);
   left_in_piece_ = range.count;
 }
 
@@ -170,9 +170,9 @@ void ResumedFilm::finish() {
   collect_hashes();
   std::vector<FilmJoiner::Part> parts;
   for (int number = 1; number <= pieces_; ++number) {
-    parts.push_back({file_of(number), range_of({number, pieces_}, marks_.frames).count});
+    parts.push_back({file_of(number), range_of({number, pieces_}, metadata_.frames).count});
   }
-  joiner_.join(parts, order_.sink.fps, order_.sink.title, order_.sink.comment, marks_);
+  joiner_.join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }

@@ -17,11 +17,11 @@ namespace polhode {
 class ResumedFilm final : public FrameSink {
  public:
   // Claims the output. Throws Error as make_sink does.
-  explicit ResumedFilm(const FilmOrder& order);
+  explicit ResumedFilm(const RenderPlan& plan);
   ~ResumedFilm() override;
 
   // What remains of an earlier run is looked at. Throws Error (input) when it is of another film.
-  void begin(const FilmBasis& film, const FilmMarks& marks);
+  void begin(const PreparedFilm& film, const FilmMetadata& metadata);
   // The frames that are still to be pushed, in this order.
   const std::vector<int>& missing() const { return missing_; }
 
@@ -41,12 +41,12 @@ class ResumedFilm final : public FrameSink {
   void open_piece(int frame);
   void collect_hashes();
 
-  const FilmOrder& order_;
+  const RenderPlan& plan_;
   std::string folder_;
   std::string ending_;
   FilmJoiner joiner_;
-  FilmMarks marks_;
-  PieceRecord record_;  // of the first piece
+  FilmMetadata metadata_;
+  SegmentRecord record_;  // of the first piece
   int pieces_ = 1;
   std::vector<int> missing_;
   std::size_t pushed_ = 0;  // of missing_

@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBegin = "; piece ";
 
-std::map<std::string, std::string> settings_of(const FilmOrder& order, const FilmBasis& film) {
-  const SinkJob& sink = order.sink;
+std::map<std::string, std::string> settings_of(const RenderPlan& plan, const PreparedFilm& film) {
+  const SinkJob& sink = plan.sink;
   return {{"codec", sink.encoder.codec},
           {"preset", sink.encoder.preset},
           {"crf", fmt::format("{}", sink.encoder.crf)},
@@ -30,24 +30,24 @@ std::map<std::string, std::string> settings_of(const FilmOrder& order, const Fil
           {"transparent", fmt::format("{}", sink.transparent)}};
 }
 
-Json chapters_json(const FilmMarks& marks) {
+Json chapters_json(const FilmMetadata& metadata) {
   Json all = Json::array();
-  for (const FilmMarks::Chapter& chapter : marks.chapters) {
+  for (const FilmMetadata::Chapter& chapter : metadata.chapters) {
     all.push_back({chapter.start, chapter.title});
   }
   return all;
 }
 
-Json captions_json(const FilmMarks& marks) {
+Json captions_json(const FilmMetadata& metadata) {
   Json all = Json::array();
-  for (const FilmMarks::Caption& caption : marks.captions) {
+  for (const FilmMetadata::Caption& caption : metadata.captions) {
     all.push_back({caption.start, caption.end, caption.words});
   }
   return all;
 }
 
-PieceRecord record_from(const Json& json) {
-  PieceRecord record;
+SegmentRecord record_from(const Json& json) {
+  SegmentRecord record;
   json.at("polhode").get_to(record.version);
   json.at("ffmpeg").get_to(record.ffmpeg);
   json.at("scene").get_to(record.scene);
@@ -66,7 +66,7 @@ PieceRecord record_from(const Json& json) {
 }
 
 // a record that contradicts itself was not written by us
-bool consistent(const PieceRecord& record) {
+bool consistent(const SegmentRecord& record) {
   const Shard& shard = record.shard;
   if (shard.number < 1 || shard.number > shard.of || record.film.frames < shard.of) return false;
   const FrameRange range = range_of(shard, record.film.frames);
@@ -88,25 +88,25 @@ FrameRange range_of(const Shard& shard, int frames) {
   return {first, begin(shard.number) - first};
 }
 
-PieceRecord record_of(const FilmOrder& order,
-                      const FilmBasis& film,
-                      const FilmMarks& marks,
-                      const Shard& shard) {
+SegmentRecord record_of(const RenderPlan& plan,
+                        const PreparedFilm& film,
+                        const FilmMetadata& metadata,
+                        const Shard& shard) {
   return {program_version(),
           libav_version(),
           scene_hash(film.solved.scene),
-          order.sink.title,
-          settings_of(order, film),
+          plan.sink.title,
+          settings_of(plan, film),
           shard,
-          range_of(shard, marks.frames),
-          marks};
+          range_of(shard, metadata.frames),
+          metadata};
 }
 
 std::string film_comment(const std::string& version, const std::string& scene_hash) {
   return fmt::format("polhode {}, scene {}", version, scene_hash);
 }
 
-std::string comment_with(const PieceRecord& record) {
+std::string comment_with(const SegmentRecord& record) {
   const Json json = {{"polhode", record.version},
                      {"ffmpeg", record.ffmpeg},
                      {"scene", record.scene},
@@ -128,7 +128,7 @@ std::string comment_with(const PieceRecord& record) {
   return comment;
 }
 
-PieceRecord record_in(const std::string& file) {
+SegmentRecord record_in(const std::string& file) {
   const Place place{file, 0, {}};
   const std::string comment = comment_of_film(file);
   const std::size_t begin = comment.find(kBegin);
@@ -136,7 +136,7 @@ PieceRecord record_in(const std::string& file) {
       input_error("is no piece of a film; `polhode render SCENE --shard K/N` makes them").at(place);
   if (begin == std::string::npos) throw none;
   try {
-    PieceRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));
+    SegmentRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));
     if (!consistent(record)) throw none;
     return record;
   } catch (const Json::exception&) {
@@ -144,7 +144,7 @@ PieceRecord record_in(const std::string& file) {
   }
 }
 
-std::string difference_between(const PieceRecord& a, const PieceRecord& b) {
+std::string difference_between(const SegmentRecord& a, const SegmentRecord& b) {
   if (a.version != b.version) {
     return fmt::format("versions differ (Polhode {} and {})", a.version, b.version);
   }
@@ -166,15 +166,15 @@ std::string difference_between(const PieceRecord& a, const PieceRecord& b) {
   return "";
 }
 
-FilmMarks marks_of_piece(const FilmMarks& film, const FrameRange& range) {
-  FilmMarks marks;
-  marks.first = range.first;
-  marks.frames = range.count;
+FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range) {
+  FilmMetadata metadata;
+  metadata.first = range.first;
+  metadata.frames = range.count;
   for (const int frame : film.key_frames) {
     const int inside = frame - range.first;
-    if (inside > 0 && inside < range.count) marks.key_frames.push_back(inside);
+    if (inside > 0 && inside < range.count) metadata.key_frames.push_back(inside);
   }
-  return marks;
+  return metadata;
 }
 
 }  // namespace polhode

@@ -21,7 +21,7 @@ struct FrameRange {
 FrameRange range_of(const Shard& shard, int frames);
 
 // What a piece says of itself.
-struct PieceRecord {
+struct SegmentRecord {
   std::string version;  // of Polhode
   std::string ffmpeg;   // that encoded it
   std::string scene;    // hash
@@ -29,25 +29,26 @@ struct PieceRecord {
   std::map<std::string, std::string> settings;  // of the whole film: "crf" is "18"
   Shard shard;
   FrameRange range;
-  FilmMarks film;  // of the whole film; key frames are not told
+  FilmMetadata film;  // of the whole film; key frames are not told
 };
-PieceRecord record_of(const FilmOrder& order,
-                      const FilmBasis& film,
-                      const FilmMarks& marks,
-                      const Shard& shard);
+SegmentRecord record_of(const RenderPlan& plan,
+                        const PreparedFilm& film,
+                        const FilmMetadata& metadata,
+                        const Shard& shard);
 
 // The record as the comment of a container, and back. Throws Error (input) for a file that is no
 // film, or no piece of one.
-std::string comment_with(const PieceRecord& record);
-PieceRecord record_in(const std::string& file);
+std::string comment_with(const SegmentRecord& record);
+SegmentRecord record_in(const std::string& file);
 
 // The comment of a whole film.
 std::string film_comment(const std::string& version, const std::string& scene_hash);
 
 // In what two pieces differ that cannot be of one film, such as "scenes differ"; empty if they can.
-std::string difference_between(const PieceRecord& a, const PieceRecord& b);
+std::string difference_between(const SegmentRecord& a, const SegmentRecord& b);
 
-// What a piece has of a film's marks: its key frames. Chapters and captions are the whole film's.
-FilmMarks marks_of_piece(const FilmMarks& film, const FrameRange& range);
+// What a piece has of a film's metadata: its key frames. Chapters and captions are the whole
+// film's.
+FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range);
 
 }  // namespace polhode

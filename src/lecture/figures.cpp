@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "app/compare/diff_page.h"
 #include "base/base64.h"
+#include "html/escape.h"
 #include "lecture/quotes.h"
 
 namespace polhode {

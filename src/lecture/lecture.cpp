@@ -382,7 +382,7 @@ LectureResult lecture(const LectureJob& job) {
   return result;
 }
 
-std::vector<LectureNeed> lecture_needs() {
+std::vector<ExternalNeed> lecture_needs() {
   const std::string how = "missing: run tools/install-dependencies --for lecture";
   const std::string pandoc = pandoc_version(), printer = find_printer();
   const std::optional<Reveal> reveal = find_reveal();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/list.h"
 #include "base/system/progress.h"
 #include "lecture/products.h"
 
@@ -38,11 +39,7 @@ struct LectureResult {
 // again as long as it is right. Throws Error when nothing can be made at all.
 LectureResult lecture(const LectureJob& job);
 
-// What each output needs that is missing here, for `doctor`: "ok", or what to install.
-struct LectureNeed {
-  std::string name;
-  std::string state;
-};
-std::vector<LectureNeed> lecture_needs();
+// What each output needs that is missing here, for `doctor`.
+std::vector<ExternalNeed> lecture_needs();
 
 }  // namespace polhode

@@ -4,13 +4,13 @@
 #include <cstdlib>
 #include <unistd.h>
 
-#include "app/compare/diff_page.h"
 #include "base/base64.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
 #include "base/system/child_process.h"
 #include "base/system/scratch_folder.h"
 #include "base/version.h"
+#include "html/escape.h"
 #include "html/page_parts.h"
 
 namespace polhode {

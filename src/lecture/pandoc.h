@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The door to pandoc, which reads the deck and writes the documents. Nothing in a deck reaches it
+// Runs pandoc, which reads the deck and writes the documents. Nothing in a deck reaches it
 // as more than text: raw HTML, raw TeX and macros are off, and it runs in its sandbox.
 #pragma once
 

@@ -156,7 +156,7 @@ void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::str
 }
 
 // masses on a line take up no torque about that line
-void refuse_torque_about_line(const Model& model) {
+void refuse_torque_about_line(const BodyModel& model) {
   if (!model.kind.rotator) return;
   Eigen::Index line = 0;
   model.moments.minCoeff(&line);
@@ -265,11 +265,11 @@ MassProperties mass_properties(const BodySpec& spec) {
   return body;
 }
 
-Model make_model(const BodySpec& spec,
-                 bool on_pivot,
-                 const Vec3& gravity_S,
-                 const std::vector<LoadSpec>& loads) {
-  Model model;
+BodyModel make_model(const BodySpec& spec,
+                     bool on_pivot,
+                     const Vec3& gravity_S,
+                     const std::vector<LoadSpec>& loads) {
+  BodyModel model;
   model.body = mass_properties(spec);
   model.on_pivot = on_pivot;
   model.pivot_B = spec.pivot;
@@ -304,16 +304,16 @@ Model make_model(const BodySpec& spec,
   return model;
 }
 
-Vec3 torque_of_loads(const Model& m, double t, const State& s) {
+Vec3 torque_of_loads(const BodyModel& m, double t, const State& s) {
   const Vec3 w_P = angular_velocity(m, s.y);
   return wrench_of(m.loads.turning, t, s.q, s.y, w_P, s.place_S).torque_P;
 }
 
-Vec3 torque(const Model& m, double t, const State& s) {
+Vec3 torque(const BodyModel& m, double t, const State& s) {
   return up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
 }
 
-Vec3 force(const Model& m, double t, const State& s) {
+Vec3 force(const BodyModel& m, double t, const State& s) {
   const Vec3 w_P = angular_velocity(m, s.y);
   Vec3 sum =
       m.body.mass * m.gravity_S + wrench_of(m.loads.turning, t, s.q, s.y, w_P, s.place_S).force_S;
@@ -322,34 +322,35 @@ Vec3 force(const Model& m, double t, const State& s) {
   return sum;
 }
 
-double energy(const Model& m, const State& s) {
+double energy(const BodyModel& m, const State& s) {
   double sum = 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q)) +
                potential_of(m.loads.turning, s.q, s.place_S);
-  if (!m.six) return sum;
-  return sum + 0.5 * s.impulse_S.squaredNorm() / m.body.mass + potential_of_place(m, s.place_S);
+  if (!m.with_translation) return sum;
+  return sum + 0.5 * s.linear_momentum_S.squaredNorm() / m.body.mass +
+         potential_of_place(m, s.place_S);
 }
 
-double potential_of_place(const Model& m, const Vec3& center_S) {
+double potential_of_place(const BodyModel& m, const Vec3& center_S) {
   double sum = -m.body.mass * m.gravity_S.dot(center_S);
   for (const Push& push : m.loads.pushes)
     sum -= push.rate == 0.0 ? push.force_S.dot(center_S) : 0.0;
   return sum;
 }
 
-bool keeps_energy(const Model& m) {
+bool keeps_energy(const BodyModel& m) {
   const auto& turning = m.loads.turning;
   const auto& pushes = m.loads.pushes;
   return std::all_of(
              turning.begin(), turning.end(), [](const Load& l) { return l.conservative(); }) &&
-         (!m.six ||
+         (!m.with_translation ||
           std::all_of(pushes.begin(), pushes.end(), [](const Push& p) { return p.rate == 0.0; }));
 }
 
-bool keeps_momentum(const Model& m) {
+bool keeps_momentum(const BodyModel& m) {
   return m.loads.turning.empty();
 }
 
-bool center_on_symmetry_axis(const Model& model) {
+bool center_on_symmetry_axis(const BodyModel& model) {
   if (!model.kind.symmetric()) return false;
   Vec3 aside = model.chi_P;
   aside[model.kind.axis] = 0.0;

@@ -18,40 +18,40 @@ constexpr int kTimesCompared = 257;
 
 }  // namespace
 
-Trust trust_in(const Model& model,
-               const State& start,
-               double duration,
-               double accuracy_rad,
-               const Integration& found) {
-  Trust trust;
+Reliability reliability_of(const BodyModel& model,
+                           const State& start,
+                           double duration,
+                           double accuracy_rad,
+                           const Integration& found) {
+  Reliability result;
   const Drift& drift = found.record.drift;
   const auto watch = [&](const std::optional<double>& worst, const char* what) {
     if (worst && !(*worst <= kTrustedDrift))
-      trust.doubts.push_back(fmt::format("{} drifts by {:.2g} of itself", what, *worst));
+      result.doubts.push_back(fmt::format("{} drifts by {:.2g} of itself", what, *worst));
   };
   watch(drift.energy, "energy");
   watch(drift.momentum, model.chi_P.squaredNorm() > 0.0 ? "L about the vertical" : "L");
-  for (const MotionModel& row : motion_models()) {
-    if (!row.closed_form || model.six || !row.why_not(model).empty()) continue;
+  for (const SolutionMethod& row : solution_methods()) {
+    if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);
     double worst = 0.0;
     for (int i = 0; i < kTimesCompared; ++i) {
       const double t = duration * i / (kTimesCompared - 1);
       worst = std::max(worst, deviation(model, found.trajectory->at(t), truth->at(t)));
     }
-    trust.attitude_error_rad = worst;
+    result.attitude_error_rad = worst;
     if (worst > accuracy_rad) {
-      trust.doubts.push_back(
+      result.doubts.push_back(
           fmt::format("the attitude is off by up to {:.2g} rad, and the scene allows {:.2g}",
                       worst,
                       accuracy_rad));
     }
     break;
   }
-  return trust;
+  return result;
 }
 
-std::optional<std::string> step_beyond_limit(const Model& model,
+std::optional<std::string> step_beyond_limit(const BodyModel& model,
                                              const State& start,
                                              const NumericsSpec& numerics) {
   if (!numerics.step) return {};

@@ -12,7 +12,7 @@
 namespace polhode {
 
 // What stands against an integrated motion, in words; nothing when `doubts` is empty.
-struct Trust {
+struct Reliability {
   std::vector<std::string> doubts;
   std::optional<double> attitude_error_rad;  // against the closed form, where there is one
 };
@@ -21,15 +21,15 @@ struct Trust {
 inline constexpr double kTrustedDrift = 1e-3;
 
 // Looks at what mechanics conserves, and at the closed form if the scene has one.
-Trust trust_in(const Model& model,
-               const State& start,
-               double duration,
-               double accuracy_rad,
-               const Integration& found);
+Reliability reliability_of(const BodyModel& model,
+                           const State& start,
+                           double duration,
+                           double accuracy_rad,
+                           const Integration& found);
 
 // Before anything runs: the step that the scene asks for is beyond the method's known limit on this
 // motion. In words; none if it is not.
-std::optional<std::string> step_beyond_limit(const Model& model,
+std::optional<std::string> step_beyond_limit(const BodyModel& model,
                                              const State& start,
                                              const NumericsSpec& numerics);
 

@@ -12,31 +12,31 @@ namespace polhode {
 namespace {
 
 // what keeps every closed form of a free body from answering; damping -c L does not
-std::string against_free(const Model& model) {
+std::string against_free(const BodyModel& model) {
   if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
   if (!model.loads.only_damp_momentum()) return "torques act that have no closed form here";
   return {};
 }
 
-std::string why_not_spherical(const Model& model) {
+std::string why_not_spherical(const BodyModel& model) {
   if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.shape == TopKind::Shape::spherical) return {};
   return "the three moments are not equal (" + model.kind.name() + ")";
 }
 
-std::string why_not_symmetric(const Model& model) {
+std::string why_not_symmetric(const BodyModel& model) {
   if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.symmetric()) return {};
   return "no two moments are equal, or all three are (" + model.kind.name() + ")";
 }
 
-std::string why_not_asymmetric(const Model& model) {
+std::string why_not_asymmetric(const BodyModel& model) {
   if (std::string wrong = against_free(model); !wrong.empty()) return wrong;
   if (model.kind.shape == TopKind::Shape::asymmetric) return {};
   return "two moments are equal (" + model.kind.name() + ")";
 }
 
-std::string why_not_heavy_symmetric(const Model& model) {
+std::string why_not_heavy_symmetric(const BodyModel& model) {
   if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
   if (!model.loads.turning.empty()) return "other torques than that of gravity act";
   if (model.kind.shape == TopKind::Shape::spherical) return {};
@@ -45,25 +45,25 @@ std::string why_not_heavy_symmetric(const Model& model) {
   return "the centre of mass is not on the symmetry axis through the pivot";
 }
 
-std::string why_not_splitting(const Model& model) {
+std::string why_not_splitting(const BodyModel& model) {
   if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
   if (!model.loads.turning.empty()) return "other torques than that of gravity act";
   return {};
 }
 
-std::string why_not_ode(const Model& model) {
+std::string why_not_ode(const BodyModel& model) {
   if (!model.loads.need_place) return {};
   return "the force on the centre of mass depends on where the body is or how it stands";
 }
 
-std::string why_not_ode6(const Model& model) {
+std::string why_not_ode6(const BodyModel& model) {
   if (!model.on_pivot) return {};
   return "the body turns about a fixed point, so it has three degrees of freedom only";
 }
 
 // the closed form, or with damping the same in rescaled time
-template <std::unique_ptr<Trajectory> (*Exact)(const Model&, const State&)>
-std::unique_ptr<Trajectory> maybe_damped(const Model& model, const State& start) {
+template <std::unique_ptr<Trajectory> (*Exact)(const BodyModel&, const State&)>
+std::unique_ptr<Trajectory> maybe_damped(const BodyModel& model, const State& start) {
   const double c = model.loads.momentum_damping();
   if (c == 0.0) return Exact(model, start);
   return damped(Exact(model, start), c);
@@ -76,8 +76,8 @@ bool is_splitting(const std::string& method) {
   });
 }
 
-const MotionModel& find_model(const std::string& name) {
-  for (const MotionModel& row : motion_models()) {
+const SolutionMethod& find_model(const std::string& name) {
+  for (const SolutionMethod& row : solution_methods()) {
     if (row.name == name) return row;
   }
   throw input_error("no model is called '{}'{}", name, suggestion(name, model_names()))
@@ -85,7 +85,7 @@ const MotionModel& find_model(const std::string& name) {
 }
 
 // why the least model that takes the scene is this one
-std::string reason_for(const MotionModel& row, const Model& model) {
+std::string reason_for(const SolutionMethod& row, const BodyModel& model) {
   const std::string kind = model.kind.name();
   const bool heavy = model.chi_P.squaredNorm() > 0.0;
   if (row.closed_form) {
@@ -99,7 +99,7 @@ std::string reason_for(const MotionModel& row, const Model& model) {
     return "no closed form in this version for this body with gravity on a pivot; kicks and free "
            "motion are both known exactly";
   }
-  if (row.six) return why_not_ode(model) + ": six degrees of freedom";
+  if (row.with_translation) return why_not_ode(model) + ": six degrees of freedom";
   const bool vowel = kind.front() == 'a' || kind.front() == 'o';
   const bool loaded = !model.loads.turning.empty();
   return fmt::format("no closed form in this version for {} {} body {}{}",
@@ -113,8 +113,8 @@ std::string reason_for(const MotionModel& row, const Model& model) {
 
 }  // namespace
 
-const std::vector<MotionModel>& motion_models() {
-  static const std::vector<MotionModel> models = {
+const std::vector<SolutionMethod>& solution_methods() {
+  static const std::vector<SolutionMethod> models = {
       {.name = "spherical",
        .doc = "free body with three equal moments, closed form",
        .closed_form = true,
@@ -146,7 +146,7 @@ const std::vector<MotionModel>& motion_models() {
        .make = nullptr},
       {.name = "ode6",
        .doc = "any free body, equations of motion integrated, six degrees of freedom",
-       .six = true,
+       .with_translation = true,
        .why_not = why_not_ode6,
        .make = nullptr},
   };
@@ -155,16 +155,16 @@ const std::vector<MotionModel>& motion_models() {
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names = {"auto"};
-  for (const MotionModel& row : motion_models())
+  for (const SolutionMethod& row : solution_methods())
     names.push_back(row.name);
   return names;
 }
 
-const MotionModel& choose_model(const Model& model,
-                                const NumericsSpec& numerics,
-                                std::string& reason) {
+const SolutionMethod& choose_solution_method(const BodyModel& model,
+                                             const NumericsSpec& numerics,
+                                             std::string& reason) {
   if (numerics.model != "auto") {
-    const MotionModel& asked = find_model(numerics.model);
+    const SolutionMethod& asked = find_model(numerics.model);
     const std::string wrong = asked.why_not(model);
     if (!wrong.empty()) {
       throw input_error("model '{}' cannot take this scene: {}", asked.name, wrong)
@@ -182,12 +182,12 @@ const MotionModel& choose_model(const Model& model,
     return asked;
   }
   const bool wants_stepper = numerics.method != "auto" && numerics.method != "exact";
-  for (const MotionModel& row : motion_models()) {
+  for (const SolutionMethod& row : solution_methods()) {
     if (wants_stepper && row.closed_form) continue;
     if (wants_stepper && row.splits && !is_splitting(numerics.method)) continue;
     if (!row.why_not(model).empty()) continue;
     reason = reason_for(row, model);
-    if (wants_stepper && !row.six) {
+    if (wants_stepper && !row.with_translation) {
       reason = "method " + numerics.method + " integrates the equations of motion";
     }
     return row;
@@ -195,9 +195,9 @@ const MotionModel& choose_model(const Model& model,
   throw Error(Fault::input, "no model takes this scene");
 }
 
-Model with_needed_degrees(Model model) {
+BodyModel with_needed_degrees(BodyModel model) {
   std::string reason;
-  model.six = choose_model(model, {}, reason).six;
+  model.with_translation = choose_solution_method(model, {}, reason).with_translation;
   return model;
 }
 

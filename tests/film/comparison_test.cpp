@@ -113,27 +113,27 @@ TEST(Comparison, EachPanelHasThePathsOfItsOwnMethod) {
   scene.video.size = {320, 180};
   scene.show["trail"] = scene.show["herpolhode"] = true;
   const Solved truth = solve(scene);
-  const Frames frames = plan_frames(truth, {});
+  const FrameTimes frames = plan_frame_times(truth, {});
   const Comparison comparison(truth, kFrame);
   const Film film = make_film(truth, frames.timeline, &comparison, {}, true);
   double apart = 0.0;
   for (std::size_t i = 0; i < film.panels().size(); ++i) {
     const Motion& motion = comparison.contenders()[i].motion;
-    const Stage& stage = film.panels()[i].composer->stage();
-    const Path& trail = stage.paths.axis.path();
+    const Scenery& scenery = film.panels()[i].composer->scenery();
+    const Path& trail = scenery.paths.axis.path();
     ASSERT_GT(trail.points.size(), 8U);
     for (std::size_t k = 0; k < trail.points.size(); k += 8) {
       const double t = trail.parameters[k];
-      const double length = kTrailRadius * stage.scale.body;
+      const double length = kTrailRadius * scenery.scale.body;
       const auto tip = [&](const Motion& of) {
         return Vec3(of.at(t).reference_S + length * (of.at(t).q_SB * Vec3::UnitZ()));
       };
       EXPECT_LT((trail.points[k] - tip(motion)).norm(), 1e-12 * length) << i << ' ' << t;
       apart = std::max(apart, (tip(motion) - tip(truth.simulation.motion)).norm() / length);
     }
-    const Path& herpolhode = stage.paths.herpolhode.path();
+    const Path& herpolhode = scenery.paths.herpolhode.path();
     for (std::size_t k = 0; k < herpolhode.points.size(); k += 8) {
-      const Vec3 tip = omega_tip(stage, motion.at(herpolhode.parameters[k]));
+      const Vec3 tip = omega_tip(scenery, motion.at(herpolhode.parameters[k]));
       EXPECT_EQ(herpolhode.points[k], tip) << i << ' ' << herpolhode.parameters[k];
     }
   }

@@ -27,7 +27,7 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
   Scene scene = load_scene(scene_path(GetParam()));
   scene.video.size = {640, 360};
   const Solved solved = solve(scene);
-  const Frames frames = plan_frames(solved, {});
+  const FrameTimes frames = plan_frame_times(solved, {});
   std::unique_ptr<Comparison> comparison;
   if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
   const Film film = make_film(solved, frames.timeline, comparison.get(), make_plots(solved), true);

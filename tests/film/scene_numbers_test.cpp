@@ -92,7 +92,7 @@ TEST(SceneNumbers, WheelStaysLevelAndPrecessesSteadily) {
 
 TEST(SceneNumbers, HeavyTopFallsToTheSecondRootAndStopsAtCusps) {
   const Solved solved = solved_scene("heavy_top");
-  const Model& m = solved.model;
+  const BodyModel& m = solved.model;
   const Motion& motion = solved.simulation.motion;
   // released at rest: (u0 - u) (2 A mu - L3^2 (u0 - u) / ... ) -- the lower turning point is the
   // root of f(u)/(u - u0) = 0:  2 mu A (1 - u^2) = L3^2 (u0 - u)

@@ -85,7 +85,7 @@ TEST(Deck, TextOfOthersStaysText) {
   EXPECT_EQ(problem_of("$\\left(\\frac{a}{b}\\right)\\letter$\n"), "none");
 }
 
-TEST(Trust, FilesStayInTheFolderOfTheDeck) {
+TEST(Reliability, FilesStayInTheFolderOfTheDeck) {
   const TemporaryFolder outer;
   std::filesystem::create_directories(outer / "deck/in");
   write_text(outer / "secret.toml", "x");
@@ -116,7 +116,7 @@ TEST(Trust, FilesStayInTheFolderOfTheDeck) {
   EXPECT_NO_THROW(trusted_file({outer / "deck", true}, outer / "deck", "../secret.toml"));
 }
 
-TEST(Trust, MeshesOfScenesToo) {
+TEST(Reliability, MeshesOfScenesToo) {
   const TemporaryFolder outer;
   std::filesystem::create_directory(outer / "deck");
   write_text(outer / "m.obj", "v 0 0 0\n");
@@ -130,7 +130,7 @@ TEST(Trust, MeshesOfScenesToo) {
   }
 }
 
-TEST(Trust, NamesInAddresses) {
+TEST(Reliability, NamesInAddresses) {
   EXPECT_EQ(percent_encoded("a b\"<é>.png"), "a%20b%22%3C%C3%A9%3E.png");
   EXPECT_EQ(percent_decoded("a%20b%zz%2"), "a b%zz%2");
 }

@@ -36,7 +36,7 @@ SolidSpec sphere(double mass, double radius, const Vec3& at) {
   return s;
 }
 
-Model free_model(const BodySpec& spec) {
+BodyModel free_model(const BodySpec& spec) {
   return make_model(spec, false, Vec3::Zero());
 }
 
@@ -69,7 +69,7 @@ TEST(MassPropertiesOfSpec, MomentsAboutThePivotAreCarriedToTheCenter) {
   const MassProperties body = mass_properties(spec);
   EXPECT_LE((body.tensor.diagonal() - Vec3(0.5, 0.5, 0.2)).norm(), 1e-15);
   // and back: held at the pivot the moments are those given, to the last bit
-  const Model held = make_model(spec, true, {0, 0, -9.81});
+  const BodyModel held = make_model(spec, true, {0, 0, -9.81});
   EXPECT_EQ(held.moments, Vec3(1.0, 1.0, 0.2));
   // thrown, the body turns about its centre
   EXPECT_LE((free_model(spec).moments - Vec3(0.5, 0.5, 0.2)).norm(), 1e-15);
@@ -79,7 +79,7 @@ TEST(MakeModel, PivotAddsTheParallelAxisTerm) {
   BodySpec spec = with_moments({0.5, 0.5, 0.2});
   spec.mass = 2.0;
   spec.pivot = Vec3(0, 0, -0.5);
-  const Model model = make_model(spec, true, {0, 0, -10.0});
+  const BodyModel model = make_model(spec, true, {0, 0, -10.0});
   EXPECT_LE((model.moments - Vec3(1.0, 1.0, 0.2)).norm(), 1e-15);
   EXPECT_LE((model.chi_P - Vec3(0, 0, 10.0)).norm(), 1e-14);
   EXPECT_EQ(model.reference_B(), spec.pivot);
@@ -87,7 +87,7 @@ TEST(MakeModel, PivotAddsTheParallelAxisTerm) {
 }
 
 TEST(MakeModel, UpIsAgainstGravityWhereverItPoints) {
-  const Model model = make_model(with_moments({1, 1, 1}), false, {3.0, 0.0, 4.0});
+  const BodyModel model = make_model(with_moments({1, 1, 1}), false, {3.0, 0.0, 4.0});
   EXPECT_LE((model.up_S - Vec3(-0.6, 0.0, -0.8)).norm(), 1e-16);
   EXPECT_EQ(model.chi_P, Vec3(Vec3::Zero()));  // gravity does not turn a free body
 }
@@ -98,7 +98,7 @@ TEST(PrincipalFrame, DiagonalisesAndIsRightHanded) {
       {0.9, 0.6, 1.0}, {1.0, 0.6, 0.9}, {0.6, 0.6, 1.0}, {1.0, 0.6, 1.0}, {2e-9, 1.9e-9, 1e-9}};
   for (const Vec3& moments : cases) {
     const Mat3 tensor = turn * moments.asDiagonal() * turn.transpose();
-    const Model model = free_model(with_tensor(0.5 * (tensor + tensor.transpose())));
+    const BodyModel model = free_model(with_tensor(0.5 * (tensor + tensor.transpose())));
     const Mat3 diagonal = model.R_BP.transpose() * tensor * model.R_BP;
     EXPECT_LE((diagonal - Mat3(model.moments.asDiagonal())).norm(), 2e-15 * moments.norm());
     EXPECT_NEAR(model.R_BP.determinant(), 1.0, 1e-14);
@@ -123,7 +123,7 @@ TEST(PrincipalFrame, RoundOffDoesNotTurnIt) {
     for (const Mat3& turn : turns) {
       const Mat3 turned = turn * moments.asDiagonal() * turn.transpose();
       const Mat3 tensor = 0.5 * (turned + turned.transpose());
-      const Model model = free_model(with_tensor(tensor));
+      const BodyModel model = free_model(with_tensor(tensor));
       EXPECT_NEAR(model.R_BP.determinant(), 1.0, 1e-14);
       for (int k = 0; k < 27; ++k) {
         Mat3 noise = Mat3::Zero();
@@ -131,7 +131,7 @@ TEST(PrincipalFrame, RoundOffDoesNotTurnIt) {
         noise(0, 2) = noise(2, 0) = (k / 3 % 3 - 1) * 1e-15;
         noise(1, 2) = noise(2, 1) = (k / 9 - 1) * 1e-15;
         noise(0, 0) = noise(1, 2);
-        const Model other = free_model(with_tensor(tensor + noise));
+        const BodyModel other = free_model(with_tensor(tensor + noise));
         EXPECT_LE((other.R_BP - model.R_BP).norm(), 3e-14) << moments.transpose() << " k " << k;
       }
     }
@@ -146,7 +146,7 @@ TEST(PrincipalFrame, SymmetricBodiesOfPartsKeepTheirAxes) {
     spec.parts.push_back(
         sphere(0.1, 0.02, {3.0 * std::cos(angle), 3.0 * std::sin(angle), 0.3 + 1e-3}));
   }
-  const Model model = free_model(spec);
+  const BodyModel model = free_model(spec);
   EXPECT_EQ(model.kind.name(), "symmetric oblate");
   EXPECT_EQ(model.kind.axis, 2);
   EXPECT_LE((model.R_BP - Mat3::Identity()).norm(), 1e-14);
@@ -194,7 +194,7 @@ TEST(Rotator, HasNoInverseOfTheMissingMoment) {
   rod.mass = 3.0;
   rod.length = 2.0;
   spec.solid = rod;
-  const Model model = free_model(spec);
+  const BodyModel model = free_model(spec);
   EXPECT_TRUE(model.kind.rotator);
   EXPECT_EQ(model.moments, Vec3(1, 1, 0));
   EXPECT_EQ(model.inverse_moments, Vec3(1, 1, 0));
@@ -202,7 +202,7 @@ TEST(Rotator, HasNoInverseOfTheMissingMoment) {
   // two points lie on a line too, whichever its direction
   BodySpec points;
   points.points = {{1.0, {1, 2, 2}}, {2.0, {-1, -2, -2}}};
-  const Model dumbbell = free_model(points);
+  const BodyModel dumbbell = free_model(points);
   EXPECT_TRUE(dumbbell.kind.rotator);
   EXPECT_EQ(dumbbell.moments.minCoeff(), 0.0);
   EXPECT_NEAR((dumbbell.R_BP.col(dumbbell.kind.axis).cross(Vec3(1, 2, 2) / 3)).norm(), 0.0, 1e-14);
@@ -269,7 +269,7 @@ TEST(BodyErrors, UnequalMomentsBesideAZeroAreRefusedEvenWhenMathematical) {
 TEST(MakeModel, BalancedBodyOnAPivotFeelsNoGravity) {
   BodySpec spec;
   spec.parts = {sphere(0.1, 0.1, {0.1 + 0.2, 0, 0}), sphere(0.1, 0.1, {-0.3, 0, 0})};
-  const Model model = make_model(spec, true, {0, 0, -9.81});
+  const BodyModel model = make_model(spec, true, {0, 0, -9.81});
   EXPECT_EQ(model.chi_P, Vec3(Vec3::Zero()));
 }
 
@@ -291,7 +291,7 @@ TEST(RightHandSide, KeepsEnergyVerticalMomentumAndGamma) {
 
 // a pendulum falls: the torque of gravity pulls the centre of mass down
 TEST(RightHandSide, GravityPullsDown) {
-  const Model model = test::heavy_body({1, 1, 0.5}, {0, 0, 1});
+  const BodyModel model = test::heavy_body({1, 1, 0.5}, {0, 0, 1});
   const State start{exp_rotation({0.3, 0, 0}), Vec3::Zero()};  // tilted about x by 0.3
   const Vec3 rate = momentum_rate(model, start.y, up_in_body(model, start.q));
   EXPECT_NEAR(rate.x(), std::sin(0.3), 1e-15);  // tilts further

@@ -17,29 +17,29 @@ SimulationReport report_of(const char* method, double step, double accuracy) {
   return simulate(free_body({1, 2, 3}), spun({0.4, -0.1, 3.0}, 20.0), numerics, accuracy).report;
 }
 
-TEST(Trust, IsLostWithTheInvariants) {
-  const Trust trust = report_of("explicit_euler", 0.02, 1.0).trust;
-  ASSERT_GE(trust.doubts.size(), 2U);
-  EXPECT_NE(trust.doubts[0].find("energy"), std::string::npos);
-  EXPECT_NE(trust.doubts[1].find("L drifts"), std::string::npos);
+TEST(Reliability, IsLostWithTheInvariants) {
+  const Reliability reliability = report_of("explicit_euler", 0.02, 1.0).reliability;
+  ASSERT_GE(reliability.doubts.size(), 2U);
+  EXPECT_NE(reliability.doubts[0].find("energy"), std::string::npos);
+  EXPECT_NE(reliability.doubts[1].find("L drifts"), std::string::npos);
 }
 
 // the invariants may be perfect and the motion wrong
-TEST(Trust, IsLostAgainstTheClosedForm) {
+TEST(Reliability, IsLostAgainstTheClosedForm) {
   const SimulationReport report = report_of("implicit_midpoint", 0.2, 1e-3);
-  ASSERT_EQ(report.trust.doubts.size(), 1U);
-  EXPECT_NE(report.trust.doubts[0].find("the attitude is off"), std::string::npos);
-  EXPECT_GT(report.trust.attitude_error_rad.value(), 1e-2);
+  ASSERT_EQ(report.reliability.doubts.size(), 1U);
+  EXPECT_NE(report.reliability.doubts[0].find("the attitude is off"), std::string::npos);
+  EXPECT_GT(report.reliability.attitude_error_rad.value(), 1e-2);
   EXPECT_LT(report.record.drift.energy.value(), 1e-12);
 }
 
-TEST(Trust, HoldsForWhatIsExactEnough) {
+TEST(Reliability, HoldsForWhatIsExactEnough) {
   const SimulationReport report = report_of("rk4", 0.002, 1e-4);
-  EXPECT_TRUE(report.trust.doubts.empty());
-  EXPECT_LT(report.trust.attitude_error_rad.value(), 1e-4);
+  EXPECT_TRUE(report.reliability.doubts.empty());
+  EXPECT_LT(report.reliability.attitude_error_rad.value(), 1e-4);
 }
 
-TEST(Trust, LongStepsAreToldBeforehand) {
+TEST(Reliability, LongStepsAreToldBeforehand) {
   const Problem p{free_body({1, 1, 2}), {Quat::Identity(), {0.1, 0, 4}}};  // limit sqrt 2
   NumericsSpec numerics;
   numerics.method = "rk4";
@@ -54,7 +54,7 @@ TEST(Trust, LongStepsAreToldBeforehand) {
   EXPECT_FALSE(step_beyond_limit(p.model, p.start, numerics));
 }
 
-TEST(Trust, BackwardTurningIsTold) {
+TEST(Reliability, BackwardTurningIsTold) {
   const double quarter_per_frame = 0.5 * kPi * 60.0;
   EXPECT_FALSE(turns_backwards(1.99 * quarter_per_frame, 1.0 / 60.0));
   const std::optional<std::string> words = turns_backwards(3.0 * quarter_per_frame, 1.0 / 60.0);

@@ -36,7 +36,7 @@ class TaylorOracle {
     look_up(up_S);
   }
 
-  TaylorOracle(const Model& model, const State& start)
+  TaylorOracle(const BodyModel& model, const State& start)
       : TaylorOracle(triple(model.moments),
                      triple(model.chi_P),
                      triple(start.y),

@@ -32,7 +32,7 @@ Task make_task(const std::filesystem::path& file,
   task.scene = load_with_overrides(file, job.overrides);
   const Scene& scene = task.scene;
   with_place(scene, [&] {
-    const Model model = with_needed_degrees(make_model(scene.body, scene.motion));
+    const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};
     for (const StepperInfo* method : methods) {
@@ -57,9 +57,9 @@ Task make_task(const std::filesystem::path& file,
 
 // what a person wants to know first
 std::string summary(const WorkPanel& panel) {
-  std::string text = fmt::format("{}: judge: {}; the scene needs {:.2g} rad ({})\n",
+  std::string text = fmt::format("{}: reference: {}; the scene needs {:.2g} rad ({})\n",
                                  panel.scene,
-                                 panel.judge,
+                                 panel.reference,
                                  panel.accuracy_rad,
                                  panel.accuracy_why);
   std::set<double> asked = {panel.accuracy_rad, 1e-3, 1e-6, 1e-9, 1e-12};
@@ -97,10 +97,11 @@ std::string chart(const ChartJob& job) {
   std::vector<WorkPanel> panels;
   std::string text;
   for (Task& task : tasks) {
-    const Judge judge(task.problem.model, task.problem.start, task.problem.duration);
-    task.panel.judge = judge.source();
+    const ReferenceSolution reference(
+        task.problem.model, task.problem.start, task.problem.duration);
+    task.panel.reference = reference.source();
     for (const StepperInfo* method : task.methods) {
-      const std::vector<WorkPoint> points = work_precision(*method, task.problem, judge);
+      const std::vector<WorkPoint> points = work_precision(*method, task.problem, reference);
       task.panel.points.insert(task.panel.points.end(), points.begin(), points.end());
       progress.show(++done);
     }

@@ -71,7 +71,7 @@ std::string as_text(const Json& facts) {
 }  // namespace
 
 nlohmann::ordered_json inspection(const Solved& solved) {
-  const Model& model = solved.model;
+  const BodyModel& model = solved.model;
   const SimulationReport& report = solved.simulation.report;
   Json facts;
   facts["title"] = solved.scene.title;

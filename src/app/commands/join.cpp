@@ -15,7 +15,7 @@ namespace {
 
 struct Found {
   std::string file;
-  PieceRecord record;
+  SegmentRecord record;
 };
 
 // by number
@@ -82,7 +82,7 @@ void join_pieces(const JoinJob& job) {
   for (const auto& [number, found] : pieces) {
     parts.push_back({found.file, found.record.range.count});
   }
-  const PieceRecord& record = pieces.begin()->second.record;
+  const SegmentRecord& record = pieces.begin()->second.record;
   FilmJoiner joiner(job.output);
   joiner.join(parts,
               parse_frame_rate(record.settings.at("fps")),

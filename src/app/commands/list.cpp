@@ -14,7 +14,6 @@
 #include "base/nearest.h"
 #include "chart/gnuplot.h"
 #include "film/report.h"
-#include "lecture/lecture.h"
 #include "model/solids.h"
 #include "motion/simulate.h"
 #include "render/context.h"
@@ -89,7 +88,7 @@ std::string list_methods() {
 
 std::string list_models() {
   std::vector<Row> rows = {{"name", "what it takes"}};
-  for (const MotionModel& model : motion_models())
+  for (const SolutionMethod& model : solution_methods())
     rows.push_back({model.name, model.doc});
   return aligned(rows);
 }
@@ -176,7 +175,7 @@ std::string schema_text() {
   return scene_schema().dump(2) + "\n";
 }
 
-Diagnosis examine() {
+Diagnosis examine(const std::vector<ExternalNeed>& needs) {
   std::vector<Row> rows;
   bool draws = false;
   const nlohmann::ordered_json all = versions();
@@ -188,7 +187,7 @@ Diagnosis examine() {
   }
   const std::string gnuplot = gnuplot_version();
   rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
-  for (const LectureNeed& need : lecture_needs())
+  for (const ExternalNeed& need : needs)
     rows.push_back({need.name, need.state});
   for (const FontFound& font : examine_fonts()) {
     rows.push_back({"font " + font.wanted,

@@ -16,11 +16,18 @@ std::string list_table(const std::string& name);
 // The JSON Schema of the scene file, indented.
 std::string schema_text();
 
-// What works here and what is missing. `healthy` is false when no film can be made.
+// Something that the program uses if it is installed, and "ok" or what to install.
+struct ExternalNeed {
+  std::string name;
+  std::string state;
+};
+
+// What works here and what is missing; `needs` are listed too. `healthy` is false when no film can
+// be made.
 struct Diagnosis {
   std::string text;
   bool healthy = true;
 };
-Diagnosis examine();
+Diagnosis examine(const std::vector<ExternalNeed>& needs);
 
 }  // namespace polhode

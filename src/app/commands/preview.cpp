@@ -52,7 +52,7 @@ void lay_tile(Image& sheet, const Image& tile, int left, int top) {
 }
 
 // "3.25 s", with the moment of the motion where that is another
-std::string time_of_tile(const Frames& frames, double film) {
+std::string time_of_tile(const FrameTimes& frames, double film) {
   const double motion = frames.timeline.motion_time(film);
   if (std::abs(motion - film) < 0.005) return fmt::format("{:.2f} s", film);
   return fmt::format("{:.2f} s   (motion {:.2f} s)", film, motion);
@@ -68,8 +68,8 @@ std::string output_of(const PreviewJob& job) {
 }  // namespace
 
 void write_preview(const PreviewJob& job) {
-  FilmOrder order;
-  order.scene = small_scene(job);
+  RenderPlan plan;
+  plan.scene = small_scene(job);
   const std::string output = output_of(job);
   if (!output.ends_with(".png")) {
     throw input_error("a preview is one picture; name a .png").at({output, 0, {}});
@@ -77,12 +77,12 @@ void write_preview(const PreviewJob& job) {
   refuse_same_file(output, "the output", job.scene);
   AtomicFile file(output);
 
-  const FilmBasis basis = find_basis(order);
-  const PlannedFilm film(order, basis);
+  const PreparedFilm basis = prepare_film(plan);
+  const FilmFrames film(plan, basis);
   film.warn();
-  const std::unique_ptr<FrameMaker> maker = make_drawer(film, job.backend, false);
-  const Frames& frames = basis.frames;
-  const PictureSize tile = order.scene.video.size;
+  const std::unique_ptr<FrameRenderer> renderer = make_frame_renderer(film, job.backend, false);
+  const FrameTimes& frames = basis.frames;
+  const PictureSize tile = plan.scene.video.size;
   const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;
   Image sheet;
   sheet.wipe(kColumns * step_x + kGap, kHead + kRows * step_y, kPaper);
@@ -92,8 +92,7 @@ void write_preview(const PreviewJob& job) {
     const TextStyle style{Face::sans, size, kInk};
     lay_over(sheet, typesetter.set(plain_text(words), style, x, y));
   };
-  const std::string name =
-      order.scene.title.empty() ? job.scene.stem().string() : order.scene.title;
+  const std::string name = plan.scene.title.empty() ? job.scene.stem().string() : plan.scene.title;
   write(fmt::format("{}   {:.1f} s, {} frames", name, frames.count / frames.rate, frames.count),
         22.0,
         kGap,
@@ -103,7 +102,7 @@ void write_preview(const PreviewJob& job) {
   for (int i = 0; i < kTiles; ++i) {
     stop_if_interrupted();
     const int index = static_cast<int>(std::int64_t{i} * (frames.count - 1) / (kTiles - 1));
-    maker->make(index, picture);
+    renderer->make(index, picture);
     const int left = kGap + i % kColumns * step_x, top = kHead + i / kColumns * step_y;
     lay_tile(sheet, picture, left, top);
     write(time_of_tile(frames, frames.film_time(index)), 17.0, left, top + tile.height + 4);

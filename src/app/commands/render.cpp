@@ -31,8 +31,8 @@ double process_cpu_seconds() {
 }
 
 // no output lands on what is needed, or on another output
-void refuse_overwriting(const RenderJob& job, const FilmOrder& order) {
-  const std::string& output = order.sink.output;
+void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
+  const std::string& output = plan.sink.output;
   refuse_same_file(output, "the output", job.scene);
   refuse_same_file(job.report, "--report", job.scene);
   if (output == kStandardOutput && job.report == kStandardOutput) {
@@ -40,43 +40,43 @@ void refuse_overwriting(const RenderJob& job, const FilmOrder& order) {
         .at({{}, 0, "--report"});
   }
   refuse_same_file(job.report, "--report", output);
-  if (!order.story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
+  if (!plan.story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
 }
 
-FilmFacts facts_of(const FilmOrder& order, const FilmBasis& film, FilmTarget& target) {
+FilmFacts facts_of(const RenderPlan& plan, const PreparedFilm& film, RenderOutput& target) {
   FilmFacts facts;
-  facts.output = order.sink.output;
+  facts.output = plan.sink.output;
   facts.frames = target.range().count;
   facts.from_s = film.frames.from;
   facts.to_s = film.frames.to;
-  facts.transparent = order.sink.transparent;
-  facts.text = order.text;
-  facts.still = order.sink.still;
-  facts.resume = order.resume;
-  if (order.shard) facts.shard = fmt::format("{}/{}", order.shard->number, order.shard->of);
+  facts.transparent = plan.sink.transparent;
+  facts.text = plan.text;
+  facts.still = plan.sink.still;
+  facts.resume = plan.resume;
+  if (plan.shard) facts.shard = fmt::format("{}/{}", plan.shard->number, plan.shard->of);
   facts.first_frame = target.range().first;
-  facts.jobs = order.jobs;
-  for (const StoryStep& step : order.story) {
+  facts.jobs = plan.jobs;
+  for (const StoryStep& step : plan.story) {
     facts.captions.push_back(step.caption);
   }
   facts.hashes = target.hashes();
-  facts.encoder = order.sink.encoder;
+  facts.encoder = plan.sink.encoder;
   facts.times.simulate = film.solved.simulate_time;
   facts.times.convert = target.sink().times().convert;
   facts.times.encode = target.sink().times().encode;
   return facts;
 }
 
-void add_makers_facts(const FrameMaker& maker, FilmFacts& facts) {
-  const MakingTimes times = maker.times();
-  facts.renderer = maker.info();
+void add_renderer_facts(const FrameRenderer& renderer, FilmFacts& facts) {
+  const DrawingTimes times = renderer.times();
+  facts.renderer = renderer.info();
   facts.times.compose = times.compose;
   facts.times.draw = times.render.draw;
   facts.times.read_back = times.render.read_back;
   facts.times.smooth = times.render.smooth;
 }
 
-std::string report_text(const FilmBasis& film, const FilmFacts& facts) {
+std::string report_text(const PreparedFilm& film, const FilmFacts& facts) {
   nlohmann::ordered_json told = film_report(film.solved, facts);
   if (film.comparison != nullptr) told["compare"] = film.comparison->report();
   if (film.frames.loop) {
@@ -92,33 +92,34 @@ void render_film(const RenderJob& job) {
   const auto wall_start = std::chrono::steady_clock::now();
 
   // load and check everything that can be checked before work begins
-  const FilmOrder order = settle_order(job);
-  refuse_overwriting(job, order);
+  const RenderPlan plan = plan_render(job);
+  refuse_overwriting(job, plan);
   const bool reported = !job.report.empty();
   std::unique_ptr<AtomicFile> report_file;
   if (reported && job.report != "-") report_file = std::make_unique<AtomicFile>(job.report);
-  FilmTarget target(order, reported);
+  RenderOutput target(plan, reported);
 
   // simulate and plan; open the drawing side, other processes before there is any text here
-  const FilmBasis basis = find_basis(order);
+  const PreparedFilm basis = prepare_film(plan);
   target.begin(basis);
-  std::unique_ptr<FrameMaker> maker;
-  if (order.jobs > 1) maker = make_crew(order, basis, target.frames());
-  const PlannedFilm film(order, basis);
+  std::unique_ptr<FrameRenderer> renderer;
+  if (plan.jobs > 1) renderer = start_frame_workers(plan, basis, target.frames());
+  const FilmFrames film(plan, basis);
   film.warn();
-  if (maker == nullptr) maker = make_drawer(film, order.backend, order.sink.transparent);
+  if (renderer == nullptr)
+    renderer = make_frame_renderer(film, plan.backend, plan.sink.transparent);
 
   // draw here, convert and encode behind the queue
   Progress progress(job.progress, target.range().count, "frames", target.there());
-  fill_target(target, *maker, [&](const PipelineStep& step) {
+  fill_output(target, *renderer, [&](const PipelineStep& step) {
     progress.show(step.done, target.limit(step));
   });
 
   // report
   if (!reported) return;
-  FilmFacts facts = facts_of(order, basis, target);
-  add_makers_facts(*maker, facts);
-  maker.reset();  // its processes are reaped, and their time is counted
+  FilmFacts facts = facts_of(plan, basis, target);
+  add_renderer_facts(*renderer, facts);
+  renderer.reset();  // its processes are reaped, and their time is counted
   facts.times.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   facts.times.total.cpu_s = process_cpu_seconds();

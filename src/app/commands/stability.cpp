@@ -98,7 +98,7 @@ Setup make_setup(const MappedScene& place, double x, double y, const StabilityJo
   apply(place.y.key, y);
   const Scene scene = load_scene(place.file, numbers);
   return with_place(scene, [&] {
-    const Model model = with_needed_degrees(make_model(scene.body, scene.motion));
+    const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     State start = start_state(model, scene.motion);
     start.y *= spin;
     const double rate = typical_rate(model, start);
@@ -147,7 +147,7 @@ MappedScene make_place(const std::filesystem::path& file,
   place.file = file;
   place.scene = load_scene(file);
   const double rate = with_place(place.scene, [&] {
-    const Model model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
+    const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     for (const StepperInfo* method : methods) {
       if (why_not(*method, model).empty()) place.methods.push_back(method);
     }
@@ -218,11 +218,11 @@ class Finished {
       if (!in || map < 0 || map >= static_cast<long>(maps.size())) return;
       std::vector<StabilityCell>& cells = maps[static_cast<std::size_t>(map)].cells;
       for (int column = 0; column < columns; ++column) {
-        std::string verdict, error, energy, momentum;
-        in >> verdict >> error >> energy >> momentum;
+        std::string outcome, error, energy, momentum;
+        in >> outcome >> error >> energy >> momentum;
         const auto place = static_cast<std::size_t>(row * columns + column);
         if (!in || row < 0 || place >= cells.size()) return;
-        cells[place] = {parse_verdict(verdict),
+        cells[place] = {parse_run_outcome(outcome),
                         std::strtod(error.c_str(), nullptr),
                         std::strtod(energy.c_str(), nullptr),
                         std::strtod(momentum.c_str(), nullptr)};
@@ -239,7 +239,7 @@ class Finished {
       const StabilityCell& cell = cells[static_cast<std::size_t>(row * columns + column)];
       fmt::format_to(std::back_inserter(lines_),
                      " {} {:.17g} {:.17g} {:.17g}",
-                     name_of(cell.verdict),
+                     name_of(cell.outcome),
                      cell.error_rad,
                      cell.energy_drift,
                      cell.momentum_drift);
@@ -285,14 +285,14 @@ std::string words_of(const std::vector<MappedScene>& places, const StabilityJob&
 std::string summary(const std::vector<StabilityMap>& maps) {
   std::string text;
   for (const StabilityMap& map : maps) {
-    std::array<int, kVerdicts> count = {};
+    std::array<int, kRunOutcomes> count = {};
     for (const StabilityCell& cell : map.cells)
-      ++count[static_cast<std::size_t>(cell.verdict)];
+      ++count[static_cast<std::size_t>(cell.outcome)];
     text += fmt::format("{:<22} {:<22}", map.scene, map.method);
     for (std::size_t v = 0; v < count.size(); ++v) {
       if (count[v] == 0) continue;
       text += fmt::format(" {} {:.0f}%",
-                          name_of(static_cast<Verdict>(v)),
+                          name_of(static_cast<RunOutcome>(v)),
                           100.0 * count[v] / static_cast<double>(map.cells.size()));
     }
     text += '\n';

@@ -158,29 +158,29 @@ Verified verify(const VerifyJob& job) {
 
   // make it again, elsewhere
   const ScratchFolder scratch;
-  FilmOrder& order = reported.order;
+  RenderPlan& plan = reported.plan;
   const std::string made = scratch / fs::path(output).filename().string();
-  order.sink.output = job.output.substr(0, prefix) + made;
-  FilmTarget target(order, true);
-  const FilmBasis basis = find_basis(order);
+  plan.sink.output = job.output.substr(0, prefix) + made;
+  RenderOutput target(plan, true);
+  const PreparedFilm basis = prepare_film(plan);
   target.begin(basis);
-  const PlannedFilm film(order, basis);
+  const FilmFrames film(plan, basis);
   film.warn();
-  const std::unique_ptr<FrameMaker> maker =
-      make_drawer(film, order.backend, order.sink.transparent);
-  if (maker->info().gl_renderer != reported.gl_renderer) {
+  const std::unique_ptr<FrameRenderer> renderer =
+      make_frame_renderer(film, plan.backend, plan.sink.transparent);
+  if (renderer->info().gl_renderer != reported.gl_renderer) {
     throw input_error("cannot be compared: it was drawn by {}, this is {}",
                       reported.gl_renderer,
-                      maker->info().gl_renderer)
+                      renderer->info().gl_renderer)
         .at({report_file, 0, {}});
   }
   Progress progress(job.progress, target.range().count);
-  fill_target(target, *maker, [&](const PipelineStep& step) {
+  fill_output(target, *renderer, [&](const PipelineStep& step) {
     progress.show(step.done, target.limit(step));
   });
 
   // hold it against the report, and against the output
-  const Again again{kind, output, made, target.range().first, target.range().count, order.sink.fps};
+  const Again again{kind, output, made, target.range().first, target.range().count, plan.sink.fps};
   Difference difference = compare_hashes(again, reported.hashes, target.hashes());
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);

@@ -42,7 +42,4 @@ struct GoldenSection {
 };
 std::string golden_page(const std::string& title, const std::vector<GoldenSection>& sections);
 
-// Text for HTML: markup becomes characters, bytes that are no UTF-8 become replacement characters.
-std::string escaped(const std::string& text);
-
 }  // namespace polhode

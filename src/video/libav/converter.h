@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to the pixels that an encoder takes. Not for other rooms.
+// Pictures to the pixels that an encoder takes. Not for other libraries.
 #pragma once
 
 #include <array>

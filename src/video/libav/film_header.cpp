@@ -19,15 +19,15 @@ void add_notes(AVFormatContext& muxer,
   }
 }
 
-void add_chapters(AVFormatContext& muxer, const FilmMarks& marks, const FrameRate& fps) {
-  for (std::size_t i = 0; i < marks.chapters.size(); ++i) {
-    const bool last = i + 1 == marks.chapters.size();
+void add_chapters(AVFormatContext& muxer, const FilmMetadata& metadata, const FrameRate& fps) {
+  for (std::size_t i = 0; i < metadata.chapters.size(); ++i) {
+    const bool last = i + 1 == metadata.chapters.size();
     auto* chapter = static_cast<AVChapter*>(made(av_mallocz(sizeof(AVChapter))));
     chapter->id = static_cast<std::int64_t>(i) + 1;
     chapter->time_base = {fps.denominator, fps.numerator};
-    chapter->start = marks.chapters[i].start;
-    chapter->end = last ? marks.frames : marks.chapters[i + 1].start;
-    av_dict_set(&chapter->metadata, "title", marks.chapters[i].title.c_str(), 0);
+    chapter->start = metadata.chapters[i].start;
+    chapter->end = last ? metadata.frames : metadata.chapters[i + 1].start;
+    av_dict_set(&chapter->metadata, "title", metadata.chapters[i].title.c_str(), 0);
     int count = static_cast<int>(muxer.nb_chapters);
     const int added = av_dynarray_add_nofree(&muxer.chapters, &count, chapter);
     muxer.nb_chapters = static_cast<unsigned>(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands at the head of a film file: container, tags, chapters. Not for other rooms.
+// What stands at the head of a film file: container, tags, chapters. Not for other libraries.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ void add_notes(AVFormatContext& muxer,
                const std::vector<std::pair<const char*, std::string>>& notes);
 
 // A chapter from each start to the next. Frames become times by the rate.
-void add_chapters(AVFormatContext& muxer, const FilmMarks& marks, const FrameRate& fps);
+void add_chapters(AVFormatContext& muxer, const FilmMetadata& metadata, const FrameRate& fps);
 
 // Writes the header, with the format's own options.
 void begin_film(AVFormatContext& muxer, const FilmFormat& format);

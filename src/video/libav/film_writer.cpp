@@ -103,16 +103,16 @@ void FilmWriter::open_encoder() {
   packet_.reset(made(av_packet_alloc()));
 }
 
-void FilmWriter::describe(const FilmMarks& marks) {
+void FilmWriter::describe(const FilmMetadata& metadata) {
   CHECK(!begun_);
-  if (!format_.tells) return;
-  add_chapters(*muxer_, marks, job_.fps);
-  if (!marks.comment.empty()) job_.comment = marks.comment;
+  if (!format_.keeps_metadata) return;
+  add_chapters(*muxer_, metadata, job_.fps);
+  if (!metadata.comment.empty()) job_.comment = metadata.comment;
 }
 
 void FilmWriter::write_header() {
   begun_ = true;
-  if (format_.tells) {
+  if (format_.keeps_metadata) {
     const std::string encoder = fmt::format("{} of FFmpeg {}", row_.name, av_version_info());
     add_notes(*muxer_, {{"title", job_.title}, {"comment", job_.comment}, {"encoder", encoder}});
   }

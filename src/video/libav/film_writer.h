@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Encoder, container and output of one film. Not for other rooms.
+// Encoder, container and output of one film. Not for other libraries.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class FilmWriter {
   AVPixelFormat pixels() const { return encoder_->pix_fmt; }
 
   // Chapters; before the first frame.
-  void describe(const FilmMarks& marks);
+  void describe(const FilmMetadata& metadata);
   // A frame with its pts, in 1 / rate or what the encoder took. A key frame begins a group.
   void write(AVFrame& frame, bool key);
   // An option that the muxer only needs at the end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A chain of libavfilter's filters that frames are pushed through. Not for other rooms.
+// A chain of libavfilter's filters that frames are pushed through. Not for other libraries.
 #pragma once
 
 #include <memory>

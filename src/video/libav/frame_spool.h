@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames that wait on disk until the film is known. Not for other rooms.
+// Frames that wait on disk until the film is known. Not for other libraries.
 #pragma once
 
 #include <cstdio>

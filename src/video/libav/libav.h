@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The room's own door to FFmpeg's libraries: objects that free themselves, options that must be
-// understood, calls that must succeed. Not for other rooms.
+// The only includer of FFmpeg's libraries: objects that free themselves, options that must be
+// understood, calls that must succeed. Not for other libraries.
 #pragma once
 
 extern "C" {
