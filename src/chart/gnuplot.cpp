@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/child_process.h"
 #include "base/error.h"
+#include "base/system/child_process.h"
 
 namespace polhode {
 namespace {

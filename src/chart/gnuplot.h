@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The door to gnuplot, which draws all charts.
+// Runs gnuplot, which draws all charts.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 // fine is calm, the rest told apart by the colour-blind too: lightness rises along the list
-constexpr std::array<const char*, kVerdicts> kColors = {
+constexpr std::array<const char*, kRunOutcomes> kColors = {
     "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222"};
 
 double shown(const MapAxis& axis, double value) {
@@ -49,12 +49,12 @@ std::string axis_script(const char* letter, const MapAxis& axis, bool alone) {
   return text + fmt::format("set {}tics ({})\n", letter, tics);
 }
 
-// a verdict in the key: its colour and its name
-std::string key_entry(int verdict) {
-  std::string words = name_of(static_cast<Verdict>(verdict));
+// an outcome in the key: its colour and its name
+std::string key_entry(int outcome) {
+  std::string words = name_of(static_cast<RunOutcome>(outcome));
   std::replace(words.begin(), words.end(), '_', ' ');
   return fmt::format("NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}",
-                     kColors[static_cast<std::size_t>(verdict)],
+                     kColors[static_cast<std::size_t>(outcome)],
                      gnuplot_text(words));
 }
 
@@ -64,7 +64,7 @@ std::string map_script(
   std::string text = fmt::format("$map{} << EOD\n", index);
   const auto columns = static_cast<std::size_t>(x.cells);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    text += std::to_string(static_cast<int>(map.cells[i].verdict));
+    text += std::to_string(static_cast<int>(map.cells[i].outcome));
     text += (i + 1) % columns == 0 ? '\n' : ' ';
   }
   text += "EOD\n";
@@ -99,7 +99,7 @@ std::string map_script(
         gnuplot_text(alone ? "limit of theory" : ""));
   }
   if (alone) {
-    for (int v = 0; v < kVerdicts; ++v)
+    for (int v = 0; v < kRunOutcomes; ++v)
       text += ", " + key_entry(v);
   }
   return text + "\n";
@@ -107,13 +107,13 @@ std::string map_script(
 
 std::string palette() {
   std::string text;
-  for (int v = 0; v < kVerdicts; ++v)
+  for (int v = 0; v < kRunOutcomes; ++v)
     text += fmt::format("{}{} '{}'", v == 0 ? "" : ", ", v, kColors[static_cast<std::size_t>(v)]);
   return fmt::format(
       "set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\nunset colorbox\n",
-      kVerdicts,
+      kRunOutcomes,
       text,
-      kVerdicts - 0.5);
+      kRunOutcomes - 0.5);
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
       gnuplot_text(maps[0]->title),
       gnuplot_text("across: " + x.key),
       gnuplot_text("up: " + y.key));
-  for (int v = 0; v < kVerdicts; ++v)
+  for (int v = 0; v < kRunOutcomes; ++v)
     script += key_entry(v) + ", ";
   script += "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n";
   script += "unset multiplot\n";
@@ -168,7 +168,7 @@ std::string stability_csv(const std::vector<StabilityMap>& maps,
                        map.method,
                        x.at(column),
                        y.at(row),
-                       name_of(cell.verdict),
+                       name_of(cell.outcome),
                        cell.error_rad,
                        cell.energy_drift,
                        cell.momentum_drift);

@@ -98,7 +98,7 @@ std::string frontier_labels(const std::vector<WorkPoint>& points, Cost cost) {
   return text;
 }
 
-std::string verdict(const WorkPanel& panel) {
+std::string cheapest_words(const WorkPanel& panel) {
   const WorkPoint* best = cheapest(panel.points, panel.accuracy_rad);
   const std::string line =
       fmt::format("line: {} = {:.2g} rad", panel.accuracy_why, panel.accuracy_rad);
@@ -166,12 +166,12 @@ std::string row_script(const WorkPanel& panel, std::size_t row, std::size_t rows
         gnuplot_text(title));
   };
   if (!anything_drawn(panel)) {
-    place(0.0, 1.0, panel.title + ": nothing to draw; judge: " + panel.judge);
+    place(0.0, 1.0, panel.title + ": nothing to draw; reference: " + panel.reference);
     return text + "unset arrow\nunset key\nset xlabel ''\nplot [1:10][1e-14:1] NaN notitle\n";
   }
-  place(0.0, 0.42, panel.title + "; judge: " + panel.judge);
+  place(0.0, 0.42, panel.title + "; reference: " + panel.reference);
   text += panel_script(panel, row, 1, "time of the whole motion, us", time_of, false);
-  place(0.42, 0.58, verdict(panel));
+  place(0.42, 0.58, cheapest_words(panel));
   text += panel_script(panel,
                        row,
                        2,

@@ -14,7 +14,7 @@ namespace polhode {
 struct WorkPanel {
   std::string scene;  // its short name, for the table
   std::string title;
-  std::string judge;          // who knows the truth
+  std::string reference;      // how the reference solution is known
   double accuracy_rad = 0.0;  // what the scene needs
   std::string accuracy_why;   // "0.1 px of the picture"
   std::vector<WorkPoint> points;

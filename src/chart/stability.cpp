@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/interrupt.h"
 #include "base/nearest.h"
+#include "base/system/interrupt.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
 
@@ -19,19 +19,19 @@ constexpr double kKept = 1e-3;     // drift of what passes for fine where nobody
 constexpr double kChanged = 0.02;  // drift of energy that makes it the reason
 constexpr double kHopeless = 1e6;  // drift at which a run that blows up is left
 
-constexpr std::array<const char*, kVerdicts> kNames = {"fine",
-                                                       "phase_wrong",
-                                                       "flips_wrongly",
-                                                       "energy_grows",
-                                                       "energy_decays",
-                                                       "solver_failed",
-                                                       "not_a_number"};
+constexpr std::array<const char*, kRunOutcomes> kNames = {"fine",
+                                                          "phase_wrong",
+                                                          "flips_wrongly",
+                                                          "energy_grows",
+                                                          "energy_decays",
+                                                          "solver_failed",
+                                                          "not_a_number"};
 
 // Which way the body points, as a number between -1 and 1: towards its centre of mass against the
 // vertical, or for a free body its angular momentum along the axis that it is closest to at first.
 class Pointing {
  public:
-  Pointing(const Model& model, const State& start) : model_(model) {
+  Pointing(const BodyModel& model, const State& start) : model_(model) {
     start.y.cwiseAbs().maxCoeff(&axis_);
   }
   double of(const State& s) const {
@@ -41,11 +41,11 @@ class Pointing {
   }
 
  private:
-  const Model& model_;
+  const BodyModel& model_;
   Eigen::Index axis_ = 0;
 };
 
-// the states at the times of the judge, one after the other; false when they end early
+// the states at the times of the reference, one after the other; false when they end early
 template <class Visit>
 void states_at(const std::vector<double>& times,
                const Stepper& stepper,
@@ -65,40 +65,40 @@ void states_at(const std::vector<double>& times,
   }
 }
 
-Verdict verdict_of(const StabilityCell& cell, bool flipped, double allowed_rad) {
+RunOutcome outcome_of(const StabilityCell& cell, bool flipped, double allowed_rad) {
   const bool known = !std::isnan(cell.error_rad);
   const bool kept = !(std::abs(cell.energy_drift) > kKept) && !(cell.momentum_drift > kKept);
-  if (known ? cell.error_rad <= allowed_rad : kept) return Verdict::fine;
-  if (cell.energy_drift > kChanged) return Verdict::energy_grows;
-  if (cell.energy_drift < -kChanged) return Verdict::energy_decays;
-  return flipped ? Verdict::flips_wrongly : Verdict::phase_wrong;
+  if (known ? cell.error_rad <= allowed_rad : kept) return RunOutcome::fine;
+  if (cell.energy_drift > kChanged) return RunOutcome::energy_grows;
+  if (cell.energy_drift < -kChanged) return RunOutcome::energy_decays;
+  return flipped ? RunOutcome::flips_wrongly : RunOutcome::phase_wrong;
 }
 
 }  // namespace
 
-const char* name_of(Verdict verdict) {
-  return kNames[static_cast<std::size_t>(verdict)];
+const char* name_of(RunOutcome outcome) {
+  return kNames[static_cast<std::size_t>(outcome)];
 }
 
-Verdict parse_verdict(const std::string& name) {
+RunOutcome parse_run_outcome(const std::string& name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (name == kNames[i]) return static_cast<Verdict>(i);
+    if (name == kNames[i]) return static_cast<RunOutcome>(i);
   }
-  throw input_error("no verdict is called '{}'{}",
+  throw input_error("no outcome is called '{}'{}",
                     name,
                     suggestion(name, std::vector<std::string>(kNames.begin(), kNames.end())));
 }
 
-StabilityProblem::StabilityProblem(const Model& m, const State& s, double T)
-    : model(m), start(s), duration(T), judge(m, s, T) {}
+StabilityProblem::StabilityProblem(const BodyModel& m, const State& s, double T)
+    : model(m), start(s), duration(T), reference(m, s, T) {}
 
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,
                          double allowed_rad) {
-  const Model& model = problem.model;
+  const BodyModel& model = problem.model;
   const std::unique_ptr<Stepper> stepper = method.make(model, momentum_scale(model, problem.start));
-  const bool judged = std::isfinite(problem.judge.doubt());
+  const bool known = std::isfinite(problem.reference.uncertainty());
   const Pointing pointing(model, problem.start);
   DriftWatch drift(model, problem.start);
   const double energy_at_start = energy(model, problem.start);
@@ -108,14 +108,14 @@ StabilityCell try_method(const StepperInfo& method,
   StabilityCell cell;
   try {
     states_at(
-        problem.judge.times(), *stepper, problem.start, h, [&](std::size_t k, const State& s) {
+        problem.reference.times(), *stepper, problem.start, h, [&](std::size_t k, const State& s) {
           if (!is_finite(s)) {
             nan = true;
             return false;
           }
           drift.look_at(s);
           last_energy = energy(model, s);
-          const State& truth = problem.judge.states()[k];
+          const State& truth = problem.reference.states()[k];
           error = std::max(error, deviation(model, s, truth));
           // on opposite sides, and both clearly
           constexpr double kClearly = 0.3;
@@ -127,15 +127,15 @@ StabilityCell try_method(const StepperInfo& method,
         });
   } catch (const Error& failure) {
     if (failure.fault() == Fault::interrupted) throw;
-    return {Verdict::solver_failed, kUnknown, kUnknown, kUnknown};
+    return {RunOutcome::solver_failed, kUnknown, kUnknown, kUnknown};
   }
-  if (nan) return {Verdict::not_a_number, kUnknown, kUnknown, kUnknown};
+  if (nan) return {RunOutcome::not_a_number, kUnknown, kUnknown, kUnknown};
   const double sign = last_energy < energy_at_start ? -1.0 : 1.0;
-  cell.error_rad = judged && !blown_up ? error : kUnknown;
+  cell.error_rad = known && !blown_up ? error : kUnknown;
   cell.energy_drift = sign * drift.worst().energy.value_or(kUnknown);
   cell.momentum_drift = drift.worst().momentum.value_or(kUnknown);
-  cell.verdict =
-      blown_up ? Verdict::energy_grows : verdict_of(cell, flipped && judged, allowed_rad);
+  cell.outcome =
+      blown_up ? RunOutcome::energy_grows : outcome_of(cell, flipped && known, allowed_rad);
   return cell;
 }
 

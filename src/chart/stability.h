@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "chart/judge.h"
+#include "chart/reference_solution.h"
 #include "motion/stepper.h"
 
 namespace polhode {
 
-enum class Verdict {
+enum class RunOutcome {
   fine,
   phase_wrong,    // the right kind of motion at the wrong time
   flips_wrongly,  // the body points the other way than it should
@@ -19,26 +19,26 @@ enum class Verdict {
   solver_failed,  // an implicit step has no solution
   not_a_number,
 };
-inline constexpr int kVerdicts = 7;
+inline constexpr int kRunOutcomes = 7;
 
 // "fine", "phase_wrong", ...
-const char* name_of(Verdict verdict);
-// The verdict of that name. Throws Error (input).
-Verdict parse_verdict(const std::string& name);
+const char* name_of(RunOutcome outcome);
+// The outcome of that name. Throws Error (input).
+RunOutcome parse_run_outcome(const std::string& name);
 
-// A motion that methods are tried on, with who knows the truth about it.
+// A motion that methods are tried on, together with its reference solution.
 struct StabilityProblem {
-  StabilityProblem(const Model& model, const State& start, double duration);
+  StabilityProblem(const BodyModel& model, const State& start, double duration);
 
-  Model model;
+  BodyModel model;
   State start;
   double duration;  // s
-  Judge judge;
+  ReferenceSolution reference;
 };
 
 // One run and what became of it; numbers that are not known are NaN.
 struct StabilityCell {
-  Verdict verdict = Verdict::fine;
+  RunOutcome outcome = RunOutcome::fine;
   double error_rad = 0.0;
   double energy_drift = 0.0;    // with its sign; relative as in motion/trajectory.h
   double momentum_drift = 0.0;  // relative

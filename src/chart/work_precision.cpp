@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
@@ -48,10 +48,10 @@ State walk(const StepperInfo& method, const WorkProblem& problem, double finenes
   return s;
 }
 
-// one run, judged and timed
+// one run, measured and timed
 WorkPoint point(const StepperInfo& method,
                 const WorkProblem& problem,
-                const Judge& judge,
+                const ReferenceSolution& reference,
                 double fineness,
                 const WorkOptions& options) {
   WorkPoint p{method.name, method.order, fineness, 0, kUnknown, kUnknown, kUnknown, kUnknown, ""};
@@ -64,8 +64,8 @@ WorkPoint point(const StepperInfo& method,
     p.energy_drift = run.record.drift.energy.value_or(kUnknown);
     p.momentum_drift = run.record.drift.momentum.value_or(kUnknown);
     p.error_rad = options.judge_the_end_only
-                      ? judge.error_at_end(run.trajectory->at(problem.duration))
-                      : judge.error_of(*run.trajectory);
+                      ? reference.error_at_end(run.trajectory->at(problem.duration))
+                      : reference.error_of(*run.trajectory);
     p.time_us = median_time_us([&] { walk(method, problem, fineness); }, options.least_work_s);
   } catch (const Error& error) {
     if (error.fault() != Fault::check_failed) throw;
@@ -73,11 +73,11 @@ WorkPoint point(const StepperInfo& method,
     p.status = nan ? "not_a_number" : "no_solution";
     return p;
   }
-  if (std::isinf(judge.doubt())) {
+  if (std::isinf(reference.uncertainty())) {
     p.error_rad = kUnknown;
     p.status = "no_judge";
   } else {
-    p.status = p.error_rad < judge.least_error() ? kPointBelowJudge : kPointOk;
+    p.status = p.error_rad < reference.least_error() ? kPointBelowReference : kPointOk;
   }
   return p;
 }
@@ -98,7 +98,7 @@ Fineness range_of(const StepperInfo& method, const WorkProblem& problem) {
 }
 
 bool known(const WorkPoint& p) {
-  return p.status == kPointOk || p.status == kPointBelowJudge;
+  return p.status == kPointOk || p.status == kPointBelowReference;
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ double median_time_us(const std::function<void()>& run, double least_work_s) {
 
 std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkProblem& problem,
-                                      const Judge& judge,
+                                      const ReferenceSolution& reference,
                                       const WorkOptions& options) {
   const Fineness range = range_of(method, problem);
   std::vector<WorkPoint> points;
@@ -135,13 +135,13 @@ std::vector<WorkPoint> work_precision(const StepperInfo& method,
         method.adaptive ? fineness : problem.duration / std::ceil(problem.duration / fineness);
     if (!(exact < last_fineness)) continue;
     last_fineness = exact;
-    const WorkPoint& p = points.emplace_back(point(method, problem, judge, exact, options));
+    const WorkPoint& p = points.emplace_back(point(method, problem, reference, exact, options));
     options.after_point();
     const bool drawn = p.status == kPointOk;
     if (drawn && p.error_rad < 0.7 * best) {
       best = p.error_rad;
       no_better = 0;
-    } else if (p.status == kPointBelowJudge || (drawn && best < 1e-9)) {
+    } else if (p.status == kPointBelowReference || (drawn && best < 1e-9)) {
       ++no_better;  // round-off: finer steps only cost
     }
     failed = std::isnan(p.time_us) ? failed + 1 : 0;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "chart/judge.h"
+#include "chart/reference_solution.h"
 #include "motion/stepper.h"
 
 namespace polhode {
@@ -18,20 +18,20 @@ struct WorkPoint {
   double step = 0.0;  // s; the tolerance of adaptive methods
   long evaluations = 0;
   double time_us = 0.0;    // of the whole trajectory, median of repeated runs
-  double error_rad = 0.0;  // largest over the motion, by the judge
+  double error_rad = 0.0;  // largest over the motion, against the reference
   double energy_drift = 0.0;
   double momentum_drift = 0.0;
-  // "ok"; "below_judge": the error is smaller than the judge can tell; "no_judge"; or why there is
-  // no run: "no_solution", "not_a_number"
+  // "ok"; "below_judge": the error is smaller than the uncertainty of the reference; "no_judge"; or
+  // why there is no run: "no_solution", "not_a_number"
   std::string status;
 };
 
 inline constexpr const char* kPointOk = "ok";
-inline constexpr const char* kPointBelowJudge = "below_judge";
+inline constexpr const char* kPointBelowReference = "below_judge";
 
 // A motion that methods are tried on.
 struct WorkProblem {
-  Model model;
+  BodyModel model;
   State start;
   double duration = 0.0;  // s
 };
@@ -47,7 +47,7 @@ struct WorkOptions {
 // The points of a method from steps too long to be any use to steps that round-off makes pointless.
 std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkProblem& problem,
-                                      const Judge& judge,
+                                      const ReferenceSolution& reference,
                                       const WorkOptions& options = {});
 
 // The cheapest of the points whose error is known and at most `error_rad`; null if there is none.

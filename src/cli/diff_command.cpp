@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/diff.h"
-#include "base/console.h"
+#include "app/compare/diff.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

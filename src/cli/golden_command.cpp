@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/golden.h"
-#include "base/console.h"
+#include "app/compare/golden.h"
 #include "base/nearest.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

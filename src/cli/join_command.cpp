@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/join.h"
+#include "app/commands/join.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

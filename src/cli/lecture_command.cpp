@@ -3,10 +3,10 @@
 
 #include <fmt/ranges.h>
 
-#include "app/lecture.h"
-#include "base/console.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "lecture/lecture.h"
 
 namespace polhode {
 

@@ -9,12 +9,12 @@
 
 #include <fmt/ranges.h>
 
-#include "app/version.h"
-#include "base/console.h"
 #include "base/error.h"
-#include "base/interrupt.h"
-#include "base/log.h"
 #include "base/nearest.h"
+#include "base/system/console.h"
+#include "base/system/interrupt.h"
+#include "base/system/log.h"
+#include "base/version.h"
 #include "cli/command.h"
 
 namespace polhode {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/preview.h"
+#include "app/commands/preview.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/render_film.h"
+#include "app/commands/render.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

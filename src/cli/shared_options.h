@@ -9,8 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/diff.h"
-#include "app/load.h"
+#include "app/compare/diff.h"
+#include "film/load.h"
 
 namespace polhode {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/write_csv.h"
+#include "app/commands/simulate.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/stability.h"
-#include "base/console.h"
+#include "app/commands/stability.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/tables.h"
-#include "base/console.h"
+#include "app/commands/list.h"
 #include "base/error.h"
+#include "base/system/console.h"
 #include "cli/command.h"
+#include "lecture/lecture.h"
 
 namespace polhode {
 
@@ -33,7 +34,7 @@ Action define_schema(CLI::App&) {
 
 Action define_doctor(CLI::App&) {
   return [] {
-    const Diagnosis diagnosis = examine();
+    const Diagnosis diagnosis = examine(lecture_needs());
     print_out(diagnosis.text);
     return diagnosis.healthy ? 0 : static_cast<int>(Fault::environment);
   };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/verify.h"
-#include "base/console.h"
+#include "app/commands/verify.h"
 #include "base/error.h"
+#include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 

@@ -85,7 +85,7 @@ LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments, do
 }
 
 // the homogeneous ellipsoid with these mass properties: a1^2 = 5 (I2 + I3 - I1) / (2 m)
-LookPart inertia_ellipsoid(const Model& model, const Theme& theme, int segments) {
+LookPart inertia_ellipsoid(const BodyModel& model, const Theme& theme, int segments) {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(model.body.tensor);
   const bool diagonal = Mat3(model.body.tensor.diagonal().asDiagonal()) == model.body.tensor;
   const Vec3 moments = diagonal ? Vec3(model.body.tensor.diagonal()) : solver.eigenvalues();
@@ -110,7 +110,7 @@ LookPart inertia_ellipsoid(const Model& model, const Theme& theme, int segments)
 
 // balls, and thin rods from the centre of mass to them
 std::vector<LookPart> points_look(const BodySpec& spec,
-                                  const Model& model,
+                                  const BodyModel& model,
                                   const Theme& theme,
                                   int segments) {
   double reach = 0.0;
@@ -186,7 +186,7 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
 }
 
 std::vector<LookPart> body_look(const BodySpec& spec,
-                                const Model& model,
+                                const BodyModel& model,
                                 const Theme& theme,
                                 int segments) {
   if (spec.look) {
@@ -245,7 +245,7 @@ std::vector<Vec3> points_of(const std::vector<LookPart>& look) {
   return points;
 }
 
-double body_radius(const std::vector<LookPart>& look, const Model& model) {
+double body_radius(const std::vector<LookPart>& look, const BodyModel& model) {
   double radius = 0.0;
   for (const Vec3& point : points_of(look)) {
     radius = std::max(radius, (point - model.reference_B()).norm());

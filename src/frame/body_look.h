@@ -7,7 +7,7 @@
 #include "frame/draw_list.h"
 #include "frame/theme.h"
 #include "frame/to_glm.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -21,7 +21,7 @@ struct LookPart {
 // The look of a [body] table: its own solids or points; of bare moments the homogeneous ellipsoid
 // that has them. segments: pieces of a full circle. Throws Error (input) for an impossible look.
 std::vector<LookPart> body_look(const BodySpec& spec,
-                                const Model& model,
+                                const BodyModel& model,
                                 const Theme& theme,
                                 int segments);
 
@@ -32,7 +32,7 @@ Mesh solid_mesh(const SolidSpec& solid, int segments);
 inline constexpr double kReachOfVectors = 1.5;
 
 // The distance of the farthest drawn body point from the reference point, m.
-double body_radius(const std::vector<LookPart>& look, const Model& model);
+double body_radius(const std::vector<LookPart>& look, const BodyModel& model);
 
 // Vertices of the look that are farthest in directions all around: for framing, as good as all of
 // them to a few ten-thousandths of the body.

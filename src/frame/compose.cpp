@@ -14,14 +14,14 @@ namespace polhode {
 namespace {
 
 // what a scene shows, with every default resolved
-std::map<std::string, bool> resolve(const ShowSpec& spec, const Stage& stage) {
+std::map<std::string, bool> resolve(const ShowSpec& spec, const Scenery& scenery) {
   std::map<std::string, bool> shown;
   for (const Element& element : elements()) {
     const auto found = spec.asked.find(element.name);
     const std::optional<bool> asked = found == spec.asked.end() ? std::nullopt : found->second;
-    shown[element.name] = asked ? *asked : element.by_default(stage);
+    shown[element.name] = asked ? *asked : element.by_default(scenery);
     if (!asked.value_or(false)) continue;
-    const std::string wrong = element.why_not(stage);
+    const std::string wrong = element.why_not(scenery);
     if (!wrong.empty()) throw input_error("{}", wrong).at({{}, 0, "show." + element.name});
   }
   const bool cones = shown["space_cone"] || shown["body_cone"] || shown["precession_cone"];
@@ -32,9 +32,9 @@ std::map<std::string, bool> resolve(const ShowSpec& spec, const Stage& stage) {
   return shown;
 }
 
-DrawingFrame make_drawing_frame(const Stage& stage) {
-  const Vec3 origin = stage.motion.at(0.0).reference_S;
-  const double size = stage.scale.body;
+DrawingFrame make_drawing_frame(const Scenery& scenery) {
+  const Vec3 origin = scenery.motion.at(0.0).reference_S;
+  const double size = scenery.scale.body;
   constexpr double kDigits = 1e-10;  // of double precision that a picture can spare
   if (size < kDigits * origin.norm()) {
     throw input_error("the body is too small ({:.3g} m) to be drawn {:.3g} m from the origin",
@@ -74,16 +74,16 @@ Composer::Composer(const Motion& motion,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
                    FrameSize size)
-    : stage_(make_stage(motion, body, theme, show, circle_segments(0.5 * size.height))),
-      shown_(resolve(show, stage_)),
-      drawing_(make_drawing_frame(stage_)),
+    : scenery_(make_scenery(motion, body, theme, show, circle_segments(0.5 * size.height))),
+      shown_(resolve(show, scenery_)),
+      drawing_(make_drawing_frame(scenery_)),
       staging_(staging),
       rigs_(make_rigs(size)) {
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
   const int for_body = circle_segments(largest.body);
-  if (for_body < most) make_look(stage_, body, for_body);
+  if (for_body < most) make_look(scenery_, body, for_body);
   meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)));
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);
@@ -105,58 +105,58 @@ Composer::Composer(const Motion& motion,
                size) {}
 
 Composer::Composer(const Composer& other, const Motion& motion) : Composer(other) {
-  stage_.motion = motion;
-  stage_.paths = make_paths(stage_);
+  scenery_.motion = motion;
+  scenery_.paths = make_paths(scenery_);
 }
 
-Marks Composer::marks_at(const Sample& sample) const {
-  return marks_at(sample, staging_.timeline.film_time(sample.t));
+Glyphs Composer::glyphs_at(const Sample& sample) const {
+  return glyphs_at(sample, staging_.timeline.film_time(sample.t));
 }
 
-Marks Composer::marks_at(const Sample& sample, double film) const {
-  return marks_of(sample, film);
+Glyphs Composer::glyphs_at(const Sample& sample, double film) const {
+  return glyphs_of(sample, film);
 }
 
-Marks Composer::marks_of(const Sample& sample, std::optional<double> film) const {
-  Marks marks;
-  marks.middle = sample.reference_S;
+Glyphs Composer::glyphs_of(const Sample& sample, std::optional<double> film) const {
+  Glyphs glyphs;
+  glyphs.middle = sample.reference_S;
   for (const Element& element : elements()) {
     if (!shows(element.name)) continue;
     const double presence = film ? staging_.timeline.presence(element.name, *film) : 1.0;
     if (presence <= 0.0) continue;
-    const MarkCounts before(marks);
-    element.add(stage_, sample, marks);
-    if (presence < 1.0) fade_new(marks, before, presence);
+    const GlyphCounts before(glyphs);
+    element.add(scenery_, sample, glyphs);
+    if (presence < 1.0) fade_new(glyphs, before, presence);
   }
-  add_points(stage_, sample, shows("fixed_frame"), marks);
-  add_point_trails(stage_, sample, marks);
-  return marks;
+  add_points(scenery_, sample, shows("fixed_frame"), glyphs);
+  add_point_trails(scenery_, sample, glyphs);
+  return glyphs;
 }
 
 DrawList Composer::at(double t) const {
-  return shot(staging_.timeline.film_time(t), stage_.motion.duration()).list;
+  return camera_view(staging_.timeline.film_time(t), scenery_.motion.duration()).list;
 }
 
-Shot Composer::shot(double film, double end) const {
-  Shot shot;
+CameraView Composer::camera_view(double film, double end) const {
+  CameraView seen_now;
   const double t = std::min(staging_.timeline.motion_time(film), end);
-  const Marks marks = marks_at(stage_.motion.at(t), film);
+  const Glyphs glyphs = glyphs_at(scenery_.motion.at(t), film);
   const Camera camera = camera_at(film);
-  shot.list.view = camera.view(drawing_);
-  shot.list.background = stage_.theme.background;
-  add_items(marks, meshes_, drawing_, camera.eye(), shot.list);
-  for (const LabelMark& label : marks.labels) {
-    if (camera.sees(label.at)) shot.labels.push_back(seen(label, camera));
+  seen_now.list.view = camera.view(drawing_);
+  seen_now.list.background = scenery_.theme.background;
+  add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
+  for (const LabelGlyph& label : glyphs.labels) {
+    if (camera.sees(label.at)) seen_now.labels.push_back(seen(label, camera));
   }
-  return shot;
+  return seen_now;
 }
 
 // Where the rig of a camera stands still: space for most, turned or moved for those that go along.
 Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) const {
   Eigen::Isometry3d rig = Eigen::Isometry3d::Identity();
   if (spec.follow == "none" && spec.orbit == 0.0) return rig;
-  const Sample start = stage_.motion.at(staging_.timeline.motion_time(0.0));
-  const Sample now = stage_.motion.at(staging_.timeline.motion_time(film));
+  const Sample start = scenery_.motion.at(staging_.timeline.motion_time(0.0));
+  const Sample now = scenery_.motion.at(staging_.timeline.motion_time(film));
   if (spec.follow != "none") {
     Mat3 turn = Mat3::Identity();
     if (spec.follow == "body") {
@@ -179,7 +179,7 @@ std::vector<Composer::Rig> Composer::make_rigs(FrameSize size) const {
   std::vector<Rig> rigs;
   const auto add = [&](CameraSpec spec, double begins, double move) {
     // looking along L means from the side that it points to
-    const Vec3 L = stage_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
+    const Vec3 L = scenery_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
     if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
       spec.direction = L.normalized();
     rigs.push_back(
@@ -210,17 +210,17 @@ Camera Composer::camera_at(double film) const {
     ++last;
   const Rig& rig = rigs_[last];
   if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig);
-  const Vec3 focus = stage_.motion.at(staging_.timeline.motion_time(film)).reference_S;
+  const Vec3 focus = scenery_.motion.at(staging_.timeline.motion_time(film)).reference_S;
   return Camera::between(
       placed(rigs_[last - 1]), placed(rig), eased((film - rig.begins) / rig.move), focus);
 }
 
-SeenLabel Composer::seen(const LabelMark& label, const Camera& camera) const {
+SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const Vec2 at = camera.project(label.at);
   // a little way along; where that is towards the eye, the label stands above
-  const Vec3 step = 0.05 * stage_.scale.body * label.away.stableNormalized();
+  const Vec3 step = 0.05 * scenery_.scale.body * label.away.stableNormalized();
   const Vec2 along = camera.project(label.at + step) - at;
-  const double pixel = 0.05 * stage_.scale.body * camera.pixels_per_metre(label.at);
+  const double pixel = 0.05 * scenery_.scale.body * camera.pixels_per_metre(label.at);
   const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
   const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
   return {from, at, away.normalized(), label.markup, label.color, label.fade};
@@ -238,10 +238,10 @@ std::vector<double> Composer::film_times() const {
 std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
   std::vector<Vec3> points;
   for (const double film : film_times()) {
-    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
     std::vector<Vec3> now = {sample.reference_S};
     // all that will ever be shown: nothing jumps when it comes
-    add_extent(marks_of(sample, {}), now);
+    add_extent(glyphs_of(sample, {}), now);
     const Eigen::Isometry3d rig = rig_from_space(spec, film);
     if (points.empty()) points.reserve(now.size() * (film_times().size() + 1));
     for (const Vec3& point : now)
@@ -253,7 +253,7 @@ std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
 Composer::Largest Composer::largest_on_screen() const {
   Largest largest;
   for (const double film : film_times()) {
-    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
     const Camera camera = camera_at(film);
     // the radius, m, of a ball that holds a thing about a point; infinite from inside
     const auto pixels = [&](const Vec3& middle, double reach, double radius) {
@@ -261,24 +261,24 @@ Composer::Largest Composer::largest_on_screen() const {
       if (to_eye.norm() <= 1.5 * reach) return std::numeric_limits<double>::infinity();
       return radius * camera.pixels_per_metre(middle + reach * to_eye.normalized());
     };
-    const double body = stage_.scale.body;
+    const double body = scenery_.scale.body;
     largest.body = std::max(largest.body, pixels(sample.reference_S, body, body));
-    const Marks marks = marks_at(sample, film);
-    for (const Cone& cone : marks.cones) {
+    const Glyphs glyphs = glyphs_at(sample, film);
+    for (const Cone& cone : glyphs.cones) {
       const double rim = cone.slant * std::sin(cone.half_angle);
       largest.cone = std::max(largest.cone, pixels(cone.apex, cone.slant, rim));
     }
     const auto along = [&](const Vec3& from, const Vec3& to, double radius) {
       return pixels(0.5 * (from + to), 0.5 * (to - from).norm(), radius);
     };
-    for (const ArrowMark& arrow : marks.arrows) {
+    for (const ArrowGlyph& arrow : glyphs.arrows) {
       const auto& [shaft, head, length] = arrow.shape;
       largest.tube = std::max(largest.tube, along(arrow.from, arrow.tip, shaft));
       largest.head = std::max(largest.head, along(arrow.from, arrow.tip, head));
     }
-    for (const RodMark& rod : marks.rods)
+    for (const RodGlyph& rod : glyphs.rods)
       largest.tube = std::max(largest.tube, along(rod.from, rod.to, rod.radius));
-    for (const ArcMark& arc : marks.arcs)
+    for (const ArcGlyph& arc : glyphs.arcs)
       largest.tube = std::max(largest.tube, pixels(arc.center, arc.radius, arc.tube_radius));
   }
   return largest;
@@ -289,10 +289,10 @@ std::vector<Error> Composer::warnings() const {
   double nearest = std::numeric_limits<double>::infinity();
   double largest = 0.0;  // pixels
   for (const double film : film_times()) {
-    const Sample sample = stage_.motion.at(staging_.timeline.motion_time(film));
+    const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
     const Camera camera = camera_at(film);
     std::vector<Vec3> points;
-    add_extent(marks_at(sample, film), points);
+    add_extent(glyphs_at(sample, film), points);
     points.push_back(sample.reference_S);
     any_seen = any_seen || std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
                  return camera.sees(point);
@@ -300,7 +300,7 @@ std::vector<Error> Composer::warnings() const {
     const Vec3& middle = sample.reference_S;
     nearest = std::min(nearest, (camera.eye() - middle).norm());
     if (camera.sees(middle))
-      largest = std::max(largest, stage_.scale.body * camera.pixels_per_metre(middle));
+      largest = std::max(largest, scenery_.scale.body * camera.pixels_per_metre(middle));
   }
   if (!any_seen) {
     return {input_error("the camera sees nothing of the scene; without camera.eye it frames the "
@@ -308,18 +308,18 @@ std::vector<Error> Composer::warnings() const {
                 .at({{}, 0, "camera.eye"})};
   }
   if (!shows("body")) return {};
-  if (nearest < stage_.scale.body) {
+  if (nearest < scenery_.scale.body) {
     return {input_error("the camera comes within {:.3g} m of the body's middle, but the body "
                         "reaches {:.3g} m; move it away",
                         nearest,
-                        stage_.scale.body)
+                        scenery_.scale.body)
                 .at({{}, 0, "camera.eye"})};
   }
   if (largest > 0.0 && largest < 1.0) {
     return {
         input_error("the body, {:.3g} m, is never as large as a pixel; the film goes too far or "
                     "the camera stands too far away",
-                    stage_.scale.body)
+                    scenery_.scale.body)
             .at({{}, 0, "camera"})};
   }
   return {};

@@ -24,7 +24,7 @@ struct SeenLabel {
 };
 
 // What a camera sees at one moment.
-struct Shot {
+struct CameraView {
   DrawList list;
   std::vector<SeenLabel> labels;
 };
@@ -59,7 +59,7 @@ class Composer {
   Composer(const Composer& other, const Motion& motion);
 
   // At a moment of the film; the motion stands still behind `end` (s of the motion).
-  Shot shot(double film, double end) const;
+  CameraView camera_view(double film, double end) const;
   // At a moment of the motion.
   DrawList at(double t) const;
   // What a viewer of this film may miss, with the key at fault: a camera of the scene's own that
@@ -71,12 +71,12 @@ class Composer {
   // The camera at a moment of the film.
   Camera camera_at(double film) const;
   const Timeline& timeline() const { return staging_.timeline; }
-  const Stage& stage() const { return stage_; }
+  const Scenery& scenery() const { return scenery_; }
   // Is the element of that name shown?
   bool shows(const std::string& name) const { return shown_.at(name); }
   // The geometry of this moment, as drawn; for tests and for at().
-  Marks marks_at(const Sample& sample) const;
-  Marks marks_at(const Sample& sample, double film) const;
+  Glyphs glyphs_at(const Sample& sample) const;
+  Glyphs glyphs_at(const Sample& sample, double film) const;
 
  private:
   // A camera of the scene: where it stands in its rig, and how the rig moves.
@@ -88,7 +88,7 @@ class Composer {
   };
   std::vector<double> film_times() const;
   // What is shown at a moment of the film; without one, all that is ever shown.
-  Marks marks_of(const Sample& sample, std::optional<double> film) const;
+  Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(FrameSize size) const;
@@ -100,11 +100,11 @@ class Composer {
     double head = 0.0;  // of arrows
   };
   Largest largest_on_screen() const;
-  SeenLabel seen(const LabelMark& label, const Camera& camera) const;
+  SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
 
-  Stage stage_;
+  Scenery scenery_;
   std::map<std::string, bool> shown_;
-  MarkMeshes meshes_;
+  GlyphMeshes meshes_;
   DrawingFrame drawing_;
   Staging staging_;
   std::vector<Rig> rigs_;  // in the order in which they come

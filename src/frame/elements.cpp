@@ -36,19 +36,19 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
 }
 
 // the longest vector of the film has the full length; a body at rest has none to scale
-Scale make_scale(const Stage& stage, double radius) {
-  const Model& model = stage.motion.model();
+Scale make_scale(const Scenery& scenery, double radius) {
+  const BodyModel& model = scenery.motion.model();
   double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0, turned_by = 0.0;
-  for (const double t : framing_times(stage.motion)) {
-    const Sample sample = stage.motion.at(t);
+  for (const double t : framing_times(scenery.motion)) {
+    const Sample sample = scenery.motion.at(t);
     for (const Load& load : model.loads.listed) {
       const Quat q_SP = sample.q_SB * Quat(model.R_BP);
       force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
     }
-    turned_by = std::max(turned_by, torque(model, t, stage.motion.state_at(t)).norm());
+    turned_by = std::max(turned_by, torque(model, t, scenery.motion.state_at(t)).norm());
     turning = std::max(turning, sample.w_S.norm());
     momentum = std::max(momentum, sample.L_S.norm());
-    for (const Vec3& r_B : stage.field_points_B)
+    for (const Vec3& r_B : scenery.field_points_B)
       speed = std::max(speed, point_velocity(model, sample, r_B).norm());
   }
   const auto per = [&](double length, double most) {
@@ -62,20 +62,20 @@ Scale make_scale(const Stage& stage, double radius) {
           per(kForceLength, turned_by)};
 }
 
-bool always(const Stage&) {
+bool always(const Scenery&) {
   return true;
 }
-bool never(const Stage&) {
+bool never(const Scenery&) {
   return false;
 }
-bool on_pivot(const Stage& stage) {
-  return stage.motion.model().on_pivot;
+bool on_pivot(const Scenery& scenery) {
+  return scenery.motion.model().on_pivot;
 }
-std::string nothing_against(const Stage&) {
+std::string nothing_against(const Scenery&) {
   return {};
 }
-std::string needs_weight(const Stage& stage) {
-  return stage.motion.model().chi_P.squaredNorm() > 0.0
+std::string needs_weight(const Scenery& scenery) {
+  return scenery.motion.model().chi_P.squaredNorm() > 0.0
              ? ""
              : "needs gravity that acts beside the pivot";
 }
@@ -89,51 +89,52 @@ std::vector<double> framing_times(const Motion& motion) {
   return times;
 }
 
-void make_look(Stage& stage, const BodySpec& body, int segments) {
-  stage.look = body_look(body, stage.motion.model(), stage.theme, segments);
-  for (LookPart& part : stage.look)
-    part.material.finish = finish_named(stage.options.material);
+void make_look(Scenery& scenery, const BodySpec& body, int segments) {
+  scenery.look = body_look(body, scenery.motion.model(), scenery.theme, segments);
+  for (LookPart& part : scenery.look)
+    part.material.finish = finish_named(scenery.options.material);
 }
 
-Stage make_stage(const Motion& motion,
-                 const BodySpec& body,
-                 const ThemeSpec& theme_spec,
-                 const ShowSpec& show,
-                 int segments) {
+Scenery make_scenery(const Motion& motion,
+                     const BodySpec& body,
+                     const ThemeSpec& theme_spec,
+                     const ShowSpec& show,
+                     int segments) {
   const Theme theme = make_theme(theme_spec);
   const auto shared = [](Mesh mesh) {
     return std::make_shared<const Mesh>(std::move(mesh));
   };
-  Stage stage{motion, theme};
-  stage.options = show;
-  stage.segments = segments;
-  make_look(stage, body, segments);
-  stage.ball = shared(unit_sphere(std::max(16, segments / 4)));
+  Scenery scenery{motion, theme};
+  scenery.options = show;
+  scenery.segments = segments;
+  make_look(scenery, body, segments);
+  scenery.ball = shared(unit_sphere(std::max(16, segments / 4)));
   // what surrounds the body may be as large as the frame, and bends in two directions
   const int large = segments * 3 / 2;
-  stage.sphere = shared(unit_sphere(large));
-  stage.stand = shared(unit_cone(segments));
-  stage.disc = shared(unit_disc(large));
-  stage.ring = shared(torus(1.0, 0.006, large));
-  stage.hull_B = hull_of(stage.look);
-  stage.field_points_B = spread(stage.hull_B, kFieldPoints);
-  double radius = body_radius(stage.look, motion.model());
+  scenery.sphere = shared(unit_sphere(large));
+  scenery.stand = shared(unit_cone(segments));
+  scenery.disc = shared(unit_disc(large));
+  scenery.ring = shared(torus(1.0, 0.006, large));
+  scenery.hull_B = hull_of(scenery.look);
+  scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);
+  double radius = body_radius(scenery.look, motion.model());
   for (const std::vector<Vec3>* points : {&show.points, &show.trail_points}) {
     for (const Vec3& point : *points)
       radius = std::max(radius, (point - motion.model().reference_B()).norm());
   }
-  stage.scale = make_scale(stage, radius);
-  stage.paths = make_paths(stage);
-  return stage;
+  scenery.scale = make_scale(scenery, radius);
+  scenery.paths = make_paths(scenery);
+  return scenery;
 }
 
-Vec3 omega_tip(const Stage& stage, const Sample& sample) {
-  return drawn_tip(stage, sample.reference_S, sample.reference_S + stage.scale.omega * sample.w_S);
-}
-
-Vec3 momentum_tip(const Stage& stage, const Sample& sample) {
+Vec3 omega_tip(const Scenery& scenery, const Sample& sample) {
   return drawn_tip(
-      stage, sample.reference_S, sample.reference_S + stage.scale.momentum * sample.L_S);
+      scenery, sample.reference_S, sample.reference_S + scenery.scale.omega * sample.w_S);
+}
+
+Vec3 momentum_tip(const Scenery& scenery, const Sample& sample) {
+  return drawn_tip(
+      scenery, sample.reference_S, sample.reference_S + scenery.scale.momentum * sample.L_S);
 }
 
 const std::vector<Element>& elements() {
@@ -213,7 +214,7 @@ const std::vector<Element>& elements() {
        add_trail_sphere},
       {"pivot",
        "the stand under the fixed point",
-       [](const Stage& stage) { return on_pivot(stage) && stays_above_stand(stage); },
+       [](const Scenery& scenery) { return on_pivot(scenery) && stays_above_stand(scenery); },
        needs_pivot,
        add_stand},
       {"floor", "a floor with the body's shadow", never, nothing_against, add_floor},

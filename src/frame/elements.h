@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The things that a picture can show, each a name in [show]: from the exact quantities of a moment
-// to marks. One table; reading, help, the schema and the tests iterate it.
+// to glyphs. One table; reading, help, the schema and the tests iterate it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "frame/body_look.h"
 #include "frame/curves.h"
-#include "frame/marks.h"
+#include "frame/glyphs.h"
 #include "frame/theme.h"
 #include "motion/motion.h"
 
@@ -39,7 +39,7 @@ inline constexpr double kTrailRadius = 1.25;
 inline constexpr double kForceLength = 0.8;
 
 // What all moments of a film share.
-struct Stage {
+struct Scenery {
   Motion motion;
   Theme theme;
   std::vector<LookPart> look = {};
@@ -58,26 +58,26 @@ struct Stage {
 
 // Scales are chosen over the whole film, so that vectors keep theirs. segments: pieces of a full
 // circle.
-Stage make_stage(const Motion& motion,
-                 const BodySpec& body,
-                 const ThemeSpec& theme,
-                 const ShowSpec& show,
-                 int segments);
+Scenery make_scenery(const Motion& motion,
+                     const BodySpec& body,
+                     const ThemeSpec& theme,
+                     const ShowSpec& show,
+                     int segments);
 
 // Makes the look anew, with so many pieces of a circle as large as the body.
-void make_look(Stage& stage, const BodySpec& body, int segments);
+void make_look(Scenery& scenery, const BodySpec& body, int segments);
 
-// The paths of the stage's motion that its options ask for.
-Paths make_paths(const Stage& stage);
+// The paths of the scenery's motion that its options ask for.
+Paths make_paths(const Scenery& scenery);
 
 struct Element {
   std::string name;
   std::string doc;
   // is it shown when the scene does not say?
-  bool (*by_default)(const Stage& stage);
+  bool (*by_default)(const Scenery& scenery);
   // "" when this motion has it, else the reason why not
-  std::string (*why_not)(const Stage& stage);
-  void (*add)(const Stage& stage, const Sample& sample, Marks& marks);
+  std::string (*why_not)(const Scenery& scenery);
+  void (*add)(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 };
 
 // Of two cones that touch, the first is listed first.
@@ -85,14 +85,14 @@ const std::vector<Element>& elements();
 
 // Adds the named points: balls, with r from the reference point, and from the origin of space when
 // the fixed frame is shown.
-void add_points(const Stage& stage, const Sample& sample, bool from_origin, Marks& marks);
+void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs);
 
 // Adds the paths of the named points.
-void add_point_trails(const Stage& stage, const Sample& sample, Marks& marks);
+void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 
 // Where the tips of the two vectors are drawn, space, m.
-Vec3 omega_tip(const Stage& stage, const Sample& sample);
-Vec3 momentum_tip(const Stage& stage, const Sample& sample);
+Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
+Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
 // Times that stand for the whole film, in order, the first 0 and the last its end.
 std::vector<double> framing_times(const Motion& motion);

@@ -54,7 +54,7 @@ TextRoom room_of(const PixelBox& box) {
 
 std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels, FrameSize size) {
   const int seam = std::max(1, static_cast<int>(std::lround(kSeamWidth * size.height)));
-  const Rgb grey = bytes(panels.front().composer->stage().theme.space_axes);
+  const Rgb grey = bytes(panels.front().composer->scenery().theme.space_axes);
   const auto line = [&](int width, int height) {
     return std::make_shared<const Sprite>(filled_sprite(width, height, grey, 0.6));
   };
@@ -171,9 +171,9 @@ Film::Page Film::page_at(double film) const {
   for (const FilmPanel& panel : panels_)
     add_notes(panel, t, page);
   for (const FilmPanel& panel : panels_) {
-    Shot shot = panel.composer->shot(film, panel.end);
-    if (text_.labels) add_labels(panel, shot.labels, page);
-    page.picture.panels.push_back({panel.place, std::move(shot.list)});
+    CameraView view = panel.composer->camera_view(film, panel.end);
+    if (text_.labels) add_labels(panel, view.labels, page);
+    page.picture.panels.push_back({panel.place, std::move(view.list)});
   }
   return page;
 }
@@ -185,7 +185,7 @@ Picture Film::at(double film) const {
 Picture Film::bare_at(double film) const {
   Picture picture;
   for (const FilmPanel& panel : panels_)
-    picture.panels.push_back({panel.place, panel.composer->shot(film, panel.end).list});
+    picture.panels.push_back({panel.place, panel.composer->camera_view(film, panel.end).list});
   return picture;
 }
 
@@ -209,7 +209,7 @@ void Film::add_frame_text(double film, Page& page) const {
   const std::string caption = timeline.caption(film).value_or(text_.caption);
   const double unit = text_.size * type_size(size_.width, size_.height);
   const double edge = kEdge * type_size(size_.width, size_.height);
-  const Theme& theme = panels_.front().composer->stage().theme;
+  const Theme& theme = panels_.front().composer->scenery().theme;
   const auto add = [&](const std::string& markup, const TextStyle& style, double x, double y) {
     const TextBox box = typesetter_->measure(markup, style);
     page.picture.stamps.push_back(typesetter_->set(markup, style, x, y));
@@ -249,7 +249,7 @@ void Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
   const PixelBox& place = panel.place;
   const double unit = text_.size * type_size(place.width, place.height);
   const double edge = kEdge * type_size(place.width, place.height);
-  const Theme& theme = panel.composer->stage().theme;
+  const Theme& theme = panel.composer->scenery().theme;
   const bool under_title = place.y == 0 && !text_.title.empty();
 
   // lines from the top, the first as a heading
@@ -288,7 +288,7 @@ void Film::add_labels(const FilmPanel& panel,
                       const std::vector<SeenLabel>& labels,
                       Page& page) const {
   const PixelBox& place = panel.place;
-  const Theme& theme = panel.composer->stage().theme;
+  const Theme& theme = panel.composer->scenery().theme;
   const double size = kLabelSize * text_.size * type_size(place.width, place.height);
   std::vector<LabelWish> wishes;
   std::vector<TextShaft> shafts;

@@ -9,7 +9,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/wide_registers.h"
+#include "base/system/wide_registers.h"
 
 namespace polhode {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "base/interrupt.h"
-#include "base/parallel.h"
-#include "base/wide_registers.h"
+#include "base/system/interrupt.h"
+#include "base/system/parallel.h"
+#include "base/system/wide_registers.h"
 #include "image/compare.h"
 
 namespace polhode {

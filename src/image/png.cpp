@@ -7,9 +7,9 @@
 #include <memory>
 #include <png.h>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 
 namespace polhode {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/parallel.h"
-#include "base/wide_registers.h"
+#include "base/system/parallel.h"
+#include "base/system/wide_registers.h"
 #include "image/compare.h"
 
 namespace polhode {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 
 namespace polhode {
 namespace {

@@ -17,7 +17,7 @@ using Q = QuantityUnit;
 using List = std::vector<Quantity>;
 
 // kinetic energy as that of the centre of mass and that about it (notes, eq. 4)
-void add_energies(List& list, const Model& model, const MotionSpec& spec, const State& start) {
+void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, const State& start) {
   const Vec3 w_P = angular_velocity(model, start.y);
   const double turning = 0.5 * start.y.dot(w_P);
   const Vec3 arm_P = model.R_BP.transpose() * (model.body.center - model.reference_B());
@@ -36,7 +36,7 @@ void add_energies(List& list, const Model& model, const MotionSpec& spec, const 
   list.push_back({"angular_speed", Q::rate, w_P.norm()});
 }
 
-void add_free_symmetric(List& list, const Model& model, const State& start) {
+void add_free_symmetric(List& list, const BodyModel& model, const State& start) {
   const int axis = model.kind.axis;
   const double across = model.moments[(axis + 1) % 3];
   const double precession = start.y.norm() / across;
@@ -72,7 +72,7 @@ double turn_about(const Trajectory& motion, const Vec3& axis_P, const Vec3& abou
   return turn;
 }
 
-void add_free_asymmetric(List& list, const Model& model, const State& start) {
+void add_free_asymmetric(List& list, const BodyModel& model, const State& start) {
   // squares of the momentum in the order of the moments
   int order[] = {0, 1, 2};
   std::sort(order, order + 3, [&](int i, int j) { return model.moments[i] < model.moments[j]; });
@@ -109,7 +109,7 @@ void add_free_asymmetric(List& list, const Model& model, const State& start) {
   }
 }
 
-void add_nutation(List& list, const Model& model, const State& start, bool is_pendulum) {
+void add_nutation(List& list, const BodyModel& model, const State& start, bool is_pendulum) {
   constexpr double kVertical = 1e-6;  // rad; closer to the vertical it has no direction
   const Nutation nutation = nutation_of(model, start);
   list.push_back({"least_tilt", Q::angle, nutation.least_tilt});
@@ -137,7 +137,7 @@ void add_nutation(List& list, const Model& model, const State& start, bool is_pe
 }
 
 // Lagrange's top: chi along the axis
-void add_heavy_symmetric(List& list, const Model& model, const State& start) {
+void add_heavy_symmetric(List& list, const BodyModel& model, const State& start) {
   const int axis = model.kind.symmetric() ? model.kind.axis : 0;
   const double A = model.moments[(axis + 1) % 3];
   const double mu = model.chi_P.norm();
@@ -176,7 +176,7 @@ std::string key_of(const Quantity& quantity) {
   return quantity.name + kSuffixes[static_cast<int>(quantity.unit)];
 }
 
-std::vector<Quantity> derived_quantities(const Model& model, const MotionSpec& spec) {
+std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpec& spec) {
   const State start = start_state(model, spec);
   List list;
   add_energies(list, model, spec, start);

@@ -25,7 +25,7 @@ std::string key_of(const Quantity& quantity);
 // The numbers that make sense for this body and this start, in the order of a lecture. Formulas:
 // Landau and Lifshitz, Mechanics, 33, 35 and 37; van Zon and Schofield, J. Comput. Phys. 225 (2007)
 // 145 (flip time 2K/|lambda|).
-std::vector<Quantity> derived_quantities(const Model& model, const MotionSpec& spec);
+std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpec& spec);
 
 // The value of that key, if the motion has it.
 std::optional<double> value_of(const std::vector<Quantity>& quantities, const std::string& key);

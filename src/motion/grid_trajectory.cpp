@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
 
@@ -63,8 +63,11 @@ class GridTrajectory final : public Trajectory {
 
 }  // namespace
 
-Integration integrate_fixed(
-    const StepperInfo& method, const Model& model, const State& start, double duration, double h) {
+Integration integrate_fixed(const StepperInfo& method,
+                            const BodyModel& model,
+                            const State& start,
+                            double duration,
+                            double h) {
   CHECK(h > 0.0 && duration > 0.0);
   // grid times inside [0, duration]; what is left is a partial step at the time of asking
   const double steps = std::floor(duration / h * (1.0 + 1e-12));
@@ -96,7 +99,7 @@ Integration integrate_fixed(
 }
 
 Integration integrate_adaptive(const StepperInfo& method,
-                               const Model& model,
+                               const BodyModel& model,
                                const State& start,
                                double duration,
                                double tolerance) {

@@ -34,13 +34,16 @@ inline constexpr double kLeastTolerance = 1e-16;
 // time before: as exact as the method, and on the unit sphere. Memory is bounded: every k-th state
 // is kept and at() walks fewer than k steps. Throws Error (check failed) with the time when a step
 // has no solution or a state is not a number.
-Integration integrate_fixed(
-    const StepperInfo& method, const Model& model, const State& start, double duration, double h);
+Integration integrate_fixed(const StepperInfo& method,
+                            const BodyModel& model,
+                            const State& start,
+                            double duration,
+                            double h);
 
 // Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error). Throws
 // Error (input) for a tolerance below kLeastTolerance.
 Integration integrate_adaptive(const StepperInfo& method,
-                               const Model& model,
+                               const BodyModel& model,
                                const State& start,
                                double duration,
                                double tolerance);

@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-ProblemKind problem_kind(const Model& model) {
-  if (model.six) return ProblemKind::six;
+ProblemKind problem_kind(const BodyModel& model) {
+  if (model.with_translation) return ProblemKind::six;
   if (!model.loads.turning.empty()) return ProblemKind::loaded;
   if (model.chi_P.squaredNorm() == 0.0) return ProblemKind::free;
   return center_on_symmetry_axis(model) ? ProblemKind::top : ProblemKind::heavy;
@@ -23,7 +23,7 @@ const std::vector<MethodCost>& method_costs() {
   return table;
 }
 
-std::vector<MethodCost> cheapest_methods(const Model& model,
+std::vector<MethodCost> cheapest_methods(const BodyModel& model,
                                          double accuracy_rad,
                                          bool splittings_only) {
   const ProblemKind kind = problem_kind(model);

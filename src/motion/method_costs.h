@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -17,7 +17,7 @@ enum class ProblemKind {
   loaded,  // other torques
   six,     // forces that depend on the place: six degrees of freedom
 };
-ProblemKind problem_kind(const Model& model);
+ProblemKind problem_kind(const BodyModel& model);
 
 // One measured cost: of finding the attitude within that error to the end of a motion, per radian
 // that the body turns or swings (motion/scales.h, typical_rate).
@@ -33,7 +33,7 @@ const std::vector<MethodCost>& method_costs();
 
 // The methods that can take the model and reach the accuracy, the cheapest first; of the splittings
 // only if asked. Beyond the finest accuracy measured, those that reach that one.
-std::vector<MethodCost> cheapest_methods(const Model& model,
+std::vector<MethodCost> cheapest_methods(const BodyModel& model,
                                          double accuracy_rad,
                                          bool splittings_only);
 

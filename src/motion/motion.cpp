@@ -22,7 +22,7 @@ Quat start_attitude_SB(const AttitudeSpec& spec) {
 }
 
 // a rotator has no momentum along its line of mass, so a spin about it means nothing
-void refuse_spin_about_line(const Model& model, const Vec3& vector_P) {
+void refuse_spin_about_line(const BodyModel& model, const Vec3& vector_P) {
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] > 0.0 || std::abs(vector_P[i]) <= 1e-12 * vector_P.norm()) continue;
     throw input_error(
@@ -33,7 +33,7 @@ void refuse_spin_about_line(const Model& model, const Vec3& vector_P) {
 }
 
 // the fixed point is the origin of space and stays there
-void refuse_flight_on_pivot(const Model& model, const MotionSpec& spec) {
+void refuse_flight_on_pivot(const BodyModel& model, const MotionSpec& spec) {
   if (!model.on_pivot) return;
   const auto refuse = [](const Vec3& value, const char* key) {
     if (value == Vec3::Zero()) return;
@@ -46,7 +46,7 @@ void refuse_flight_on_pivot(const Model& model, const MotionSpec& spec) {
 
 }  // namespace
 
-Motion::Motion(const Model& model,
+Motion::Motion(const BodyModel& model,
                std::shared_ptr<const Trajectory> trajectory,
                const MotionSpec& spec)
     : model_(model),
@@ -75,9 +75,9 @@ Sample Motion::at(double t) const {
   // six degrees of freedom have been integrated, energy and all; else the centre of mass of a free
   // body goes by gravity and forces fixed in space, on a parabola or what they make of it
   const double mass = model_.body.mass;
-  if (model_.six) {
+  if (model_.with_translation) {
     sample.center_S = s.place_S;
-    sample.reference_velocity_S = s.impulse_S / mass;
+    sample.reference_velocity_S = s.linear_momentum_S / mass;
   } else {
     Vec3 velocity = velocity_ + t * model_.gravity_S;
     sample.center_S = position_ + t * velocity_ + 0.5 * t * t * model_.gravity_S;
@@ -97,11 +97,11 @@ Drift drift_at(const Motion& motion, double t) {
   return DriftWatch(motion.model(), motion.state_at(0.0)).of(motion.state_at(t));
 }
 
-Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B) {
+Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B) {
   return sample.reference_S + sample.q_SB * (r_B - model.reference_B());
 }
 
-Vec3 point_velocity(const Model& model, const Sample& sample, const Vec3& r_B) {
+Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B) {
   return sample.reference_velocity_S +
          sample.w_S.cross(point_position(model, sample, r_B) - sample.reference_S);
 }
@@ -111,18 +111,18 @@ Vec3 gravity_of(const MotionSpec& spec) {
   return spec.hold == "pivot" ? Vec3(0, 0, -kStandardGravity) : Vec3(Vec3::Zero());
 }
 
-Model make_model(const BodySpec& body, const MotionSpec& motion) {
+BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
   return make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque);
 }
 
-State start_state(const Model& model, const MotionSpec& spec) {
+State start_state(const BodyModel& model, const MotionSpec& spec) {
   refuse_flight_on_pivot(model, spec);
   const Quat q_SB = start_attitude_SB(spec.attitude);
   const Mat3 R_PB = model.R_BP.transpose();
   State start;
   start.q = q_SB * Quat(model.R_BP);
   start.place_S = spec.position;
-  start.impulse_S = model.body.mass * spec.velocity;
+  start.linear_momentum_S = model.body.mass * spec.velocity;
   if (spec.spin.momentum_body) {
     start.y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, start.y);

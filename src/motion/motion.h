@@ -25,16 +25,18 @@ struct Sample {
 // Immutable; at() may be called from any thread.
 class Motion {
  public:
-  Motion(const Model& model, std::shared_ptr<const Trajectory> trajectory, const MotionSpec& spec);
+  Motion(const BodyModel& model,
+         std::shared_ptr<const Trajectory> trajectory,
+         const MotionSpec& spec);
 
   Sample at(double t) const;
   // The same moment as the trajectory knows it.
   State state_at(double t) const { return trajectory_->at(t); }
-  const Model& model() const { return model_; }
+  const BodyModel& model() const { return model_; }
   double duration() const { return duration_; }
 
  private:
-  Model model_;
+  BodyModel model_;
   std::shared_ptr<const Trajectory> trajectory_;
   Quat q_PB_;
   Vec3 position_;  // of the centre of mass at t = 0, free bodies, m
@@ -46,19 +48,19 @@ class Motion {
 Drift drift_at(const Motion& motion, double t);
 
 // Where the point r_B of the body (m, from the body origin) is in space, m.
-Vec3 point_position(const Model& model, const Sample& sample, const Vec3& r_B);
+Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
 // Its velocity in space, m/s: V + Omega x r, r from the reference point (notes, section 0.1).
-Vec3 point_velocity(const Model& model, const Sample& sample, const Vec3& r_B);
+Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
 // The model of a body held and loaded as a [motion] table says. Throws Error (input) as the other
 // make_model does.
-Model make_model(const BodySpec& body, const MotionSpec& motion);
+BodyModel make_model(const BodySpec& body, const MotionSpec& motion);
 
 // Gravity of a [motion] table, defaults resolved: none for a free body, standard on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);
 
 // Attitude and momentum at t = 0. Throws Error (input): a rotator spun about its own axis.
-State start_state(const Model& model, const MotionSpec& spec);
+State start_state(const BodyModel& model, const MotionSpec& spec);
 
 }  // namespace polhode

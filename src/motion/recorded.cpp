@@ -15,7 +15,7 @@ std::vector<double> parts(const Vec3& v) {
 
 // the axis of symmetry, or the third axis of the body
 Vec3 axis_S(const Motion& motion, const Sample& sample) {
-  const Model& model = motion.model();
+  const BodyModel& model = motion.model();
   const Vec3 axis = model.kind.symmetric() ? Vec3(model.R_BP.col(model.kind.axis)) : Vec3::UnitZ();
   return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
 }

@@ -10,12 +10,12 @@
 namespace polhode {
 namespace {
 
-double least_moment(const Model& model) {
+double least_moment(const BodyModel& model) {
   return (model.moments.array() > 0.0).select(model.moments, model.moments.maxCoeff()).minCoeff();
 }
 
 // how fast a load makes a body at rest swing, 1/s; 0 for damping
-double driven_rate(const Model& model, const Load& load) {
+double driven_rate(const BodyModel& model, const Load& load) {
   const double arm = load.arm_P.norm();
   const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
   const double least = least_moment(model);
@@ -25,7 +25,7 @@ double driven_rate(const Model& model, const Load& load) {
 
 }  // namespace
 
-double typical_rate(const Model& model, const State& start) {
+double typical_rate(const BodyModel& model, const State& start) {
   const double least = least_moment(model);
   double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
   for (const Load& load : model.loads.turning) {
@@ -35,7 +35,7 @@ double typical_rate(const Model& model, const State& start) {
   return rate;
 }
 
-double momentum_scale(const Model& model, const State& start) {
+double momentum_scale(const BodyModel& model, const State& start) {
   // what the body has, or what drives it will give it: a start almost at rest is no scale
   const double most = model.moments.maxCoeff();
   double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
@@ -44,15 +44,15 @@ double momentum_scale(const Model& model, const State& start) {
   return scale > 0.0 ? scale : 1.0;
 }
 
-double first_step(const Model& model, const State& start, double tolerance, int order) {
+double first_step(const BodyModel& model, const State& start, double tolerance, int order) {
   const double rate = typical_rate(model, start);
   return rate > 0.0 ? 0.5 * std::pow(tolerance, 1.0 / order) / rate
                     : std::numeric_limits<double>::infinity();
 }
 
-double deviation(const Model& model, const State& a, const State& b) {
+double deviation(const BodyModel& model, const State& a, const State& b) {
   const double turned = rotation_angle_between(a.q, b.q);
-  if (!model.six) return turned;
+  if (!model.with_translation) return turned;
   const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
   const double moved = (a.place_S - b.place_S).norm() / gyration;
   return turned > moved || std::isnan(turned) ? turned : moved;

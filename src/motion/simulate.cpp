@@ -20,7 +20,10 @@ constexpr double kLeastAccuracy = 1e-13;  // rad
 constexpr long kMostStepsRefined = 4'000'000;
 
 // largest deviation of two trajectories from each other over the motion
-double difference(const Model& model, const Trajectory& a, const Trajectory& b, double duration) {
+double difference(const BodyModel& model,
+                  const Trajectory& a,
+                  const Trajectory& b,
+                  double duration) {
   double largest = 0.0;
   for (int i = 0; i < kSamplesCompared; ++i) {
     const double t = duration * i / (kSamplesCompared - 1);
@@ -32,7 +35,7 @@ double difference(const Model& model, const Trajectory& a, const Trajectory& b, 
 // one integration with a given fineness: the step of fixed-step methods, the tolerance of adaptive
 // ones
 Integration run(const StepperInfo& method,
-                const Model& model,
+                const BodyModel& model,
                 const State& start,
                 double duration,
                 double fineness) {
@@ -42,7 +45,7 @@ Integration run(const StepperInfo& method,
 
 // refines until two runs agree within the accuracy; the finer one is the answer
 Integration refine(const StepperInfo& method,
-                   const Model& model,
+                   const BodyModel& model,
                    const State& start,
                    double duration,
                    SimulationReport& report) {
@@ -92,7 +95,7 @@ void refuse_wrong_fineness(const StepperInfo& method, const NumericsSpec& numeri
 
 // with the step or tolerance that is given, or refined to the accuracy
 Integration integrate_by(const StepperInfo& method,
-                         const Model& model,
+                         const BodyModel& model,
                          const State& start,
                          double duration,
                          const NumericsSpec& numerics,
@@ -134,8 +137,8 @@ std::string reason_for(const std::vector<MethodCost>& able, const char* what) {
 }
 
 // the cheapest method of those measured on such bodies, or if it fails the next
-Integration integrate_by_cheapest(const Model& model,
-                                  const MotionModel& chosen,
+Integration integrate_by_cheapest(const BodyModel& model,
+                                  const SolutionMethod& chosen,
                                   const State& start,
                                   double duration,
                                   const NumericsSpec& numerics,
@@ -167,8 +170,8 @@ Integration integrate_by_cheapest(const Model& model,
   }
 }
 
-Integration integrate(const Model& model,
-                      const MotionModel& chosen,
+Integration integrate(const BodyModel& model,
+                      const SolutionMethod& chosen,
                       const State& start,
                       double duration,
                       const NumericsSpec& numerics,
@@ -194,15 +197,15 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-Simulation simulate(const Model& body,
+Simulation simulate(const BodyModel& body,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
                     double accuracy_rad) {
   SimulationReport report;
   report.accuracy_rad = accuracy_rad;
-  const MotionModel& chosen = choose_model(body, numerics, report.model_reason);
-  Model model = body;
-  model.six = chosen.six;
+  const SolutionMethod& chosen = choose_solution_method(body, numerics, report.model_reason);
+  BodyModel model = body;
+  model.with_translation = chosen.with_translation;
   const State start = start_state(model, motion);
   report.model = chosen.name;
   if (!chosen.closed_form) {
@@ -213,7 +216,7 @@ Simulation simulate(const Model& body,
     }
     Integration found = integrate(model, chosen, start, motion.duration, numerics, report);
     report.record = found.record;
-    report.trust = trust_in(model, start, motion.duration, report.accuracy_rad, found);
+    report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
     return {Motion(model, found.trajectory, motion), report};
   }
 

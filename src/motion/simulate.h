@@ -8,8 +8,8 @@
 
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
-#include "motion/motion_model.h"
-#include "motion/trust.h"
+#include "motion/reliability.h"
+#include "motion/solution_method.h"
 
 namespace polhode {
 
@@ -24,7 +24,7 @@ struct SimulationReport {
   double accuracy_rad = 0.0;                 // what was asked for
   std::optional<double> error_estimate_rad;  // attitude, against a finer run; absent: not estimated
   IntegrationRecord record;
-  Trust trust;  // nothing stands against a closed form
+  Reliability reliability;  // nothing stands against a closed form
 };
 
 struct Simulation {
@@ -36,7 +36,7 @@ struct Simulation {
 // step nor tolerance: the method is then refined until two runs agree within it. Throws Error
 // (input): a model that cannot take the scene, a method that cannot reach the accuracy; (check
 // failed) when the motion turns to NaN or a step has no solution.
-Simulation simulate(const Model& model,
+Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
                     double accuracy_rad);

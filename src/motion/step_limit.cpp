@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-double oscillation_rate(const Model& model, const State& start) {
+double oscillation_rate(const BodyModel& model, const State& start) {
   const Vec3& J = model.inverse_moments;
   Eigen::Index least = 0, greatest = 0;
   J.minCoeff(&least);
@@ -21,7 +21,7 @@ double oscillation_rate(const Model& model, const State& start) {
   return std::abs(start.y[k]) * std::sqrt(std::max(0.0, (J[k] - J[i]) * (J[k] - J[j])));
 }
 
-double step_limit(const StepperInfo& method, const Model& model, const State& start) {
+double step_limit(const StepperInfo& method, const BodyModel& model, const State& start) {
   const double rate = method.limit_of == StepLimit::oscillation ? oscillation_rate(model, start)
                       : method.limit_of == StepLimit::spin ? angular_velocity(model, start.y).norm()
                                                            : 0.0;

@@ -14,8 +14,8 @@ namespace polhode {
 namespace {
 
 // "" or what the method cannot do with the model
-std::string obstacle(const StepperInfo& method, const Model& model) {
-  if (!method.takes_loads && (model.six || !model.loads.turning.empty()))
+std::string obstacle(const StepperInfo& method, const BodyModel& model) {
+  if (!method.takes_loads && (model.with_translation || !model.loads.turning.empty()))
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
     return method.name + " takes free bodies only, and gravity turns this one about its pivot";
@@ -138,7 +138,7 @@ const StepperInfo& find_stepper(const std::string& name) {
   throw input_error("no method is called '{}'{}", name, suggestion(name, names));
 }
 
-std::string why_not(const StepperInfo& method, const Model& model) {
+std::string why_not(const StepperInfo& method, const BodyModel& model) {
   const std::string reason = obstacle(method, model);
   if (reason.empty()) return {};
   // of those that can, the highest orders first

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -57,7 +57,7 @@ struct StepperInfo {
   double limit_turn = 0.0;  // rad; see motion/step_limit.h
   std::string source = {};  // where it comes from
   // momentum_scale: a typical |y|, kg m^2/s, for the error norm
-  std::unique_ptr<Stepper> (*make)(const Model& model, double momentum_scale) = nullptr;
+  std::unique_ptr<Stepper> (*make)(const BodyModel& model, double momentum_scale) = nullptr;
 };
 
 const std::vector<StepperInfo>& stepper_table();
@@ -66,6 +66,6 @@ const std::vector<StepperInfo>& stepper_table();
 const StepperInfo& find_stepper(const std::string& name);
 
 // "" when the method can step the model, else the reason why not, and which methods can.
-std::string why_not(const StepperInfo& method, const Model& model);
+std::string why_not(const StepperInfo& method, const BodyModel& model);
 
 }  // namespace polhode

@@ -8,16 +8,16 @@ namespace polhode {
 namespace {
 
 // what is conserved: all of L for a free body, its vertical part when gravity acts on a pivot
-Vec3 conserved_momentum(const Model& model, const State& s) {
+Vec3 conserved_momentum(const BodyModel& model, const State& s) {
   Vec3 L_S = momentum_in_space(s);
   if (model.chi_P.squaredNorm() == 0.0) return L_S;
   return model.up_S.dot(L_S) * model.up_S;
 }
 
 // energy of the centre of mass at the start, J, where the states carry it
-double energy_of_place(const Model& model, const State& s) {
-  if (!model.six) return 0.0;
-  return 0.5 * s.impulse_S.squaredNorm() / model.body.mass +
+double energy_of_place(const BodyModel& model, const State& s) {
+  if (!model.with_translation) return 0.0;
+  return 0.5 * s.linear_momentum_S.squaredNorm() / model.body.mass +
          std::abs(potential_of_place(model, s.place_S));
 }
 
@@ -27,7 +27,7 @@ double or_one(double scale) {
 
 }  // namespace
 
-DriftWatch::DriftWatch(const Model& model, const State& start)
+DriftWatch::DriftWatch(const BodyModel& model, const State& start)
     : model_(model),
       energy_(energy(model, start)),
       momentum_(conserved_momentum(model, start)),

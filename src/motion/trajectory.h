@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -26,14 +26,14 @@ struct Drift {
 // Keeps the largest drift of the states it is shown.
 class DriftWatch {
  public:
-  DriftWatch(const Model& model, const State& start);
+  DriftWatch(const BodyModel& model, const State& start);
   void look_at(const State& s);
   // The drift of this state alone; that of energy with its sign.
   Drift of(const State& s) const;
   const Drift& worst() const { return worst_; }
 
  private:
-  Model model_;
+  BodyModel model_;
   double energy_;
   Vec3 momentum_;
   double energy_scale_;

@@ -7,7 +7,7 @@ namespace polhode {
 
 bool is_finite(const State& s) {
   return s.q.coeffs().allFinite() && s.y.allFinite() && s.place_S.allFinite() &&
-         s.impulse_S.allFinite();
+         s.linear_momentum_S.allFinite();
 }
 
 void refuse_nan(const State& s, const StepperInfo& method, double t) {

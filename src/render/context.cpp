@@ -6,8 +6,8 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/nearest.h"
+#include "base/system/log.h"
 
 namespace polhode {
 

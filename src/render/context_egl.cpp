@@ -3,7 +3,7 @@
 #include <EGL/eglext.h>
 
 #include "base/error.h"
-#include "base/shared_library.h"
+#include "base/system/shared_library.h"
 #include "render/context.h"
 
 namespace polhode {

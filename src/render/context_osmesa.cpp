@@ -5,7 +5,7 @@
 #include <GL/osmesa.h>
 
 #include "base/error.h"
-#include "base/shared_library.h"
+#include "base/system/shared_library.h"
 #include "render/context.h"
 
 namespace polhode {

@@ -162,7 +162,7 @@ std::vector<PixelBox> OutlineSmoother::covered() const {
     const float band = std::floor(y / static_cast<float>(kRows));
     return static_cast<int>(std::clamp(band, static_cast<float>(first), static_cast<float>(last)));
   };
-  for (const Piece& piece : pieces_) {
+  for (const EdgePart& piece : pieces_) {
     const bool down = piece.from.y <= piece.to.y;
     const glm::vec2& high = down ? piece.from : piece.to;
     const glm::vec2& low = down ? piece.to : piece.from;
@@ -196,7 +196,7 @@ std::vector<PixelBox> OutlineSmoother::covered() const {
   return boxes;
 }
 
-void OutlineSmoother::collect(const Piece& piece, std::vector<float>& depth) {
+void OutlineSmoother::collect(const EdgePart& piece, std::vector<float>& depth) {
   // along its longer side, from one column (or row) of pixels to the next
   const glm::vec2 sides = glm::abs(piece.to - piece.from);
   const int along = sides.x >= sides.y ? 0 : 1;
@@ -260,7 +260,7 @@ std::size_t OutlineSmoother::index_of(int x, int y) const {
 void OutlineSmoother::smooth(const PixelBox& box, std::vector<float>& depth, Image& image) {
   box_ = box;
   crossed_.clear();
-  for (const Piece& piece : pieces_)
+  for (const EdgePart& piece : pieces_)
     collect(piece, depth);
 
   // all colours are those from before; shares in parts of 1024

@@ -79,7 +79,7 @@ class OutlineSmoother {
  private:
   // A straight piece of an outline: pixels of the picture; depths are a little nearer than the
   // edge.
-  struct Piece {
+  struct EdgePart {
     glm::vec2 from, to;
     float depth_from, depth_to;
   };
@@ -90,7 +90,7 @@ class OutlineSmoother {
     float depth;
     std::array<float, 4> shares{};
   };
-  void collect(const Piece& piece, std::vector<float>& depth);
+  void collect(const EdgePart& piece, std::vector<float>& depth);
   std::size_t index_of(int x, int y) const;
 
   View view_;
@@ -99,7 +99,7 @@ class OutlineSmoother {
   float depth_scale_ = 0.0f, depth_offset_ = 0.0f;  // z of clip space = scale * w + offset
   float pixel_ = 0.0f;                              // size of a pixel at w = 1, drawing units
   std::vector<std::pair<const Mesh*, glm::mat4>> shells_;  // translucent things added so far
-  std::vector<Piece> pieces_;
+  std::vector<EdgePart> pieces_;
   std::vector<Crossed> crossed_;
   std::vector<std::array<std::uint8_t, 4>> mixed_;  // their new colours
 };

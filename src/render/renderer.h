@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "base/stage_clock.h"
+#include "base/system/stage_clock.h"
 #include "frame/draw_list.h"
 #include "image/image.h"
 #include "render/context.h"

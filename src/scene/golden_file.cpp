@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 #include "scene/reader.h"
 #include "scene/text.h"
 

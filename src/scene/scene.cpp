@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
 #include "base/hash.h"
+#include "base/system/atomic_file.h"
 #include "model/solids.h"
 #include "scene/reader.h"
 #include "scene/text.h"

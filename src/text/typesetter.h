@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text as small pictures, through Pango and Cairo; the only room that sees them.
+// Text as small pictures, through Pango and Cairo, which only this library includes.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
+#include "base/system/atomic_file.h"
 #include "video/encoders.h"
 
 namespace polhode {
@@ -20,7 +20,7 @@ std::string time_text(int frame, const FrameRate& fps) {
       "{:02}:{:02}:{:02}.{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
 }
 
-// a cue ends at an empty line, and < and & begin marks
+// a cue ends at an empty line, and < and & begin metadata
 std::string escaped(const std::string& words) {
   std::string text;
   for (const char c : words) {
@@ -45,11 +45,11 @@ class CaptionedSink final : public FrameSink {
       : name_(captions_beside(job.output)), fps_(job.fps), film_(std::move(film)) {}
 
   // written now, so that a full disk is told before the film has its name
-  void describe(const FilmMarks& marks) override {
-    film_->describe(marks);
-    if (marks.captions.empty()) return;
+  void describe(const FilmMetadata& metadata) override {
+    film_->describe(metadata);
+    if (metadata.captions.empty()) return;
     captions_.emplace(name_);
-    captions_->write(web_vtt(marks.captions, fps_));
+    captions_->write(web_vtt(metadata.captions, fps_));
   }
   void push(const Image& frame) override { film_->push(frame); }
   void finish() override {
@@ -69,13 +69,13 @@ class CaptionedSink final : public FrameSink {
 
 std::string captions_beside(const std::string& output) {
   const FilmFormat* format = find_film_format(output);
-  if (format == nullptr || !format->tells) return {};
+  if (format == nullptr || !format->keeps_metadata) return {};
   return output.substr(0, output.size() - format->ending.size()) + ".vtt";
 }
 
-std::string web_vtt(const std::vector<FilmMarks::Caption>& captions, const FrameRate& fps) {
+std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps) {
   std::string text = "WEBVTT\n";
-  for (const FilmMarks::Caption& caption : captions) {
+  for (const FilmMetadata::Caption& caption : captions) {
     const std::string words = escaped(caption.words);
     if (words.find_first_not_of(" \t\n") == std::string::npos || caption.end <= caption.start) {
       continue;

@@ -12,7 +12,7 @@ namespace polhode {
 
 // A WebVTT file (W3C candidate recommendation, 2019): a cue for each caption, its times those of
 // its frames, its words escaped.
-std::string web_vtt(const std::vector<FilmMarks::Caption>& captions, const FrameRate& fps);
+std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps);
 
 // The same sink, which also writes captions_beside(job.output) when the film has captions. The two
 // files get their names together, the film first; without the film there are no captions.

@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
-#include "video/film_output.h"
-#include "video/libav.h"
+#include "video/libav/film_output.h"
+#include "video/libav/libav.h"
 #include "video/plain_sinks.h"
 
 namespace polhode {

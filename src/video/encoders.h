@@ -40,7 +40,7 @@ struct FilmFormat {
   std::string ending;                               // ".mp4"
   std::string muxer;                                // libav's name
   std::vector<std::string> codecs;                  // the first is the default
-  bool tells = false;                               // keeps title, chapters; captions go beside
+  bool keeps_metadata = false;                      // keeps title, chapters; captions go beside
   std::vector<std::array<std::string, 2>> options;  // of the muxer
 };
 const std::vector<FilmFormat>& film_formats();

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "base/at_place.h"
-#include "base/atomic_file.h"
-#include "base/interrupt.h"
+#include "base/system/atomic_file.h"
+#include "base/system/interrupt.h"
 #include "video/captions.h"
-#include "video/film_header.h"
-#include "video/film_output.h"
+#include "video/libav/film_header.h"
+#include "video/libav/film_output.h"
 
 namespace polhode {
 namespace {
@@ -116,12 +116,12 @@ class FilmJoiner::Implementation {
             const FrameRate& fps,
             const std::string& title,
             const std::string& comment,
-            const FilmMarks& marks) {
+            const FilmMetadata& metadata) {
     const std::vector<std::vector<int>> frames = read_order(parts);
     std::optional<AtomicFile> captions;
-    if (!marks.captions.empty()) {
+    if (!metadata.captions.empty()) {
       captions.emplace(captions_beside(name_));
-      captions->write(web_vtt(marks.captions, fps));
+      captions->write(web_vtt(metadata.captions, fps));
     }
     fps_ = fps;
     int first = 0;
@@ -129,7 +129,7 @@ class FilmJoiner::Implementation {
       PartInput input(parts[i].file);
       input.examine();
       if (i == 0) {
-        begin(input, title, comment, marks);
+        begin(input, title, comment, metadata);
       } else {
         refuse_other_encoding(input, *stream_->codecpar);
       }
@@ -146,7 +146,7 @@ class FilmJoiner::Implementation {
  private:
   static const FilmFormat& format_of(const std::string& output) {
     const FilmFormat* format = find_film_format(output);
-    if (format != nullptr && format->tells) return *format;
+    if (format != nullptr && format->keeps_metadata) return *format;
     throw input_error("pieces become a .mp4, .webm or .mov").at({output, 0, {}});
   }
 
@@ -170,7 +170,7 @@ class FilmJoiner::Implementation {
   void begin(const PartInput& input,
              const std::string& title,
              const std::string& comment,
-             const FilmMarks& marks) {
+             const FilmMetadata& metadata) {
     const AVStream& from = input.stream();
     at_place({name_, 0, {}}, [&] {
       muxer_ = open_container(format_, output_);
@@ -184,7 +184,7 @@ class FilmJoiner::Implementation {
       }
       add_notes(*muxer_,
                 {{"title", title}, {"comment", comment}, {"encoder", input.note("encoder")}});
-      add_chapters(*muxer_, marks, fps_);
+      add_chapters(*muxer_, metadata, fps_);
       begin_film(*muxer_, format_);
     });
   }
@@ -225,8 +225,8 @@ void FilmJoiner::join(const std::vector<Part>& parts,
                       const FrameRate& fps,
                       const std::string& title,
                       const std::string& comment,
-                      const FilmMarks& marks) {
-  implementation_->join(parts, fps, title, comment, marks);
+                      const FilmMetadata& metadata) {
+  implementation_->join(parts, fps, title, comment, metadata);
 }
 
 std::string comment_of_film(const std::string& file) {

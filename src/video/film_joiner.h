@@ -31,7 +31,7 @@ class FilmJoiner {
             const FrameRate& fps,
             const std::string& title,
             const std::string& comment,
-            const FilmMarks& marks);
+            const FilmMetadata& metadata);
 
  private:
   class Implementation;

@@ -13,7 +13,7 @@ extern "C" {
 #include "base/at_place.h"
 #include "base/error.h"
 #include "image/png.h"
-#include "video/libav.h"
+#include "video/libav/libav.h"
 
 namespace polhode {
 namespace {

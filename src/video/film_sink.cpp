@@ -5,8 +5,8 @@
 
 #include "base/at_place.h"
 #include "base/check.h"
-#include "video/converter.h"
-#include "video/film_writer.h"
+#include "video/libav/converter.h"
+#include "video/libav/film_writer.h"
 #include "video/plain_sinks.h"
 
 namespace polhode {
@@ -17,9 +17,9 @@ class FilmSink final : public FrameSink {
   explicit FilmSink(const SinkJob& job)
       : job_(job), writer_(job), converter_(job.width, job.height, writer_.pixels()) {}
 
-  void describe(const FilmMarks& marks) override {
-    key_frames_.insert(marks.key_frames.begin(), marks.key_frames.end());
-    writer_.describe(marks);
+  void describe(const FilmMetadata& metadata) override {
+    key_frames_.insert(metadata.key_frames.begin(), metadata.key_frames.end());
+    writer_.describe(metadata);
   }
 
   void push(const Image& frame) override {
@@ -30,7 +30,7 @@ class FilmSink final : public FrameSink {
       converted = converter_.convert(frame);
     });
     const StageTimer timer(times_.encode);
-    if (job_.piece) hashes_ += frame_hash(frame) + "\n";
+    if (job_.segment) hashes_ += frame_hash(frame) + "\n";
     converted->pts = next_;
     writer_.write(*converted, key_frames_.contains(next_));
     ++next_;
@@ -38,7 +38,7 @@ class FilmSink final : public FrameSink {
 
   void finish() override {
     const StageTimer timer(times_.encode);
-    if (job_.piece) writer_.seal_with(hashes_);
+    if (job_.segment) writer_.seal_with(hashes_);
     // the thread that looks ahead ends with the last frame, the others with the encoder
     ThreadClocks clocks(writer_.threads());
     clocks.read();

@@ -5,9 +5,9 @@
 #include "base/nearest.h"
 #include "video/captions.h"
 #include "video/encoders.h"
-#include "video/film_output.h"
 #include "video/film_sink.h"
 #include "video/gif_sink.h"
+#include "video/libav/film_output.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
 
@@ -144,7 +144,7 @@ std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
         .at(place);
   }
   std::unique_ptr<FrameSink> sink = kind.make(job);
-  if (job.piece || captions_beside(job.output).empty()) return sink;
+  if (job.segment || captions_beside(job.output).empty()) return sink;
   return with_captions(std::move(sink), job);
 }
 

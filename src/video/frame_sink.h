@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/stage_clock.h"
+#include "base/system/stage_clock.h"
 #include "image/image.h"
 #include "video/video_spec.h"
 
@@ -23,11 +23,11 @@ struct SinkJob {
   bool still = false;        // exactly one frame will come
   std::string title;         // container metadata
   std::string comment;       // container metadata
-  bool piece = false;        // of a film: no captions beside it, and sealed (video/seal.h)
+  bool segment = false;      // of a film: no captions beside it, and sealed (video/seal.h)
 };
 
 // What is known of a film when its motion has been found. Frames count from 0.
-struct FilmMarks {
+struct FilmMetadata {
   struct Chapter {
     int start = 0;  // frame
     std::string title;
@@ -57,7 +57,7 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
   // Called at most once, before the first frame; sinks that cannot use it do nothing.
-  virtual void describe(const FilmMarks&) {}
+  virtual void describe(const FilmMetadata&) {}
   virtual void push(const Image& frame) = 0;
   virtual void finish() = 0;
   virtual SinkTimes times() const = 0;

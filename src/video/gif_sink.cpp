@@ -6,12 +6,12 @@
 
 #include "base/at_place.h"
 #include "base/check.h"
-#include "base/interrupt.h"
-#include "base/log.h"
-#include "video/converter.h"
-#include "video/film_writer.h"
-#include "video/filter_graph.h"
-#include "video/frame_spool.h"
+#include "base/system/interrupt.h"
+#include "base/system/log.h"
+#include "video/libav/converter.h"
+#include "video/libav/film_writer.h"
+#include "video/libav/filter_graph.h"
+#include "video/libav/frame_spool.h"
 
 namespace polhode {
 namespace {

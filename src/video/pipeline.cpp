@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 
 namespace polhode {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/system/atomic_file.h"
 
 namespace polhode {
 namespace {
@@ -27,7 +27,7 @@ class HashSink final : public FrameSink {
  public:
   explicit HashSink(const SinkJob& job) : file_(hash_file(job)) {}
 
-  void describe(const FilmMarks& marks) override { index_ = marks.first; }
+  void describe(const FilmMetadata& metadata) override { index_ = metadata.first; }
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
     lines_ += fmt::format("{} {}x{} {}\n", index_++, frame.width, frame.height, frame_hash(frame));
@@ -54,7 +54,7 @@ class ListingSink final : public FrameSink {
   ListingSink(std::unique_ptr<FrameSink> sink, std::vector<std::string>& hashes)
       : sink_(std::move(sink)), hashes_(hashes) {}
 
-  void describe(const FilmMarks& marks) override { sink_->describe(marks); }
+  void describe(const FilmMetadata& metadata) override { sink_->describe(metadata); }
   void push(const Image& frame) override {
     hashes_.push_back(frame_hash(frame));
     sink_->push(frame);

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -62,7 +62,7 @@ class PngSequenceSink final : public FrameSink {
   PngSequenceSink(const PngSequenceSink&) = delete;
   PngSequenceSink& operator=(const PngSequenceSink&) = delete;
 
-  void describe(const FilmMarks& marks) override { first_ = marks.first; }
+  void describe(const FilmMetadata& metadata) override { first_ = metadata.first; }
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
     files_.emplace_back(name_.of(first_ + static_cast<int>(files_.size())));

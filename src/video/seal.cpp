@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/system/atomic_file.h"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/atomic_file.h"
+#include "base/system/atomic_file.h"
 
 #include <csignal>
 #include <fstream>
@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 
 namespace polhode {
 namespace {

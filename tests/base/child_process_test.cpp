@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/child_process.h"
+#include "base/system/child_process.h"
 
 #include <csignal>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/parallel.h"
+#include "base/system/parallel.h"
 
 #include <stdexcept>
 

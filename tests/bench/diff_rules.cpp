@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "app/render_film.h"
-#include "app/scratch_folder.h"
-#include "base/atomic_file.h"
+#include "app/commands/render.h"
+#include "base/system/atomic_file.h"
+#include "base/system/scratch_folder.h"
 #include "image/png.h"
 #include "image/ssim.h"
 #include "image/verdict.h"

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "app/film_plan.h"
-#include "app/load.h"
+#include "film/frame_times.h"
+#include "film/load.h"
 #include "image/compare.h"
 #include "render/renderer.h"
 #include "support/edge_truth.h"
@@ -26,7 +26,7 @@ void judge(const std::string& file, const std::string& size, const Context& cont
   overrides.size = size;
   const Solved solved = solve(load_with_overrides(file, overrides));
   const PictureSize pixels = solved.scene.video.size;
-  const Frames frames = plan_frames(solved, {});
+  const FrameTimes frames = plan_frame_times(solved, {});
   const Film film = make_film(solved, frames.timeline, nullptr, {}, false);
   struct Way {
     int samples;

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "chart/work_precision.h"
-#include "motion/motion_model.h"
 #include "motion/scales.h"
+#include "motion/solution_method.h"
 #include "support/loads.h"
 #include "support/tops.h"
 
@@ -22,7 +22,7 @@ constexpr double kAccuracies[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
 constexpr double kTurned_rad = 100.0;  // over each motion
 constexpr const char* kKindNames[] = {"free", "top", "heavy", "loaded", "six"};
 
-WorkProblem problem(const Model& model, const State& start) {
+WorkProblem problem(const BodyModel& model, const State& start) {
   return {model, start, kTurned_rad / typical_rate(model, start)};
 }
 
@@ -30,7 +30,7 @@ WorkProblem problem(const Model& model, const State& start) {
 std::vector<WorkProblem> problems() {
   const Quat tilted = exp_rotation({0.4, 0.9, -0.3});
   std::vector<WorkProblem> all;
-  const auto add = [&](const Model& model, const Vec3& y) {
+  const auto add = [&](const BodyModel& model, const Vec3& y) {
     State start;
     start.q = tilted;
     start.y = y;
@@ -45,7 +45,7 @@ std::vector<WorkProblem> problems() {
   const auto add_loaded = [&](const Vec3& moments, const std::vector<LoadSpec>& loads) {
     MotionSpec spec = test::spun({0.7, 1.9, 1.1});
     spec.torque = loads;
-    const Model model = with_needed_degrees(make_model(test::body_with(moments), spec));
+    const BodyModel model = with_needed_degrees(make_model(test::body_with(moments), spec));
     all.push_back(problem(model, start_state(model, spec)));
   };
   LoadSpec constant = test::load("constant");
@@ -77,10 +77,10 @@ int main() {
   for (const WorkProblem& p : problems()) {
     const int kind = static_cast<int>(problem_kind(p.model));
     ++problems_of_kind[kind];
-    const Judge judge(p.model, p.start, p.duration);
+    const ReferenceSolution reference(p.model, p.start, p.duration);
     for (const StepperInfo& method : stepper_table()) {
       if (!why_not(method, p.model).empty()) continue;
-      const std::vector<WorkPoint> points = work_precision(method, p, judge);
+      const std::vector<WorkPoint> points = work_precision(method, p, reference);
       for (std::size_t i = 0; i < std::size(kAccuracies); ++i) {
         const WorkPoint* best = cheapest(points, kAccuracies[i]);
         if (best == nullptr) continue;

@@ -14,7 +14,7 @@ namespace {
 void step(benchmark::State& run, const StepperInfo& method) {
   BodySpec body;
   body.moments = Vec3(1, 2, 3);
-  const Model model = make_model(body, false, Vec3::Zero());
+  const BodyModel model = make_model(body, false, Vec3::Zero());
   State state;
   state.y = Vec3(0.3, 2.0, 0.6);
   state.q = turn_between(state.y, Vec3::UnitZ());  // away from the poles of angles
@@ -28,7 +28,7 @@ void step(benchmark::State& run, const StepperInfo& method) {
 // one random-access evaluation of a closed form
 void exact(benchmark::State& run, const test::Problem& problem, const char* model) {
   std::unique_ptr<Trajectory> trajectory;
-  for (const MotionModel& row : motion_models()) {
+  for (const SolutionMethod& row : solution_methods()) {
     if (row.name == model) trajectory = row.make(problem.model, problem.start);
   }
   double t = 0.0;
@@ -39,7 +39,7 @@ void exact(benchmark::State& run, const test::Problem& problem, const char* mode
 }
 
 test::Problem symmetric_top() {
-  const Model model = make_model(test::prolate_body(), false, Vec3::Zero());
+  const BodyModel model = make_model(test::prolate_body(), false, Vec3::Zero());
   return {model, start_state(model, test::wobbling())};
 }
 

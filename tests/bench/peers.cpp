@@ -107,7 +107,7 @@ PeerState sundials_cvode(const PeerProblem& p, double tolerance) {
 
 }  // namespace
 
-PeerProblem::PeerProblem(const Model& model, const State& s, double T)
+PeerProblem::PeerProblem(const BodyModel& model, const State& s, double T)
     : moments(model.moments),
       chi(model.chi_P),
       up(model.up_S),

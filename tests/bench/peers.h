@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode::bench {
 
@@ -15,7 +15,7 @@ using PeerState = std::array<double, 7>;
 
 // Euler's equations with gravity, as a user of a library writes them.
 struct PeerProblem {
-  PeerProblem(const Model& model, const State& start, double duration);
+  PeerProblem(const BodyModel& model, const State& start, double duration);
   void rate(const PeerState& x, PeerState& dx) const;
 
   Vec3 moments, chi, up;

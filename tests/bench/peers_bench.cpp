@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.h"
+#include "base/system/parallel.h"
 #include "chart/work_precision.h"
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
@@ -28,7 +28,7 @@ struct Case {
 };
 
 Case free_asymmetric() {
-  const Model model = test::free_body({1, 2, 3});
+  const BodyModel model = test::free_body({1, 2, 3});
   return {"free asymmetric body, I = (1, 2, 3), omega = (0.3, 1, 0.2), t = 100",
           {model, {Quat::Identity(), {0.3, 2.0, 0.6}}, 100.0},
           1.0 / 3.0};
@@ -36,7 +36,7 @@ Case free_asymmetric() {
 
 Case heavy_symmetric() {
   // Mgl = 2
-  const Model model = test::heavy_body({1, 1, 0.5}, 2.0 * Vec3::UnitZ());
+  const BodyModel model = test::heavy_body({1, 1, 0.5}, 2.0 * Vec3::UnitZ());
   return {"heavy symmetric top, I = (1, 1, 0.5), Mgl = 2, omega = (0.2, 0.1, 8), tilt 0.5, t = 20",
           {model, {exp_rotation({0.5, 0, 0}), {0.2, 0.1, 4.0}}, 20.0},
           1.0 / 3.0};
@@ -54,7 +54,7 @@ struct Best {
 
 // the cheapest run of all peers with an error at the end of at most `accuracy`
 std::vector<WorkPoint> peer_points(const Case& c) {
-  const Judge judge(c.problem.model, c.problem.start, c.problem.duration);
+  const ReferenceSolution reference(c.problem.model, c.problem.start, c.problem.duration);
   const PeerProblem problem(c.problem.model, c.problem.start, c.problem.duration);
   std::vector<WorkPoint> points;
   for (const Peer& peer : peers()) {
@@ -66,7 +66,7 @@ std::vector<WorkPoint> peer_points(const Case& c) {
       WorkPoint p;
       p.method = peer.name;
       p.step = exact;
-      p.error_rad = judge.error_at_end(to_state(problem, peer.run(problem, exact)));
+      p.error_rad = reference.error_at_end(to_state(problem, peer.run(problem, exact)));
       p.time_us = median_time_us([&] { peer.run(problem, exact); }, kLeastWork_s);
       p.status = kPointOk;
       points.push_back(p);
@@ -76,7 +76,7 @@ std::vector<WorkPoint> peer_points(const Case& c) {
 }
 
 std::vector<WorkPoint> our_points(const Case& c) {
-  const Judge judge(c.problem.model, c.problem.start, c.problem.duration);
+  const ReferenceSolution reference(c.problem.model, c.problem.start, c.problem.duration);
   WorkOptions options;
   options.least_work_s = kLeastWork_s;
   options.most_run_s = 2e-3;
@@ -84,7 +84,7 @@ std::vector<WorkPoint> our_points(const Case& c) {
   std::vector<WorkPoint> points;
   for (const StepperInfo& method : stepper_table()) {
     if (!why_not(method, c.problem.model).empty()) continue;
-    const std::vector<WorkPoint> more = work_precision(method, c.problem, judge, options);
+    const std::vector<WorkPoint> more = work_precision(method, c.problem, reference, options);
     points.insert(points.end(), more.begin(), more.end());
   }
   return points;

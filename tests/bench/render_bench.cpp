@@ -2,7 +2,7 @@
 // What composing and drawing a frame of the demo costs at 1920x1080 and 640x360.
 #include <benchmark/benchmark.h>
 
-#include "app/load.h"
+#include "film/load.h"
 #include "render/renderer.h"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every verdict on a motion that deserves it.
+// Every outcome on a motion that deserves it.
 #include "chart/stability.h"
 
 #include <cmath>
@@ -25,17 +25,17 @@ StabilityCell tried(const char* method, const StabilityProblem& p, double h) {
 }
 
 TEST(Stability, VerdictsHaveNames) {
-  for (int v = 0; v < kVerdicts; ++v)
-    EXPECT_EQ(parse_verdict(name_of(static_cast<Verdict>(v))), static_cast<Verdict>(v));
-  expect_input_error([] { parse_verdict("fien"); }, "", "fine");
+  for (int v = 0; v < kRunOutcomes; ++v)
+    EXPECT_EQ(parse_run_outcome(name_of(static_cast<RunOutcome>(v))), static_cast<RunOutcome>(v));
+  expect_input_error([] { parse_run_outcome("fien"); }, "", "fine");
 }
 
 TEST(Stability, FineAndThenOutOfPhase) {
   const StabilityProblem p = problem({free_body({1, 1, 2}), {Quat::Identity(), {1, 0, 4}}}, 100.0);
   const StabilityCell fine = tried("rk4", p, 0.05);
-  EXPECT_EQ(fine.verdict, Verdict::fine);
+  EXPECT_EQ(fine.outcome, RunOutcome::fine);
   EXPECT_LT(fine.error_rad, kAllowed);
-  EXPECT_EQ(tried("implicit_midpoint", p, 0.2).verdict, Verdict::phase_wrong);
+  EXPECT_EQ(tried("implicit_midpoint", p, 0.2).outcome, RunOutcome::phase_wrong);
 }
 
 // R0: below 2 sqrt 2 the classical method loses energy, beyond it gains
@@ -44,9 +44,9 @@ TEST(Stability, EnergyDecaysBelowTheLimitAndGrowsBeyond) {
   const double limit = step_limit(find_stepper("rk4"), p.model, p.start);
   EXPECT_NEAR(limit, std::sqrt(2.0), 1e-6);
   const StabilityCell below = tried("rk4", p, 0.95 * limit), beyond = tried("rk4", p, 1.05 * limit);
-  EXPECT_EQ(below.verdict, Verdict::energy_decays);
+  EXPECT_EQ(below.outcome, RunOutcome::energy_decays);
   EXPECT_LT(below.energy_drift, 0.0);
-  EXPECT_EQ(beyond.verdict, Verdict::energy_grows);
+  EXPECT_EQ(beyond.outcome, RunOutcome::energy_grows);
   EXPECT_GT(beyond.energy_drift, 0.0);
 }
 
@@ -54,31 +54,31 @@ TEST(Stability, EnergyDecaysBelowTheLimitAndGrowsBeyond) {
 TEST(Stability, FlipsWrongly) {
   const StabilityProblem p =
       problem({free_body({1, 2, 3}), {Quat::Identity(), {0.01, 2.0, 0.01}}}, 200.0);
-  EXPECT_EQ(tried("implicit_midpoint", p, 1.0).verdict, Verdict::flips_wrongly);
+  EXPECT_EQ(tried("implicit_midpoint", p, 1.0).outcome, RunOutcome::flips_wrongly);
 }
 
 TEST(Stability, SolverFailedAndNotANumber) {
   const StabilityProblem p =
       problem({free_body({1, 2, 3}), {Quat::Identity(), {0.1, 0.1, 3}}}, 100.0);
-  EXPECT_EQ(tried("dmv2", p, 1.1).verdict, Verdict::solver_failed);
-  EXPECT_NE(tried("dmv2", p, 0.9).verdict, Verdict::solver_failed);
+  EXPECT_EQ(tried("dmv2", p, 1.1).outcome, RunOutcome::solver_failed);
+  EXPECT_NE(tried("dmv2", p, 0.9).outcome, RunOutcome::solver_failed);
   const StabilityProblem fast =
       problem({free_body({1, 2, 3}), {Quat::Identity(), {40, 50, 60}}}, 1000.0);
   const StabilityCell lost = tried("explicit_euler", fast, 1.0);
-  EXPECT_EQ(lost.verdict, Verdict::not_a_number);
+  EXPECT_EQ(lost.outcome, RunOutcome::not_a_number);
   EXPECT_TRUE(std::isnan(lost.error_rad));
 }
 
-// without a judge the invariants speak
-TEST(Stability, WithoutAJudgeInvariantsDecide) {
+// without a reference the invariants speak
+TEST(Stability, WithoutAReferenceInvariantsDecide) {
   const StabilityProblem p = problem({heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7}),
                                       {exp_rotation({0.4, 1.1, -0.3}), {0.3, 0.1, -0.2}}},
                                      1500.0);
-  ASSERT_TRUE(std::isinf(p.judge.doubt()));
+  ASSERT_TRUE(std::isinf(p.reference.uncertainty()));
   const StabilityCell kept = tried("gauss6", p, 0.2), lost = tried("rk4", p, 0.5);
-  EXPECT_EQ(kept.verdict, Verdict::fine);
+  EXPECT_EQ(kept.outcome, RunOutcome::fine);
   EXPECT_TRUE(std::isnan(kept.error_rad));
-  EXPECT_NE(lost.verdict, Verdict::fine);
+  EXPECT_NE(lost.outcome, RunOutcome::fine);
 }
 
 TEST(Stability, AxesAndTable) {
@@ -92,7 +92,7 @@ TEST(Stability, AxesAndTable) {
   map.scene = "top";
   map.method = "rk4";
   map.cells.resize(6);
-  map.cells[4].verdict = Verdict::phase_wrong;
+  map.cells[4].outcome = RunOutcome::phase_wrong;
   const std::string csv = stability_csv({map}, x, y);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift");

@@ -27,11 +27,11 @@ WorkProblem free_problem() {
 // the slope of the drawn points is the order, for methods of every kind
 TEST(WorkPrecision, PointsFollowTheOrder) {
   const WorkProblem p = free_problem();
-  const Judge judge(p.model, p.start, p.duration);
+  const ReferenceSolution reference(p.model, p.start, p.duration);
   for (const char* name : {"rk4", "symmetric_remainder2", "cf4", "gauss6", "dmv8"}) {
     const StepperInfo& method = find_stepper(name);
     std::vector<WorkPoint> good;
-    for (const WorkPoint& point : work_precision(method, p, judge, quick())) {
+    for (const WorkPoint& point : work_precision(method, p, reference, quick())) {
       if (point.status == kPointOk && point.error_rad < 1e-3 && point.error_rad > 1e-11)
         good.push_back(point);
     }
@@ -46,16 +46,16 @@ TEST(WorkPrecision, PointsFollowTheOrder) {
 
 TEST(WorkPrecision, EveryMethodGivesPointsAndEnds) {
   const WorkProblem p = free_problem();
-  const Judge judge(p.model, p.start, p.duration);
+  const ReferenceSolution reference(p.model, p.start, p.duration);
   for (const StepperInfo& method : stepper_table()) {
-    const std::vector<WorkPoint> points = work_precision(method, p, judge, quick());
+    const std::vector<WorkPoint> points = work_precision(method, p, reference, quick());
     EXPECT_GE(points.size(), 3U) << method.name;
     for (const WorkPoint& point : points) {
       EXPECT_EQ(point.method, method.name);
-      if (point.status != kPointOk && point.status != kPointBelowJudge) continue;
+      if (point.status != kPointOk && point.status != kPointBelowReference) continue;
       EXPECT_GT(point.time_us, 0.0) << method.name;
       EXPECT_GT(point.evaluations, 0) << method.name;
-      EXPECT_EQ(point.status == kPointBelowJudge, point.error_rad < judge.least_error());
+      EXPECT_EQ(point.status == kPointBelowReference, point.error_rad < reference.least_error());
     }
   }
 }
@@ -64,10 +64,11 @@ TEST(WorkPrecision, EveryMethodGivesPointsAndEnds) {
 TEST(WorkPrecision, FailuresAreTold) {
   const Problem pole = hairer_vilmart();  // upright third axis: Euler angles have no rates
   const WorkProblem p{pole.model, pole.start, 10.0};
-  const Judge judge(p.model, p.start, p.duration);
-  for (const WorkPoint& point : work_precision(find_stepper("rk4_euler_angles"), p, judge, quick()))
+  const ReferenceSolution reference(p.model, p.start, p.duration);
+  for (const WorkPoint& point :
+       work_precision(find_stepper("rk4_euler_angles"), p, reference, quick()))
     EXPECT_EQ(point.status, "no_solution");
-  const std::vector<WorkPoint> dmv = work_precision(find_stepper("dmv2"), p, judge, quick());
+  const std::vector<WorkPoint> dmv = work_precision(find_stepper("dmv2"), p, reference, quick());
   EXPECT_EQ(dmv.front().status, "no_solution");
   EXPECT_TRUE(std::isnan(dmv.front().error_rad));
   EXPECT_EQ(dmv.back().status, kPointOk);
@@ -87,7 +88,7 @@ TEST(WorkPrecision, TheCheapestIsTheFastestThatIsKnownToBeGoodEnough) {
   const std::vector<WorkPoint> points = {drawn("rk4", 5.0, 1e-3, kPointOk),
                                          drawn("rk4", 50.0, 1e-7, kPointOk),
                                          drawn("gauss4", 1.0, NAN, "no_judge"),
-                                         drawn("dop853", 20.0, 1e-15, kPointBelowJudge),
+                                         drawn("dop853", 20.0, 1e-15, kPointBelowReference),
                                          drawn("cf4", 2.0, 1e-2, kPointOk)};
   EXPECT_EQ(cheapest(points, 1e-1)->method, "cf4");
   EXPECT_EQ(cheapest(points, 1e-3)->method, "rk4");
@@ -107,16 +108,17 @@ TEST(WorkPrecision, TableHasTheContractsColumns) {
   EXPECT_NE(csv.find(",nan,0,0,no_solution\n"), std::string::npos) << csv;
 }
 
-// names of methods, the title and the judge are in the picture; a panel without points is drawn too
+// names of methods, the title and the reference are in the picture; a panel without points is drawn
+// too
 TEST(WorkPrecision, PictureNamesWhatItShows) {
   WorkPanel full, empty;
   full.title = "A title";
-  full.judge = "closed form";
+  full.reference = "closed form";
   full.accuracy_rad = 1e-4;
   full.accuracy_why = "0.1 px";
   full.points = {drawn("rk4", 5.0, 1e-3, kPointOk), drawn("rk4", 50.0, 1e-7, kPointOk)};
   empty.title = "Empty one";
-  empty.judge = "nobody";
+  empty.reference = "nobody";
   const std::string svg = plot_work_precision({full, empty}, PlotFormat::svg);
   for (const char* words : {"A title", "closed form", "rk4", "0.1 px", "Empty one", "nobody"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;

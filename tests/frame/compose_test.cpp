@@ -37,11 +37,11 @@ TEST(Cones, TouchAlongOmega) {
     const Composer picture = composer(body, wobbling());
     for (double t = 0.0; t <= 4.0; t += 0.37) {
       const Sample s = motion.at(t);
-      const std::vector<Cone> cones = picture.marks_at(s).cones;
+      const std::vector<Cone> cones = picture.glyphs_at(s).cones;
       ASSERT_EQ(cones.size(), 2u);
       for (const Cone& cone : cones) {
         EXPECT_NEAR(angle_between(cone.axis, s.w_S), cone.half_angle, 1e-12);
-        EXPECT_NEAR(cone.slant, (omega_tip(picture.stage(), s) - cone.apex).norm(), 1e-12);
+        EXPECT_NEAR(cone.slant, (omega_tip(picture.scenery(), s) - cone.apex).norm(), 1e-12);
       }
     }
   }
@@ -55,7 +55,7 @@ TEST(Cones, RollOutsideForProlateAndInsideForOblate) {
     const Motion motion = moving(body, wobbling());
     const Composer picture = composer(body, wobbling());
     const Sample s = motion.at(0.7);
-    const std::vector<Cone> cones = picture.marks_at(s).cones;
+    const std::vector<Cone> cones = picture.glyphs_at(s).cones;
     ASSERT_EQ(cones.size(), 2u);
     const Vec3 axis_S = s.q_SB * Vec3::UnitZ();
     const double theta = angle_between(s.L_S, axis_S);
@@ -82,7 +82,8 @@ TEST(Cones, RollWithoutSlipping) {
   const Sample before = motion.at(1.0 - h);
   const Sample now = motion.at(1.0);
   const Sample after = motion.at(1.0 + h);
-  const Vec3 contact_B = now.q_SB.conjugate() * (omega_tip(picture.stage(), now) - now.reference_S);
+  const Vec3 contact_B =
+      now.q_SB.conjugate() * (omega_tip(picture.scenery(), now) - now.reference_S);
   const Vec3 velocity = (after.q_SB * contact_B - before.q_SB * contact_B) / (2.0 * h);
   EXPECT_LT(velocity.norm(), 1e-6 * contact_B.norm() * now.w_S.norm());
 
@@ -187,7 +188,7 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
                                                {"trail", {.meshes = 1}},
                                                {"trail_sphere", {.shells = 1}},
                                                {"floor", {.meshes = 1, .shades = 1}}};
-  ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its marks here";
+  ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
     const bool heavy = name == "precession_cone" || name == "pivot" || name == "gravity" ||
@@ -197,16 +198,16 @@ TEST(Shown, EachNameAddsItsOwnMarks) {
                                                  : wobbling();
     const Composer picture =
         composer(heavy ? cone_body() : prolate_body(), motion, show_only(name));
-    const Marks marks = picture.marks_at(picture.stage().motion.at(0.5));
-    const Count found{marks.arrows.size(),
-                      marks.meshes.size(),
-                      marks.rods.size(),
-                      marks.arcs.size(),
-                      marks.cones.size(),
-                      marks.shades.size(),
-                      marks.ghosts.size(),
-                      marks.shells.size(),
-                      marks.sheets.size()};
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
+    const Count found{glyphs.arrows.size(),
+                      glyphs.meshes.size(),
+                      glyphs.rods.size(),
+                      glyphs.arcs.size(),
+                      glyphs.cones.size(),
+                      glyphs.shades.size(),
+                      glyphs.ghosts.size(),
+                      glyphs.shells.size(),
+                      glyphs.sheets.size()};
     EXPECT_TRUE(found == count) << ::testing::PrintToString(std::vector<std::size_t>{found.arrows,
                                                                                      found.meshes,
                                                                                      found.rods,
@@ -224,19 +225,19 @@ TEST(VelocityField, PointsWhereThePointsGo) {
   MotionSpec spec = wobbling();
   spec.velocity = Vec3(0.1, -0.2, 0.3);
   const Composer picture = composer(prolate_body(), spec, show_only("velocity_field"));
-  const Motion& motion = picture.stage().motion;
+  const Motion& motion = picture.scenery().motion;
   const double h = 1e-5;
-  const Marks before = picture.marks_at(motion.at(0.7 - h));
-  const Marks now = picture.marks_at(motion.at(0.7));
-  const Marks after = picture.marks_at(motion.at(0.7 + h));
+  const Glyphs before = picture.glyphs_at(motion.at(0.7 - h));
+  const Glyphs now = picture.glyphs_at(motion.at(0.7));
+  const Glyphs after = picture.glyphs_at(motion.at(0.7 + h));
   double longest = 0.0;
   for (std::size_t i = 0; i < now.arrows.size(); ++i) {
     const Vec3 velocity = (after.arrows[i].from - before.arrows[i].from) / (2.0 * h);
     const Vec3 along = now.arrows[i].tip - now.arrows[i].from;
-    EXPECT_LT((picture.stage().scale.velocity * velocity - along).norm(), 1e-8);
+    EXPECT_LT((picture.scenery().scale.velocity * velocity - along).norm(), 1e-8);
     longest = std::max(longest, along.norm());
   }
-  EXPECT_GT(longest, 0.3 * picture.stage().scale.body);
+  EXPECT_GT(longest, 0.3 * picture.scenery().scale.body);
 }
 
 // figure 1 of the notes: r = R + r~, and arcs from each space axis to its body axis
@@ -247,19 +248,19 @@ TEST(FixedFrame, VectorsCloseAndArcsEndOnTheAxes) {
   show["angles"] = true;
   show.points = {Vec3(0.05, 0.02, 0.1)};
   const Composer picture = composer(prolate_body(), spec, show);
-  const Sample s = picture.stage().motion.at(1.1);
-  const Marks marks = picture.marks_at(s);
-  ASSERT_EQ(marks.arrows.size(), 6u);
-  const ArrowMark& R = marks.arrows[3];
-  const ArrowMark& r_tilde = marks.arrows[4];
-  const ArrowMark& r = marks.arrows[5];
+  const Sample s = picture.scenery().motion.at(1.1);
+  const Glyphs glyphs = picture.glyphs_at(s);
+  ASSERT_EQ(glyphs.arrows.size(), 6u);
+  const ArrowGlyph& R = glyphs.arrows[3];
+  const ArrowGlyph& r_tilde = glyphs.arrows[4];
+  const ArrowGlyph& r = glyphs.arrows[5];
   EXPECT_EQ(R.from, Vec3::Zero());
   EXPECT_EQ(R.tip, s.reference_S);
   EXPECT_EQ(r_tilde.from, s.reference_S);
   EXPECT_LT(((R.tip - R.from) + (r_tilde.tip - r_tilde.from) - (r.tip - r.from)).norm(), 1e-15);
-  EXPECT_LT((marks.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
+  EXPECT_LT((glyphs.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
   for (int i = 0; i < 3; ++i) {
-    const ArcMark& arc = marks.arcs[static_cast<std::size_t>(i)];
+    const ArcGlyph& arc = glyphs.arcs[static_cast<std::size_t>(i)];
     EXPECT_LT((point_of(arc, 0.0) - arc.center - arc.radius * Vec3::Unit(i)).norm(), 1e-15);
     EXPECT_LT((point_of(arc, 1.0) - arc.center - arc.radius * (s.q_SB * Vec3::Unit(i))).norm(),
               1e-15);
@@ -293,7 +294,7 @@ TEST(PrecessionCone, FollowsTheTilt) {
   double most = 0.0;
   for (double t = 0.0; t <= 2.0; t += 0.01) {
     const Sample s = motion.at(t);
-    const std::vector<Cone> cones = picture.marks_at(s).cones;
+    const std::vector<Cone> cones = picture.glyphs_at(s).cones;
     ASSERT_EQ(cones.size(), 1u);
     EXPECT_NEAR(cones[0].half_angle, angle_between(s.q_SB * Vec3::UnitZ(), Vec3::UnitZ()), 1e-12);
     least = std::min(least, cones[0].half_angle);
@@ -349,12 +350,13 @@ TEST(AttitudeTolerance, IsAnUpperBoundInPixels) {
   own.target = Vec3::Zero();
   for (const CameraSpec& camera : {CameraSpec{}, own}) {
     const Composer picture = composer(body, wobbling(), {}, camera);
-    const double tolerance = attitude_tolerance(camera, 0.1, picture.stage().scale.body, kSize);
+    const double tolerance = attitude_tolerance(camera, 0.1, picture.scenery().scale.body, kSize);
     EXPECT_GT(tolerance, 1e-5);
     const Sample s = moving(body, wobbling()).at(1.0);
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
       const Quat error(Eigen::AngleAxisd(tolerance, axis));
-      for (const Vec3& tip : {momentum_tip(picture.stage(), s), omega_tip(picture.stage(), s)}) {
+      for (const Vec3& tip :
+           {momentum_tip(picture.scenery(), s), omega_tip(picture.scenery(), s)}) {
         const Vec2 moved = picture.camera().project(error * tip) - picture.camera().project(tip);
         EXPECT_LE(moved.norm(), 0.1);
       }

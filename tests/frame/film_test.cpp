@@ -86,10 +86,10 @@ TEST(Film, PanelsShareCameraAndScale) {
   const Composer second(first, test::moving(body, faster));
   const Vec3 point(0.1, 0.05, 0.2);
   EXPECT_EQ(first.camera().project(point), second.camera().project(point));
-  EXPECT_EQ(first.stage().scale.omega, second.stage().scale.omega);
-  const Sample now = second.stage().motion.at(0.0);
-  EXPECT_NEAR((omega_tip(second.stage(), now) - now.reference_S).norm(),
-              2.0 * (omega_tip(first.stage(), one.at(0.0)) - one.at(0.0).reference_S).norm(),
+  EXPECT_EQ(first.scenery().scale.omega, second.scenery().scale.omega);
+  const Sample now = second.scenery().motion.at(0.0);
+  EXPECT_NEAR((omega_tip(second.scenery(), now) - now.reference_S).norm(),
+              2.0 * (omega_tip(first.scenery(), one.at(0.0)) - one.at(0.0).reference_S).norm(),
               1e-9);
 }
 
@@ -101,11 +101,11 @@ TEST(Film, TipsOfVectorsStayDrawable) {
   wild.duration = 1e-12;
   const Composer tame(test::moving(body, test::wobbling()), body, CameraSpec{}, {}, {}, {320, 180});
   const Composer picture(tame, test::moving(body, wild));
-  const Sample now = picture.stage().motion.at(0.0);
-  const double size = picture.stage().scale.body;
-  for (const Vec3& tip : {omega_tip(picture.stage(), now), momentum_tip(picture.stage(), now)})
+  const Sample now = picture.scenery().motion.at(0.0);
+  const double size = picture.scenery().scale.body;
+  for (const Vec3& tip : {omega_tip(picture.scenery(), now), momentum_tip(picture.scenery(), now)})
     EXPECT_NEAR((tip - now.reference_S).norm(), 50.0 * size, 1e-9 * size);
-  for (const Cone& cone : picture.marks_at(now).cones)
+  for (const Cone& cone : picture.glyphs_at(now).cones)
     EXPECT_NEAR(cone.slant, 50.0 * size, 1e-9 * size);
 }
 

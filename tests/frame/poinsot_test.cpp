@@ -33,12 +33,12 @@ TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
   for (const Vec3& spin : kSpins) {
     const Composer picture = picture_of(test::brick_body(), spin);
     for (const double t : {0.0, 0.7, 2.9}) {
-      const Sample now = picture.stage().motion.at(t);
-      const Marks marks = picture.marks_at(now);
-      const SheetMark& plane = marks.sheets.front();
-      const Placement& ellipsoid = marks.shells.front().space_from_mesh;
-      const Vec3 tip = omega_tip(picture.stage(), now);
-      const double size = picture.stage().scale.body;
+      const Sample now = picture.scenery().motion.at(t);
+      const Glyphs glyphs = picture.glyphs_at(now);
+      const SheetGlyph& plane = glyphs.sheets.front();
+      const Placement& ellipsoid = glyphs.shells.front().space_from_mesh;
+      const Vec3 tip = omega_tip(picture.scenery(), now);
+      const double size = picture.scenery().scale.body;
       EXPECT_NEAR((tip - plane.point).dot(plane.normal), 0.0, 1e-9 * size);
       EXPECT_NEAR((ellipsoid.inverse() * tip).norm(), 1.0, 1e-9);
       // the farthest point of an ellipsoid A x along n is A A^T n / |A^T n|
@@ -52,11 +52,11 @@ TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
 // rolling without slipping: the body's point at the contact is at rest, as omega passes through it
 TEST(Poinsot, TheContactDoesNotSlip) {
   const Composer picture = picture_of(test::brick_body(), kSpins[0]);
-  const Motion& motion = picture.stage().motion;
+  const Motion& motion = picture.scenery().motion;
   const double h = 1e-4;
   for (const double t : {0.4, 1.9}) {
     const Sample now = motion.at(t);
-    const Vec3 contact_S = omega_tip(picture.stage(), now) - now.reference_S;
+    const Vec3 contact_S = omega_tip(picture.scenery(), now) - now.reference_S;
     const Vec3 contact_B = now.q_SB.conjugate() * contact_S;
     const Vec3 moved =
         (motion.at(t + h).q_SB * contact_B - motion.at(t - h).q_SB * contact_B) / (2.0 * h);
@@ -72,14 +72,14 @@ TEST(Cones, TouchAlongOmegaAndRoll) {
   const Composer picture(
       test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
   for (const double t : {0.0, 1.3, 3.7}) {
-    const Sample now = picture.stage().motion.at(t);
-    const Marks marks = picture.marks_at(now);
-    ASSERT_EQ(marks.cones.size(), 2U);
-    for (const Cone& cone : marks.cones)
+    const Sample now = picture.scenery().motion.at(t);
+    const Glyphs glyphs = picture.glyphs_at(now);
+    ASSERT_EQ(glyphs.cones.size(), 2U);
+    for (const Cone& cone : glyphs.cones)
       EXPECT_NEAR(angle_between(cone.axis, now.w_S), cone.half_angle, 1e-9);
     // both axes and omega are in one plane
     EXPECT_NEAR(
-        marks.cones[0].axis.cross(marks.cones[1].axis).dot(now.w_S.normalized()), 0.0, 1e-9);
+        glyphs.cones[0].axis.cross(glyphs.cones[1].axis).dot(now.w_S.normalized()), 0.0, 1e-9);
   }
 }
 
@@ -146,19 +146,19 @@ TEST(Trails, EndWhereThePointIs) {
   show["trail"] = true;
   const Composer picture(
       test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
-  const Stage& stage = picture.stage();
+  const Scenery& scenery = picture.scenery();
   for (const double t : {0.3, 1.234, 4.0}) {
-    const Sample now = stage.motion.at(t);
+    const Sample now = scenery.motion.at(t);
     const Vec3 tip =
-        now.reference_S + kTrailRadius * stage.scale.body * (now.q_SB * figure_axis_B(stage));
-    const std::vector<MeshPtr> meshes = stage.paths.axis.part(0.0, t);
+        now.reference_S + kTrailRadius * scenery.scale.body * (now.q_SB * figure_axis_B(scenery));
+    const std::vector<MeshPtr> meshes = scenery.paths.axis.part(0.0, t);
     ASSERT_FALSE(meshes.empty());
     // the last ring of the tube is around the tip
     Vec3 middle = Vec3::Zero();
     const std::vector<Vertex>& vertices = meshes.back()->vertices;
     for (std::size_t i = vertices.size() - 8; i < vertices.size(); ++i)
       middle += to_eigen(vertices[i].position) / 8.0;
-    EXPECT_LT((stage.paths.axis.place() * middle - tip).norm(), 2e-3 * stage.scale.body) << t;
+    EXPECT_LT((scenery.paths.axis.place() * middle - tip).norm(), 2e-3 * scenery.scale.body) << t;
   }
 }
 
@@ -172,11 +172,11 @@ TEST(Components, AddUpToOmega) {
                            test::show_only(name),
                            {},
                            {640, 360});
-    const Sample now = picture.stage().motion.at(1.1);
+    const Sample now = picture.scenery().motion.at(1.1);
     Vec3 sum = Vec3::Zero();
-    for (const ArrowMark& arrow : picture.marks_at(now).arrows)
+    for (const ArrowGlyph& arrow : picture.glyphs_at(now).arrows)
       sum += arrow.tip - arrow.from;
-    EXPECT_LT((sum - picture.stage().scale.omega * now.w_S).norm(), 1e-12) << name;
+    EXPECT_LT((sum - picture.scenery().scale.omega * now.w_S).norm(), 1e-12) << name;
   }
 }
 
@@ -189,12 +189,12 @@ TEST(Torque, IsTheRateOfL) {
                          test::show_only("torque"),
                          {},
                          {640, 360});
-  const Motion& motion = picture.stage().motion;
+  const Motion& motion = picture.scenery().motion;
   const double h = 1e-5;
   for (const double t : {0.3, 1.0}) {
     const Vec3 rate = (motion.at(t + h).L_S - motion.at(t - h).L_S) / (2.0 * h);
-    const ArrowMark arrow = picture.marks_at(motion.at(t)).arrows.at(0);
-    const Vec3 drawn = (arrow.tip - arrow.from) / picture.stage().scale.torque;
+    const ArrowGlyph arrow = picture.glyphs_at(motion.at(t)).arrows.at(0);
+    const Vec3 drawn = (arrow.tip - arrow.from) / picture.scenery().scale.torque;
     EXPECT_LT((drawn - rate).norm(), 1e-6 * rate.norm());
   }
 }

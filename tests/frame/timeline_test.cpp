@@ -77,10 +77,10 @@ TEST(Story, WhatIsNotThereYetIsNotDrawn) {
       CameraSpec{}, {}, Timeline({step(1.0, 1.0, {"omega"})}, motion.duration(), 1.0), {}};
   const Composer told(motion, body, staging, {}, {}, {320, 180});
   const auto count = [&](double film) {
-    return told.shot(film, 4.0).list.opaque.size();
+    return told.camera_view(film, 4.0).list.opaque.size();
   };
   EXPECT_EQ(count(0.5) + 2, count(1.8));  // shaft and head
-  const Shot fading = told.shot(1.2, 4.0);
+  const CameraView fading = told.camera_view(1.2, 4.0);
   EXPECT_EQ(fading.list.opaque.size(), count(0.5));
   EXPECT_LT(fading.list.translucent.front().material.fade, 1.0f);
 }
@@ -99,9 +99,9 @@ TEST(Cameras, KeepEverythingInTheFrame) {
       const Composer picture(test::moving(body, spec), body, camera, {}, {}, size);
       for (double film = 0.0; film <= 1.0; film += 0.0371) {
         const Camera now = picture.camera_at(film);
-        const Sample sample = picture.stage().motion.at(film);
+        const Sample sample = picture.scenery().motion.at(film);
         std::vector<Vec3> points;
-        add_extent(picture.marks_at(sample), points);
+        add_extent(picture.glyphs_at(sample), points);
         for (const Vec3& point : points) {
           const Vec2 pixel = now.project(point);
           EXPECT_GT(pixel.x(), -2.0) << follow << ' ' << orbit << ' ' << film;
@@ -122,7 +122,7 @@ TEST(Cameras, FollowingTheBodyLeavesItWhereItIs) {
   const Composer picture(test::moving(body, test::wobbling()), body, camera, {}, {}, {640, 360});
   const Vec3 point_B(0.03, 0.05, 0.15);
   const auto pixel = [&](double t) {
-    const Sample now = picture.stage().motion.at(t);
+    const Sample now = picture.scenery().motion.at(t);
     return picture.camera_at(t).project(now.reference_S + now.q_SB * point_B);
   };
   for (const double t : {0.6, 1.7, 3.9})
@@ -134,11 +134,11 @@ TEST(Cameras, LookAlongL) {
   CameraSpec camera;
   camera.follow = "momentum";
   const Composer picture(test::moving(body, test::wobbling()), body, camera, {}, {}, {640, 360});
-  const Sample now = picture.stage().motion.at(2.0);
+  const Sample now = picture.scenery().motion.at(2.0);
   const Camera along = picture.camera_at(2.0);
   // the line of L through the eye's middle is nearly a point
   EXPECT_LT(
-      (along.project(momentum_tip(picture.stage(), now)) - along.project(now.reference_S)).norm(),
+      (along.project(momentum_tip(picture.scenery(), now)) - along.project(now.reference_S)).norm(),
       25.0);
 }
 

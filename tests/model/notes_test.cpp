@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 #include "model/rigid_body.h"
 #include "support/expect_error.h"
 #include "support/particles.h"
@@ -243,7 +243,7 @@ TEST(Erratum, row_09_the_diagonal_form_has_squares) {
     BodySpec spec;
     for (const PointMass& p : body.points)
       spec.points.push_back({p.mass, p.at});
-    const Model model = make_model(spec, false, Vec3::Zero());
+    const BodyModel model = make_model(spec, false, Vec3::Zero());
     const Vec3 w_P = model.R_BP.transpose() * body.Omega;
     const double form = body.Omega.dot(model.body.tensor * body.Omega);
     EXPECT_NEAR(model.moments.dot(w_P.cwiseProduct(w_P)), form, kRoundOff);
@@ -319,7 +319,7 @@ TEST(Erratum, row_13_two_equal_moments_need_an_axis_of_order_three) {
 TEST(Erratum, row_14_a_rotator_has_no_moment_because_its_masses_lie_on_the_axis) {
   BodySpec spec;
   spec.points = {{1.0, Vec3(0, 0, 0.4)}, {2.0, Vec3(0, 0, -0.1)}, {0.5, Vec3(0, 0, 0.9)}};
-  const Model model = make_model(spec, false, Vec3::Zero());
+  const BodyModel model = make_model(spec, false, Vec3::Zero());
   EXPECT_TRUE(model.kind.rotator);
   EXPECT_EQ(model.body.tensor(2, 2), 0.0);
   EXPECT_EQ(model.inverse_moments.minCoeff(), 0.0);  // 1/I3 is never formed

@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "model/model.h"
+#include "model/body_model.h"
 #include "model/rigid_body.h"
 
 namespace polhode {
@@ -30,7 +30,7 @@ RC_GTEST_PROP(AnyBody, PrincipalFrameIsRightHandedAndDiagonal, ()) {
   BodySpec spec;
   for (const PointMass& p : any_points(*rc::gen::inRange(4, 12)))
     spec.points.push_back({p.mass, p.at});
-  const Model model = make_model(spec, false, Vec3::Zero());
+  const BodyModel model = make_model(spec, false, Vec3::Zero());
   RC_ASSERT(std::abs(model.R_BP.determinant() - 1.0) < 1e-12);
   const Mat3 back = model.R_BP * model.moments.asDiagonal() * model.R_BP.transpose();
   RC_ASSERT((back - model.body.tensor).norm() < 1e-12 * model.body.tensor.norm());

@@ -11,7 +11,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 #include "support/expect_error.h"
 
 namespace polhode {

@@ -61,7 +61,7 @@ Vec3 right_jacobian(const Vec3& v, const Vec3& v_rate) {
 
 // T - U of the motion varied by eps, at time t; `clock` runs the motion faster (1: as found)
 double lagrangian(const Motion& motion, const Variation& v, double eps, double t, double clock) {
-  const Model& m = motion.model();
+  const BodyModel& m = motion.model();
   const Sample s = motion.at(clock * t);
   const Vec3 turn = eps * v.sum(v.turn, t);
   const Mat3 R_PB = m.R_BP.transpose();

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-double worst_until(const Model& model, const State& start, double duration, int samples = 100) {
+double worst_until(const BodyModel& model, const State& start, double duration, int samples = 100) {
   const auto exact = exact_asymmetric(model, start);
   TaylorOracle oracle(model, start);
   double worst = 0.0;
@@ -37,7 +37,7 @@ const Vec3 kOrders[] = {{0.6, 0.8, 1.0},
 TEST(ExactAsymmetric, AgreesWithTheOracleInEveryOrderOfAxesAndEverySign) {
   double worst = 0.0;
   for (const Vec3& moments : kOrders) {
-    const Model model = free_body(moments);
+    const BodyModel model = free_body(moments);
     for (int signs = 0; signs < 8; ++signs) {
       for (const Vec3& size : {Vec3(1.8, 0.4, 0.9), Vec3(0.3, 0.4, 1.9), Vec3(0.2, 1.7, 0.3)}) {
         State start{exp_rotation({0.4, -1.3, 0.8}), size};
@@ -76,7 +76,7 @@ TEST(ExactAsymmetric, RepeatsAfterItsPeriod) {
 
 TEST(ExactAsymmetric, KeepsEveryInvariantToRoundOff) {
   for (const Vec3& y : {Vec3(1.8, 0.4, -0.9), Vec3(0.3, 0.4, 1.9), Vec3(1e-3, 2.0, 1e-3)}) {
-    const Model model = free_body({0.6, 0.8, 1.0});
+    const BodyModel model = free_body({0.6, 0.8, 1.0});
     const State start{exp_rotation({0.4, -1.3, 0.8}), y};
     const auto exact = exact_asymmetric(model, start);
     DriftWatch watch(model, start);
@@ -107,7 +107,7 @@ TEST(ExactAsymmetric, AttitudeTurnsAtTheRateOfTheMomentum) {
 }
 
 TEST(ExactAsymmetric, RotationAboutEachPrincipalAxisIsUniform) {
-  const Model model = free_body({0.6, 0.8, 1.0});
+  const BodyModel model = free_body({0.6, 0.8, 1.0});
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       const State start{exp_rotation({0.4, -1.3, 0.8}), sign * 1.5 * Vec3::Unit(axis)};
@@ -157,7 +157,7 @@ TEST(FailureMatrix, X3StartsInAPrincipalPlane) {
                         Vec3(0.0, -0.9, -1.1),
                         Vec3(-0.0, 0.0, 1.0)}) {
     const State start{exp_rotation({0.4, -1.3, 0.8}), y};
-    const Model model = free_body({0.6, 0.8, 1.0});
+    const BodyModel model = free_body({0.6, 0.8, 1.0});
     expect_residual("X3", worst_until(model, start, 10.0), 2e-14);
     const auto exact = exact_asymmetric(model, start);
     EXPECT_LE(distance(exact->at(0.0), start), 1e-15);
@@ -170,7 +170,7 @@ Problem separatrix(double s1, double s2, double s3) {
 }
 
 // growth of a small deviation over t seconds, off axis 2
-double growth(const Model& model, const State& start, double t) {
+double growth(const BodyModel& model, const State& start, double t) {
   const double I1 = model.moments[0], I2 = model.moments[1], I3 = model.moments[2];
   return std::exp(start.y.norm() / I2 * std::sqrt((I2 - I1) * (I3 - I2) / (I1 * I3)) * t);
 }

@@ -31,7 +31,7 @@ struct Case {
 };
 
 Case moving(const BodySpec& body, const MotionSpec& spec) {
-  const Model model = make_model(body, spec);
+  const BodyModel model = make_model(body, spec);
   return {simulate(model, spec, {}, 1e-9).motion, derived_quantities(model, spec)};
 }
 
@@ -266,7 +266,7 @@ TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   for (const double amplitude : {0.3, 1.5, 3.0}) {
     spec.attitude.zxz = Vec3(0, amplitude, 0);
     const Case pendulum = moving(body, spec);
-    const Model& model = pendulum.motion.model();
+    const BodyModel& model = pendulum.motion.model();
     const double period = 4.0 * elliptic_k(std::pow(std::cos(0.5 * amplitude), 2)) *
                           std::sqrt(model.moments[0] / model.chi_P.norm());
     expect_residual("swing", std::abs(pendulum("swing_period_s") / period - 1.0), 1e-13);

@@ -182,7 +182,7 @@ TEST(FailureMatrix, J2TheBoxOfMujoco) {
 // L4: a sleeping top falls over below w* = 2 sqrt(A mu) / C, at the rate sqrt(4 A mu - C^2 w^2) /
 // 2A
 TEST(FailureMatrix, L4SleepingTop) {
-  const Model model = heavy_body({1, 1, 0.5}, {0, 0, 1});
+  const BodyModel model = heavy_body({1, 1, 0.5}, {0, 0, 1});
   const double critical = 4.0;
   const auto tilt_after = [&](double ratio, double t) {
     const double h = 0.005;

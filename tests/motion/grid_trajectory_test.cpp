@@ -150,7 +150,7 @@ TEST(AdaptiveSteps, ToleranceBelowRoundOffIsReported) {
 }
 
 TEST(AdaptiveSteps, ABodyAtRestTakesOneStep) {
-  const Model model = free_body({0.6, 0.8, 1.0});
+  const BodyModel model = free_body({0.6, 0.8, 1.0});
   const State rest;
   const Integration found = integrate_adaptive(find_stepper("dopri5"), model, rest, 10.0, 1e-8);
   EXPECT_EQ(found.record.steps, 1);

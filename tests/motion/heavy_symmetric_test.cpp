@@ -57,7 +57,7 @@ void expect_exact(const std::string& what, const Problem& p, double duration) {
 
 const Quat kTilted = exp_rotation({0.4, -0.9, 0.8});
 
-Model top_with(double C, double mu = 1.0) {
+BodyModel top_with(double C, double mu = 1.0) {
   return heavy_body({1, 1, C}, {0, 0, mu});
 }
 
@@ -227,7 +227,7 @@ TEST(ExactHeavySymmetric, HangingAtRestStaysAndSwingsWhenPushed) {
 
 // I1: a rotator on a pivot is a spherical pendulum with five degrees of freedom less one
 TEST(FailureMatrix, I1RotatorIsASphericalPendulum) {
-  const Model rod = heavy_body({1, 1, 0}, {0, 0, 1});
+  const BodyModel rod = heavy_body({1, 1, 0}, {0, 0, 1});
   for (const Vec3& y : {Vec3(0.5, 0.8, 0), Vec3(0, 0, 0), Vec3(0.01, 1.9, 0), Vec3(3.0, 0.1, 0)}) {
     for (const double tilt : {0.3, 1.5, 3.0}) {
       const Problem p{rod, {from_zxz_angles({0.2, tilt, 0.9}), y}};
@@ -245,7 +245,7 @@ TEST(FailureMatrix, I1RotatorIsASphericalPendulum) {
 
 // swinging in a plane: period 4 K(sin(a/2)) / w0, and over the top beyond the separatrix
 TEST(ExactHeavySymmetric, PlanarPendulum) {
-  const Model rod = heavy_body({1, 1, 0}, {0, 0, 1});
+  const BodyModel rod = heavy_body({1, 1, 0}, {0, 0, 1});
   const Problem swing{rod, {from_zxz_angles({0, kPi - kPi / 3, 0}), Vec3::Zero()}};
   // K(sin 30 deg), Abramowitz and Stegun 17.1
   const double period = 4.0 * 1.685750354812596;

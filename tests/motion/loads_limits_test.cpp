@@ -30,8 +30,8 @@ TEST(Torque, OrderOfDopri5IsKeptInTime) {
   spec.torque[1].body = Vec3(1, 0.5, 0.2);
   spec.torque[1].at = Vec3(0.1, 0.2, 0.3);
   spec.torque[1].rate = 2.0;
-  Model model = make_model(body_with({1, 1.3, 1.7}), spec);
-  model.six = true;
+  BodyModel model = make_model(body_with({1, 1.3, 1.7}), spec);
+  model.with_translation = true;
   const auto end = [&](int steps) {
     const auto stepper = find_stepper("dopri5").make(model, 1.0);
     State s = start_state(model, spec);

@@ -186,7 +186,7 @@ TEST(Spring, OnACornerKeepsEnergyAndObeysNewton) {
   EXPECT_EQ(s.report.model, "ode6");
   EXPECT_LT(s.report.record.drift.energy.value(), 1e-9);
   EXPECT_FALSE(s.report.record.drift.momentum.has_value());
-  const Model& model = s.motion.model();
+  const BodyModel& model = s.motion.model();
   const double h = 1e-4;
   for (const double t : {0.5, 1.4, 2.8}) {
     const Sample now = s.motion.at(t);

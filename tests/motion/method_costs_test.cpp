@@ -45,11 +45,11 @@ TEST(MethodCosts, TheCheapestFirstAtEveryAccuracy) {
   MotionSpec spec = spun({1, 0, 0});
   spec.torque = {load("constant")};
   spec.torque[0].body = Vec3(0, 0, 0.1);
-  for (const Model& model : {free_body({1, 2, 3}),
-                             free_body({1, 1, 0}),
-                             heavy_body({1, 1, 0.5}, Vec3::UnitZ()),
-                             heavy_asymmetric().model,
-                             make_model(body_with({1, 1.3, 1.6}), spec)}) {
+  for (const BodyModel& model : {free_body({1, 2, 3}),
+                                 free_body({1, 1, 0}),
+                                 heavy_body({1, 1, 0.5}, Vec3::UnitZ()),
+                                 heavy_asymmetric().model,
+                                 make_model(body_with({1, 1.3, 1.6}), spec)}) {
     double last = 0.0;
     for (const double accuracy : {1.0, 3e-3, 1e-4, 1e-7, 1e-10, 1e-13}) {
       const std::vector<MethodCost> able = cheapest_methods(model, accuracy, false);

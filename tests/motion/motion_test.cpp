@@ -28,12 +28,12 @@ BodySpec skew_body() {
 }
 
 Motion motion_of(const BodySpec& body, const MotionSpec& spec) {
-  const Model model = make_model(body, spec);
+  const BodyModel model = make_model(body, spec);
   return simulate(model, spec, {}, 1e-9).motion;
 }
 
 TEST(StartState, EverySpinMeansTheSameRotation) {
-  const Model model = make_model(skew_body(), false, Vec3::Zero());
+  const BodyModel model = make_model(skew_body(), false, Vec3::Zero());
   MotionSpec spec;
   spec.attitude.zxz = Vec3(0.3, 0.9, -0.5);
   const Quat q_SB = from_zxz_angles(*spec.attitude.zxz);
@@ -65,7 +65,7 @@ TEST(StartState, EverySpinMeansTheSameRotation) {
 TEST(StartState, ARotatorIsNotSpunAboutItsLine) {
   BodySpec rod;
   rod.points = {{1.0, {1, 2, 2}}, {1.0, {-1, -2, -2}}};
-  const Model model = make_model(rod, false, Vec3::Zero());
+  const BodyModel model = make_model(rod, false, Vec3::Zero());
   MotionSpec spec;
   spec.spin.body = Vec3(1, 2, 3);
   expect_input_error([&] { start_state(model, spec); }, "motion.spin", "on a line");
@@ -139,7 +139,7 @@ TEST(PointVelocity, IsTheRateOfThePosition) {
     BodySpec body = skew_body();
     body.pivot = Vec3(0.2, -0.1, 0.4);
     const Motion motion = motion_of(body, spec);
-    const Model& model = motion.model();
+    const BodyModel& model = motion.model();
     for (const double t : {0.4, 1.3}) {
       for (const Vec3& r : {Vec3(0, 0, 0), Vec3(0.5, -0.3, 0.8), body.pivot}) {
         const double h = 1e-4;

@@ -54,7 +54,7 @@ Cloud cloud(const std::string& hold, std::uint64_t seed) {
   spec.attitude.zxz = Vec3(0.4, 0.9, -0.7);
   spec.spin.body = Vec3(0.8, -0.5, 1.3);
   if (hold == "free") spec.velocity = Vec3(0.5, 0.2, -0.4);
-  const Model model = make_model(body, spec);
+  const BodyModel model = make_model(body, spec);
   return {body, spec, simulate(model, spec, {}, 1e-11).motion};
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 using namespace test;
 
-using Maker = std::unique_ptr<Trajectory> (*)(const Model&, const State&);
+using Maker = std::unique_ptr<Trajectory> (*)(const BodyModel&, const State&);
 
-void keeps_its_invariants(Maker make, const Model& model, const State& start, double duration) {
+void keeps_its_invariants(Maker make, const BodyModel& model, const State& start, double duration) {
   const std::unique_ptr<Trajectory> motion = make(model, start);
   DriftWatch watch(model, start);
   for (int i = 0; i <= 20; ++i)
@@ -25,7 +25,7 @@ void keeps_its_invariants(Maker make, const Model& model, const State& start, do
 }
 
 // from 0 to t and from there on is from 0 to both
-void is_a_flow(Maker make, const Model& model, const State& start, double t, double more) {
+void is_a_flow(Maker make, const BodyModel& model, const State& start, double t, double more) {
   const std::unique_ptr<Trajectory> motion = make(model, start);
   const State later = make(model, motion->at(t))->at(more);
   RC_ASSERT(distance(later, motion->at(t + more)) < 1e-9);
@@ -33,7 +33,7 @@ void is_a_flow(Maker make, const Model& model, const State& start, double t, dou
 
 RC_GTEST_PROP(AnyMotion, FreeAsymmetric, ()) {
   const Vec3 moments = any_moments();
-  const Model model = free_body(moments);
+  const BodyModel model = free_body(moments);
   RC_PRE(model.kind.shape == TopKind::Shape::asymmetric);
   const State start{any_attitude(), any_momentum(moments)};
   RC_PRE(start.y.norm() > 1e-3 * moments.maxCoeff());
@@ -44,7 +44,7 @@ RC_GTEST_PROP(AnyMotion, FreeAsymmetric, ()) {
 RC_GTEST_PROP(AnyMotion, FreeSymmetric, ()) {
   Vec3 moments = any_moments();
   moments.y() = moments.x();
-  const Model model = free_body(moments);
+  const BodyModel model = free_body(moments);
   RC_PRE(model.kind.symmetric());
   const State start{any_attitude(), any_momentum(moments)};
   RC_PRE(start.y.norm() > 1e-3 * moments.maxCoeff());
@@ -54,7 +54,7 @@ RC_GTEST_PROP(AnyMotion, FreeSymmetric, ()) {
 
 RC_GTEST_PROP(AnyMotion, HeavySymmetric, ()) {
   const Vec3 moments(1.0, 1.0, number_between(0.01, 2.0));
-  const Model model = heavy_body(moments, Vec3(0, 0, number_between(0.05, 3.0)));
+  const BodyModel model = heavy_body(moments, Vec3(0, 0, number_between(0.05, 3.0)));
   const State start{any_attitude(), moments.cwiseProduct(vector_within(4.0))};
   RC_PRE(model.kind.symmetric());
   keeps_its_invariants(exact_heavy_symmetric, model, start, 20.0);

@@ -39,7 +39,7 @@ double largest_difference(const Motion& a, const Motion& b) {
 }
 
 TEST(ModelChoice, TakesTheLeastThatAnswers) {
-  const auto chosen = [](const Model& model) {
+  const auto chosen = [](const BodyModel& model) {
     return simulate(model, spinning(1.0), {}, 1e-6).report.model;
   };
   EXPECT_EQ(chosen(free_body({1, 1, 1})), "spherical");
@@ -57,7 +57,7 @@ TEST(ModelChoice, TakesTheLeastThatAnswers) {
 
 // a method that is no splitting integrates the equations of motion
 TEST(ModelChoice, FollowsTheMethod) {
-  const Model heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
+  const BodyModel heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
   EXPECT_EQ(simulate(heavy, spinning(1.0), by("auto", "rk4"), 1e-6).report.model, "ode");
   EXPECT_EQ(simulate(heavy, spinning(1.0), by("auto", "kick_srkn6"), 1e-6).report.model,
             "splitting");
@@ -69,7 +69,7 @@ TEST(ModelChoice, FollowsTheMethod) {
 }
 
 TEST(ModelChoice, SaysWhy) {
-  const Model top = free_body({1, 1, 1.8});
+  const BodyModel top = free_body({1, 1, 1.8});
   const SimulationReport exact = simulate(top, spinning(1.0), {}, 1e-6).report;
   EXPECT_EQ(exact.method, "exact");
   EXPECT_NE(exact.model_reason.find("symmetric oblate"), std::string::npos);
@@ -84,9 +84,9 @@ TEST(ModelChoice, SaysWhy) {
 }
 
 TEST(ModelErrors, NameTheKey) {
-  const Model asymmetric = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
-  const Model top = free_body({1, 1, 1.8});
-  const auto run = [](const Model& model, const NumericsSpec& numerics) {
+  const BodyModel asymmetric = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});
+  const BodyModel top = free_body({1, 1, 1.8});
+  const auto run = [](const BodyModel& model, const NumericsSpec& numerics) {
     return [&model, numerics] {
       simulate(model, spinning(1.0), numerics, 1e-6);
     };
@@ -98,7 +98,7 @@ TEST(ModelErrors, NameTheKey) {
   expect_input_error(run(asymmetric, by("heavy_symmetric", "auto")), "numerics.model", "equal");
   expect_input_error(run(top, by("asymmetric", "auto")), "numerics.model", "two moments are equal");
   expect_input_error(run(top, by("heavy_symmetric", "auto")), "numerics.model", "no gravity");
-  const Model askew = heavy_body({1, 1, 1.8}, {0.1, 0, 0.4});
+  const BodyModel askew = heavy_body({1, 1, 1.8}, {0.1, 0, 0.4});
   expect_input_error(run(askew, by("heavy_symmetric", "auto")), "numerics.model", "not on the");
   expect_input_error(run(asymmetric, by("auto", "exact")), "numerics.method", "no closed form");
   expect_input_error(run(top, by("symmetric", "rk4")), "numerics.method", "takes no method");
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Methods,
 TEST_P(Refinement, MeetsTheAccuracyItClaims) {
   const auto [method, accuracy] = GetParam();
   for (const Vec3& moments : {Vec3(1, 1, 1.8), Vec3(1, 1, 0.2), Vec3(1.7, 1, 1)}) {
-    const Model top = free_body(moments);
+    const BodyModel top = free_body(moments);
     const Simulation exact = simulate(top, spinning(10.0), {}, accuracy);
     const Simulation found = simulate(top, spinning(10.0), by("ode", method), accuracy);
     const double error = largest_difference(found.motion, exact.motion);
@@ -168,12 +168,12 @@ TEST_P(Refinement, MeetsTheAccuracyItClaims) {
 
 // a method that cannot take the scene is refused with the reason and those that can
 TEST(Simulate, RefusesAMethodThatCannotTakeTheScene) {
-  const auto refused = [](const Model& model, const char* method) {
+  const auto refused = [](const BodyModel& model, const char* method) {
     return [=] {
       simulate(model, spinning(1.0), by("ode", method), 1e-3);
     };
   };
-  const Model heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7});
+  const BodyModel heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7});
   for (const char* words : {"takes free bodies only", "dop853", "taylor16", "list methods"})
     expect_input_error(refused(heavy, "dmv10"), "numerics.method", words);
   const auto rotating = [](const char* method) {
@@ -210,7 +210,7 @@ TEST(ParseAccuracy, RadiansAndPixels) {
 }
 
 TEST(Names, StartWithAutoAndCoverTheTables) {
-  EXPECT_EQ(model_names().size(), motion_models().size() + 1);
+  EXPECT_EQ(model_names().size(), solution_methods().size() + 1);
   EXPECT_EQ(model_names().front(), "auto");
   EXPECT_EQ(model_names().back(), "ode6");
   EXPECT_EQ(method_names().size(), stepper_table().size() + 2);

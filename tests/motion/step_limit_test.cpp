@@ -14,9 +14,9 @@ namespace {
 
 // Landau and Lifshitz, Mechanics, 33 and 37
 TEST(OscillationRate, IsThatOfEulersEquations) {
-  const Model symmetric = free_body({1, 1, 2});
+  const BodyModel symmetric = free_body({1, 1, 2});
   EXPECT_DOUBLE_EQ(oscillation_rate(symmetric, {Quat::Identity(), {1, 0, 4}}), 2.0);
-  const Model asymmetric = free_body({1, 2, 3});
+  const BodyModel asymmetric = free_body({1, 2, 3});
   const double w = 0.7;
   EXPECT_NEAR(oscillation_rate(asymmetric, {Quat::Identity(), {1e-6, 0, 3 * w}}),
               w * std::sqrt(2.0 * 1.0 / (1.0 * 2.0)),

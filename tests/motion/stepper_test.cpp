@@ -231,7 +231,7 @@ TEST_P(EveryStepper, StaysOnTheUnitSphere) {
 }
 
 TEST_P(EveryStepper, LeavesABodyAtRestAtRest) {
-  const Model model = free_body({0.6, 0.8, 1.0});
+  const BodyModel model = free_body({0.6, 0.8, 1.0});
   const State rest{exp_rotation({0.3, 0.2, 0.1}), Vec3::Zero()};
   State s = rest;
   const std::unique_ptr<Stepper> stepper = GetParam().make(model, 1.0);

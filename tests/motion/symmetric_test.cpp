@@ -24,7 +24,7 @@ std::vector<Vec3> symmetric_moments() {
 }
 
 TEST(ExactSpherical, TurnsUniformlyAboutL) {
-  const Model model = free_body({0.4, 0.4, 0.4});
+  const BodyModel model = free_body({0.4, 0.4, 0.4});
   const auto trajectory = exact_spherical(model, kStart);
   TaylorOracle oracle(model, kStart);
   double worst = 0.0;
@@ -35,7 +35,7 @@ TEST(ExactSpherical, TurnsUniformlyAboutL) {
 
 TEST(ExactSymmetric, AgreesWithTheOracleForEveryAxisAndShape) {
   for (const Vec3& moments : symmetric_moments()) {
-    const Model model = free_body(moments);
+    const BodyModel model = free_body(moments);
     State start = kStart;
     if (moments.minCoeff() < 0.01) start.y *= 0.01;
     const auto trajectory = exact_symmetric(model, start);
@@ -52,7 +52,7 @@ TEST(ExactSymmetric, AgreesWithTheOracleForEveryAxisAndShape) {
 }
 
 TEST(ExactSymmetric, AgreesWithATightIntegration) {
-  const Model model = free_body({1, 1, 1.8});
+  const BodyModel model = free_body({1, 1, 1.8});
   const auto exact = exact_symmetric(model, kStart);
   const auto ode = integrate_adaptive(find_stepper("dopri5"), model, kStart, 10.0, 1e-13);
   double worst = 0.0;
@@ -63,7 +63,7 @@ TEST(ExactSymmetric, AgreesWithATightIntegration) {
 
 TEST(ExactSymmetric, KeepsEveryInvariantToRoundOff) {
   for (const Vec3& moments : symmetric_moments()) {
-    const Model model = free_body(moments);
+    const BodyModel model = free_body(moments);
     const auto trajectory = exact_symmetric(model, kStart);
     DriftWatch watch(model, kStart);
     double off_sphere = 0.0, spin_change = 0.0;
@@ -83,7 +83,7 @@ TEST(ExactSymmetric, KeepsEveryInvariantToRoundOff) {
 // Landau and Lifshitz, Mechanics, eq. 33.2: the axis goes round L at |L| / I1
 TEST(ExactSymmetric, PrecessesAtLOverI1) {
   for (const Vec3& moments : symmetric_moments()) {
-    const Model model = free_body(moments);
+    const BodyModel model = free_body(moments);
     const auto trajectory = exact_symmetric(model, kStart);
     const Vec3 L_S = momentum_in_space(kStart);
     const double I1 = moments[(model.kind.axis + 1) % 3];
@@ -100,7 +100,7 @@ TEST(ExactSymmetric, PrecessesAtLOverI1) {
 }
 
 TEST(ExactSymmetric, OneStepOfFiftySecondsIsAsGoodAsAThousand) {
-  const Model model = free_body({1, 1, 1.8});
+  const BodyModel model = free_body({1, 1, 1.8});
   const State once = exact_symmetric(model, kStart)->at(50.0);
   State s = kStart;
   for (int i = 0; i < 1000; ++i)
@@ -109,7 +109,7 @@ TEST(ExactSymmetric, OneStepOfFiftySecondsIsAsGoodAsAThousand) {
 }
 
 TEST(ExactSymmetric, RotatorIsItsLimit) {
-  const Model model = free_body({1, 1, 0});
+  const BodyModel model = free_body({1, 1, 0});
   const State start{kStart.q, {0.9, -0.4, 0.0}};
   const auto trajectory = exact_symmetric(model, start);
   const Vec3 w = start.q * start.y;

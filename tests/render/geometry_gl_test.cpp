@@ -231,10 +231,10 @@ TEST_P(ScenePicture, TipsOfOmegaAndMomentum) {
     for (const double t : {0.0, 1.3, 2.9}) {
       const Sample s = motion.at(t);
       const Vec3 end =
-          momentum ? momentum_tip(composer.stage(), s) : omega_tip(composer.stage(), s);
+          momentum ? momentum_tip(composer.scenery(), s) : omega_tip(composer.scenery(), s);
       const Vec2 tip = composer.camera().project(end);
       const Vec2 back =
-          composer.camera().project(end - 0.17 * composer.stage().scale.body * end.normalized()) -
+          composer.camera().project(end - 0.17 * composer.scenery().scale.body * end.normalized()) -
           tip;
       const Vec2 found =
           find_tip(draw(composer.at(t)), tip, back, 0.25 * back.norm(), 0.75 * back.norm());
@@ -246,7 +246,7 @@ TEST_P(ScenePicture, TipsOfOmegaAndMomentum) {
 // A curve of a film, drawn alone: wherever it runs free, the middle of what is covered across it is
 // within half a pixel of the projected curve.
 void expect_on_curve(const char* name,
-                     const std::function<Vec3(const Stage&, const Sample&)>& curve) {
+                     const std::function<Vec3(const Scenery&, const Sample&)>& curve) {
   const BodySpec body = test::brick_body();
   MotionSpec spec = test::wobbling();
   spec.duration = 2.0;
@@ -257,7 +257,7 @@ void expect_on_curve(const char* name,
   std::vector<std::pair<double, double>> found;  // what is covered, how far its middle is off
   for (double t = 0.1; t < 1.9; t += 0.05) {
     const auto pixel = [&](double at) {
-      return camera.project(curve(picture.stage(), motion.at(at)));
+      return camera.project(curve(picture.scenery(), motion.at(at)));
     };
     const Vec2 here = pixel(t);
     const Vec2 along = (pixel(t + 1e-3) - pixel(t - 1e-3)).normalized();
@@ -291,11 +291,12 @@ void expect_on_curve(const char* name,
 }
 
 TEST_P(CurvePicture, LiesOnTheProjectedCurve) {
-  expect_on_curve("herpolhode",
-                  [](const Stage& stage, const Sample& now) { return omega_tip(stage, now); });
-  expect_on_curve("trail", [](const Stage& stage, const Sample& now) {
+  expect_on_curve("herpolhode", [](const Scenery& scenery, const Sample& now) {
+    return omega_tip(scenery, now);
+  });
+  expect_on_curve("trail", [](const Scenery& scenery, const Sample& now) {
     return Vec3(now.reference_S +
-                kTrailRadius * stage.scale.body * (now.q_SB * Vec3(Vec3::UnitZ())));
+                kTrailRadius * scenery.scale.body * (now.q_SB * Vec3(Vec3::UnitZ())));
   });
 }
 
@@ -348,10 +349,10 @@ void expect_contour(const Image& image, const std::vector<Vec2>& contour) {
 }
 
 // one mesh of a picture, drawn alone and opaque, so that alpha is coverage
-Image draw_alone(const Composer& picture, const MeshMark& mark) {
+Image draw_alone(const Composer& picture, const MeshGlyph& glyph) {
   DrawList list;
   list.view = picture.camera().view();
-  DrawItem item{mark.mesh, to_glm(mark.space_from_mesh.matrix()), Material{}, Faces::both};
+  DrawItem item{glyph.mesh, to_glm(glyph.space_from_mesh.matrix()), Material{}, Faces::both};
   list.opaque.push_back(item);
   return draw(list);
 }
@@ -386,8 +387,8 @@ TEST_P(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
   for (const char* name : {"ellipsoid", "binet", "trail_sphere"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);
-    const Marks marks = picture.marks_at(picture.stage().motion.at(0.7));
-    const MeshMark& shell = marks.shells.at(0);
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.7));
+    const MeshGlyph& shell = glyphs.shells.at(0);
     expect_contour(draw_alone(picture, shell),
                    contour_of_ellipsoid(picture.camera(), shell.space_from_mesh));
   }
@@ -397,8 +398,8 @@ TEST_P(DiscPicture, ItsRimIsWithinHalfAPixel) {
   for (const char* name : {"plane", "floor"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);
-    const Marks marks = picture.marks_at(picture.stage().motion.at(0.7));
-    const MeshMark& disc = marks.sheets.empty() ? marks.meshes.at(0) : marks.sheets.at(0).mesh;
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.7));
+    const MeshGlyph& disc = glyphs.sheets.empty() ? glyphs.meshes.at(0) : glyphs.sheets.at(0).mesh;
     std::vector<Vec2> rim;
     for (int i = 0; i < 1440; ++i) {
       const double turn = 2.0 * kPi * i / 1440;

@@ -47,7 +47,7 @@ inline MotionSpec wobbling() {
 }
 
 inline Motion moving(const BodySpec& body, const MotionSpec& spec) {
-  const Model model = make_model(body, spec);
+  const BodyModel model = make_model(body, spec);
   return simulate(model, spec, NumericsSpec{}, 1e-6).motion;
 }
 

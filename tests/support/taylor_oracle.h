@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode::test {
 
@@ -36,7 +36,7 @@ class TaylorOracle {
     look_up(up_S);
   }
 
-  TaylorOracle(const Model& model, const State& start)
+  TaylorOracle(const BodyModel& model, const State& start)
       : TaylorOracle(triple(model.moments),
                      triple(model.chi_P),
                      triple(start.y),

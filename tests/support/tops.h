@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode::test {
 
 // A body with these moments about the centre of mass and nothing that turns it.
-inline Model free_body(const Vec3& moments) {
+inline BodyModel free_body(const Vec3& moments) {
   BodySpec spec;
   spec.moments = moments;
   spec.mathematical = true;
@@ -19,7 +19,9 @@ inline Model free_body(const Vec3& moments) {
 }
 
 // A body on a pivot with these moments about it, and chi = m g (centre of mass - pivot) in J.
-inline Model heavy_body(const Vec3& moments, const Vec3& chi, const Vec3& up_S = Vec3::UnitZ()) {
+inline BodyModel heavy_body(const Vec3& moments,
+                            const Vec3& chi,
+                            const Vec3& up_S = Vec3::UnitZ()) {
   BodySpec spec;
   spec.moments = moments;
   spec.mathematical = true;
@@ -29,7 +31,7 @@ inline Model heavy_body(const Vec3& moments, const Vec3& chi, const Vec3& up_S =
 }
 
 struct Problem {
-  Model model;
+  BodyModel model;
   State start;
 };
 

@@ -11,7 +11,7 @@ namespace {
 using test::TemporaryFolder;
 
 TEST(WebVtt, HasACueForEachCaptionAtTheTimesOfItsFrames) {
-  const std::vector<FilmMarks::Caption> captions = {
+  const std::vector<FilmMetadata::Caption> captions = {
       {0, 30, "First"}, {30, 31, "Second"}, {60 * 3600, 60 * 3661, "An hour later"}};
   EXPECT_EQ(web_vtt(captions, {60, 1}),
             "WEBVTT\n"

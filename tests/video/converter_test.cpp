@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "video/converter.h"
+#include "video/libav/converter.h"
 
 extern "C" {
 #include <libavutil/imgutils.h>

@@ -27,7 +27,7 @@ SinkJob job_for(const std::string& output, FrameRate fps = {60, 1}) {
   job.height = 48;
   job.fps = fps;
   job.encoder.preset = "veryfast";
-  job.title = "Title \"with\" <marks> & umlauts ü";
+  job.title = "Title \"with\" <metadata> & umlauts ü";
   job.comment = "what made it";
   return job;
 }
@@ -99,7 +99,7 @@ TEST(Film, IsTaggedForEveryPlayer) {
   EXPECT_EQ(film.primaries, AVCOL_PRI_BT709);
   EXPECT_EQ(film.transfer, AVCOL_TRC_BT709);
   EXPECT_EQ(film.chroma_location, AVCHROMA_LOC_LEFT);
-  EXPECT_EQ(film.title, "Title \"with\" <marks> & umlauts ü");
+  EXPECT_EQ(film.title, "Title \"with\" <metadata> & umlauts ü");
   EXPECT_EQ(film.comment, "what made it");
 }
 

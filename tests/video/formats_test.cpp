@@ -77,9 +77,9 @@ Image walking(const SinkJob& job, int index) {
   return image;
 }
 
-void write_film(const SinkJob& job, int frames, const FilmMarks& marks = {}) {
+void write_film(const SinkJob& job, int frames, const FilmMetadata& metadata = {}) {
   const std::unique_ptr<FrameSink> sink = make_sink(job);
-  sink->describe(marks);
+  sink->describe(metadata);
   for (int i = 0; i < frames; ++i) {
     sink->push(walking(job, i));
   }
@@ -264,24 +264,24 @@ TEST(Formats, TheFinestHasAsMuchColourAsPlayersTake) {
   }
 }
 
-FilmMarks some_marks() {
-  FilmMarks marks;
-  marks.frames = 40;
-  marks.key_frames = {7, 18, 33};
-  marks.chapters = {{0, "First <one>"}, {18, "Second & last ü"}};
-  marks.captions = {{0, 18, "Words"}};
-  return marks;
+FilmMetadata some_glyphs() {
+  FilmMetadata metadata;
+  metadata.frames = 40;
+  metadata.key_frames = {7, 18, 33};
+  metadata.chapters = {{0, "First <one>"}, {18, "Second & last ü"}};
+  metadata.captions = {{0, 18, "Words"}};
+  return metadata;
 }
 
 DecodedFilm marked_film(const TemporaryFolder& folder, const Way& way) {
   const SinkJob job = job_for(folder, way);
-  write_film(job, 40, some_marks());
+  write_film(job, 40, some_glyphs());
   return decode(job.output);
 }
 
 TEST(Formats, TitleChaptersAndEncoderAreInTheContainer) {
   for (const Way& way : all_ways()) {
-    if (!way.format->tells) continue;
+    if (!way.format->keeps_metadata) continue;
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
     const DecodedFilm film = marked_film(folder, way);
@@ -299,7 +299,7 @@ TEST(Formats, TitleChaptersAndEncoderAreInTheContainer) {
 
 TEST(Formats, KeyFramesAreWhereTheStoryStopsAndEverySecond) {
   for (const Way& way : all_ways()) {
-    if (!way.format->tells) continue;
+    if (!way.format->keeps_metadata) continue;
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
     const DecodedFilm film = marked_film(folder, way);
@@ -315,10 +315,10 @@ TEST(Formats, KeyFramesAreWhereTheStoryStopsAndEverySecond) {
   }
 }
 
-// without marks no group is longer than a second
+// without metadata no group is longer than a second
 TEST(Formats, AGroupIsAtMostASecond) {
   for (const Way& way : all_ways()) {
-    if (!way.format->tells) continue;
+    if (!way.format->keeps_metadata) continue;
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
     write_film(job_for(folder, way, {12, 1}), 40);
@@ -380,7 +380,7 @@ TEST(Formats, AFullDiskIsAnErrorAndLeavesNothing) {
     const TemporaryFolder folder;
     const SinkJob job = job_for(folder, way);
     const auto make = [&] {
-      write_film(job, 12, some_marks());
+      write_film(job, 12, some_glyphs());
     };
     make();
     const auto whole = static_cast<rlim_t>(std::filesystem::file_size(job.output));
@@ -392,7 +392,7 @@ TEST(Formats, AFullDiskIsAnErrorAndLeavesNothing) {
       EXPECT_EQ(folder.entries(), 0) << most;
     }
     EXPECT_EQ(test::with_full_disk(4 * whole + 65536, make), test::Outcome::done);
-    EXPECT_EQ(folder.entries(), way.format->tells ? 2 : 1);
+    EXPECT_EQ(folder.entries(), way.format->keeps_metadata ? 2 : 1);
   }
 }
 
@@ -405,7 +405,7 @@ TEST(Formats, AbandonedLeavesNothingAndKeepsTheOldOnes) {
     test::write_text(folder / "a.vtt", "older words");
     {
       const std::unique_ptr<FrameSink> sink = make_sink(job);
-      sink->describe(some_marks());
+      sink->describe(some_glyphs());
       for (int i = 0; i < 20; ++i) {
         sink->push(walking(job, i));
       }

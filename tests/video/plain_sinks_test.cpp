@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/system/interrupt.h"
 #include "image/png.h"
 #include "support/full_disk.h"
 #include "support/run.h"

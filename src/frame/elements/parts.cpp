@@ -13,9 +13,9 @@ constexpr double kLongestVector = 50.0;
 constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
 constexpr double kLongEnough = 0.3;      // longer ones have it in full
 
-bool is_free_top(const Stage& stage) {
-  const Model& model = stage.motion.model();
-  return model.chi_P.squaredNorm() == 0.0 && model.loads.turning.empty() && !model.six;
+bool is_free_top(const Scenery& scenery) {
+  const BodyModel& model = scenery.motion.model();
+  return model.chi_P.squaredNorm() == 0.0 && model.loads.turning.empty() && !model.with_translation;
 }
 
 }  // namespace
@@ -37,49 +37,49 @@ ArrowShape times(const ArrowShape& shape, double factor) {
   return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
 }
 
-double drawn_length(const Stage& stage, double length) {
-  return std::min(length, kLongestVector * stage.scale.body);
+double drawn_length(const Scenery& scenery, double length) {
+  return std::min(length, kLongestVector * scenery.scale.body);
 }
 
-Vec3 drawn_tip(const Stage& stage, const Vec3& from, const Vec3& end) {
+Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
   const double length = (end - from).norm();
-  const double drawn = drawn_length(stage, length);
+  const double drawn = drawn_length(scenery, length);
   return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
 }
 
-void add_vector(const Stage& stage,
+void add_vector(const Scenery& scenery,
                 const Vec3& from,
                 const Vec3& end,
                 const ArrowShape& shape,
                 const Material& material,
-                Marks& marks,
+                Glyphs& glyphs,
                 const char* name) {
   const double length = (end - from).norm();
-  const Vec3 tip = drawn_tip(stage, from, end);
-  marks.arrows.push_back({from, tip, times(shape, stage.scale.body), material});
+  const Vec3 tip = drawn_tip(scenery, from, end);
+  glyphs.arrows.push_back({from, tip, times(shape, scenery.scale.body), material});
   // the name of a vector that shrinks into the body goes with it
   const double named =
-      (length / stage.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
+      (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
   if (name == nullptr || named <= 0.0) return;
   const auto fade = static_cast<float>(std::min(1.0, named));
-  marks.labels.push_back({tip, tip - from, name, material.color, fade});
+  glyphs.labels.push_back({tip, tip - from, name, material.color, fade});
 }
 
-void add_at_reference(const Stage& stage,
+void add_at_reference(const Scenery& scenery,
                       const Sample& sample,
                       const Vec3& along,
                       const ArrowShape& shape,
                       const Material& material,
-                      Marks& marks,
+                      Glyphs& glyphs,
                       const char* name) {
   const Vec3& from = sample.reference_S;
-  add_vector(stage, from, from + along, shape, material, marks, name);
+  add_vector(scenery, from, from + along, shape, material, glyphs, name);
 }
 
-Vec3 figure_axis_B(const Stage& stage) {
-  const Model& model = stage.motion.model();
+Vec3 figure_axis_B(const Scenery& scenery) {
+  const BodyModel& model = scenery.motion.model();
   const Vec3 arm = model.body.center - model.pivot_B;
-  const bool off_pivot = model.on_pivot && arm.norm() > 1e-9 * stage.scale.body;
+  const bool off_pivot = model.on_pivot && arm.norm() > 1e-9 * scenery.scale.body;
   if (model.kind.symmetric()) {
     const Vec3 axis = model.R_BP.col(model.kind.axis);
     return off_pivot && axis.dot(arm) < 0.0 ? Vec3(-axis) : axis;
@@ -88,16 +88,16 @@ Vec3 figure_axis_B(const Stage& stage) {
   return Vec3::UnitZ();
 }
 
-Placement body_placement(const Stage& stage, const Sample& sample) {
+Placement body_placement(const Scenery& scenery, const Sample& sample) {
   Placement place = Placement::Identity();
   place.linear() = sample.q_SB.toRotationMatrix();
-  place.translation() = sample.reference_S - place.linear() * stage.motion.model().reference_B();
+  place.translation() = sample.reference_S - place.linear() * scenery.motion.model().reference_B();
   return place;
 }
 
-Placement principal_placement(const Stage& stage, const Sample& sample) {
+Placement principal_placement(const Scenery& scenery, const Sample& sample) {
   Placement place = Placement::Identity();
-  place.linear() = sample.q_SB.toRotationMatrix() * stage.motion.model().R_BP;
+  place.linear() = sample.q_SB.toRotationMatrix() * scenery.motion.model().R_BP;
   place.translation() = sample.reference_S;
   return place;
 }
@@ -109,63 +109,64 @@ Placement disc_placement(const Vec3& center, const Vec3& normal, double radius) 
   return place;
 }
 
-void add_rim_reach(const Placement& disc, int count, Marks& marks) {
+void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs) {
   for (int k = 0; k < count; ++k) {
     const double angle = 2.0 * kPi * k / count;
-    marks.reach.push_back(disc * Vec3(std::cos(angle), std::sin(angle), 0.0));
+    glyphs.reach.push_back(disc * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
 }
 
-Vec3 principal_rate(const Model& model, const Sample& sample) {
+Vec3 principal_rate(const BodyModel& model, const Sample& sample) {
   return model.R_BP.transpose() * sample.w_B;
 }
 
-double twice_the_energy(const Model& model, const Vec3& w_P) {
+double twice_the_energy(const BodyModel& model, const Vec3& w_P) {
   return w_P.dot(model.moments.cwiseProduct(w_P));
 }
 
-bool has_cones(const Stage& stage) {
-  const Model& model = stage.motion.model();
+bool has_cones(const Scenery& scenery) {
+  const BodyModel& model = scenery.motion.model();
   if (model.chi_P.squaredNorm() > 0.0 || !model.loads.only_damp_momentum()) return false;
   if (!model.kind.symmetric()) return false;
-  const Sample start = stage.motion.at(0.0);
+  const Sample start = scenery.motion.at(0.0);
   return angle_between(start.w_S, start.L_S) > kSmallestCone;
 }
 
 // a stand under the pivot would be in the way of a body that hangs
-bool stays_above_stand(const Stage& stage) {
-  const Vec3 axis_B = figure_axis_B(stage);
-  const Vec3& up = stage.motion.model().up_S;
-  const std::vector<double> times = framing_times(stage.motion);
+bool stays_above_stand(const Scenery& scenery) {
+  const Vec3 axis_B = figure_axis_B(scenery);
+  const Vec3& up = scenery.motion.model().up_S;
+  const std::vector<double> times = framing_times(scenery.motion);
   return std::all_of(times.begin(), times.end(), [&](double t) {
-    return (stage.motion.at(t).q_SB * axis_B).dot(up) >= -0.3;
+    return (scenery.motion.at(t).q_SB * axis_B).dot(up) >= -0.3;
   });
 }
 
-bool has_forces(const Stage& stage) {
-  const std::vector<Load>& listed = stage.motion.model().loads.listed;
+bool has_forces(const Scenery& scenery) {
+  const std::vector<Load>& listed = scenery.motion.model().loads.listed;
   return std::any_of(listed.begin(), listed.end(), [](const Load& load) {
     return load.kind == Load::Kind::force || load.kind == Load::Kind::couple ||
            load.kind == Load::Kind::spring;
   });
 }
 
-std::string needs_forces(const Stage& stage) {
-  return has_forces(stage) ? "" : "needs a force, a couple or a spring in motion.torque";
+std::string needs_forces(const Scenery& scenery) {
+  return has_forces(scenery) ? "" : "needs a force, a couple or a spring in motion.torque";
 }
 
-std::string needs_cones(const Stage& stage) {
-  return has_cones(stage) ? "" : "the space and body cones need a free symmetric top that wobbles";
+std::string needs_cones(const Scenery& scenery) {
+  return has_cones(scenery) ? ""
+                            : "the space and body cones need a free symmetric top that wobbles";
 }
 
-std::string needs_pivot(const Stage& stage) {
-  return stage.motion.model().on_pivot ? "" : "needs a body on a pivot (motion.hold = \"pivot\")";
+std::string needs_pivot(const Scenery& scenery) {
+  return scenery.motion.model().on_pivot ? "" : "needs a body on a pivot (motion.hold = \"pivot\")";
 }
 
-std::string needs_free(const Stage& stage) {
-  if (!is_free_top(stage)) return "needs a free body: no torque may turn it";
-  if (stage.motion.model().kind.rotator) return "needs a body that is no thin rod";
-  return stage.motion.at(0.0).w_B.norm() > 0.0 ? "" : "needs a body that turns";
+std::string needs_free(const Scenery& scenery) {
+  if (!is_free_top(scenery)) return "needs a free body: no torque may turn it";
+  if (scenery.motion.model().kind.rotator) return "needs a body that is no thin rod";
+  return scenery.motion.at(0.0).w_B.norm() > 0.0 ? "" : "needs a body that turns";
 }
 
 }  // namespace polhode

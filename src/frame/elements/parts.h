@@ -25,55 +25,55 @@ Material plain(const glm::vec3& color, float gloss);
 Material shell(const glm::vec3& color, float alpha);
 
 // `shape` is in units of the body's radius. With a name, the arrow gets a label.
-void add_vector(const Stage& stage,
+void add_vector(const Scenery& scenery,
                 const Vec3& from,
                 const Vec3& end,
                 const ArrowShape& shape,
                 const Material& material,
-                Marks& marks,
+                Glyphs& glyphs,
                 const char* name = nullptr);
 // The same from the reference point; `along` in m.
-void add_at_reference(const Stage& stage,
+void add_at_reference(const Scenery& scenery,
                       const Sample& sample,
                       const Vec3& along,
                       const ArrowShape& shape,
                       const Material& material,
-                      Marks& marks,
+                      Glyphs& glyphs,
                       const char* name = nullptr);
 // A vector of that length, m, as long as it is drawn: one that a failing method has blown up still
 // fits single precision.
-double drawn_length(const Stage& stage, double length);
+double drawn_length(const Scenery& scenery, double length);
 // Where a vector ends that is drawn so.
-Vec3 drawn_tip(const Stage& stage, const Vec3& from, const Vec3& end);
+Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 
 // The axis that a picture follows, in body axes: of symmetry, else towards the centre of mass, else
 // the third.
-Vec3 figure_axis_B(const Stage& stage);
+Vec3 figure_axis_B(const Scenery& scenery);
 
 // From body axes to space at this moment, the body's origin included.
-Placement body_placement(const Stage& stage, const Sample& sample);
+Placement body_placement(const Scenery& scenery, const Sample& sample);
 // From principal axes about the reference point to space.
-Placement principal_placement(const Stage& stage, const Sample& sample);
+Placement principal_placement(const Scenery& scenery, const Sample& sample);
 // The unit disc about z with its middle at `center`, square to `normal` (unit); radius in m.
 Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);
 // So many points along its rim, for framing.
-void add_rim_reach(const Placement& disc, int count, Marks& marks);
+void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs);
 
 // Angular velocity in principal axes, rad/s, and twice the energy of turning with it, J.
-Vec3 principal_rate(const Model& model, const Sample& sample);
-double twice_the_energy(const Model& model, const Vec3& w_P);
+Vec3 principal_rate(const BodyModel& model, const Sample& sample);
+double twice_the_energy(const BodyModel& model, const Vec3& w_P);
 
 // Conditions that several elements share: "" or why not.
-std::string needs_cones(const Stage& stage);
-std::string needs_pivot(const Stage& stage);
-std::string needs_free(const Stage& stage);
-std::string needs_forces(const Stage& stage);
-bool has_cones(const Stage& stage);
-bool has_forces(const Stage& stage);
-bool stays_above_stand(const Stage& stage);
+std::string needs_cones(const Scenery& scenery);
+std::string needs_pivot(const Scenery& scenery);
+std::string needs_free(const Scenery& scenery);
+std::string needs_forces(const Scenery& scenery);
+bool has_cones(const Scenery& scenery);
+bool has_forces(const Scenery& scenery);
+bool stays_above_stand(const Scenery& scenery);
 
 // Each adds one element.
-using Add = void(const Stage& stage, const Sample& sample, Marks& marks);
+using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 Add add_body, add_ghosts;
 Add add_body_axes, add_space_axes, add_fixed_frame;
 Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
@@ -84,6 +84,6 @@ Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_bin
 Add add_trail, add_trail_sphere;
 
 // The part of a path between two times, s.
-void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Marks& marks);
+void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
 
 }  // namespace polhode

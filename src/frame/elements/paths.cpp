@@ -11,57 +11,57 @@ namespace {
 constexpr int kFamily = 9;  // polhodes between two axes
 
 // as much of a trail as the scene lets it be long
-void add_tail(const Stage& stage, const Sample& sample, const Trail& trail, Marks& marks) {
-  const double from = sample.t - stage.options.trail_s.value_or(stage.motion.duration());
-  add_path(trail, std::max(0.0, from), sample.t, stage.theme.trail, marks);
+void add_tail(const Scenery& scenery, const Sample& sample, const Trail& trail, Glyphs& glyphs) {
+  const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
+  add_path(trail, std::max(0.0, from), sample.t, scenery.theme.trail, glyphs);
 }
 
 }  // namespace
 
-void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Marks& marks) {
+void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs) {
   if (trail.empty()) return;
   for (const MeshPtr& mesh : trail.part(from, to))
-    marks.meshes.push_back({mesh, trail.place(), plain(color, 0.1f)});
+    glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f)});
   for (std::size_t i = 0; i < trail.path().points.size(); i += 8)
-    marks.reach.push_back(trail.path().points[i]);
+    glyphs.reach.push_back(trail.path().points[i]);
 }
 
-void add_trail(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_tail(stage, sample, stage.paths.axis, marks);
+void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_tail(scenery, sample, scenery.paths.axis, glyphs);
 }
 
-void add_point_trails(const Stage& stage, const Sample& sample, Marks& marks) {
-  for (const Trail& trail : stage.paths.points)
-    add_tail(stage, sample, trail, marks);
+void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  for (const Trail& trail : scenery.paths.points)
+    add_tail(scenery, sample, trail, glyphs);
 }
 
 // the sphere on which the body's axis writes
-void add_trail_sphere(const Stage& stage, const Sample& sample, Marks& marks) {
+void add_trail_sphere(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   Placement place = Placement::Identity();
   place.translation() = sample.reference_S;
-  place.linear() *= 0.997 * kTrailRadius * stage.scale.body;
-  marks.shells.push_back({stage.sphere, place, shell(stage.theme.plane, 0.12f)});
+  place.linear() *= 0.997 * kTrailRadius * scenery.scale.body;
+  glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.plane, 0.12f)});
   for (int i = 0; i < 3; ++i) {
-    marks.reach.push_back(place * Vec3(Vec3::Unit(i)));
-    marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
+    glyphs.reach.push_back(place * Vec3(Vec3::Unit(i)));
+    glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
   }
 }
 
-Paths make_paths(const Stage& stage) {
-  const ShowSpec& show = stage.options;
-  const int segments = stage.segments;
+Paths make_paths(const Scenery& scenery) {
+  const ShowSpec& show = scenery.options;
+  const int segments = scenery.segments;
   // a quarter of a pixel where the body is as high as the frame; the pieces of a circle that look
   // round grow as the root of its radius
-  const double tolerance = stage.scale.body * (1.0 - std::cos(kPi / segments));
+  const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / segments));
   const int sides = std::max(8, static_cast<int>(std::ceil(segments * std::sqrt(kRimRadius))));
   const auto wanted = [&](const char* name) {
     const auto found = show.asked.find(name);
     return found != show.asked.end() && found->second.value_or(false);
   };
   Paths paths;
-  const Motion& motion = stage.motion;
-  const Model& model = motion.model();
-  const double tube = kRimRadius * stage.scale.body;
+  const Motion& motion = scenery.motion;
+  const BodyModel& model = motion.model();
+  const double tube = kRimRadius * scenery.scale.body;
   double fastest = 0.0;
   for (const double t : framing_times(motion))
     fastest = std::max(fastest, motion.at(t).w_B.norm());
@@ -75,11 +75,11 @@ Paths make_paths(const Stage& stage) {
                          pieces,
                          tolerance),
                  tube,
-                 stage.scale.body,
+                 scenery.scale.body,
                  sides);
   };
   if (wanted("trail")) {
-    const Vec3 tip_B = kTrailRadius * stage.scale.body * figure_axis_B(stage);
+    const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
     paths.axis = trail([&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }
   for (const Vec3& point_B : show.trail_points) {
@@ -87,7 +87,7 @@ Paths make_paths(const Stage& stage) {
         trail([&](const Sample& now) { return point_position(model, now, point_B); }));
   }
   if (wanted("herpolhode"))
-    paths.herpolhode = trail([&](const Sample& now) { return omega_tip(stage, now); });
+    paths.herpolhode = trail([&](const Sample& now) { return omega_tip(scenery, now); });
 
   // curves of the body, closed, in units of its radius
   const Vec3 w_P = principal_rate(model, motion.at(0.0));
@@ -97,13 +97,13 @@ Paths make_paths(const Stage& stage) {
     std::vector<Vec3> drawn;
     drawn.reserve(points.size());
     for (const Vec3& w : points)
-      drawn.emplace_back(w.cwiseProduct(factor) / stage.scale.body);
+      drawn.emplace_back(w.cwiseProduct(factor) / scenery.scale.body);
     return std::make_shared<const Mesh>(tube_along(drawn, kRimRadius, sides, true));
   };
-  const Vec3 as_omega = Vec3::Constant(stage.scale.omega);
+  const Vec3 as_omega = Vec3::Constant(scenery.scale.omega);
   if (wanted("polhode"))
     paths.polhode = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_omega);
-  const Vec3 as_momentum = stage.scale.momentum * model.moments;
+  const Vec3 as_momentum = scenery.scale.momentum * model.moments;
   if (wanted("binet"))
     paths.binet = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_momentum);
   if (wanted("polhodes")) {

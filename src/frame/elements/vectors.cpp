@@ -24,86 +24,86 @@ constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
 constexpr std::array<const char*, 3> kRateNames = {"<i>φ̇</i>", "<i>θ̇</i>", "<i>ψ̇</i>"};
 
-void add_axes_at(const Stage& stage, const Vec3& from, Marks& marks) {
+void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
-    const Vec3 along = kSpaceAxisLength * stage.scale.body * Vec3::Unit(i);
-    add_vector(stage,
+    const Vec3 along = kSpaceAxisLength * scenery.scale.body * Vec3::Unit(i);
+    add_vector(scenery,
                from,
                from + along,
                kAxisShape,
-               plain(stage.theme.space_axes, 0.1f),
-               marks,
+               plain(scenery.theme.space_axes, 0.1f),
+               glyphs,
                kSpaceAxisNames[static_cast<std::size_t>(i)]);
   }
 }
 
 }  // namespace
 
-void add_body_axes(const Stage& stage, const Sample& sample, Marks& marks) {
+void add_body_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
-    const Vec3 along = kBodyAxisLength * stage.scale.body * (sample.q_SB * Vec3::Unit(i));
-    add_at_reference(stage,
+    const Vec3 along = kBodyAxisLength * scenery.scale.body * (sample.q_SB * Vec3::Unit(i));
+    add_at_reference(scenery,
                      sample,
                      along,
                      kAxisShape,
-                     plain(stage.theme.body_axes, 0.2f),
-                     marks,
+                     plain(scenery.theme.body_axes, 0.2f),
+                     glyphs,
                      kBodyAxisNames[static_cast<std::size_t>(i)]);
   }
 }
 
-void add_space_axes(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_axes_at(stage, sample.reference_S, marks);
+void add_space_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_axes_at(scenery, sample.reference_S, glyphs);
 }
 
-void add_fixed_frame(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_axes_at(stage, Vec3::Zero(), marks);
-  add_vector(stage,
+void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_axes_at(scenery, Vec3::Zero(), glyphs);
+  add_vector(scenery,
              Vec3::Zero(),
              sample.reference_S,
              kAxisShape,
-             plain(stage.theme.position, 0.2f),
-             marks,
+             plain(scenery.theme.position, 0.2f),
+             glyphs,
              "<b>R</b>");
 }
 
-void add_omega(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_vector(stage,
+void add_omega(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_vector(scenery,
              sample.reference_S,
-             omega_tip(stage, sample),
+             omega_tip(scenery, sample),
              kOmegaShape,
-             plain(stage.theme.omega, 0.25f),
-             marks,
+             plain(scenery.theme.omega, 0.25f),
+             glyphs,
              kOmegaName);
 }
 
-void add_momentum(const Stage& stage, const Sample& sample, Marks& marks) {
-  add_vector(stage,
+void add_momentum(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_vector(scenery,
              sample.reference_S,
-             momentum_tip(stage, sample),
+             momentum_tip(scenery, sample),
              kMomentumShape,
-             plain(stage.theme.momentum, 0.25f),
-             marks,
+             plain(scenery.theme.momentum, 0.25f),
+             glyphs,
              kMomentumName);
 }
 
 // along the body axes; their sum is the angular velocity
-void add_omega_components(const Stage& stage, const Sample& sample, Marks& marks) {
+void add_omega_components(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
-    const Vec3 along = stage.scale.omega * sample.w_B[i] * (sample.q_SB * Vec3::Unit(i));
-    add_at_reference(stage,
+    const Vec3 along = scenery.scale.omega * sample.w_B[i] * (sample.q_SB * Vec3::Unit(i));
+    add_at_reference(scenery,
                      sample,
                      along,
                      kComponentShape,
-                     plain(stage.theme.omega, 0.2f),
-                     marks,
+                     plain(scenery.theme.omega, 0.2f),
+                     glyphs,
                      kComponentNames[static_cast<std::size_t>(i)]);
   }
 }
 
 // about the vertical, the line of nodes and the third body axis: they too add up to the angular
 // velocity (Landau and Lifshitz, Mechanics, section 35). Upright, the line of nodes is any.
-void add_euler_rates(const Stage& stage, const Sample& sample, Marks& marks) {
+void add_euler_rates(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 angles = zxz_angles(sample.q_SB);
   if (std::sin(angles.y()) < 1e-3) return;
   const std::array<Vec3, 3> axes_S = {Vec3::UnitZ(),
@@ -116,86 +116,87 @@ void add_euler_rates(const Stage& stage, const Sample& sample, Marks& marks) {
   const Vec3 rates = basis.inverse() * sample.w_S;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    add_at_reference(stage,
+    add_at_reference(scenery,
                      sample,
-                     stage.scale.omega * rates[i] * axes_S[k],
+                     scenery.scale.omega * rates[i] * axes_S[k],
                      kComponentShape,
-                     plain(stage.theme.omega, 0.2f),
-                     marks,
+                     plain(scenery.theme.omega, 0.2f),
+                     glyphs,
                      kRateNames[k]);
   }
 }
 
 // what changes L, about the reference point
-void add_torque(const Stage& stage, const Sample& sample, Marks& marks) {
-  const Model& model = stage.motion.model();
-  const State state = stage.motion.state_at(sample.t);
+void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const BodyModel& model = scenery.motion.model();
+  const State state = scenery.motion.state_at(sample.t);
   const Vec3 torque_S = state.q * torque(model, sample.t, state);
-  add_at_reference(stage,
+  add_at_reference(scenery,
                    sample,
-                   stage.scale.torque * torque_S,
+                   scenery.scale.torque * torque_S,
                    kForceShape,
-                   plain(stage.theme.force, 0.25f),
-                   marks,
+                   plain(scenery.theme.force, 0.25f),
+                   glyphs,
                    "<b>τ</b>");
 }
 
 // m g on the centre of mass
-void add_gravity(const Stage& stage, const Sample& sample, Marks& marks) {
-  const Vec3 down = -kForceLength * stage.scale.body * stage.motion.model().up_S;
-  add_vector(stage,
+void add_gravity(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const Vec3 down = -kForceLength * scenery.scale.body * scenery.motion.model().up_S;
+  add_vector(scenery,
              sample.center_S,
              sample.center_S + down,
              kForceShape,
-             plain(stage.theme.force, 0.25f),
-             marks,
+             plain(scenery.theme.force, 0.25f),
+             glyphs,
              "<i>m</i><b>g</b>");
 }
 
 // V + Omega x r (notes, section 0.1) at points of the body
-void add_velocity_field(const Stage& stage, const Sample& sample, Marks& marks) {
-  const Model& model = stage.motion.model();
-  for (const Vec3& r_B : stage.field_points_B) {
+void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const BodyModel& model = scenery.motion.model();
+  for (const Vec3& r_B : scenery.field_points_B) {
     const Vec3 from = point_position(model, sample, r_B);
-    const Vec3 along = stage.scale.velocity * point_velocity(model, sample, r_B);
-    add_vector(stage, from, from + along, kFieldShape, plain(stage.theme.velocity, 0.2f), marks);
+    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, r_B);
+    add_vector(
+        scenery, from, from + along, kFieldShape, plain(scenery.theme.velocity, 0.2f), glyphs);
   }
 }
 
 // forces at the points where they act; springs as thin rods to where they are held
-void add_forces(const Stage& stage, const Sample& sample, Marks& marks) {
-  const Model& model = stage.motion.model();
+void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const BodyModel& model = scenery.motion.model();
   const Quat q_SP = sample.q_SB * Quat(model.R_BP);
-  const Material material = plain(stage.theme.force, 0.25f);
+  const Material material = plain(scenery.theme.force, 0.25f);
   for (const Load& load : model.loads.listed) {
     const Vec3 at = sample.reference_S + q_SP * load.at_P;
-    const Vec3 force = stage.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
+    const Vec3 force = scenery.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
     if (load.kind == Load::Kind::spring) {
-      marks.rods.push_back({at, load.anchor_S, 0.012 * stage.scale.body, material});
+      glyphs.rods.push_back({at, load.anchor_S, 0.012 * scenery.scale.body, material});
     } else if (force.squaredNorm() > 0.0) {
-      add_vector(stage, at, at + force, kForceShape, material, marks, "<b>F</b>");
+      add_vector(scenery, at, at + force, kForceShape, material, glyphs, "<b>F</b>");
     }
     if (load.kind == Load::Kind::couple) {
       const Vec3 opposite = at - q_SP * load.arm_P;
-      add_vector(stage, opposite, opposite - force, kForceShape, material, marks);
+      add_vector(scenery, opposite, opposite - force, kForceShape, material, glyphs);
     }
   }
 }
 
-void add_points(const Stage& stage, const Sample& sample, bool from_origin, Marks& marks) {
-  const Material material = plain(stage.theme.position, 0.3f);
-  for (const Vec3& r_B : stage.options.points) {
-    const Vec3 at = point_position(stage.motion.model(), sample, r_B);
+void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs) {
+  const Material material = plain(scenery.theme.position, 0.3f);
+  for (const Vec3& r_B : scenery.options.points) {
+    const Vec3 at = point_position(scenery.motion.model(), sample, r_B);
     Placement place = Placement::Identity();
     place.translation() = at;
-    place.linear() *= kBallRadius * stage.scale.body;
-    marks.meshes.push_back({stage.ball, place, material});
+    place.linear() *= kBallRadius * scenery.scale.body;
+    glyphs.meshes.push_back({scenery.ball, place, material});
     for (int i = 0; i < 3; ++i) {
-      marks.reach.push_back(place * Vec3::Unit(i));
-      marks.reach.push_back(place * Vec3(-Vec3::Unit(i)));
+      glyphs.reach.push_back(place * Vec3::Unit(i));
+      glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
-    add_vector(stage, sample.reference_S, at, kAxisShape, material, marks, "<b>r</b>");
-    if (from_origin) add_vector(stage, Vec3::Zero(), at, kAxisShape, material, marks);
+    add_vector(scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>");
+    if (from_origin) add_vector(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
   }
 }
 

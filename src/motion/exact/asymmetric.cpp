@@ -69,7 +69,7 @@ struct FreeTop {
   double excess3;       // y1^2 (I3-I1)/I1 + y2^2 (I3-I2)/I2 >= 0
   double most1, most3;  // largest |y1| and |y3| that the invariants allow
 
-  FreeTop(const Model& model, const State& start) : axes(model.moments) {
+  FreeTop(const BodyModel& model, const State& start) : axes(model.moments) {
     const Vec3 moments = axes.sorted(model.moments).cwiseAbs();
     I1 = moments[0], I2 = moments[1], I3 = moments[2];
     y = axes.sorted(start.y);
@@ -241,7 +241,7 @@ class ExactSeparatrix final : public Trajectory {
 
 }  // namespace
 
-std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& start) {
+std::unique_ptr<Trajectory> exact_asymmetric(const BodyModel& model, const State& start) {
   const FreeTop top(model, start);
   if (top.G == 0.0) return exact_spherical(model, start);
   // nearer to the separatrix than the elliptic functions can tell

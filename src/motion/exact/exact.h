@@ -9,23 +9,23 @@
 namespace polhode {
 
 // Free spherical top: omega is constant. Needs model.kind spherical and chi = 0.
-std::unique_ptr<Trajectory> exact_spherical(const Model& model, const State& start);
+std::unique_ptr<Trajectory> exact_spherical(const BodyModel& model, const State& start);
 
 // Free symmetric top, and the free rotator as its limit. Needs a symmetric model and chi = 0.
 // With the symmetry axis as the third, y(t) = Rz(-beta t) y0 and
 // q(t) = q0 o exp(t y0 / (2 I1)) o exp(beta t e3 / 2), beta = (1/I3 - 1/I1) y3: precession about L
 // at |L|/I1 (Landau and Lifshitz, Mechanics, eq. 33.2), the rest of the spin about the own axis.
-std::unique_ptr<Trajectory> exact_symmetric(const Model& model, const State& start);
+std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State& start);
 
 // Free asymmetric top, any start: tumbling, about the least or the greatest axis, on the
 // separatrix, at rest. Needs an asymmetric model without rotator and chi = 0. Sources:
 // motion/exact/asymmetric.cpp.
-std::unique_ptr<Trajectory> exact_asymmetric(const Model& model, const State& start);
+std::unique_ptr<Trajectory> exact_asymmetric(const BodyModel& model, const State& start);
 
 // Heavy symmetric top on a pivot with its centre of mass on the axis (Lagrange), in any gravity; a
 // rotator is the spherical pendulum, and swinging in a plane the planar one. Needs chi along the
 // symmetry axis, any chi for a spherical top; chi != 0. Sources: motion/exact/heavy_symmetric.cpp.
-std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& start);
+std::unique_ptr<Trajectory> exact_heavy_symmetric(const BodyModel& model, const State& start);
 
 // Any of the free bodies above with the torque -c L, c > 0 in 1/s. With s = (1 - exp(-c t))/c the
 // attitude is q(s) of the undamped motion and the momentum exp(-c t) y(s): both sides of
@@ -44,6 +44,6 @@ struct Nutation {
 
 // The same needs as exact_heavy_symmetric. The tilt is an elliptic function of time with period
 // 2 K / kappa (Landau and Lifshitz, Mechanics, 35, problem 1).
-Nutation nutation_of(const Model& model, const State& start);
+Nutation nutation_of(const BodyModel& model, const State& start);
 
 }  // namespace polhode

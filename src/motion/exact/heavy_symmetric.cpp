@@ -290,7 +290,7 @@ struct Start {
   }
 };
 
-Start start_of(const Model& model, const State& state) {
+Start start_of(const BodyModel& model, const State& state) {
   CHECK(model.chi_P.squaredNorm() > 0.0);
   Start start;
   start.q_SU = third_axis_into(model.up_S);
@@ -321,14 +321,14 @@ double precession_rate(const Lagrange& top, double one_plus_u, double one_minus_
 
 }  // namespace
 
-std::unique_ptr<Trajectory> exact_heavy_symmetric(const Model& model, const State& state) {
+std::unique_ptr<Trajectory> exact_heavy_symmetric(const BodyModel& model, const State& state) {
   const Start start = start_of(model, state);
   if (start.stays_vertical()) return exact_spherical(model, state);
   return std::make_unique<ExactHeavySymmetric>(
       start.top, find_roots(start.top), start.q_SU, start.q_PN);
 }
 
-Nutation nutation_of(const Model& model, const State& state) {
+Nutation nutation_of(const BodyModel& model, const State& state) {
   const Start start = start_of(model, state);
   const Lagrange& top = start.top;
   Nutation nutation;

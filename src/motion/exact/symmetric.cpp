@@ -7,7 +7,7 @@ namespace {
 
 class ExactSpherical final : public Trajectory {
  public:
-  ExactSpherical(const Model& model, const State& start)
+  ExactSpherical(const BodyModel& model, const State& start)
       : start_(start), w_P_(angular_velocity(model, start.y)) {}
 
   State at(double t) const override { return {start_.q * exp_rotation(t * w_P_), start_.y}; }
@@ -19,7 +19,7 @@ class ExactSpherical final : public Trajectory {
 
 class ExactSymmetric final : public Trajectory {
  public:
-  ExactSymmetric(const Model& model, const State& start)
+  ExactSymmetric(const BodyModel& model, const State& start)
       : start_(start),
         precession_P_(start.y * model.inverse_moments[(model.kind.axis + 1) % 3]),
         axis_P_(Vec3::Unit(model.kind.axis)),
@@ -42,11 +42,11 @@ class ExactSymmetric final : public Trajectory {
 
 }  // namespace
 
-std::unique_ptr<Trajectory> exact_spherical(const Model& model, const State& start) {
+std::unique_ptr<Trajectory> exact_spherical(const BodyModel& model, const State& start) {
   return std::make_unique<ExactSpherical>(model, start);
 }
 
-std::unique_ptr<Trajectory> exact_symmetric(const Model& model, const State& start) {
+std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State& start) {
   return std::make_unique<ExactSymmetric>(model, start);
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "math/so3.h"
-#include "model/model.h"
+#include "model/body_model.h"
 #include "motion/stepper.h"
 
 namespace polhode {
@@ -25,7 +25,7 @@ StateVector<N> to_vector(const State& s) {
   if constexpr (N == kThreeDegrees) {
     v << s.q.coeffs(), s.y;
   } else {
-    v << s.q.coeffs(), s.y, s.place_S, s.impulse_S;
+    v << s.q.coeffs(), s.y, s.place_S, s.linear_momentum_S;
   }
   return v;
 }
@@ -38,7 +38,7 @@ State raw_state(const StateVector<N>& v) {
   s.y = v.template segment<3>(4);
   if constexpr (N == kSixDegrees) {
     s.place_S = v.template segment<3>(7);
-    s.impulse_S = v.template segment<3>(10);
+    s.linear_momentum_S = v.template segment<3>(10);
   }
   return s;
 }
@@ -50,20 +50,20 @@ void set_state(const StateVector<N>& v, State& s) {
   s.y = v.template segment<3>(4);
   if constexpr (N == kSixDegrees) {
     s.place_S = v.template segment<3>(7);
-    s.impulse_S = v.template segment<3>(10);
+    s.linear_momentum_S = v.template segment<3>(10);
   }
 }
 
 // Up in the body for an attitude off the unit sphere, as a form of second degree in q. Its rate is
 // then gamma x w there too, and the field keeps its quadratic invariants in all of space.
-inline Vec3 up_in_body_off_sphere(const Model& m, const Quat& q) {
+inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
   return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
 }
 
 // The right-hand side. Stages leave the unit sphere by the order of the step; gravity is seen
 // through q as it is, so that the vector field is smooth and the order of the method is kept.
 template <int N>
-StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
+StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v) {
   const Quat q(Eigen::Vector4d(v.template head<4>()));
   const Vec3 y = v.template segment<3>(4);
   StateVector<N> rate;
@@ -83,7 +83,7 @@ StateVector<N> derivative(const Model& m, double t, const StateVector<N>& v) {
 class ErrorNorm {
  public:
   // momentum_scale: a typical |y|, kg m^2/s
-  ErrorNorm(const Model& model, double momentum_scale)
+  ErrorNorm(const BodyModel& model, double momentum_scale)
       : momentum_scale_(momentum_scale),
         length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
 
@@ -106,8 +106,8 @@ class ErrorNorm {
 
 // A method on the vector with the least degrees of freedom that the model needs.
 template <template <int> class Method, class... Arguments>
-std::unique_ptr<Stepper> make_on_vector(const Model& model, Arguments... arguments) {
-  if (model.six) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
+std::unique_ptr<Stepper> make_on_vector(const BodyModel& model, Arguments... arguments) {
+  if (model.with_translation) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
   return std::make_unique<Method<kThreeDegrees>>(model, arguments...);
 }
 

@@ -86,7 +86,7 @@ class ModifiedMoments {
 
 class DiscreteMoserVeselov final : public Stepper {
  public:
-  DiscreteMoserVeselov(const Model& model, int order)
+  DiscreteMoserVeselov(const BodyModel& model, int order)
       : model_(model), order_(order), modified_(model.moments, order) {}
 
   void step(double t, double h, State& s, Work& work) const override {
@@ -116,7 +116,7 @@ class DiscreteMoserVeselov final : public Stepper {
       "the step turns the body by asin(h |omega|) and has no solution beyond h |omega| = 1";
   static constexpr int kMostIterations = 25;
 
-  Model model_;
+  BodyModel model_;
   int order_;
   ModifiedMoments modified_;
 
@@ -146,19 +146,19 @@ class DiscreteMoserVeselov final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_dmv2(const Model& model, double) {
+std::unique_ptr<Stepper> make_dmv2(const BodyModel& model, double) {
   return std::make_unique<DiscreteMoserVeselov>(model, 2);
 }
-std::unique_ptr<Stepper> make_dmv4(const Model& model, double) {
+std::unique_ptr<Stepper> make_dmv4(const BodyModel& model, double) {
   return std::make_unique<DiscreteMoserVeselov>(model, 4);
 }
-std::unique_ptr<Stepper> make_dmv6(const Model& model, double) {
+std::unique_ptr<Stepper> make_dmv6(const BodyModel& model, double) {
   return std::make_unique<DiscreteMoserVeselov>(model, 6);
 }
-std::unique_ptr<Stepper> make_dmv8(const Model& model, double) {
+std::unique_ptr<Stepper> make_dmv8(const BodyModel& model, double) {
   return std::make_unique<DiscreteMoserVeselov>(model, 8);
 }
-std::unique_ptr<Stepper> make_dmv10(const Model& model, double) {
+std::unique_ptr<Stepper> make_dmv10(const BodyModel& model, double) {
   return std::make_unique<DiscreteMoserVeselov>(model, 10);
 }
 

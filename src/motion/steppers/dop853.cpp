@@ -55,7 +55,7 @@ constexpr double kThird11 = 0.0220588235294117647058823529412;
 template <int N>
 class DormandPrince853 final : public Stepper {
  public:
-  DormandPrince853(const Model& model, double momentum_scale)
+  DormandPrince853(const BodyModel& model, double momentum_scale)
       : model_(model), norm_(model, momentum_scale) {}
 
   void step(double t, double h, State& s, Work& work) const override {
@@ -94,13 +94,13 @@ class DormandPrince853 final : public Stepper {
  private:
   using Vector = StateVector<N>;
 
-  Model model_;
+  BodyModel model_;
   ErrorNorm norm_;
 };
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_dop853(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_dop853(const BodyModel& model, double momentum_scale) {
   return make_on_vector<DormandPrince853>(model, momentum_scale);
 }
 

@@ -16,7 +16,7 @@ namespace {
 template <class Momentum>
 class EngineEuler final : public Stepper {
  public:
-  explicit EngineEuler(const Model& model) : model_(model) {}
+  explicit EngineEuler(const BodyModel& model) : model_(model) {}
 
   void step(double, double h, State& s, Work& work) const override {
     const Vec3 torque = up_in_body(model_, s.q).cross(model_.chi_P);
@@ -26,12 +26,12 @@ class EngineEuler final : public Stepper {
   }
 
  private:
-  Model model_;
+  BodyModel model_;
 };
 
 // y' = y + h (y x w + torque)
 struct Explicit {
-  static Vec3 next(const Model& m, double h, const Vec3& y, const Vec3& torque) {
+  static Vec3 next(const BodyModel& m, double h, const Vec3& y, const Vec3& torque) {
     return y + h * (y.cross(angular_velocity(m, y)) + torque);
   }
 };
@@ -39,7 +39,7 @@ struct Explicit {
 // One Newton step of y' = y + h (y' x w' + torque) (Catto, Numerical Methods, GDC 2015), in y: a
 // rotator's missing moment is never divided by.
 struct LinearlyImplicit {
-  static Vec3 next(const Model& m, double h, const Vec3& y, const Vec3& torque) {
+  static Vec3 next(const BodyModel& m, double h, const Vec3& y, const Vec3& torque) {
     const Vec3 w = angular_velocity(m, y);
     const Mat3 slope = hat(y) * m.inverse_moments.asDiagonal();
     const Mat3 jacobian = Mat3::Identity() - h * (slope - hat(w));
@@ -49,7 +49,7 @@ struct LinearlyImplicit {
 
 // y' = y + h y x w, scaled back to |y|; then the torque (the gyroscopic step of Jolt and Avian)
 struct Renormalised {
-  static Vec3 next(const Model& m, double h, const Vec3& y, const Vec3& torque) {
+  static Vec3 next(const BodyModel& m, double h, const Vec3& y, const Vec3& torque) {
     const double size = y.norm();
     if (size == 0.0) return h * torque;
     const Vec3 moved = y + h * y.cross(angular_velocity(m, y));
@@ -59,15 +59,15 @@ struct Renormalised {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_semi_implicit_euler(const Model& model, double) {
+std::unique_ptr<Stepper> make_semi_implicit_euler(const BodyModel& model, double) {
   return std::make_unique<EngineEuler<Explicit>>(model);
 }
 
-std::unique_ptr<Stepper> make_linearly_implicit_euler(const Model& model, double) {
+std::unique_ptr<Stepper> make_linearly_implicit_euler(const BodyModel& model, double) {
   return std::make_unique<EngineEuler<LinearlyImplicit>>(model);
 }
 
-std::unique_ptr<Stepper> make_renormalised_explicit(const Model& model, double) {
+std::unique_ptr<Stepper> make_renormalised_explicit(const BodyModel& model, double) {
   return std::make_unique<EngineEuler<Renormalised>>(model);
 }
 

@@ -15,7 +15,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 class RungeKutta4Angles final : public Stepper {
  public:
-  explicit RungeKutta4Angles(const Model& model) : model_(model) {}
+  explicit RungeKutta4Angles(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     Vec6 v;
@@ -42,7 +42,7 @@ class RungeKutta4Angles final : public Stepper {
   }
 
  private:
-  Model model_;
+  BodyModel model_;
 
   // Landau and Lifshitz, Mechanics, eq. 35.1, solved for the rates; fastest keeps the largest
   // |dphi/dt|
@@ -62,7 +62,7 @@ class RungeKutta4Angles final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_rk4_euler_angles(const Model& model, double) {
+std::unique_ptr<Stepper> make_rk4_euler_angles(const BodyModel& model, double) {
   return std::make_unique<RungeKutta4Angles>(model);
 }
 

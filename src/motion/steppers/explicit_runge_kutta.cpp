@@ -11,7 +11,7 @@ namespace {
 template <int N>
 class ExplicitEuler final : public Stepper {
  public:
-  explicit ExplicitEuler(const Model& model) : model_(model) {}
+  explicit ExplicitEuler(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
@@ -22,14 +22,14 @@ class ExplicitEuler final : public Stepper {
  private:
   using Vector = StateVector<N>;
 
-  Model model_;
+  BodyModel model_;
 };
 
 // The midpoint method.
 template <int N>
 class RungeKutta2 final : public Stepper {
  public:
-  explicit RungeKutta2(const Model& model) : model_(model) {}
+  explicit RungeKutta2(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
@@ -41,13 +41,13 @@ class RungeKutta2 final : public Stepper {
  private:
   using Vector = StateVector<N>;
 
-  Model model_;
+  BodyModel model_;
 };
 
 template <int N>
 class RungeKutta4 final : public Stepper {
  public:
-  explicit RungeKutta4(const Model& model) : model_(model) {}
+  explicit RungeKutta4(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
@@ -62,14 +62,14 @@ class RungeKutta4 final : public Stepper {
  private:
   using Vector = StateVector<N>;
 
-  Model model_;
+  BodyModel model_;
 };
 
 // Coefficients: Dormand and Prince 1980, table 2 (RK5(4)7M).
 template <int N>
 class DormandPrince5 final : public Stepper {
  public:
-  DormandPrince5(const Model& model, double momentum_scale)
+  DormandPrince5(const BodyModel& model, double momentum_scale)
       : model_(model), norm_(model, momentum_scale) {}
 
   // without the seventh stage, which only the estimate needs
@@ -84,7 +84,7 @@ class DormandPrince5 final : public Stepper {
  private:
   using Vector = StateVector<N>;
 
-  Model model_;
+  BodyModel model_;
   ErrorNorm norm_;
 
   template <bool WithError>
@@ -121,19 +121,19 @@ class DormandPrince5 final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_explicit_euler(const Model& model, double) {
+std::unique_ptr<Stepper> make_explicit_euler(const BodyModel& model, double) {
   return make_on_vector<ExplicitEuler>(model);
 }
 
-std::unique_ptr<Stepper> make_rk2(const Model& model, double) {
+std::unique_ptr<Stepper> make_rk2(const BodyModel& model, double) {
   return make_on_vector<RungeKutta2>(model);
 }
 
-std::unique_ptr<Stepper> make_rk4(const Model& model, double) {
+std::unique_ptr<Stepper> make_rk4(const BodyModel& model, double) {
   return make_on_vector<RungeKutta4>(model);
 }
 
-std::unique_ptr<Stepper> make_dopri5(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_dopri5(const BodyModel& model, double momentum_scale) {
   return make_on_vector<DormandPrince5>(model, momentum_scale);
 }
 

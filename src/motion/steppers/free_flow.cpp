@@ -20,7 +20,7 @@ constexpr double kManyTurns = 8.0;
 
 }  // namespace
 
-FreeFlow::FreeFlow(const Model& model)
+FreeFlow::FreeFlow(const BodyModel& model)
     : inverse_(model.inverse_moments),
       asymmetric_(model.kind.shape == TopKind::Shape::asymmetric),
       axis_(model.kind.axis),

@@ -3,7 +3,7 @@
 // step: what the kick methods are made of.
 #pragma once
 
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -16,7 +16,7 @@ namespace polhode {
 // section 2), or where h is many turns by their closed form. Gravity is not seen.
 class FreeFlow {
  public:
-  explicit FreeFlow(const Model& model);
+  explicit FreeFlow(const BodyModel& model);
 
   // Advances attitude and momentum by h, of either sign and any length.
   void operator()(double h, Quat& q, Vec3& y) const {
@@ -33,7 +33,7 @@ class FreeFlow {
   int axis_;           // of symmetry
   double across_;      // 1 / moment across that axis
   double difference_;  // 1 / moment along it, less across_
-  Model free_;         // the body without gravity, for the closed form
+  BodyModel free_;     // the body without gravity, for the closed form
   Vec3 gyration_;      // dy_i/dt = gyration_i y_j y_k
 
   void by_turns(double h, Quat& q, Vec3& y) const;

@@ -42,7 +42,8 @@ struct GaussTable<3> {
 template <int N, int Stages>
 class Gauss final : public Stepper {
  public:
-  Gauss(const Model& model, double momentum_scale) : model_(model), norm_(model, momentum_scale) {}
+  Gauss(const BodyModel& model, double momentum_scale)
+      : model_(model), norm_(model, momentum_scale) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(s);
@@ -61,7 +62,7 @@ class Gauss final : public Stepper {
 
   static constexpr int kMostIterations = 200;
 
-  Model model_;
+  BodyModel model_;
   ErrorNorm norm_;
 
   // fixed-point iteration for the slopes of the stages, until round-off stops it
@@ -100,11 +101,11 @@ using Gauss6 = Gauss<N, 3>;
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_gauss4(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_gauss4(const BodyModel& model, double momentum_scale) {
   return make_on_vector<Gauss4>(model, momentum_scale);
 }
 
-std::unique_ptr<Stepper> make_gauss6(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_gauss6(const BodyModel& model, double momentum_scale) {
   return make_on_vector<Gauss6>(model, momentum_scale);
 }
 

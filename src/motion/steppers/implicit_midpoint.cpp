@@ -21,7 +21,7 @@ Vec3 solve_one_plus_hat(const Vec3& a, const Vec3& b) {
 
 class ImplicitMidpoint final : public Stepper {
  public:
-  explicit ImplicitMidpoint(const Model& model) : model_(model) {}
+  explicit ImplicitMidpoint(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     const Vec3 gamma = up_in_body(model_, s.q);
@@ -69,12 +69,12 @@ class ImplicitMidpoint final : public Stepper {
   }
 
   static constexpr int kMostIterations = 50;
-  Model model_;
+  BodyModel model_;
 };
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_implicit_midpoint(const Model& model, double) {
+std::unique_ptr<Stepper> make_implicit_midpoint(const BodyModel& model, double) {
   return std::make_unique<ImplicitMidpoint>(model);
 }
 

@@ -19,7 +19,7 @@ struct GroupRate {
 // What both methods share: the right-hand side at (r, L), and the state at the end.
 class GroupMethod : public Stepper {
  public:
-  explicit GroupMethod(const Model& model) : model_(model) {}
+  explicit GroupMethod(const BodyModel& model) : model_(model) {}
 
  protected:
   GroupRate rate(const Vec3& up, const Quat& r, const Vec3& L, Work& work) const {
@@ -37,7 +37,7 @@ class GroupMethod : public Stepper {
   }
 
  private:
-  Model model_;
+  BodyModel model_;
 };
 
 // Munthe-Kaas, Appl. Numer. Math. 29 (1999) 115: the classical method for u in q = q0 exp(u), where
@@ -88,11 +88,11 @@ class CommutatorFree4 final : public GroupMethod {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_rkmk4(const Model& model, double) {
+std::unique_ptr<Stepper> make_rkmk4(const BodyModel& model, double) {
   return std::make_unique<MuntheKaas4>(model);
 }
 
-std::unique_ptr<Stepper> make_cf4(const Model& model, double) {
+std::unique_ptr<Stepper> make_cf4(const BodyModel& model, double) {
   return std::make_unique<CommutatorFree4>(model);
 }
 

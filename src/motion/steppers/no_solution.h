@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "model/model.h"
+#include "model/body_model.h"
 
 namespace polhode {
 
@@ -14,7 +14,7 @@ namespace polhode {
 inline Error no_solution(const std::string& method,
                          double t,
                          double h,
-                         const Model& model,
+                         const BodyModel& model,
                          const Vec3& y,
                          const std::string& limit) {
   return {Fault::check_failed,

@@ -15,7 +15,7 @@ namespace {
 // 1 2 3 2 1 (McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375).
 class ThreeRotations {
  public:
-  explicit ThreeRotations(const Model& model) : inverse_(model.inverse_moments) {}
+  explicit ThreeRotations(const BodyModel& model) : inverse_(model.inverse_moments) {}
 
   void operator()(double h, Quat& q, Vec3& y) const {
     turn(0, 0.5 * h, q, y);
@@ -39,7 +39,7 @@ class ThreeRotations {
 // (Fasso, J. Comput. Phys. 189 (2003) 527).
 class SymmetricRemainder {
  public:
-  explicit SymmetricRemainder(const Model& model) {
+  explicit SymmetricRemainder(const BodyModel& model) {
     const Vec3& inverse = model.inverse_moments;
     double least = std::abs(inverse[0] - inverse[1]);
     for (int k = 0; k < 2; ++k) {
@@ -117,45 +117,45 @@ constexpr SplittingScheme kSrkn11 = {
 // clang-format on
 
 template <class Flow>
-std::unique_ptr<Stepper> make(const Model& model, const SplittingScheme& scheme) {
+std::unique_ptr<Stepper> make(const BodyModel& model, const SplittingScheme& scheme) {
   return std::make_unique<Splitting<Flow>>(model, scheme);
 }
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_three_rotations(const Model& model, double) {
+std::unique_ptr<Stepper> make_three_rotations(const BodyModel& model, double) {
   return make<ThreeRotations>(model, kStrang);
 }
 
-std::unique_ptr<Stepper> make_symmetric_remainder2(const Model& model, double) {
+std::unique_ptr<Stepper> make_symmetric_remainder2(const BodyModel& model, double) {
   return make<SymmetricRemainder>(model, kStrang);
 }
 
-std::unique_ptr<Stepper> make_symmetric_remainder4(const Model& model, double) {
+std::unique_ptr<Stepper> make_symmetric_remainder4(const BodyModel& model, double) {
   return make<SymmetricRemainder>(model, kSuzuki4);
 }
 
-std::unique_ptr<Stepper> make_symmetric_remainder6(const Model& model, double) {
+std::unique_ptr<Stepper> make_symmetric_remainder6(const BodyModel& model, double) {
   return make<SymmetricRemainder>(model, kKahanLi6);
 }
 
-std::unique_ptr<Stepper> make_kick_strang(const Model& model, double) {
+std::unique_ptr<Stepper> make_kick_strang(const BodyModel& model, double) {
   return make<FreeFlow>(model, kStrang);
 }
 
-std::unique_ptr<Stepper> make_kick_suzuki4(const Model& model, double) {
+std::unique_ptr<Stepper> make_kick_suzuki4(const BodyModel& model, double) {
   return make<FreeFlow>(model, kSuzuki4);
 }
 
-std::unique_ptr<Stepper> make_kick_chin4(const Model& model, double) {
+std::unique_ptr<Stepper> make_kick_chin4(const BodyModel& model, double) {
   return make<FreeFlow>(model, kChin4);
 }
 
-std::unique_ptr<Stepper> make_kick_srkn6(const Model& model, double) {
+std::unique_ptr<Stepper> make_kick_srkn6(const BodyModel& model, double) {
   return make<FreeFlow>(model, kSrkn6);
 }
 
-std::unique_ptr<Stepper> make_kick_srkn11(const Model& model, double) {
+std::unique_ptr<Stepper> make_kick_srkn11(const BodyModel& model, double) {
   return make<FreeFlow>(model, kSrkn11);
 }
 

@@ -33,13 +33,13 @@ constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   return scheme;
 }
 
-// Flow: constructed from a Model; flow(h, q, y) is the motion of the free body, exact or to the
+// Flow: constructed from a BodyModel; flow(h, q, y) is the motion of the free body, exact or to the
 // second order, and symmetric in time. A kick leaves L.up, a flow leaves L in space; both are
 // symplectic maps, so the whole is, if Flow is.
 template <class Flow>
 class Splitting final : public Stepper {
  public:
-  Splitting(const Model& model, const SplittingScheme& scheme)
+  Splitting(const BodyModel& model, const SplittingScheme& scheme)
       : flow_(model),
         scheme_(scheme),
         heavy_(model.chi_P.squaredNorm() > 0.0),

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/wide_registers.h"
+#include "base/system/wide_registers.h"
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
 #include "motion/steppers/turn.h"
@@ -90,7 +90,7 @@ POLHODE_WIDE_REGISTERS void expand_free(Series& series, std::size_t order, doubl
 // What both ways to see the body share: the series and its sum.
 class Taylor : public Stepper {
  public:
-  Taylor(const Model& model, double momentum_scale, std::size_t order)
+  Taylor(const BodyModel& model, double momentum_scale, std::size_t order)
       : model_(model),
         norm_(model, momentum_scale),
         order_(order),
@@ -134,7 +134,7 @@ class Taylor : public Stepper {
             norm_.of<kThreeDegrees>(size)};
   }
 
-  Model model_;
+  BodyModel model_;
   ErrorNorm norm_;
   std::size_t order_;
   bool heavy_;
@@ -146,7 +146,7 @@ class Taylor : public Stepper {
 // angular velocity there.
 class TaylorInBody final : public Taylor {
  public:
-  TaylorInBody(const Model& model, double momentum_scale, std::size_t order)
+  TaylorInBody(const BodyModel& model, double momentum_scale, std::size_t order)
       : Taylor(model, momentum_scale, order) {
     const Vec3& I = model.moments;
     bend_ = -model.inverse_moments.cwiseProduct(Vec3(I[1] - I[2], I[2] - I[0], I[0] - I[1]));
@@ -168,7 +168,7 @@ class TaylorInBody final : public Taylor {
 // product.
 class TaylorInSpace final : public Taylor {
  public:
-  TaylorInSpace(const Model& model, double momentum_scale, std::size_t order)
+  TaylorInSpace(const BodyModel& model, double momentum_scale, std::size_t order)
       : Taylor(model, momentum_scale, order),
         axis_(model.kind.axis),
         across_(model.inverse_moments[(axis_ + 1) % 3]),
@@ -193,7 +193,7 @@ class TaylorInSpace final : public Taylor {
   double difference_;  // 1 / moment along it, less across_
 };
 
-std::unique_ptr<Stepper> make(const Model& model, double momentum_scale, std::size_t order) {
+std::unique_ptr<Stepper> make(const BodyModel& model, double momentum_scale, std::size_t order) {
   if (center_on_symmetry_axis(model))
     return std::make_unique<TaylorInSpace>(model, momentum_scale, order);
   return std::make_unique<TaylorInBody>(model, momentum_scale, order);
@@ -201,10 +201,10 @@ std::unique_ptr<Stepper> make(const Model& model, double momentum_scale, std::si
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_taylor10(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_taylor10(const BodyModel& model, double momentum_scale) {
   return make(model, momentum_scale, 10);
 }
-std::unique_ptr<Stepper> make_taylor16(const Model& model, double momentum_scale) {
+std::unique_ptr<Stepper> make_taylor16(const BodyModel& model, double momentum_scale) {
   return make(model, momentum_scale, 16);
 }
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/inspect.h"
+
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/derived.h"
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list_of(const Vec3& v) {
+  // adding zero turns -0 into 0
+  return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0};
+}
+
+// evaluations that the equations of motion would take at the scene's accuracy; null: out of reach
+Json evaluations_of_ode(const Solved& solved) {
+  const SimulationReport& report = solved.simulation.report;
+  if (report.model == "ode" || report.model == "ode6") return report.record.evaluations;
+  NumericsSpec numerics;
+  numerics.model = "ode";
+  try {
+    return simulate(solved.model, solved.scene.motion, numerics, report.accuracy_rad)
+        .report.record.evaluations;
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+    return nullptr;
+  }
+}
+
+std::string shown(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_array()) return value.is_null() ? "-" : value.dump();
+  std::string text;
+  for (const Json& entry : value)
+    text += (text.empty() ? "" : value[0].is_array() ? "; " : "  ") + shown(entry);
+  return text;
+}
+
+// one line per key, angles in degrees too
+std::string as_text(const Json& facts) {
+  std::string text;
+  const auto line = [&](const std::string& key, const Json& value) {
+    std::string degrees;
+    const bool rate = key.size() > 10 && key.substr(key.size() - 10) == "_rad_per_s";
+    const bool angle = key.size() > 4 && key.substr(key.size() - 4) == "_rad";
+    if (value.is_number_float() && (rate || angle)) {
+      degrees =
+          fmt::format("  ({:.6g} {})", value.get<double>() * 180.0 / kPi, rate ? "deg/s" : "deg");
+    }
+    text += fmt::format("{:<42} {}{}\n", key, shown(value), degrees);
+  };
+  for (const auto& [key, value] : facts.items()) {
+    if (!value.is_object()) {
+      line(key, value);
+      continue;
+    }
+    for (const auto& [name, number] : value.items())
+      line(name, number);
+  }
+  return text;
+}
+
+}  // namespace
+
+nlohmann::ordered_json inspection(const Solved& solved) {
+  const BodyModel& model = solved.model;
+  const SimulationReport& report = solved.simulation.report;
+  Json facts;
+  facts["title"] = solved.scene.title;
+  facts["mass_kg"] = model.body.mass;
+  facts["center_of_mass_m"] = list_of(model.body.center);
+  for (int i = 0; i < 3; ++i)
+    facts["tensor_kg_m2"].push_back(list_of(model.body.tensor.row(i)));
+
+  // ascending, and right-handed again after the change of order
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    return model.moments[i] < model.moments[j];
+  });
+  Mat3 axes;
+  Vec3 moments;
+  for (int i = 0; i < 3; ++i) {
+    const int from = order[static_cast<std::size_t>(i)];
+    axes.row(i) = model.R_BP.col(from).transpose();
+    moments[i] = model.moments[from];
+  }
+  if (axes.determinant() < 0.0) axes.row(1) = -axes.row(1);
+  facts["reference"] = model.on_pivot ? "fixed point" : "center of mass";
+  facts["principal_moments_kg_m2"] = list_of(moments);
+  for (int i = 0; i < 3; ++i)
+    facts["principal_axes"].push_back(list_of(axes.row(i)));
+  facts["kind"] = model.kind.name();
+  facts["model"] = report.model;
+  facts["model_reason"] = report.model_reason;
+  facts["method"] = report.method;
+  facts["method_reason"] = report.method_reason;
+  facts["accuracy_rad"] = report.accuracy_rad;
+  facts["evaluations"] = report.record.evaluations;
+  facts["evaluations_of_ode"] = evaluations_of_ode(solved);
+  facts["derived"] = Json::object();
+  for (const Quantity& q : derived_quantities(model, solved.scene.motion)) {
+    facts["derived"][key_of(q)] =
+        q.unit == QuantityUnit::verdict ? Json(q.value != 0.0) : Json(q.value + 0.0);
+  }
+  return facts;
+}
+
+std::string inspect(const InspectJob& job) {
+  const Json facts = inspection(solve(load_with_overrides(job.scene, job.overrides)));
+  return job.json ? facts.dump(2) + "\n" : as_text(facts);
+}
+
+}  // namespace polhode

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/preview.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/system/atomic_file.h"
+#include "base/system/interrupt.h"
+#include "film/frame_renderer.h"
+#include "image/png.h"
+#include "text/typesetter.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kColumns = 4;
+constexpr int kRows = 3;
+constexpr int kTileWidth = 480;        // pixels
+constexpr int kTallest = 720;          // pixels; of a tile
+constexpr int kGap = 16;               // pixels, between tiles
+constexpr int kHead = 48;              // pixels, for the title
+constexpr int kFoot = 28;              // pixels under a tile, for its time
+constexpr double kTextOfTiles = 1.75;  // small pictures want larger letters
+constexpr std::array<std::uint8_t, 4> kPaper = {24, 26, 30, 255};
+constexpr Rgb kInk = {225, 228, 232};
+
+// the scene as its tiles show it
+Scene small_scene(const PreviewJob& job) {
+  Scene scene = load_with_overrides(job.scene, job.overrides);
+  PictureSize& size = scene.video.size;
+  const double shrink = std::min(static_cast<double>(kTileWidth) / size.width,
+                                 static_cast<double>(kTallest) / size.height);
+  const auto side = [&](int pixels) {
+    return std::max(kSmallestSide, static_cast<int>(std::lround(pixels * shrink)));
+  };
+  size = {side(size.width), side(size.height)};
+  // instants, whose time stands under them
+  scene.video.shutter = 0.0;
+  scene.show.clock = false;
+  scene.show.title = false;
+  // plots have no room for more
+  if (scene.show.plots.empty()) {
+    scene.show.text_size = std::max(scene.show.text_size, kTextOfTiles);
+  }
+  return scene;
+}
+
+void lay_tile(Image& sheet, const Image& tile, int left, int top) {
+  for (int y = 0; y < tile.height; ++y) {
+    std::copy_n(tile.at(0, y), 4 * tile.width, sheet.at(left, top + y));
+  }
+}
+
+// "3.25 s", with the moment of the motion where that is another
+std::string time_of_tile(const FrameTimes& frames, double film) {
+  const double motion = frames.timeline.motion_time(film);
+  if (std::abs(motion - film) < 0.005) return fmt::format("{:.2f} s", film);
+  return fmt::format("{:.2f} s   (motion {:.2f} s)", film, motion);
+}
+
+std::string output_of(const PreviewJob& job) {
+  if (!job.output.empty()) return job.output;
+  std::error_code ignored;  // the file's own error tells what is wrong
+  std::filesystem::create_directory("output", ignored);
+  return fmt::format("output/{}_preview.png", job.scene.stem().string());
+}
+
+}  // namespace
+
+void write_preview(const PreviewJob& job) {
+  RenderPlan plan;
+  plan.scene = small_scene(job);
+  const std::string output = output_of(job);
+  if (!output.ends_with(".png")) {
+    throw input_error("a preview is one picture; name a .png").at({output, 0, {}});
+  }
+  refuse_same_file(output, "the output", job.scene);
+  AtomicFile file(output);
+
+  const PreparedFilm basis = prepare_film(plan);
+  const FilmFrames film(plan, basis);
+  film.warn();
+  const std::unique_ptr<FrameRenderer> renderer = make_frame_renderer(film, job.backend, false);
+  const FrameTimes& frames = basis.frames;
+  const PictureSize tile = plan.scene.video.size;
+  const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;
+  Image sheet;
+  sheet.wipe(kColumns * step_x + kGap, kHead + kRows * step_y, kPaper);
+
+  const Typesetter typesetter;
+  const auto write = [&](const std::string& words, double size, int x, int y) {
+    const TextStyle style{Face::sans, size, kInk};
+    lay_over(sheet, typesetter.set(plain_text(words), style, x, y));
+  };
+  const std::string name = plan.scene.title.empty() ? job.scene.stem().string() : plan.scene.title;
+  write(fmt::format("{}   {:.1f} s, {} frames", name, frames.count / frames.rate, frames.count),
+        22.0,
+        kGap,
+        12);
+  constexpr int kTiles = kColumns * kRows;
+  Image picture;
+  for (int i = 0; i < kTiles; ++i) {
+    stop_if_interrupted();
+    const int index = static_cast<int>(std::int64_t{i} * (frames.count - 1) / (kTiles - 1));
+    renderer->make(index, picture);
+    const int left = kGap + i % kColumns * step_x, top = kHead + i / kColumns * step_y;
+    lay_tile(sheet, picture, left, top);
+    write(time_of_tile(frames, frames.film_time(index)), 17.0, left, top + tile.height + 4);
+  }
+  write_png(file, sheet, false);
+  file.commit();
+}
+
+}  // namespace polhode

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/simulate.h"
+
+#include <cmath>
+
+#include "base/system/atomic_file.h"
+#include "base/system/console.h"
+#include "base/system/interrupt.h"
+
+namespace polhode {
+namespace {
+
+constexpr const char* kHeader = "t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy\n";
+constexpr double kMostRows = 1e7;
+
+void append_row(std::string& text, const Sample& s) {
+  const double row[] = {s.t,
+                        s.q_SB.w(),
+                        s.q_SB.x(),
+                        s.q_SB.y(),
+                        s.q_SB.z(),
+                        s.w_B[0],
+                        s.w_B[1],
+                        s.w_B[2],
+                        s.L_S[0],
+                        s.L_S[1],
+                        s.L_S[2],
+                        s.center_S[0],
+                        s.center_S[1],
+                        s.center_S[2],
+                        s.energy};
+  const char* separator = "";
+  for (const double value : row) {
+    // adding zero turns -0 into 0
+    fmt::format_to(std::back_inserter(text), "{}{:.17g}", separator, value + 0.0);
+    separator = ",";
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+void write_csv(const SimulateJob& job) {
+  const Scene scene = load_with_overrides(job.scene, job.overrides);
+  refuse_same_file(job.output, "the output", job.scene);
+  const double rate = job.rate.value_or(scene.video.fps.value());
+  if (!std::isfinite(rate) || rate <= 0.0) {
+    throw input_error("must be a number of rows per second greater than 0, got {}", rate)
+        .at({{}, 0, "--rate"});
+  }
+  const double last = std::floor(scene.motion.duration * rate * (1.0 + 1e-12));
+  if (last > kMostRows) {
+    throw input_error("{:.3g} rows are too many; take a smaller rate", last).at({{}, 0, "--rate"});
+  }
+
+  const Solved solved = solve(scene);
+  std::string text = kHeader;
+  for (long row = 0; row <= static_cast<long>(last); ++row) {
+    if (row % 4096 == 0) stop_if_interrupted();
+    const double t = std::min(static_cast<double>(row) / rate, scene.motion.duration);
+    append_row(text, solved.simulation.motion.at(t));
+  }
+  if (job.output != "-") {
+    write_file(job.output, text);
+  } else {
+    print_out(text);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/verify.h"
+
+#include <filesystem>
+
+#include "base/system/atomic_file.h"
+#include "base/system/interrupt.h"
+#include "base/system/scratch_folder.h"
+#include "film/render_output.h"
+#include "film/reported_film.h"
+#include "image/png.h"
+#include "video/film_reader.h"
+#include "video/libav/film_output.h"
+#include "video/plain_sinks.h"
+#include "video/png_sink.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+// What was made again, and where it stands beside what is judged.
+struct Again {
+  std::string kind;          // of sink_kinds()
+  std::string judged, made;  // outputs, as names of files
+  int first = 0;             // number of the first frame
+  int count = 0;             // frames
+  FrameRate fps;
+
+  std::string frame(int number) const {
+    return fmt::format("frame {} ({:.3f} s)", number, number / fps.value());
+  }
+};
+
+// a difference in words; empty: there is none
+using Difference = std::string;
+
+bool same_bytes(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::file_size(a, ignored) == fs::file_size(b, ignored) && read_file(a) == read_file(b);
+}
+
+bool same_pixels(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.pixels == b.pixels;
+}
+
+Difference compare_films(const Again& again) {
+  FilmReader made(again.made);
+  Image expected, found;
+  double expected_time = 0.0, found_time = 0.0;
+  int number = again.first;
+  try {
+    FilmReader judged(again.judged);
+    for (;; ++number) {
+      stop_if_interrupted();
+      const bool more = made.next(expected, expected_time);
+      if (judged.next(found, found_time) != more) {
+        return fmt::format("{} {}", again.frame(number), more ? "is missing" : "is one too many");
+      }
+      if (!more) return {};
+      if (!same_pixels(expected, found)) return fmt::format("{} differs", again.frame(number));
+      if (expected_time != found_time)
+        return fmt::format("{} has another time", again.frame(number));
+    }
+  } catch (const Error& error) {
+    if (error.fault() != Fault::input) throw;
+    return fmt::format("{}: {}", again.frame(number), error.message());
+  }
+}
+
+Difference compare_pictures(const Again& again, bool numbered) {
+  for (int number = again.first; number < again.first + again.count; ++number) {
+    stop_if_interrupted();
+    const auto name = [&](const std::string& output) {
+      return numbered ? parse_numbered_name(output).of(number) : output;
+    };
+    try {
+      if (same_bytes(name(again.judged), name(again.made))) continue;
+      if (same_pixels(read_png(name(again.judged)), read_png(name(again.made)))) continue;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::input) throw;
+      return fmt::format("{}: {}", again.frame(number), error.what());
+    }
+    return fmt::format("{} differs", again.frame(number));
+  }
+  return {};
+}
+
+Difference compare_lists(const Again& again) {
+  std::istringstream judged(read_file(again.judged)), made(read_file(again.made));
+  std::string expected, found;
+  for (int number = again.first;; ++number) {
+    const bool more = static_cast<bool>(std::getline(made, expected));
+    const bool there = static_cast<bool>(std::getline(judged, found));
+    if (!more && !there) return {};
+    if (more && there && expected == found) continue;
+    return fmt::format("{} {}",
+                       again.frame(number),
+                       !there ? "is missing"
+                       : more ? "differs"
+                              : "is one too many");
+  }
+}
+
+Difference compare_outputs(const Again& again) {
+  const std::string& kind = again.kind;
+  if (kind == "png") return compare_pictures(again, false);
+  if (kind == "png sequence") return compare_pictures(again, true);
+  if (same_bytes(again.judged, again.made)) return {};
+  return kind == "hash" ? compare_lists(again) : compare_films(again);
+}
+
+Difference compare_captions(const Again& again) {
+  const std::string made = captions_beside(again.made);
+  const std::string judged = captions_beside(again.judged);
+  std::error_code ignored;
+  if (made.empty() || !fs::exists(made, ignored)) return {};
+  if (!fs::exists(judged, ignored)) return fmt::format("its captions, {}, are missing", judged);
+  return same_bytes(judged, made) ? "" : fmt::format("its captions, {}, differ", judged);
+}
+
+Difference compare_hashes(const Again& again,
+                          const std::vector<std::string>& reported,
+                          const std::vector<std::string>& made) {
+  for (std::size_t i = 0; i < std::min(reported.size(), made.size()); ++i) {
+    if (reported[i] == made[i]) continue;
+    return fmt::format("{} is not what the report says",
+                       again.frame(again.first + static_cast<int>(i)));
+  }
+  if (reported.size() == made.size()) return {};
+  return fmt::format(
+      "the report tells of {} frames, the scene makes {}", reported.size(), made.size());
+}
+
+// there must be something to compare
+void refuse_nothing(const std::string& kind, const std::string& output) {
+  const Place place{output, 0, {}};
+  if (kind == "null" || output == kStandardOutput) {
+    throw input_error("leaves nothing that could be verified").at(place);
+  }
+  if (kind == "png sequence") return;
+  std::error_code ignored;
+  if (!fs::is_regular_file(output, ignored)) throw input_error("there is no such file").at(place);
+}
+
+}  // namespace
+
+Verified verify(const VerifyJob& job) {
+  const std::string& kind = find_sink_kind(job.output).name;
+  const std::size_t prefix = job.output.starts_with(kHashPrefix) ? kHashPrefix.size() : 0;
+  const std::string output = job.output.substr(prefix);
+  refuse_nothing(kind, output);
+  const std::string report_file =
+      job.report.empty() ? fs::path(output).replace_extension(".json").string() : job.report;
+  ReportedFilm reported = read_report(report_file);
+  if (reported.broken) {
+    return {false, fmt::format("{}: was altered: {}", report_file, *reported.broken)};
+  }
+
+  // make it again, elsewhere
+  const ScratchFolder scratch;
+  RenderPlan& plan = reported.plan;
+  const std::string made = scratch / fs::path(output).filename().string();
+  plan.sink.output = job.output.substr(0, prefix) + made;
+  RenderOutput target(plan, true);
+  const PreparedFilm basis = prepare_film(plan);
+  target.begin(basis);
+  const FilmFrames film(plan, basis);
+  film.warn();
+  const std::unique_ptr<FrameRenderer> renderer =
+      make_frame_renderer(film, plan.backend, plan.sink.transparent);
+  if (renderer->info().gl_renderer != reported.gl_renderer) {
+    throw input_error("cannot be compared: it was drawn by {}, this is {}",
+                      reported.gl_renderer,
+                      renderer->info().gl_renderer)
+        .at({report_file, 0, {}});
+  }
+  Progress progress(job.progress, target.range().count);
+  fill_output(target, *renderer, [&](const PipelineStep& step) {
+    progress.show(step.done, target.limit(step));
+  });
+
+  // hold it against the report, and against the output
+  const Again again{kind, output, made, target.range().first, target.range().count, plan.sink.fps};
+  Difference difference = compare_hashes(again, reported.hashes, target.hashes());
+  if (difference.empty()) difference = compare_outputs(again);
+  if (difference.empty()) difference = compare_captions(again);
+  if (!difference.empty()) return {false, fmt::format("{}: {}", output, difference)};
+  return {true, fmt::format("{}: all {} frames are the same", output, again.count)};
+}
+
+}  // namespace polhode

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "app/compare/golden.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/compare/diff_page.h"
+#include "app/compare/golden_results.h"
+#include "base/system/output_folder.h"
+#include "image/png.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kGain = 16;  // of the difference that a failure leaves
+
+using Json = nlohmann::ordered_json;
+
+// pictures of failures, for a person; of what passes none are left
+void leave_pictures(const fs::path& folder, const LoadedCase& one, const CaseResult& result) {
+  const fs::path actual = folder / (one.spec.name + ".actual.png");
+  const fs::path difference = folder / (one.spec.name + ".difference.png");
+  std::error_code ignored;
+  fs::remove(actual, ignored);
+  fs::remove(difference, ignored);
+  if (!result.drawn || result.same()) return;
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) {
+    throw input_error("cannot make the folder '{}': {}", folder.string(), failed.message())
+        .at({{}, 0, "--output"});
+  }
+  const Image& image = result.drawn->image;
+  write_png(actual, image, !is_opaque(image));
+  if (result.verdict) {
+    write_png(difference, difference_picture(result.reference, image, kGain), false);
+  }
+}
+
+std::string row(const LoadedCase& one, const CaseResult& result) {
+  std::string text = fmt::format("{:<28} {:<15}", one.spec.name, result.outcome());
+  if (result.verdict) {
+    text += fmt::format(" {:>7} {:>9}  {}",
+                        result.verdict->values.largest,
+                        percent(result.verdict->values.fraction_over),
+                        result.best->file.filename().string());
+  }
+  if (!result.reason().empty()) text += fmt::format("  {}", result.reason());
+  return text + "\n";
+}
+
+Json json_of(const LoadedCase& one, const CaseResult& result) {
+  Json json = {
+      {"name", one.spec.name},
+      {"outcome", result.outcome()},
+      {"reason", result.reason()},
+      {"reference", result.best == nullptr ? Json(nullptr) : Json(result.best->file.string())}};
+  if (result.verdict) {
+    const Difference& d = result.verdict->values;
+    json["largest"] = d.largest;
+    json["fraction_over"] = d.fraction_over;
+    json["mean"] = d.mean;
+    json["rmse"] = d.rms;
+    if (result.verdict->ssim) json["ssim"] = *result.verdict->ssim;
+    if (result.verdict->flip) json["flip"] = result.verdict->flip->mean;
+  }
+  if (result.drawn) {
+    json["renderer"] = result.drawn->sidecar.renderer;
+    json["backend"] = result.drawn->sidecar.backend;
+  }
+  return json;
+}
+
+std::string page_of(const GoldenJob& job,
+                    const std::vector<LoadedCase>& cases,
+                    const std::vector<CaseResult>& results) {
+  std::vector<GoldenSection> sections;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CaseResult& result = results[i];
+    GoldenSection section{cases[i].spec.name,
+                          result.outcome(),
+                          result.same(),
+                          result.reason(),
+                          result.rule.thresholds,
+                          {}};
+    if (result.verdict && !result.same()) {
+      const Verdict verdict =
+          judge(result.reference, result.drawn->image, result.rule.thresholds, {true, true});
+      FrameScore score;
+      score.values = verdict.values;
+      score.ssim = verdict.ssim;
+      score.flip = verdict.flip->mean;
+      score.reason = verdict.reason;
+      section.shown.push_back(
+          {score, result.reference, result.drawn->image, *verdict.flip, cases[i].spec.name});
+    }
+    sections.push_back(std::move(section));
+  }
+  return golden_page(fmt::format("Golden pictures of {}", job.folder), sections);
+}
+
+int exit_code_of(const std::vector<CaseResult>& results) {
+  int code = 0;
+  for (const CaseResult& result : results)
+    code = std::max(code, !result.drawn ? 2 : result.same() ? 0 : 1);
+  return code;
+}
+
+Json thresholds_json(const GoldenVerdict& verdict) {
+  const Thresholds& t = verdict.thresholds;
+  Json json = {{"max", t.max}, {"fraction", t.fraction}, {"limit", t.limit}};
+  if (t.ssim) json["ssim"] = *t.ssim;
+  if (t.flip) json["flip"] = *t.flip;
+  json["reason"] = verdict.reason;
+  return json;
+}
+
+std::string thresholds_words(const GoldenVerdict& verdict) {
+  const Thresholds& t = verdict.thresholds;
+  std::string text = fmt::format("max {}, fraction {}, limit {}", t.max, t.fraction, t.limit);
+  if (t.ssim) text += fmt::format(", ssim {}", *t.ssim);
+  if (t.flip) text += fmt::format(", flip {}", *t.flip);
+  return verdict.reason.empty() ? text : fmt::format("{}: {}", text, verdict.reason);
+}
+
+// for `show`
+std::string description(const LoadedCase& one) {
+  const GoldenCase& spec = one.spec;
+  std::string text = fmt::format("{}: {} at {} s, {}x{}{}{}\n",
+                                 spec.name,
+                                 spec.scene,
+                                 spec.still,
+                                 spec.size.width,
+                                 spec.size.height,
+                                 spec.text ? ", with text" : "",
+                                 spec.transparent ? ", transparent" : "");
+  if (!spec.guards.empty()) text += fmt::format("  guards      {}\n", spec.guards);
+  text += fmt::format("  thresholds  {}\n", thresholds_words(one.verdict));
+  if (one.references.empty()) text += "  reference   none\n";
+  for (const Reference& reference : one.references) {
+    const GoldenSidecar& s = reference.sidecar;
+    const std::string name = reference.file.filename().string();
+    if (!reference.has_sidecar) {
+      text += fmt::format("  reference   {}: no sidecar\n", name);
+      continue;
+    }
+    text += fmt::format("  reference   {}: {} on {}, {} samples, {}\n",
+                        name,
+                        s.renderer,
+                        s.cpu_vendor,
+                        s.samples,
+                        s.opengl);
+    if (!same_rule(s.verdict, one.verdict))
+      text += fmt::format("    compared by {}\n", thresholds_words(s.verdict));
+  }
+  return text;
+}
+
+Json description_json(const LoadedCase& one) {
+  Json references = Json::array();
+  for (const Reference& reference : one.references) {
+    const GoldenSidecar& s = reference.sidecar;
+    Json row = {{"file", reference.file.filename().string()}, {"cause", reference.cause}};
+    if (reference.has_sidecar) {
+      row.update({{"polhode", s.polhode},
+                  {"backend", s.backend},
+                  {"renderer", s.renderer},
+                  {"opengl", s.opengl},
+                  {"llvm", s.llvm},
+                  {"cpu_vendor", s.cpu_vendor},
+                  {"samples", s.samples},
+                  {"thresholds", thresholds_json(s.verdict)}});
+    }
+    references.push_back(std::move(row));
+  }
+  const GoldenCase& spec = one.spec;
+  return {{"name", spec.name},
+          {"scene", spec.scene},
+          {"guards", spec.guards},
+          {"still_s", spec.still},
+          {"width", spec.size.width},
+          {"height", spec.size.height},
+          {"text", spec.text},
+          {"transparent", spec.transparent},
+          {"thresholds", thresholds_json(one.verdict)},
+          {"references", std::move(references)}};
+}
+
+}  // namespace
+
+GoldenResult golden_run(const GoldenJob& job) {
+  const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  std::unique_ptr<OutputFolder> page;
+  if (!job.html.empty()) {
+    page =
+        std::make_unique<OutputFolder>(job.html, std::vector<std::string>{"index.html"}, "--html");
+  }
+  const std::vector<CaseResult> results = draw_cases(job, cases);
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    leave_pictures(job.output, cases[i], results[i]);
+  if (page) page->commit({page_of(job, cases, results)});
+
+  const auto same = std::count_if(
+      results.begin(), results.end(), [](const CaseResult& result) { return result.same(); });
+  const bool good = same == static_cast<long>(cases.size());
+  if (job.json) {
+    Json json = {{"folder", job.folder}, {"same", good}, {"cases", Json::array()}};
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      json["cases"].push_back(json_of(cases[i], results[i]));
+    return {exit_code_of(results), json_text(json)};
+  }
+  std::string text = fmt::format(
+      "{:<28} {:<15} {:>7} {:>9}  {}\n", "case", "", "largest", "over max", "reference");
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    text += row(cases[i], results[i]);
+  text += good ? fmt::format("all {} cases are the same\n", cases.size())
+               : fmt::format("{} of {} cases failed; their pictures are in {}\n",
+                             static_cast<long>(cases.size()) - same,
+                             cases.size(),
+                             job.output);
+  return {exit_code_of(results), text};
+}
+
+GoldenResult golden_show(const GoldenJob& job) {
+  const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  Json json = {{"folder", job.folder}, {"cases", Json::array()}};
+  std::string text;
+  for (const LoadedCase& one : cases) {
+    text += description(one);
+    json["cases"].push_back(description_json(one));
+  }
+  return {0, job.json ? json_text(json) : text};
+}
+
+}  // namespace polhode

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/compare/golden_results.h"
+#include "base/system/atomic_file.h"
+#include "base/system/child_process.h"
+#include "image/png.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// what git says has changed: everywhere in what it knows, and new files in the folder itself
+void refuse_dirty(const GoldenJob& job) {
+  const auto ask = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"git", "-C", job.folder, "status", "--porcelain"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ChildResult said = run_child(words, "");
+    if (said.status != 0) {
+      throw input_error(
+          "git knows nothing of this folder, so that what an update changes could not be seen or "
+          "undone; --allow-dirty does it all the same")
+          .at({job.folder, 0, {}});
+    }
+    return said.out;
+  };
+  std::string changed = ask({"--untracked-files=no"});
+  if (changed.empty()) changed = ask({"--untracked-files=all", "--", "."});
+  if (changed.empty()) return;
+  const std::string first = changed.substr(0, changed.find('\n'));
+  throw input_error(
+      "the git tree holds changes ({}{}); commit them first, so that the update can be seen by "
+      "itself, or give --allow-dirty",
+      first.size() > 3 ? first.substr(3) : first,
+      std::count(changed.begin(), changed.end(), '\n') > 1 ? " and others" : "")
+      .at({job.folder, 0, {}});
+}
+
+// What an update does with one case.
+struct Change {
+  std::string words;  // what is printed
+  bool picture = false, sidecar = false;
+};
+
+Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& result) {
+  const auto target = std::find_if(one.references.begin(),
+                                   one.references.end(),
+                                   [&](const Reference& r) { return r.cause == job.cause; });
+  if (target == one.references.end()) {
+    // another cause is not needed where a reference matches already
+    if (result.same() && !job.all)
+      return {fmt::format("kept: matches {}", result.best->file.filename().string())};
+    return {"new", true, true};
+  }
+  const Image before = read_png(target->file);
+  const Image& now = result.drawn->image;
+  const bool rule_changed =
+      !target->has_sidecar || !same_rule(target->sidecar.verdict, one.verdict);
+  const std::string rule = rule_changed ? "; thresholds written" : "";
+  if (before.width != now.width || before.height != now.height) {
+    return {fmt::format("changed: was {}x{} pixels, is {}x{}",
+                        before.width,
+                        before.height,
+                        now.width,
+                        now.height),
+            true,
+            true};
+  }
+  const Verdict verdict = judge(before, now, one.verdict.thresholds);
+  if (verdict.values.largest == 0) return {"unchanged" + rule, false, rule_changed};
+  const std::string how = fmt::format("largest {}, {} of the pixels over {} levels",
+                                      verdict.values.largest,
+                                      percent(verdict.values.fraction_over),
+                                      one.verdict.thresholds.max);
+  if (!job.all && verdict.same()) {
+    // what drew a picture is not known where nothing tells it
+    const bool write = rule_changed && target->has_sidecar;
+    return {fmt::format("kept: the same within its thresholds ({}){}", how, write ? rule : ""),
+            false,
+            write};
+  }
+  if (!job.all && result.same() && result.best != &*target) {
+    return {fmt::format("kept: matches {}", result.best->file.filename().string())};
+  }
+  return {fmt::format("changed: {}", how), true, true};
+}
+
+// all at once, after all could be drawn
+void write_references(const GoldenJob& job,
+                      const std::vector<LoadedCase>& cases,
+                      const std::vector<CaseResult>& results,
+                      const std::vector<Change>& changes) {
+  struct Pending {
+    std::unique_ptr<AtomicFile> picture, sidecar;
+    std::string text;
+  };
+  std::vector<Pending> pending;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!changes[i].picture && !changes[i].sidecar) continue;
+    const fs::path file = reference_file(job.folder, cases[i].spec.name, job.cause);
+    const fs::path beside = sidecar_file(file);
+    Pending one;
+    GoldenSidecar sidecar = results[i].drawn->sidecar;
+    if (changes[i].picture) {
+      const Image& image = results[i].drawn->image;
+      one.picture = std::make_unique<AtomicFile>(file);
+      write_png(*one.picture, image, !is_opaque(image));
+    } else if (fs::exists(beside)) {
+      // the old picture was drawn by what its sidecar says
+      sidecar = load_golden_sidecar(beside);
+    }
+    sidecar.cause = job.cause;
+    sidecar.verdict = cases[i].verdict;
+    one.text = sidecar_text(sidecar);
+    one.sidecar = std::make_unique<AtomicFile>(beside);
+    pending.push_back(std::move(one));
+  }
+  for (Pending& one : pending) {
+    if (one.picture) one.picture->commit();
+    one.sidecar->commit_with(one.text);
+  }
+}
+
+}  // namespace
+
+GoldenResult golden_update(const GoldenJob& job) {
+  if (!job.cause.empty() && !is_plain_name(job.cause)) {
+    throw input_error("must be letters, digits, _ and -, such as mesa-25; found '{}'", job.cause)
+        .at({{}, 0, "--cause"});
+  }
+  const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  if (!job.allow_dirty) refuse_dirty(job);
+  const std::vector<CaseResult> results = draw_cases(job, cases);
+  for (const CaseResult& result : results) {
+    if (!result.drawn) throw input_error("nothing was updated: {}", result.error);
+  }
+  std::vector<Change> changes;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    changes.push_back(change_of(job, cases[i], results[i]));
+  write_references(job, cases, results, changes);
+
+  Json json = {{"folder", job.folder}, {"cases", Json::array()}};
+  std::string text;
+  long written = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string file =
+        reference_file(job.folder, cases[i].spec.name, job.cause).filename().string();
+    written += changes[i].picture ? 1 : 0;
+    text += fmt::format("{:<32} {}\n", file, changes[i].words);
+    json["cases"].push_back(
+        {{"reference", file}, {"written", changes[i].picture}, {"what", changes[i].words}});
+  }
+  text += fmt::format("{} of {} references written\n", written, cases.size());
+  return {0, job.json ? json_text(json) : text};
+}
+
+}  // namespace polhode

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/atomic_file.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <sys/file.h>
+
+#include "base/error.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+// what a symbolic link points to: renaming would replace the link, not its file
+fs::path behind_links(fs::path target) {
+  std::error_code failed;
+  if (!fs::is_symlink(target, failed)) return target;
+  fs::path real = fs::weakly_canonical(target, failed);
+  return failed ? target : real;
+}
+
+fs::path part_of(const fs::path& target) {
+  fs::path part = target;
+  part += ".part";
+  return part;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target)
+    : target_(behind_links(std::move(target))), part_(part_of(target_)) {
+  const Place place{target_.string(), 0, {}};
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    throw input_error("the folder '{}' does not exist; create it or choose another output",
+                      folder.string())
+        .at(place);
+  }
+  if (fs::is_directory(target_, ignored)) {
+    throw input_error("is a folder; give a file name").at(place);
+  }
+  if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
+    throw input_error("is no ordinary file; choose another output").at(place);
+  }
+
+  if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {
+    throw input_error("is protected from writing; choose another output").at(place);
+  }
+
+  // claim the temporary name now, so that an unwritable folder is told before any work is done
+  if (fs::is_symlink(part_, ignored)) {
+    throw input_error("'{}' is a link; remove it or choose another output", part_.string())
+        .at(place);
+  }
+  lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (lock_ < 0) {
+    throw input_error(
+        "cannot create '{}' ({}); choose another output", part_.string(), std::strerror(errno))
+        .at(place);
+  }
+  // a file system without locks is no reason to refuse
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    unlock();
+    throw input_error("another run is writing this file; wait for it or choose another output")
+        .at(place);
+  }
+}
+
+AtomicFile::~AtomicFile() {
+  if (!committed_) {
+    std::error_code ignored;
+    fs::remove(part_, ignored);
+  }
+  unlock();
+}
+
+void AtomicFile::unlock() {
+  if (lock_ >= 0) close(lock_);
+  lock_ = -1;
+}
+
+void AtomicFile::commit() {
+  std::error_code failed;
+  fs::rename(part_, target_, failed);
+  if (failed) {
+    throw environment_error("cannot rename the finished file: {}", failed.message())
+        .at({target_.string(), 0, {}});
+  }
+  committed_ = true;
+}
+
+void AtomicFile::commit_with(std::string_view content) {
+  write(content);
+  commit();
+}
+
+void AtomicFile::write(std::string_view content) {
+  if (const int reason = failure_to_write(part_, "wb", content); reason != 0) {
+    throw environment_error("cannot write: {}", std::strerror(reason))
+        .at({target_.string(), 0, {}});
+  }
+}
+
+int failure_to_write(const fs::path& file, const char* mode, std::string_view bytes) {
+  std::FILE* out = std::fopen(file.c_str(), mode);
+  const bool written = out != nullptr &&
+                       std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
+                       std::fflush(out) == 0;
+  const int reason = errno;
+  const bool closed = out != nullptr && std::fclose(out) == 0;
+  if (written && closed) return 0;
+  const int failure = written ? errno : reason;
+  return failure != 0 ? failure : EIO;
+}
+
+void write_file(const fs::path& target, std::string_view content) {
+  AtomicFile(target).commit_with(content);
+}
+
+std::string read_file(const fs::path& path, std::size_t most) {
+  const Place place{path.string(), 0, {}};
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw input_error("no such file").at(place);
+  if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
+  // a pipe that nobody writes to would be waited for
+  if (!fs::is_regular_file(path, ignored)) {
+    throw input_error("is no ordinary file; write it to one first").at(place);
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw input_error("cannot be read ({})", std::strerror(errno)).at(place);
+
+  // block by block, to stop at the limit
+  std::string content;
+  std::array<char, 65536> block{};
+  while (in.read(block.data(), block.size()), in.gcount() > 0) {
+    content.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (content.size() > most) {
+      throw input_error("holds more than {} bytes; is this the right file?", most).at(place);
+    }
+  }
+  if (in.bad()) throw input_error("cannot be read").at(place);
+  return content;
+}
+
+}  // namespace polhode

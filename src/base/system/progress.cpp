@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/progress.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "base/system/console.h"
+
+namespace polhode {
+
+ProgressKind parse_progress(const std::string& text) {
+  if (text == "auto") return ProgressKind::automatic;
+  if (text == "bar") return ProgressKind::bar;
+  if (text == "json") return ProgressKind::json;
+  if (text == "none") return ProgressKind::none;
+  throw input_error(
+      "no progress is called '{}'{}", text, suggestion(text, {"auto", "bar", "json", "none"}))
+      .at({{}, 0, "--progress"});
+}
+
+Progress::Progress(ProgressKind kind, int total, std::string things, int there)
+    : kind_(kind),
+      total_(total),
+      things_(std::move(things)),
+      there_(there),
+      start_(Clock::now()),
+      last_(start_) {
+  if (kind_ == ProgressKind::automatic) {
+    kind_ = isatty(STDERR_FILENO) != 0 ? ProgressKind::bar : ProgressKind::none;
+  }
+}
+
+Progress::~Progress() {
+  // leave the terminal on a line of its own
+  if (drawn_ && kind_ == ProgressKind::bar) print_err("\n");
+}
+
+void Progress::show(int done, const std::string& limit) {
+  if (kind_ == ProgressKind::none) return;
+  const Clock::time_point now = Clock::now();
+  if (done + there_ < total_ && now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  drawn_ = true;
+  print(done, std::chrono::duration<double>(now - start_).count(), limit);
+}
+
+void Progress::print(int done_now, double seconds, const std::string& limit) const {
+  const double rate = seconds > 0.0 ? done_now / seconds : 0.0;
+  const int done = done_now + there_;
+  const double left = rate > 0.0 ? (total_ - done) / rate : 0.0;
+  if (kind_ == ProgressKind::json) {
+    print_err(fmt::format(
+        "{{\"done\":{},\"total\":{},\"{}_per_s\":{:.2f},\"seconds_left\":{:.1f},\"limit\":{}}}\n",
+        done,
+        total_,
+        things_,
+        rate,
+        left,
+        limit.empty() ? "null" : fmt::format("\"{}\"", limit)));
+    return;
+  }
+  constexpr int kCells = 30;
+  const int full = total_ > 0 ? kCells * done / total_ : kCells;
+  print_err(fmt::format("\r[{:=<{}}{: <{}}] {}/{} {}, {:.0f} {}/s, {:.0f} s left{}   ",
+                        "",
+                        full,
+                        "",
+                        kCells - full,
+                        done,
+                        total_,
+                        things_,
+                        rate,
+                        things_,
+                        left,
+                        limit.empty() ? "" : fmt::format(", {} limits", limit)));
+}
+
+}  // namespace polhode

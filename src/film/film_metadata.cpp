@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "film/film_metadata.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace polhode {
+namespace {
+
+// the first frame at or after a moment of the film; negative before the piece that is made, the
+// number of its frames behind it
+int frame_at(const FrameTimes& frames, double film_time) {
+  constexpr double kRounding = 1e-6;  // frames
+  const double frame = std::ceil((film_time - frames.first) * frames.rate - kRounding);
+  return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(frames.count)));
+}
+
+// one line, for the menu of a player
+std::string one_line(std::string words) {
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return words;
+}
+
+std::string title_of(const StoryStep& step) {
+  if (step.caption && !step.caption->empty()) return one_line(*step.caption);
+  return fmt::format("Pause at {:.4g} s", step.at);
+}
+
+std::vector<FilmMetadata::Caption> captions_of(const Timeline& told, const FrameTimes& frames) {
+  std::vector<FilmMetadata::Caption> captions;
+  for (std::size_t i = 0; i < told.steps().size(); ++i) {
+    const StoryStep& step = told.steps()[i];
+    if (!step.caption) continue;
+    // new words end the old ones
+    const int start = std::max(0, frame_at(frames, told.starts()[i]));
+    if (!captions.empty()) captions.back().end = start;
+    captions.push_back({start, frames.count, *step.caption});
+  }
+  std::erase_if(captions, [](const FilmMetadata::Caption& caption) {
+    return caption.words.empty() || caption.end <= caption.start;
+  });
+  return captions;
+}
+
+std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
+                                               const Timeline& told,
+                                               const FrameTimes& frames) {
+  std::vector<FilmMetadata::Chapter> chapters;
+  for (std::size_t i = 0; i < told.steps().size(); ++i) {
+    const StoryStep& step = told.steps()[i];
+    const bool says = step.caption && !step.caption->empty();
+    if (says || step.hold > 0.0)
+      chapters.push_back({frame_at(frames, told.starts()[i]), title_of(step)});
+  }
+  for (const ShotSpec& shot : scene.shots) {
+    if (shot.name.empty()) continue;
+    chapters.push_back({frame_at(frames, told.first_film_time(shot.at)), one_line(shot.name)});
+  }
+  // the story's words go before the name of a shot that starts with them
+  std::stable_sort(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
+    return a.start < b.start;
+  });
+  const auto same_start = [](const auto& a, const auto& b) {
+    return a.start == b.start;
+  };
+  chapters.erase(std::unique(chapters.begin(), chapters.end(), same_start), chapters.end());
+  std::erase_if(chapters, [&](const auto& chapter) { return chapter.start >= frames.count; });
+
+  // what began before the piece holds at its start
+  std::size_t before = 0;
+  while (before < chapters.size() && chapters[before].start <= 0) {
+    ++before;
+  }
+  if (before > 0) {
+    chapters.erase(chapters.begin(), chapters.begin() + static_cast<std::ptrdiff_t>(before) - 1);
+    chapters.front().start = 0;
+  } else if (!chapters.empty()) {
+    chapters.insert(chapters.begin(), {0, scene.title.empty() ? "Start" : one_line(scene.title)});
+  }
+  return chapters;
+}
+
+}  // namespace
+
+FilmMetadata film_metadata(const Scene& scene,
+                           const std::vector<StoryStep>& story,
+                           const FrameTimes& frames) {
+  const Timeline told = frames.timeline.retold(story);
+  FilmMetadata metadata;
+  metadata.frames = frames.count;
+  metadata.captions = captions_of(told, frames);
+  metadata.chapters = chapters_of(scene, told, frames);
+
+  std::set<int> keys;
+  for (const Pause& pause : told.pauses()) {
+    keys.insert({frame_at(frames, pause.begins), frame_at(frames, pause.ends)});
+  }
+  for (const FilmMetadata::Chapter& chapter : metadata.chapters) {
+    keys.insert(chapter.start);
+  }
+  std::erase_if(keys, [&](int frame) { return frame <= 0 || frame >= frames.count; });
+  metadata.key_frames.assign(keys.begin(), keys.end());
+  return metadata;
+}
+
+}  // namespace polhode

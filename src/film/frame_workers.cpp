@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "film/frame_workers.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "film/drawing_process.h"
+
+namespace polhode {
+namespace {
+
+void add(const StageTime& more, StageTime& sum) {
+  sum.wall_s += more.wall_s;
+  sum.cpu_s += more.cpu_s;
+}
+
+class Crew final : public FrameRenderer {
+ public:
+  Crew(const RenderPlan& plan, const PreparedFilm& basis, const std::vector<int>& frames)
+      : frames_(frames) {
+    const auto count =
+        std::min(static_cast<std::size_t>(plan.jobs), std::max<std::size_t>(1, frames.size()));
+    const auto open = [&, film = std::shared_ptr<const FilmFrames>()]() mutable {
+      film = std::make_shared<const FilmFrames>(plan, basis);
+      return make_frame_renderer(*film, plan.backend, plan.sink.transparent);
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<int> share;
+      for (std::size_t i = k; i < frames.size(); i += count) {
+        share.push_back(frames[i]);
+      }
+      members_.push_back(
+          std::make_unique<DrawingProcess>(basis.solved.scene.video.size, share, open));
+    }
+  }
+
+  void make(int index, Image& image) override {
+    CHECK(made_ < frames_.size() && frames_[made_] == index);
+    members_[made_ % members_.size()]->next(image);
+    ++made_;
+  }
+  const RendererInfo& info() const override { return members_.front()->info(); }
+  DrawingTimes times() const override {
+    DrawingTimes sum;
+    for (const std::unique_ptr<DrawingProcess>& member : members_) {
+      const DrawingTimes& times = member->times();
+      add(times.compose, sum.compose);
+      add(times.render.draw, sum.render.draw);
+      add(times.render.read_back, sum.render.read_back);
+      add(times.render.smooth, sum.render.smooth);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<int> frames_;
+  std::vector<std::unique_ptr<DrawingProcess>> members_;
+  std::size_t made_ = 0;  // frames
+};
+
+}  // namespace
+
+std::unique_ptr<FrameRenderer> start_frame_workers(const RenderPlan& plan,
+                                                   const PreparedFilm& basis,
+                                                   const std::vector<int>& frames) {
+  return std::make_unique<Crew>(plan, basis, frames);
+}
+
+}  // namespace polhode

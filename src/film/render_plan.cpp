@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "film/render_plan.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/nearest.h"
+#include "base/version.h"
+#include "film/segments.h"
+#include "video/encoders.h"
+#include "video/libav/film_output.h"
+#include "video/plain_sinks.h"
+
+namespace polhode {
+namespace {
+
+const Quality& find_quality(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Quality& row : qualities()) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
+  }
+  throw input_error("no quality is called '{}'{}", name, suggestion(name, names))
+      .at({{}, 0, "--quality"});
+}
+
+// a .png without a number in its name is one picture, and only that takes --still
+bool is_still(const RenderJob& job, const std::string& output) {
+  const bool numbered = output.find('%') != std::string::npos;
+  const bool picture = output.ends_with(".png") && !numbered && !output.starts_with(kHashPrefix);
+  if (job.still && output.ends_with(".png") && numbered) {
+    throw input_error("makes one picture, but '{}' numbers its pictures; leave out the %", output)
+        .at({{}, 0, "--still"});
+  }
+  if (job.still && find_sink_kind(output).film) {
+    throw input_error("makes one picture, but '{}' is a film; name a .png", output)
+        .at({{}, 0, "--still"});
+  }
+  return job.still || picture;
+}
+
+// the default name; its folder is made if need be
+std::string output_of(const RenderJob& job) {
+  if (!job.output.empty()) return job.output;
+  std::error_code ignored;  // the file's own error tells what is wrong
+  std::filesystem::create_directory("output", ignored);
+  return "output/" + job.scene.stem().string() + (job.still ? ".png" : ".mp4");
+}
+
+SinkJob sink_job(const RenderJob& job,
+                 const Scene& scene,
+                 const Quality& quality,
+                 const std::string& output,
+                 bool still) {
+  SinkJob sink;
+  sink.output = output;
+  sink.width = scene.video.size.width;
+  sink.height = scene.video.size.height;
+  sink.fps = scene.video.fps;
+  sink.encoder =
+      settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
+  sink.transparent = job.transparent;
+  sink.still = still;
+  sink.title = scene.title;
+  sink.comment = film_comment(program_version(), scene_hash(scene));
+  return sink;
+}
+
+Scene without_text(Scene scene) {
+  scene.show.labels = false;
+  scene.show.title = false;
+  scene.show.clock = false;
+  scene.show.caption.clear();
+  for (StoryStep& step : scene.story)
+    step.caption.reset();
+  return scene;
+}
+
+Scene shrunk(Scene scene, int factor) {
+  // even sides stay even
+  PictureSize& size = scene.video.size;
+  if (factor > 1) {
+    size.width = std::max(kSmallestSide, size.width / (2 * factor) * 2);
+    size.height = std::max(kSmallestSide, size.height / (2 * factor) * 2);
+  }
+  return scene;
+}
+
+// a piece is of a film, or of numbered pictures or hashes
+void check_shard(const RenderPlan& plan) {
+  const std::string& output = plan.sink.output;
+  const FilmFormat* format = find_film_format(output);
+  const bool numbered = find_sink_kind(output).name == "png sequence";
+  const bool hashes = find_sink_kind(output).name == "hash";
+  const bool film = format != nullptr && format->keeps_metadata;
+  if (plan.shard && (plan.sink.still || !(film || numbered || hashes))) {
+    throw input_error(
+        "no pieces can be made of '{}': name a .mp4, .webm, .mov, numbered .png or "
+        ".hash",
+        output)
+        .at({{}, 0, "--shard"});
+  }
+  if (plan.resume && !film) {
+    throw input_error("nothing could go on in '{}': name a .mp4, .webm or .mov, or use --shard",
+                      output)
+        .at({{}, 0, "--resume"});
+  }
+  if (plan.resume && plan.shard) {
+    throw input_error("is for whole films; a shard is small enough to be made again")
+        .at({{}, 0, "--resume"});
+  }
+}
+
+}  // namespace
+
+const std::vector<Quality>& qualities() {
+  static const std::vector<Quality> table = {
+      {"draft", "half size, fast", 2, "ultrafast", Grade::draft},
+      {"lecture", "for projection", 1, "veryfast", Grade::lecture},
+      {"archive", "for keeping, slow", 1, "slow", Grade::archive},
+  };
+  return table;
+}
+
+Shard parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = [](std::string_view digits, int& value) {
+    const char* end = digits.data() + digits.size();
+    const auto [stop, failed] = std::from_chars(digits.data(), end, value);
+    return !digits.empty() && failed == std::errc() && stop == end;
+  };
+  Shard shard;
+  const std::string_view all = text;
+  if (slash == std::string::npos || !number(all.substr(0, slash), shard.number) ||
+      !number(all.substr(slash + 1), shard.of)) {
+    throw input_error("must be K/N, such as 2/8 for the second of eight pieces; found '{}'",
+                      text.substr(0, 40))
+        .at({{}, 0, "--shard"});
+  }
+  if (shard.of < 1 || shard.number < 1 || shard.number > shard.of) {
+    throw input_error("K/N must have K from 1 to N, got {}/{}", shard.number, shard.of)
+        .at({{}, 0, "--shard"});
+  }
+  return shard;
+}
+
+RenderPlan plan_render(const RenderJob& job) {
+  const Quality& quality = find_quality(job.quality);
+  RenderPlan plan;
+  Scene asked = load_with_overrides(job.scene, job.overrides);
+  plan.story = asked.story;
+  if (!job.text) asked = without_text(std::move(asked));
+  plan.scene = shrunk(std::move(asked), quality.shrink);
+  const std::string output = output_of(job);
+  const bool still = is_still(job, output);
+  plan.range = {job.from, job.to, job.still, still};
+  check_time_range(plan.scene, plan.range);
+  plan.sink = sink_job(job, plan.scene, quality, output, still);
+  if (job.shard) plan.shard = parse_shard(*job.shard);
+  plan.resume = job.resume;
+  check_shard(plan);
+  plan.text = job.text;
+  if (job.jobs < 1) throw input_error("must be at least 1, got {}", job.jobs).at({{}, 0, "--jobs"});
+  constexpr int kMostJobs = 64;
+  if (job.jobs > kMostJobs) {
+    throw input_error("may be at most {}, got {}", kMostJobs, job.jobs).at({{}, 0, "--jobs"});
+  }
+  plan.jobs = job.jobs;
+  plan.backend = job.backend;
+  return plan;
+}
+
+}  // namespace polhode

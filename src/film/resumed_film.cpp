@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "film/resumed_film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+#include "base/check.h"
+#include "base/system/console.h"
+#include "base/system/log.h"
+#include "video/seal.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kPieceSeconds = 5.0;  // of film: at most so much is lost
+
+// .film.mp4.parts beside film.mp4
+std::string folder_of(const std::string& output) {
+  const fs::path path(output);
+  return (path.parent_path() / fmt::format(".{}.parts", path.filename().string())).string();
+}
+
+StageTime sum(const StageTime& a, const StageTime& b) {
+  return {a.wall_s + b.wall_s, a.cpu_s + b.cpu_s};
+}
+
+// the output as a whole is refused now, if it must be
+const std::string& examined(const RenderPlan& plan) {
+  make_sink(plan.sink);
+  return plan.sink.output;
+}
+
+}  // namespace
+
+ResumedFilm::ResumedFilm(const RenderPlan& plan)
+    : plan_(plan),
+      folder_(folder_of(plan.sink.output)),
+      ending_(fs::path(plan.sink.output).extension().string()),
+      joiner_(examined(plan)) {}
+
+// an empty folder is no use to the next run
+ResumedFilm::~ResumedFilm() {
+  piece_.reset();
+  std::error_code ignored;
+  fs::remove(folder_, ignored);
+}
+
+std::string ResumedFilm::file_of(int number) const {
+  return (fs::path(folder_) / fmt::format("{:05}{}", number, ending_)).string();
+}
+
+void ResumedFilm::begin(const PreparedFilm& film, const FilmMetadata& metadata) {
+  metadata_ = metadata;
+  const double frames = std::max(1.0, std::round(kPieceSeconds * plan_.sink.fps.value()));
+  pieces_ = static_cast<int>(std::ceil(metadata.frames / frames));
+  record_ = record_of(plan_, film, metadata, {1, pieces_});
+  look_at_old_pieces();
+  std::error_code failed;
+  fs::create_directory(folder_, failed);
+  if (failed) {
+    throw input_error("cannot make the folder '{}': {}", folder_, failed.message())
+        .at({{}, 0, "--resume"});
+  }
+  for (int number = 1; number <= pieces_; ++number) {
+    if (is_whole(number)) {
+      ++whole_;
+      continue;
+    }
+    const FrameRange range = range_of({number, pieces_}, metadata.frames);
+    for (int i = 0; i < range.count; ++i) {
+      missing_.push_back(range.first + i);
+    }
+  }
+  if (whole_ > 0) {
+    print_err(fmt::format(
+        "polhode: {}: {} of {} pieces were there already\n", plan_.sink.output, whole_, pieces_));
+  }
+}
+
+// one that cannot be read or is not as it was sealed is made again
+bool ResumedFilm::is_whole(int number) const {
+  const std::string file = file_of(number);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return false;
+  try {
+    if (sealed_text(file) && record_in(file).shard.number == number) return true;
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+  }
+  spdlog::warn("{}: is damaged and made again", file);
+  return false;
+}
+
+// hours of work are not thrown away for a slip of the keyboard
+void ResumedFilm::look_at_old_pieces() {
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failed)) {
+    if (entry.path().extension() != ending_) continue;
+    std::string difference;
+    try {
+      if (!sealed_text(entry.path())) continue;
+      difference = difference_between(record_, record_in(entry.path().string()));
+    } catch (const Error& error) {
+      if (error.fault() == Fault::interrupted) throw;
+      continue;
+    }
+    if (difference.empty()) continue;
+    throw input_error(
+        "'{}' holds pieces of another film: {}; delete it to begin anew, or choose "
+        "another output",
+        folder_,
+        difference)
+        .at({{}, 0, "--resume"});
+  }
+}
+
+void ResumedFilm::open_piece(int frame) {
+  int number = 1;
+  FrameRange range = range_of({number, pieces_}, metadata_.frames);
+  while (frame >= range.first + range.count) {
+    range = range_of({++number, pieces_}, metadata_.frames);
+  }
+  CHECK(frame == range.first);
+  SinkJob job = plan_.sink;
+  job.output = file_of(number);
+  job.segment = true;
+  piece_ = make_sink(job);
+  SegmentRecord record = record_;
+  record.shard.number = number;
+  record.range = range;
+  FilmMetadata metadata = metadata_of_segment(metadata_, range);
+  metadata.comment = comment_with(record);
+  piece_->describe(metadata);
+  left_in_piece_ = range.count;
+}
+
+void ResumedFilm::push(const Image& frame) {
+  if (!piece_) open_piece(missing_[pushed_]);
+  piece_->push(frame);
+  ++pushed_;
+  if (--left_in_piece_ > 0) return;
+  piece_->finish();
+  times_ = times();
+  piece_.reset();
+  ++whole_;
+}
+
+SinkTimes ResumedFilm::times() const {
+  if (!piece_) return times_;
+  const SinkTimes open = piece_->times();
+  return {sum(times_.convert, open.convert), sum(times_.encode, open.encode)};
+}
+
+void ResumedFilm::collect_hashes() {
+  for (int number = 1; number <= pieces_; ++number) {
+    const std::optional<std::string> text = sealed_text(file_of(number));
+    if (!text) throw environment_error("{}: was changed while the film was made", file_of(number));
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);) {
+      hashes_.push_back(line);
+    }
+  }
+}
+
+void ResumedFilm::finish() {
+  collect_hashes();
+  std::vector<FilmJoiner::Part> parts;
+  for (int number = 1; number <= pieces_; ++number) {
+    parts.push_back({file_of(number), range_of({number, pieces_}, metadata_.frames).count});
+  }
+  joiner_.join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string ResumedFilm::kept() const {
+  if (whole_ == 0) return "no piece was whole yet, so nothing is kept";
+  return fmt::format(
+      "kept in {}: {} of {} pieces; the same command goes on from there", folder_, whole_, pieces_);
+}
+
+}  // namespace polhode

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "film/segments.h"
+
+#include <cstdint>
+
+#include <nlohmann/json.hpp>
+
+#include "base/version.h"
+#include "video/film_joiner.h"
+#include "video/film_sink.h"
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kBegin = "; piece ";
+
+std::map<std::string, std::string> settings_of(const RenderPlan& plan, const PreparedFilm& film) {
+  const SinkJob& sink = plan.sink;
+  return {{"codec", sink.encoder.codec},
+          {"preset", sink.encoder.preset},
+          {"crf", fmt::format("{}", sink.encoder.crf)},
+          {"finest", fmt::format("{}", sink.encoder.finest)},
+          {"threads", fmt::format("{}", sink.encoder.threads)},
+          {"size", fmt::format("{}x{}", sink.width, sink.height)},
+          {"fps", fmt::format("{}/{}", sink.fps.numerator, sink.fps.denominator)},
+          {"from", fmt::format("{}", film.frames.from)},
+          {"to", fmt::format("{}", film.frames.to)},
+          {"transparent", fmt::format("{}", sink.transparent)}};
+}
+
+Json chapters_json(const FilmMetadata& metadata) {
+  Json all = Json::array();
+  for (const FilmMetadata::Chapter& chapter : metadata.chapters) {
+    all.push_back({chapter.start, chapter.title});
+  }
+  return all;
+}
+
+Json captions_json(const FilmMetadata& metadata) {
+  Json all = Json::array();
+  for (const FilmMetadata::Caption& caption : metadata.captions) {
+    all.push_back({caption.start, caption.end, caption.words});
+  }
+  return all;
+}
+
+SegmentRecord record_from(const Json& json) {
+  SegmentRecord record;
+  json.at("polhode").get_to(record.version);
+  json.at("ffmpeg").get_to(record.ffmpeg);
+  json.at("scene").get_to(record.scene);
+  json.at("title").get_to(record.title);
+  json.at("settings").get_to(record.settings);
+  record.shard = {json.at("shard").at(0), json.at("shard").at(1)};
+  record.range = {json.at("first"), json.at("count")};
+  json.at("frames").get_to(record.film.frames);
+  for (const Json& chapter : json.at("chapters")) {
+    record.film.chapters.push_back({chapter.at(0), chapter.at(1)});
+  }
+  for (const Json& caption : json.at("captions")) {
+    record.film.captions.push_back({caption.at(0), caption.at(1), caption.at(2)});
+  }
+  return record;
+}
+
+// a record that contradicts itself was not written by us
+bool consistent(const SegmentRecord& record) {
+  const Shard& shard = record.shard;
+  if (shard.number < 1 || shard.number > shard.of || record.film.frames < shard.of) return false;
+  const FrameRange range = range_of(shard, record.film.frames);
+  return range.first == record.range.first && range.count == record.range.count;
+}
+
+}  // namespace
+
+FrameRange range_of(const Shard& shard, int frames) {
+  if (shard.of > frames) {
+    throw input_error(
+        "the film has {} frames only; make at most so many pieces, not {}", frames, shard.of)
+        .at({{}, 0, "--shard"});
+  }
+  const auto begin = [&](std::int64_t k) {
+    return static_cast<int>(k * frames / shard.of);
+  };
+  const int first = begin(shard.number - 1);
+  return {first, begin(shard.number) - first};
+}
+
+SegmentRecord record_of(const RenderPlan& plan,
+                        const PreparedFilm& film,
+                        const FilmMetadata& metadata,
+                        const Shard& shard) {
+  return {program_version(),
+          libav_version(),
+          scene_hash(film.solved.scene),
+          plan.sink.title,
+          settings_of(plan, film),
+          shard,
+          range_of(shard, metadata.frames),
+          metadata};
+}
+
+std::string film_comment(const std::string& version, const std::string& scene_hash) {
+  return fmt::format("polhode {}, scene {}", version, scene_hash);
+}
+
+std::string comment_with(const SegmentRecord& record) {
+  const Json json = {{"polhode", record.version},
+                     {"ffmpeg", record.ffmpeg},
+                     {"scene", record.scene},
+                     {"title", record.title},
+                     {"settings", record.settings},
+                     {"shard", {record.shard.number, record.shard.of}},
+                     {"first", record.range.first},
+                     {"count", record.range.count},
+                     {"frames", record.film.frames},
+                     {"chapters", chapters_json(record.film)},
+                     {"captions", captions_json(record.film)}};
+  std::string comment =
+      fmt::format("{}{}{}", film_comment(record.version, record.scene), kBegin, json.dump());
+  // what a tag of a .mov can hold
+  constexpr std::size_t kMost = 60000;  // bytes
+  if (comment.size() > kMost) {
+    throw input_error("the story has more words than a piece can carry; render the film whole");
+  }
+  return comment;
+}
+
+SegmentRecord record_in(const std::string& file) {
+  const Place place{file, 0, {}};
+  const std::string comment = comment_of_film(file);
+  const std::size_t begin = comment.find(kBegin);
+  const Error none =
+      input_error("is no piece of a film; `polhode render SCENE --shard K/N` makes them").at(place);
+  if (begin == std::string::npos) throw none;
+  try {
+    SegmentRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));
+    if (!consistent(record)) throw none;
+    return record;
+  } catch (const Json::exception&) {
+    throw none;
+  }
+}
+
+std::string difference_between(const SegmentRecord& a, const SegmentRecord& b) {
+  if (a.version != b.version) {
+    return fmt::format("versions differ (Polhode {} and {})", a.version, b.version);
+  }
+  if (a.ffmpeg != b.ffmpeg) {
+    return fmt::format("versions differ (FFmpeg {} and {})", a.ffmpeg, b.ffmpeg);
+  }
+  if (a.scene != b.scene) return "scenes differ";
+  for (const auto& [key, value] : a.settings) {
+    const auto other = b.settings.find(key);
+    if (other == b.settings.end()) return fmt::format("settings differ ({})", key);
+    if (value != other->second) {
+      return fmt::format("settings differ ({} {} and {})", key, value, other->second);
+    }
+  }
+  if (a.shard.of != b.shard.of) {
+    return fmt::format("one is of {} pieces, the other of {}", a.shard.of, b.shard.of);
+  }
+  if (a.film.frames != b.film.frames) return "films differ in length";
+  return "";
+}
+
+FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range) {
+  FilmMetadata metadata;
+  metadata.first = range.first;
+  metadata.frames = range.count;
+  for (const int frame : film.key_frames) {
+    const int inside = frame - range.first;
+    if (inside > 0 && inside < range.count) metadata.key_frames.push_back(inside);
+  }
+  return metadata;
+}
+
+}  // namespace polhode

@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ file that holds the styles and the scripts of the pages: NAME.css is NAME_css().
+set(text "// Made by src/html/embed_pages.cmake; the sources are in src/html/pages/.\n")
+string(APPEND text "#include \"html/page_parts.h\"\n\nnamespace polhode {\n\n")
+foreach(file ${FILES})
+  file(READ "${file}" source)
+  get_filename_component(name "${file}" NAME)
+  string(REPLACE "." "_" name "${name}")
+  string(APPEND text "const std::string& ${name}() {\n  static const std::string text = R\"page(${source})page\";\n")
+  string(APPEND text "  return text;\n}\n\n")
+endforeach()
+string(APPEND text "}  // namespace polhode\n")
+file(WRITE "${OUTPUT}" "${text}")

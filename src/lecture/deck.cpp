@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/deck.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/nearest.h"
+#include "base/system/atomic_file.h"
+#include "lecture/pandoc.h"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t kLargestDeck = 4U << 20U;  // bytes
+
+// names of what has them, for suggestions
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  names.reserve(list.size());
+  for (const auto& one : list)
+    names.push_back(one.name);
+  return names;
+}
+
+const PictureClass* find_class(const std::string& name) {
+  for (const PictureClass& row : picture_classes()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+// where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none
+Json* attributes_of(Json& node) {
+  static const std::set<std::string> first = {
+      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
+  const std::string type = node["t"];
+  if (type == "Header") return &node["c"][1];
+  return first.contains(type) ? &node["c"][0] : nullptr;
+}
+
+// "../Free top.toml" to "Free-top"
+std::string name_from(const std::string& file) {
+  std::string name = std::filesystem::path(file).stem().string();
+  for (char& c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || (std::isalnum(byte) == 0 && c != '_')) c = '-';
+  }
+  return name.empty() ? "picture" : name;
+}
+
+class Reader {
+ public:
+  Reader(Deck& deck, const std::string& text) : deck_(deck), lines_(text) {}
+
+  void read(Json& node) {
+    if (node.is_array()) {
+      for (Json& child : node)
+        read(child);
+      return;
+    }
+    if (!node.is_object() || !node.contains("t")) return;
+    const std::string type = node["t"];
+    if ((type == "Para" || type == "Plain") && node["c"].size() == 1 &&
+        node["c"][0]["t"] == "Image" && names_scene(node["c"][0])) {
+      take_out(node);
+      return;
+    }
+    if (type == "Image") {
+      read_image(node);
+      return;
+    }
+    if (type == "RawBlock" || type == "RawInline") {
+      tell(0, input_error("raw {} is not allowed in a deck", node["c"][0].get<std::string>()));
+      node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
+      return;
+    }
+    if (type == "Link") read_link(node);
+    if (type == "Math") read_formula(node);
+    if (Json* attributes = attributes_of(node)) clean(*attributes);
+    if (node.contains("c")) read(node["c"]);
+  }
+
+ private:
+  void tell(int line, const Error& error) {
+    deck_.problems.push_back(error.at({deck_.file, line, {}}));
+  }
+
+  static bool names_scene(const Json& image) {
+    const Json& classes = image["c"][0][1];
+    const std::string target = image["c"][2][0];
+    return target.ends_with(".toml") ||
+           std::any_of(classes.begin(), classes.end(), [](const Json& one) {
+             return find_class(one.get<std::string>()) != nullptr;
+           });
+  }
+
+  // a line of the deck with this target
+  int line_of(const std::string& target) {
+    const std::string words = percent_decoded(target);
+    const int line = lines_.next("(" + words);
+    return line > 0 ? line : lines_.next(words);
+  }
+
+  // a picture of a scene leaves its number
+  void take_out(Json& block) {
+    const Json& image = block["c"][0];
+    const std::string target = image["c"][2][0];
+    DeckPicture picture;
+    picture.line = line_of(target);
+    picture.caption = image["c"][1];
+    picture.scenes = {percent_decoded(target)};
+    try {
+      settle(picture, image["c"][0]);
+      read(picture.caption);
+      block = {{"t", kPictureNode}, {"c", deck_.pictures.size()}};
+      deck_.pictures.push_back(std::move(picture));
+    } catch (const Error& error) {
+      tell(picture.line, error);
+      block = paragraph(string_inlines(fmt::format("[{} could not be made]", picture.scenes[0])));
+    }
+  }
+
+  void settle(DeckPicture& picture, const Json& attributes) {
+    const PictureClass* row = nullptr;
+    for (const Json& one : attributes[1]) {
+      const std::string name = one;
+      const PictureClass* found = find_class(name);
+      if (found == nullptr) {
+        throw input_error(
+            "no picture is a '.{}'{}", name, suggestion(name, names_of(picture_classes())));
+      }
+      if (row != nullptr && row != found)
+        throw input_error("a picture is either a .{} or a .{}", row->name, found->name);
+      row = found;
+    }
+    if (row == nullptr) {
+      throw input_error(
+          "say what to make of '{}': .film, .loop, .still, .compare, .chart, "
+          ".stability or .inspect, as in ![…]({}){{.film}}",
+          picture.scenes[0],
+          picture.scenes[0]);
+    }
+    picture.kind = row->kind;
+    for (const Json& pair : attributes[2]) {
+      const std::string key = pair[0], value = pair[1];
+      const std::vector<std::string> known = names_of(row->settings);
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        throw input_error("a .{} has no '{}'{}", row->name, key, suggestion(key, known));
+      picture.settings[key] = value;
+    }
+    const std::string asked = attributes[0];
+    picture.name = unique(name_from(asked.empty() ? picture.scenes[0] : asked));
+    if (picture.kind != PictureKind::compare) return;
+    std::string with = picture.settings["with"];
+    while (!with.empty()) {
+      const std::size_t end = std::min(with.find(' '), with.size());
+      if (end > 0) picture.scenes.push_back(with.substr(0, end));
+      with.erase(0, end + 1);
+    }
+    if (picture.scenes.size() < 2)
+      throw input_error("a .compare needs a second scene: with=other.toml");
+    if (picture.scenes.size() > 4) throw input_error("a .compare takes at most four scenes");
+  }
+
+  std::string unique(const std::string& name) {
+    std::string free = name;
+    for (int i = 2; !names_.insert(free).second; ++i)
+      free = fmt::format("{}-{}", name, i);
+    return free;
+  }
+
+  // a picture among words: a file of its own, never a scene
+  void read_image(Json& image) {
+    const std::string target = image["c"][2][0];
+    const int line = line_of(target);
+    try {
+      if (names_scene(image))
+        throw input_error("a picture of a scene stands in a paragraph of its own");
+      const std::string file = percent_decoded(target);
+      const std::string ending = std::filesystem::path(file).extension();
+      if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
+          ending != ".webp")
+        throw input_error("'{}' is no picture (.png, .jpg, .svg, .webp) and no scene", file);
+      trusted_file(deck_.root, deck_.root.folder, file);
+      read(image["c"][1]);
+      image["c"][0] = Json::array({"", Json::array(), Json::array()});
+      image["c"][2] = Json::array({file, ""});
+      deck_.images.push_back(file);
+    } catch (const Error& error) {
+      tell(line, error);
+      image = string_inlines(fmt::format("[{}]", target))[0];
+    }
+  }
+
+  void read_link(Json& link) {
+    const std::string target = link["c"][2][0];
+    try {
+      check_link(target);
+    } catch (const Error& error) {
+      const int line = lines_.next("(" + percent_decoded(target));
+      tell(line > 0 ? line : lines_.next(target), error);
+      link["c"][2][0] = "#";
+    }
+    link["c"][2][1] = "";
+  }
+
+  void read_formula(Json& math) {
+    const std::string tex = math["c"][1];
+    try {
+      check_formula(tex);
+    } catch (const Error& error) {
+      tell(lines_.next(tex), error);
+      math["c"][1] = "?";
+    }
+  }
+
+  // widths of columns are all that a deck may set on what is no picture
+  void clean(Json& attributes) {
+    Json kept = Json::array();
+    for (const Json& pair : attributes[2]) {
+      const std::string key = pair[0], value = pair[1];
+      const bool width = key == "width" && !value.empty() && value.size() <= 5 &&
+                         value.back() == '%' &&
+                         std::all_of(value.begin(), value.end() - 1, [](char c) {
+                           return (c >= '0' && c <= '9') || c == '.';
+                         });
+      if (width) {
+        kept.push_back(pair);
+      } else {
+        tell(lines_.next(key + "="),
+             input_error("'{}' cannot be set here; only width=N% of columns can", key));
+      }
+    }
+    attributes[2] = kept;
+  }
+
+  Deck& deck_;
+  LineFinder lines_;
+  std::set<std::string> names_;
+};
+
+// of what a deck may say of itself
+void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
+  static const std::vector<std::string> known = {
+      "title", "subtitle", "author", "date", "lang", "description", "licence"};
+  for (const auto& [key, value] : meta.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) {
+      deck.meta[key] = value;
+      continue;
+    }
+    const int line = lines.next(key);
+    deck.problems.push_back(
+        input_error("a deck says nothing of its '{}'{}", key, suggestion(key, known))
+            .at({deck.file, line, {}}));
+  }
+  if (!deck.meta.contains("lang")) return;
+  const Json& lang = deck.meta["lang"];
+  const std::string name = lang["t"] == "MetaInlines"  ? plain_text(lang["c"])
+                           : lang["t"] == "MetaString" ? lang["c"].get<std::string>()
+                                                       : "";
+  const bool good =
+      name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
+      });
+  if (good) return;
+  deck.problems.push_back(
+      input_error("lang is a tag such as en or de-CH").at({deck.file, lines.next("lang"), {}}));
+  deck.meta.erase("lang");
+}
+
+}  // namespace
+
+const std::vector<PictureClass>& picture_classes() {
+  static const PictureSetting from = {"from", "where it begins, s of the motion (0)"};
+  static const PictureSetting to = {"to", "where it ends, s of the motion (its end)"};
+  static const PictureSetting at = {
+      "at", "the moment of its poster, s of the motion (a third of the way, or the first pause)"};
+  static const PictureSetting size = {"size", "WxH, pixels"};
+  static const PictureSetting fps = {"fps", "frames per second"};
+  static const PictureSetting method = {"method", "how the motion is found"};
+  static const PictureSetting step = {"step", "of that method, s"};
+  static const PictureSetting alt = {
+      "alt", "what is to be seen, for those who cannot see it (the caption)"};
+  static const PictureSetting stills = {
+      "stills",
+      "moments for the handout, s, with spaces between (the story's pauses, else the poster)"};
+  static const PictureSetting methods = {"methods", "only these, with commas between"};
+  static const std::vector<PictureClass> table = {
+      {PictureKind::film, "film", "a film", {from, to, at, stills, size, fps, method, step, alt}},
+      {PictureKind::loop,
+       "loop",
+       "a film that closes and repeats",
+       {at, stills, size, fps, method, step, alt}},
+      {PictureKind::still, "still", "one picture", {at, size, method, step, alt}},
+      {PictureKind::compare,
+       "compare",
+       "films side by side on one clock",
+       {{"with", "the other scenes, with spaces between"}, from, to, at, stills, size, fps, alt}},
+      {PictureKind::chart,
+       "chart",
+       "speed against accuracy of the methods",
+       {methods, {"accuracy", "the line: what the scene needs"}, alt}},
+      {PictureKind::stability,
+       "stability",
+       "where methods fail",
+       {methods,
+        {"x", "key across (numerics.step)"},
+        {"y", "key upwards (spin)"},
+        {"x-range", "A:B"},
+        {"y-range", "A:B"},
+        {"cells", "NxM"},
+        {"turns", "how far the body turns in a run"},
+        alt}},
+      {PictureKind::inspect,
+       "inspect",
+       "a table of the numbers",
+       {{"keys", "only these, with spaces between"}}},
+  };
+  return table;
+}
+
+int LineFinder::next(const std::string& words) {
+  if (words.empty()) return 0;
+  std::size_t& from = seen_[words];
+  std::size_t at = text_.find(words, from);
+  if (at == std::string::npos) return 0;
+  from = at + words.size();
+  return 1 + static_cast<int>(
+                 std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+Json Deck::tree(const Json& with_blocks) const {
+  return {{"pandoc-api-version", api_version}, {"meta", meta}, {"blocks", with_blocks}};
+}
+
+Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
+  Deck deck;
+  deck.file = name;
+  deck.root = root;
+  Json tree = read_markdown(text);
+  deck.api_version = tree["pandoc-api-version"];
+  LineFinder lines(text);
+  keep_known_meta(deck, tree["meta"], lines);
+  Reader reader(deck, text);
+  reader.read(deck.meta);
+  for (auto& [key, value] : deck.meta.items()) {
+    static_cast<void>(key);
+    reader.read(value);
+  }
+  reader.read(tree["blocks"]);
+  deck.blocks = std::move(tree["blocks"]);
+  return deck;
+}
+
+Deck read_deck(const std::filesystem::path& file, bool allow_outside) {
+  const std::string text = read_file(file, kLargestDeck);
+  try {
+    return parse_deck(text, file.string(), {file.parent_path(), allow_outside});
+  } catch (const Error& error) {
+    if (error.fault() != Fault::input) throw;
+    throw error.at({file.string(), 0, {}});
+  }
+}
+
+void for_each_node(Json& tree, const std::function<void(Json&)>& visit) {
+  if (tree.is_object() && tree.contains("t")) {
+    visit(tree);
+    if (tree.contains("c")) for_each_node(tree["c"], visit);
+    return;
+  }
+  if (!tree.is_array() && !tree.is_object()) return;
+  for (Json& child : tree)
+    for_each_node(child, visit);
+}
+
+Json with_pictures(const Json& blocks,
+                   const std::function<Json(const DeckPicture&)>& make,
+                   const Deck& deck) {
+  if (blocks.is_object()) {
+    Json copy = blocks;
+    if (copy.contains("c")) copy["c"] = with_pictures(copy["c"], make, deck);
+    return copy;
+  }
+  if (!blocks.is_array()) return blocks;
+  Json copy = Json::array();
+  for (const Json& child : blocks) {
+    if (child.is_object() && child.contains("t") && child["t"] == kPictureNode) {
+      for (Json& block : make(deck.pictures[child["c"].get<std::size_t>()]))
+        copy.push_back(std::move(block));
+    } else {
+      copy.push_back(with_pictures(child, make, deck));
+    }
+  }
+  return copy;
+}
+
+std::string plain_text(const Json& inlines) {
+  std::string text;
+  Json copy = inlines;
+  for_each_node(copy, [&](const Json& node) {
+    const std::string type = node["t"];
+    if (type == "Str") text += node["c"].get<std::string>();
+    if (type == "Space" || type == "SoftBreak" || type == "LineBreak") text += ' ';
+    if (type == "Math" || type == "Code") text += node["c"][1].get<std::string>();
+  });
+  return text;
+}
+
+Json string_inlines(const std::string& text) {
+  return Json::array({{{"t", "Str"}, {"c", text}}});
+}
+
+Json raw_html(const std::string& html) {
+  return {{"t", "RawBlock"}, {"c", {"html", html}}};
+}
+
+Json paragraph(const Json& inlines) {
+  return {{"t", "Para"}, {"c", inlines}};
+}
+
+Json div(const std::string& name, const Json& blocks, const std::string& width) {
+  Json settings = Json::array();
+  if (!width.empty()) settings.push_back(Json::array({"width", width}));
+  return {{"t", "Div"}, {"c", {{"", Json::array({name}), settings}, blocks}}};
+}
+
+}  // namespace polhode

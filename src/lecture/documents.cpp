@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/documents.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/system/atomic_file.h"
+#include "base/system/scratch_folder.h"
+#include "base/utf8.h"
+#include "lecture/pandoc.h"
+
+namespace polhode {
+namespace {
+
+std::string without_spaces(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; });
+  return text;
+}
+
+Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
+  return with_pictures(
+      deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
+}
+
+// Brackets that need not grow are told so: browsers give those that may grow the width of large
+// ones. Text of the deck is escaped, so that what looks like an element is pandoc's own.
+std::string with_brackets(const std::string& html) {
+  const std::string grows = "stretchy=\"true\"", stays = "stretchy=\"false\"", last = "</math>";
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = html.find("<math"); at != std::string::npos;
+       at = html.find("<math", from)) {
+    out += html.substr(from, at - from);
+    from = std::min(html.find(last, at), html.size() - last.size()) + last.size();
+    std::string formula = html.substr(at, from - at);
+    // its TeX is in it
+    if (formula.find("\\left") == std::string::npos &&
+        formula.find("\\begin") == std::string::npos) {
+      for (std::size_t k = formula.find(grows); k != std::string::npos; k = formula.find(grows, k))
+        formula.replace(k, grows.size(), stays);
+    }
+    out += formula;
+  }
+  return out + html.substr(from);
+}
+
+// One slide for programs that place things themselves: where words and one picture share it, they
+// stand side by side.
+void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
+  Json words = Json::array(), pictures = Json::array(), notes = Json::array();
+  bool several = false;
+  for (const Json& block : slide) {
+    const std::string type = block["t"];
+    if (type == kPictureNode) {
+      pictures.push_back(block);
+      const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
+      several =
+          several || picture.scenes.size() > 1 || (!tables && picture.kind == PictureKind::inspect);
+    } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
+      notes.push_back(block);
+    } else {
+      several = several || type == "Div";
+      words.push_back(block);
+    }
+  }
+  if (pictures.size() == 1 && !words.empty() && !several) {
+    blocks.push_back(
+        div("columns", Json::array({div("column", words, "40%"), div("column", pictures, "60%")})));
+    blocks.insert(blocks.end(), notes.begin(), notes.end());
+  } else {
+    blocks.insert(blocks.end(), slide.begin(), slide.end());
+  }
+}
+
+// tables: may they stand beside words, too
+Json as_slides(const Deck& deck, bool tables) {
+  Json blocks = Json::array(), slide = Json::array();
+  for (const Json& block : deck.blocks) {
+    if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
+      add_slide(blocks, slide, deck, tables);
+      slide = Json::array();
+      blocks.push_back(block);
+    } else {
+      slide.push_back(block);
+    }
+  }
+  add_slide(blocks, slide, deck, tables);
+  return blocks;
+}
+
+Json formula(const std::string& tex) {
+  return {{"t", "Math"}, {"c", {{{"t", "InlineMath"}}, tex}}};
+}
+
+// Raised digits, the minus sign and Greek letters as TeX has them: its fonts lack these characters.
+Json latex_words(const std::string& text) {
+  const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
+  static const std::map<std::string, std::string> kLetters = {
+      {"−", "-"},       {"Ω", "\\Omega"}, {"Δ", "\\Delta"},   {"α", "\\alpha"},  {"β", "\\beta"},
+      {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\epsilon"}, {"θ", "\\theta"},  {"λ", "\\lambda"},
+      {"π", "\\pi"},    {"σ", "\\sigma"}, {"τ", "\\tau"},     {"φ", "\\varphi"}, {"ψ", "\\psi"},
+      {"ω", "\\omega"}, {"∞", "\\infty"}, {"≈", "\\approx"},  {"≤", "\\le"},     {"≥", "\\ge"}};
+  Json words = Json::array();
+  std::string plain, power;
+  const auto end_plain = [&] {
+    if (!plain.empty()) words.push_back(string_inlines(plain)[0]);
+    plain.clear();
+  };
+  const auto end_power = [&] {
+    if (!power.empty()) words.push_back(formula("{}^{" + power + "}"));
+    power.clear();
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+    const std::string one = text.substr(i, length);
+    i += length;
+    const auto digit = std::find(raised.begin(), raised.end(), one);
+    if (digit != raised.end()) {
+      end_plain();
+      power += one == "⁻" ? "-" : std::to_string(digit - raised.begin());
+      continue;
+    }
+    end_power();
+    const auto letter = kLetters.find(one);
+    if (letter != kLetters.end()) {
+      end_plain();
+      words.push_back(formula(letter->second));
+    } else {
+      plain += one;
+    }
+  }
+  end_power();
+  end_plain();
+  return words;
+}
+
+Json for_latex(const Json& tree) {
+  if (!tree.is_structured()) return tree;
+  Json copy = tree.is_array() ? Json::array() : Json::object();
+  if (tree.is_object()) {
+    for (const auto& [key, value] : tree.items())
+      copy[key] = for_latex(value);
+    return copy;
+  }
+  for (const Json& child : tree) {
+    if (child.is_object() && child.value("t", "") == "Str") {
+      for (Json& word : latex_words(child["c"].get<std::string>()))
+        copy.push_back(std::move(word));
+    } else {
+      copy.push_back(for_latex(child));
+    }
+  }
+  return copy;
+}
+
+// Words for the speaker are text on the page: the page is what a student reads.
+Json with_notes_as_text(Json blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] != "Div") return;
+    for (Json& name : node["c"][0][1]) {
+      if (name == "notes") name = "prose";
+    }
+  });
+  return blocks;
+}
+
+// The deck for pages that write its title themselves.
+Json without_meta(const Deck& deck, const Json& blocks) {
+  Deck plain = deck;
+  plain.meta = Json::object();
+  return plain.tree(blocks);
+}
+
+std::string sections_html(const Json& tree) {
+  return write_document(tree,
+                        {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
+      .text;
+}
+
+}  // namespace
+
+void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
+  // captions too
+  Json all = deck.blocks;
+  for (const DeckPicture& picture : deck.pictures)
+    all.push_back(paragraph(picture.caption));
+  std::erase_if(all.get_ref<Json::array_t&>(),
+                [](const Json& block) { return block["t"] == kPictureNode; });
+  all = with_pictures(
+      all, [](const DeckPicture&) { return Json::array(); }, deck);
+  std::vector<std::string> bad =
+      write_document(deck.tree(all), {"-t", "html5", "--mathml"}).bad_formulas;
+  if (bad.empty()) return;
+  for (std::string& formula : bad)
+    formula = without_spaces(formula);
+  LineFinder lines(deck_text);
+  const auto drop = [&](Json& node) {
+    if (node["t"] != "Math") return;
+    const std::string tex = node["c"][1];
+    if (std::find(bad.begin(), bad.end(), without_spaces(tex)) == bad.end()) return;
+    deck.problems.push_back(input_error("pandoc cannot read the formula '{}'", tex.substr(0, 80))
+                                .at({deck.file, lines.next(tex), {}}));
+    node = string_inlines("[a formula that cannot be read]")[0];
+  };
+  for_each_node(deck.blocks, drop);
+  for_each_node(deck.meta, drop);
+  for (DeckPicture& picture : deck.pictures)
+    for_each_node(picture.caption, drop);
+}
+
+std::string make_page(const Deck& deck, const FigureOf& figure_of) {
+  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, page_blocks)));
+  const std::string body = sections_html(tree);
+  // the contents come from pandoc's own template, which has nothing else here
+  const ScratchFolder scratch;
+  const std::string only_contents = scratch / "contents.html";
+  write_file(only_contents, "$table-of-contents$\n");
+  const std::string contents = write_document(tree,
+                                              {"-t",
+                                               "html5",
+                                               "--toc",
+                                               "--toc-depth=3",
+                                               "--shift-heading-level-by=1",
+                                               "-s",
+                                               "--template=" + only_contents,
+                                               "--metadata=title:-"},
+                                              false)
+                                   .text;
+  return lecture_page(words_of(deck), with_brackets(body), contents);
+}
+
+std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal) {
+  const Json tree = without_meta(deck, filled(deck, figure_of, slide_blocks));
+  const std::string body =
+      write_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"}).text;
+  return slides_page(words_of(deck), with_brackets(body), reveal);
+}
+
+std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
+  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, handout_blocks)));
+  return handout_page(words_of(deck), with_brackets(sections_html(tree)));
+}
+
+std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
+  Deck slides = deck;
+  slides.blocks = as_slides(deck, false);
+  const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
+  return write_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"})
+      .text;
+}
+
+std::string make_pptx(const Deck& deck,
+                      const FigureOf& figure_of,
+                      const std::filesystem::path& folder) {
+  Deck slides = deck;
+  slides.blocks = as_slides(deck, true);
+  const Json tree = deck.tree(filled(slides, figure_of, office_blocks));
+  const ScratchFolder scratch;
+  const std::string file = scratch / "slides.pptx";
+  // it reads the posters, which are ours, and copies of the deck's own pictures
+  write_document(
+      tree,
+      {"-t", "pptx", "--slide-level=2", "--resource-path=" + folder.string(), "-o", file},
+      false);
+  return read_file(file);
+}
+
+}  // namespace polhode

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/figures.h"
+
+#include <algorithm>
+
+#include "base/base64.h"
+#include "html/escape.h"
+#include "lecture/quotes.h"
+
+namespace polhode {
+namespace {
+
+std::string media(const Json& facts, const char* key) {
+  return "media/" + percent_encoded(facts.at(key).get<std::string>());
+}
+
+// what is to be seen, for those who cannot see it
+std::string alt_of(const DeckPicture& picture) {
+  const auto given = picture.settings.find("alt");
+  if (given != picture.settings.end()) return given->second;
+  const std::string words = plain_text(picture.caption);
+  return words.empty() ? picture.name : words;
+}
+
+Json failed_blocks(const Figure& figure) {
+  const std::string words =
+      fmt::format("[{} could not be made: {}]", figure.picture->scenes[0], figure.failure);
+  return Json::array({paragraph(Json::array({{{"t", "Strong"}, {"c", string_inlines(words)}}}))});
+}
+
+// html, the caption, html
+Json framed(const std::string& before, const DeckPicture& picture) {
+  Json blocks = Json::array({raw_html(before)});
+  if (!picture.caption.empty()) {
+    blocks.push_back(raw_html("<figcaption>"));
+    blocks.push_back({{"t", "Plain"}, {"c", picture.caption}});
+    blocks.push_back(raw_html("</figcaption>"));
+  }
+  blocks.push_back(raw_html("</figure>"));
+  return blocks;
+}
+
+std::string pauses_of(const Json& facts) {
+  std::string text;
+  for (const Json& pause : facts.at("pauses")) {
+    text += fmt::format(
+        "{}{:.6f} {:.6f}", text.empty() ? "" : ",", pause[0].get<double>(), pause[1].get<double>());
+  }
+  return text;
+}
+
+// name: of the film, unique in the page
+std::string video_element(const Json& facts,
+                          const DeckPicture& picture,
+                          const std::string& name,
+                          bool slides) {
+  const bool repeats = picture.kind == PictureKind::loop;
+  std::string text = fmt::format(
+      "<video data-film=\"{}\" data-fps=\"{:.6f}\" data-frames=\"{}\" data-pauses=\"{}\" "
+      "width=\"{}\" "
+      "height=\"{}\" poster=\"{}\" preload=\"{}\" playsinline muted {}{}aria-label=\"{}\">",
+      escaped(name),
+      facts.at("fps").get<double>(),
+      facts.at("frames").get<int>(),
+      pauses_of(facts),
+      facts.at("width").get<int>(),
+      facts.at("height").get<int>(),
+      media(facts, "poster"),
+      slides ? "metadata" : "none",
+      slides ? "" : "controls ",
+      repeats ? "loop " : "",
+      escaped(alt_of(picture)));
+  text += fmt::format("<source src=\"{}\" type=\"video/mp4\">", media(facts, "film"));
+  const std::string words = facts.at("vtt");
+  if (!words.empty()) {
+    text += fmt::format(
+        "<track kind=\"captions\" srclang=\"en\" label=\"Captions\" "
+        "src=\"data:text/vtt;base64,{}\">",
+        base64(words));
+  }
+  return text + fmt::format("<a href=\"{}\">The film</a></video>", media(facts, "film"));
+}
+
+std::string img_element(const std::string& file, const std::string& alt) {
+  return fmt::format("<img src=\"{}\" alt=\"{}\">", file, escaped(alt));
+}
+
+// the films of a picture, one or several side by side
+std::string films(const Figure& figure, bool slides) {
+  const DeckPicture& picture = *figure.picture;
+  const bool several = figure.facts.size() > 1;
+  std::string text = fmt::format(
+      "<figure class=\"film{}\" id=\"film-{}\">", several ? " several" : "", escaped(picture.name));
+  text += fmt::format("<div class=\"screens n{}\">", figure.facts.size());
+  for (std::size_t i = 0; i < figure.facts.size(); ++i) {
+    const std::string name = i == 0 ? picture.name : fmt::format("{}.{}", picture.name, i + 1);
+    const std::string title = figure.facts[i].at("title");
+    text += "<div class=\"screen\">" + video_element(figure.facts[i], picture, name, slides);
+    if (several) text += fmt::format("<p class=\"name\">{}</p>", escaped(title));
+    text += "</div>";
+  }
+  return text + "</div>";
+}
+
+bool is_plot(const DeckPicture& picture) {
+  return picture.kind == PictureKind::chart || picture.kind == PictureKind::stability;
+}
+
+Json plot_blocks(const Figure& figure, const char* what) {
+  const DeckPicture& picture = *figure.picture;
+  const Json& facts = figure.facts[0];
+  std::string text = fmt::format("<figure class=\"plot\" id=\"{}\">", escaped(picture.name));
+  text += fmt::format("<a href=\"{}\">{}</a>",
+                      media(facts, what),
+                      img_element(media(facts, what), alt_of(picture)));
+  return framed(text, picture);
+}
+
+// a paragraph with a picture and, where there is one, its caption below
+Json picture_blocks(const DeckPicture& picture,
+                    const std::string& file,
+                    const std::string& link,
+                    const std::string& title) {
+  const Json no_attributes = Json::array({"", Json::array(), Json::array()});
+  // LaTeX has a caption below: a picture without a link is no higher than leaves room for it
+  Json settings = Json::array();
+  if (link.empty()) settings.push_back(Json::array({"height", "62%"}));
+  Json image = {{"t", "Image"},
+                {"c",
+                 {Json::array({"", Json::array(), settings}),
+                  picture.caption.empty() ? string_inlines(alt_of(picture)) : picture.caption,
+                  {file, title}}}};
+  if (link.empty()) return Json::array({paragraph(Json::array({image}))});
+  const Json linked = {{"t", "Link"}, {"c", {no_attributes, Json::array({image}), {link, ""}}}};
+  return Json::array({paragraph(Json::array({linked}))});
+}
+
+// blocks side by side
+Json columns(const std::vector<Json>& contents) {
+  const std::string width = fmt::format("{}%", 100 / static_cast<int>(contents.size()));
+  Json inside = Json::array();
+  for (const Json& content : contents)
+    inside.push_back(div("column", content, width));
+  return Json::array({div("columns", inside)});
+}
+
+// The posters of films that are compared, each with its scene's title; the first has the caption
+// too. `across`: how many stand side by side; the others come on further slides.
+Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
+  std::vector<Json> posters;
+  for (const Json& facts : figure.facts) {
+    DeckPicture one = *figure.picture;
+    Json words = string_inlines(facts.at("title").get<std::string>());
+    if (posters.empty() && !one.caption.empty()) {
+      words.push_back({{"t", "Str"}, {"c", "."}});
+      words.push_back({{"t", "Space"}});
+      words.insert(words.end(), one.caption.begin(), one.caption.end());
+    }
+    one.caption = words;
+    posters.push_back(
+        picture_blocks(one, media(facts, "poster"), links ? media(facts, "film") : "", "fig:"));
+  }
+  Json blocks = Json::array();
+  for (std::size_t i = 0; i < posters.size(); i += across) {
+    if (i > 0) blocks.push_back({{"t", "HorizontalRule"}});
+    const std::size_t end = std::min(i + across, posters.size());
+    const Json row = end - i == 1 ? posters[i]
+                                  : columns({posters.begin() + static_cast<std::ptrdiff_t>(i),
+                                             posters.begin() + static_cast<std::ptrdiff_t>(end)});
+    blocks.insert(blocks.end(), row.begin(), row.end());
+  }
+  return blocks;
+}
+
+Json document_blocks(const Figure& figure, bool links, std::size_t across) {
+  const DeckPicture& picture = *figure.picture;
+  if (figure.facts.empty()) return failed_blocks(figure);
+  if (picture.kind == PictureKind::inspect) return figure.facts[0].at("table");
+  if (is_plot(picture)) return picture_blocks(picture, media(figure.facts[0], "png"), "", "fig:");
+  if (figure.facts.size() > 1) return compared_blocks(figure, links, across);
+  const Json& facts = figure.facts[0];
+  const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
+  return picture_blocks(picture, media(facts, "poster"), link, "fig:");
+}
+
+Json cell(const Json& inlines) {
+  const Json plain = Json::array({{{"t", "Plain"}, {"c", inlines}}});
+  return Json::array(
+      {Json::array({"", Json::array(), Json::array()}), {{"t", "AlignDefault"}}, 1, 1, plain});
+}
+
+Json table_row(const std::vector<std::string>& words) {
+  Json cells = Json::array();
+  for (const std::string& one : words)
+    cells.push_back(cell(string_inlines(one)));
+  return Json::array({Json::array({"", Json::array(), Json::array()}), cells});
+}
+
+}  // namespace
+
+Json number_table(const Json& inspection, const std::string& keys) {
+  std::vector<std::string> asked;
+  for (std::size_t from = 0; from < keys.size();) {
+    const std::size_t end = std::min(keys.find(' ', from), keys.size());
+    if (end > from) asked.push_back(keys.substr(from, end - from));
+    from = end + 1;
+  }
+  if (asked.empty()) {
+    asked = {"kind", "mass_kg", "principal_moments_kg_m2"};
+    for (const auto& [key, value] : inspection.at("derived").items()) {
+      static_cast<void>(value);
+      asked.push_back(key);
+    }
+  }
+  Json rows = Json::array();
+  for (const std::string& key : asked) {
+    std::string name = split_unit(key).first;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    rows.push_back(table_row({name, quoted(inspection, {"the scene", key, "%.4g", ""}).text}));
+  }
+  const Json none = Json::array({"", Json::array(), Json::array()});
+  const Json column = Json::array({{{"t", "AlignLeft"}}, {{"t", "ColWidthDefault"}}});
+  const Json caption = Json::array({nullptr, Json::array()});
+  const Json head = Json::array({none, Json::array({table_row({"Quantity", "Value"})})});
+  const Json body = Json::array({Json::array({none, 0, Json::array(), rows})});
+  const Json foot = Json::array({none, Json::array()});
+  return {{"t", "Table"}, {"c", {none, caption, Json::array({column, column}), head, body, foot}}};
+}
+
+Json page_blocks(const Figure& figure) {
+  const DeckPicture& picture = *figure.picture;
+  if (figure.facts.empty()) return failed_blocks(figure);
+  if (is_plot(picture)) return plot_blocks(figure, "svg");
+  if (picture.kind == PictureKind::still) {
+    const std::string still = img_element(media(figure.facts[0], "poster"), alt_of(picture));
+    return framed(fmt::format("<figure class=\"still\" id=\"{}\">{}", escaped(picture.name), still),
+                  picture);
+  }
+  if (picture.kind == PictureKind::inspect) {
+    Json blocks = Json::array({raw_html(fmt::format(
+        "<figure class=\"numbers\" id=\"{}\"><div class=\"scroll\">", escaped(picture.name)))});
+    for (const Json& block : figure.facts[0].at("table"))
+      blocks.push_back(block);
+    for (Json& block : framed("</div>", picture))
+      blocks.push_back(std::move(block));
+    return blocks;
+  }
+  return framed(films(figure, false), picture);
+}
+
+Json slide_blocks(const Figure& figure) {
+  const PictureKind kind = figure.picture->kind;
+  const bool films_here =
+      kind == PictureKind::film || kind == PictureKind::loop || kind == PictureKind::compare;
+  if (figure.facts.empty() || !films_here) return page_blocks(figure);
+  return framed(films(figure, true), *figure.picture);
+}
+
+Json handout_blocks(const Figure& figure) {
+  const DeckPicture& picture = *figure.picture;
+  if (figure.facts.empty()) return failed_blocks(figure);
+  if (picture.kind == PictureKind::inspect || picture.kind == PictureKind::still)
+    return page_blocks(figure);
+  if (is_plot(picture)) return plot_blocks(figure, "svg");
+  std::string text;
+  int count = 0;
+  for (const Json& facts : figure.facts) {
+    Json stills = facts.at("stills");
+    if (stills.empty()) {
+      stills = Json::array({{{"file", facts.at("poster")},
+                             {"at", facts.at("poster_at")},
+                             {"caption", figure.facts.size() > 1 ? facts.at("title") : Json("")}}});
+    }
+    for (const Json& still : stills) {
+      const std::string caption = still.at("caption");
+      text +=
+          fmt::format("<div class=\"screen\">{}<p class=\"name\">t = {:.4g} s{}{}</p></div>",
+                      img_element("media/" + percent_encoded(still.at("file").get<std::string>()),
+                                  alt_of(picture)),
+                      still.at("at").get<double>(),
+                      caption.empty() ? "" : ": ",
+                      escaped(caption));
+      ++count;
+    }
+  }
+  return framed(
+      fmt::format(
+          "<figure class=\"stills\"><div class=\"screens n{}\">{}</div>", std::min(count, 4), text),
+      picture);
+}
+
+Json office_blocks(const Figure& figure) {
+  return document_blocks(figure, true, 2);
+}
+
+Json beamer_blocks(const Figure& figure) {
+  return document_blocks(figure, false, 4);
+}
+
+}  // namespace polhode

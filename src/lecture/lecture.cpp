@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/lecture.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+
+#include "base/hash.h"
+#include "base/name_list.h"
+#include "base/system/atomic_file.h"
+#include "base/system/interrupt.h"
+#include "base/system/output_folder.h"
+#include "base/system/parallel.h"
+#include "chart/gnuplot.h"
+#include "lecture/data.h"
+#include "lecture/documents.h"
+#include "lecture/media.h"
+#include "lecture/pandoc.h"
+#include "lecture/quotes.h"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One product with what came of it.
+struct Task {
+  Product product;
+  bool alone = false;  // it measures time, and has the machine to itself
+  Json facts;
+  std::optional<Error> failure;
+};
+
+// Everything that is being made.
+struct LectureWork {
+  const LectureJob* job = nullptr;
+  Deck deck;
+  std::string deck_text;
+  std::map<std::string, std::shared_ptr<DeckScene>> scenes;  // by the deck's name for them
+  std::map<std::string, Error> bad_scenes;
+  std::map<std::string, Task> tasks;                        // by stem
+  std::map<std::string, std::string> inspections, motions;  // scene -> stem
+  std::vector<std::vector<std::string>> stems;              // of each picture
+  std::vector<std::string> failures;                        // of each picture; empty: none
+};
+
+// Throws what is wrong with the scene, each time the same.
+const DeckScene& scene_of(LectureWork& work, const std::string& name) {
+  if (const auto bad = work.bad_scenes.find(name); bad != work.bad_scenes.end()) throw bad->second;
+  std::shared_ptr<DeckScene>& scene = work.scenes[name];
+  if (scene == nullptr) {
+    try {
+      auto read = std::make_shared<DeckScene>();
+      read->name = name;
+      read->file = trusted_scene(work.deck.root, name);
+      read->scene = load_scene(read->file);
+      read->hash = scene_hash(read->scene);
+      scene = std::move(read);
+    } catch (const Error& error) {
+      work.scenes.erase(name);
+      work.bad_scenes.emplace(name, error);
+      throw;
+    }
+  }
+  return *scene;
+}
+
+std::string add_task(LectureWork& work, Product product, bool alone = false) {
+  std::string stem = Media::stem_of(product);
+  work.tasks.try_emplace(stem, Task{std::move(product), alone, {}, {}});
+  return stem;
+}
+
+// an error of a scene behind the place in the deck that asked for it
+Error in_deck(const LectureWork& work, int line, const Error& error) {
+  return Error(error.fault(), error.what(), {work.deck.file, line, {}});
+}
+
+void plan_picture(LectureWork& work, const DeckPicture& picture) {
+  std::vector<std::string> stems;
+  for (const std::string& name : picture.scenes) {
+    const DeckScene& scene = scene_of(work, name);
+    const LectureSettings& settings = work.job->settings;
+    switch (picture.kind) {
+      case PictureKind::film:
+      case PictureKind::loop:
+      case PictureKind::compare:
+        stems.push_back(add_task(work, film_product(picture, scene, settings)));
+        break;
+      case PictureKind::still:
+        stems.push_back(add_task(work, still_product(picture, scene, settings)));
+        break;
+      case PictureKind::chart:
+        stems.push_back(add_task(work, chart_product(picture, scene), true));
+        break;
+      case PictureKind::stability:
+        stems.push_back(add_task(work, stability_product(picture, scene), true));
+        break;
+      case PictureKind::inspect:
+        stems.push_back(add_task(work, inspect_product(scene)));
+        break;
+    }
+  }
+  work.stems.push_back(stems);
+}
+
+// what must be made; what cannot even be begun is a problem of the deck
+void plan(LectureWork& work, bool data) {
+  for (const DeckPicture& picture : work.deck.pictures) {
+    work.failures.emplace_back();
+    try {
+      plan_picture(work, picture);
+    } catch (const Error& error) {
+      work.stems.resize(work.failures.size());
+      work.failures.back() = error.what();
+      work.deck.problems.push_back(in_deck(work, picture.line, error));
+    }
+  }
+  for (const std::string& name : quoted_scenes(work.deck)) {
+    try {
+      scene_of(work, name);
+    } catch (const Error&) {
+      continue;  // the quote tells, with its line
+    }
+  }
+  for (const auto& [name, scene] : work.scenes) {
+    if (scene == nullptr) continue;
+    work.inspections[name] = add_task(work, inspect_product(*scene));
+    if (data) work.motions[name] = add_task(work, motion_product(*scene));
+  }
+}
+
+void run_task(Task& task, Media& media) {
+  try {
+    task.facts = media.obtain(task.product);
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+    task.failure = error;
+  }
+}
+
+void run_tasks(LectureWork& work, Media& media) {
+  std::vector<Task*> together, alone;
+  for (auto& [stem, task] : work.tasks)
+    (task.alone ? alone : together).push_back(&task);
+  Progress progress(work.job->progress, static_cast<int>(work.tasks.size()), "pictures");
+  progress.show(0);
+  std::mutex lock;
+  int done = 0;
+  const auto run = [&](Task* task) {
+    stop_if_interrupted();
+    run_task(*task, media);
+    const std::lock_guard guard(lock);
+    progress.show(++done);
+  };
+  parallel_for(static_cast<long>(together.size()), work.job->jobs, [&](long i) {
+    run(together[static_cast<std::size_t>(i)]);
+  });
+  for (Task* task : alone)
+    run(task);
+}
+
+// the failures of products become those of the pictures that need them
+void tell_failures(LectureWork& work) {
+  for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
+    const DeckPicture& picture = work.deck.pictures[i];
+    for (const std::string& stem : work.stems[i]) {
+      Task& task = work.tasks.at(stem);
+      try {
+        if (task.failure) throw *task.failure;
+        if (picture.kind != PictureKind::inspect) continue;
+        const auto keys = picture.settings.find("keys");
+        number_table(task.facts.at("inspection"),
+                     keys == picture.settings.end() ? "" : keys->second);
+      } catch (const Error& error) {
+        work.failures[i] = error.what();
+        work.deck.problems.push_back(in_deck(work, picture.line, error));
+        break;
+      }
+    }
+  }
+}
+
+Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
+  const std::vector<DeckPicture>& all = work.deck.pictures;
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const DeckPicture& one) { return one.name == picture.name; });
+  const auto i = static_cast<std::size_t>(found - all.begin());
+  Figure figure{&picture, {}, work.failures[i]};
+  if (!figure.failure.empty()) return figure;
+  for (const std::string& stem : work.stems[i]) {
+    Json facts = work.tasks.at(stem).facts;
+    if (picture.kind == PictureKind::inspect) {
+      const auto keys = picture.settings.find("keys");
+      facts["table"] = Json::array({number_table(
+          facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second)});
+    }
+    figure.facts.push_back(std::move(facts));
+  }
+  return figure;
+}
+
+const Json& inspection_of(LectureWork& work, const std::string& name) {
+  scene_of(work, name);  // throws what is wrong with it
+  const Task& task = work.tasks.at(work.inspections.at(name));
+  if (task.failure) throw *task.failure;
+  return task.facts.at("inspection");
+}
+
+// ordinary pictures go beside the rest, by their content
+void copy_images(LectureWork& work, const fs::path& folder) {
+  std::map<std::string, std::string> copies;
+  for (const std::string& image : work.deck.images) {
+    const std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
+    const std::string name = fmt::format("media/picture-{}{}",
+                                         content_hash(bytes).substr(0, 16),
+                                         fs::path(image).extension().string());
+    write_file(folder / name, bytes);
+    copies[image] = name;
+  }
+  const auto rename = [&](Json& node) {
+    if (node["t"] == "Image" && copies.contains(node["c"][2][0]))
+      node["c"][2][0] = copies.at(node["c"][2][0]);
+  };
+  for_each_node(work.deck.blocks, rename);
+  for (DeckPicture& picture : work.deck.pictures)
+    for_each_node(picture.caption, rename);
+}
+
+std::string why_not(const std::string& output,
+                    const std::optional<Reveal>& reveal,
+                    const std::string& printer) {
+  if (output == "slides" && !reveal)
+    return "reveal.js is missing; run tools/install-dependencies --for lecture";
+  if (output == "handout" && printer.empty())
+    return "chromium is missing; run tools/install-dependencies --for lecture";
+  return "";
+}
+
+std::set<std::string> parse_outputs(const std::string& to) {
+  std::vector<std::string> known;
+  for (const LectureOutput& output : lecture_outputs())
+    known.push_back(output.name);
+  return known_names(to, known, "output", "--to");
+}
+
+// Outputs that this machine can make; what was asked for by name must be possible.
+std::vector<std::string> settle_outputs(const std::string& to,
+                                        const std::optional<Reveal>& reveal,
+                                        const std::string& printer,
+                                        std::string& summary) {
+  const std::set<std::string> wanted = parse_outputs(to);
+  const bool all = wanted.empty();
+  std::vector<std::string> possible;
+  for (const LectureOutput& output : lecture_outputs()) {
+    if (!all && wanted.count(output.name) == 0) continue;
+    const std::string reason = why_not(output.name, reveal, printer);
+    if (reason.empty()) {
+      possible.push_back(output.name);
+    } else if (all) {
+      summary += fmt::format("left out: {} ({})\n", output.file, reason);
+    } else {
+      throw environment_error("no {}: {}", output.file, reason).at({{}, 0, "--to"});
+    }
+  }
+  return possible;
+}
+
+std::string make_document(const std::string& output,
+                          const LectureWork& work,
+                          const fs::path& folder,
+                          const std::optional<Reveal>& reveal,
+                          const std::string& printer) {
+  const FigureOf figures = [&](const DeckPicture& picture) {
+    return figure_of(work, picture);
+  };
+  if (output == "html") return make_page(work.deck, figures);
+  if (output == "slides") return make_slides(work.deck, figures, *reveal);
+  if (output == "pptx") return make_pptx(work.deck, figures, folder);
+  if (output == "beamer") return make_beamer(work.deck, figures);
+  // the page that is printed stands beside the media for as long as that takes
+  const fs::path page = folder / ".handout.html";
+  write_file(page, make_handout_html(work.deck, figures));
+  const auto remove = [&] {
+    std::error_code ignored;
+    fs::remove(page, ignored);
+  };
+  try {
+    std::string pdf = print_page(printer, page);
+    remove();
+    return pdf;
+  } catch (...) {
+    remove();
+    throw;
+  }
+}
+
+LectureData data_of(const LectureWork& work,
+                    const std::vector<std::string>& outputs,
+                    const std::optional<Reveal>& reveal) {
+  LectureData data;
+  data.deck = &work.deck;
+  data.deck_text = work.deck_text;
+  data.licence = words_of(work.deck).licence;
+  data.outputs = outputs;
+  data.reveal_version = reveal ? reveal->version : "";
+  for (const auto& [stem, task] : work.tasks) {
+    if (!task.failure) data.products.emplace_back(stem, task.facts);
+  }
+  for (const auto& [name, scene] : work.scenes) {
+    if (scene == nullptr) continue;
+    const Task& motion = work.tasks.at(work.motions.at(name));
+    data.scenes.push_back({scene, motion.failure ? "" : motion.facts.at("csv").get<std::string>()});
+  }
+  return data;
+}
+
+}  // namespace
+
+const std::vector<LectureOutput>& lecture_outputs() {
+  static const std::vector<LectureOutput> table = {
+      {"html", "index.html", "one page with films, formulas, charts"},
+      {"slides", "slides.html", "slides by reveal.js; films stop where the story pauses"},
+      {"pptx", "slides.pptx", "PowerPoint, with posters that link to the films"},
+      {"beamer", "slides.tex", "LaTeX Beamer source, with stills"},
+      {"handout", "handout.pdf", "stills, formulas and numbers on paper"},
+      {"data", "data/manifest.json", "motions as tables, scenes, a manifest"},
+  };
+  return table;
+}
+
+LectureResult lecture(const LectureJob& job) {
+  require_pandoc();
+  const auto may_want = [&](const char* name) {
+    return job.to.empty() || job.to.find(name) != std::string::npos;
+  };
+  const std::optional<Reveal> reveal = may_want("slides") ? find_reveal() : std::nullopt;
+  const std::string printer = may_want("handout") ? find_printer() : "";
+  LectureResult result;
+  const std::vector<std::string> outputs = settle_outputs(job.to, reveal, printer, result.summary);
+  const auto wants = [&](const char* name) {
+    return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+  };
+
+  // read and plan before anything is written
+  LectureWork work;
+  work.job = &job;
+  work.deck_text = read_file(job.deck);
+  work.deck = read_deck(job.deck, job.allow_outside);
+  plan(work, wants("data"));
+  const fs::path folder = folder_or_default(job.output, job.deck, "lecture");
+  std::vector<std::string> files;
+  for (const LectureOutput& output : lecture_outputs()) {
+    if (wants(output.name.c_str()) && output.name != "data") files.push_back(output.file);
+  }
+  OutputFolder documents(folder, files);
+
+  // render, then everything that needs it
+  Media media(folder / "media");
+  run_tasks(work, media);
+  tell_failures(work);
+  fill_quotes(work.deck, work.deck_text, [&](const std::string& name) -> const Json& {
+    return inspection_of(work, name);
+  });
+  drop_bad_formulas(work.deck, work.deck_text);
+  copy_images(work, folder);
+  std::vector<std::string> contents;
+  for (const std::string& output : outputs) {
+    if (output != "data") contents.push_back(make_document(output, work, folder, reveal, printer));
+  }
+  stop_if_interrupted();
+  if (wants("data")) write_data(data_of(work, outputs, reveal), folder);
+  documents.commit(contents);
+  media.forget_the_rest();
+  for (const std::string& file : files)
+    result.summary += (folder / file).string() + "\n";
+  if (wants("data")) result.summary += (folder / "data/manifest.json").string() + "\n";
+  result.summary += fmt::format("{} pictures, {} made now\n", work.tasks.size(), media.made());
+  result.problems = std::move(work.deck.problems);
+  return result;
+}
+
+std::vector<ExternalNeed> lecture_needs() {
+  const std::string how = "missing: run tools/install-dependencies --for lecture";
+  const std::string pandoc = pandoc_version(), printer = find_printer();
+  const std::optional<Reveal> reveal = find_reveal();
+  return {
+      {"lectures", pandoc.empty() ? how + " (pandoc)" : "ok, " + pandoc},
+      {"slides of lectures", reveal ? "ok, reveal.js " + reveal->version : how + " (reveal.js)"},
+      {"handouts of lectures", printer.empty() ? how + " (chromium)" : "ok, " + printer},
+      {"font of formulas",
+       formula_font_css().empty() ? how + " (fonts-lmodern); browsers take their own"
+                                  : "ok, Latin Modern Math"}};
+}
+
+}  // namespace polhode

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/media.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/system/atomic_file.h"
+#include "base/version.h"
+#include "film/report.h"
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a deck
+
+}  // namespace
+
+Media::Media(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder_, failed);
+  std::string name = (folder_ / ".work-XXXXXX").string();
+  if (failed || mkdtemp(name.data()) == nullptr) {
+    throw input_error("cannot write into the folder '{}'", folder_.string())
+        .at({{}, 0, "--output"});
+  }
+  work_ = name;
+}
+
+Media::~Media() {
+  std::error_code ignored;
+  std::filesystem::remove_all(work_, ignored);
+}
+
+std::string Media::stem_of(const Product& product) {
+  return fmt::format("{}-{}", product.name, content_hash(product.key).substr(0, kHashDigits));
+}
+
+bool Media::is_whole(const Json& facts) const {
+  if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) return false;
+  for (const Json& file : facts["files"]) {
+    try {
+      const std::string bytes = read_file(folder_ / file.at("name").get<std::string>());
+      if (content_hash(bytes) != file.at("hash").get<std::string>()) return false;
+    } catch (const Error&) {
+      return false;
+    } catch (const Json::exception&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Json Media::obtain(const Product& product) {
+  const std::string stem = stem_of(product);
+  const std::filesystem::path card = folder_ / (stem + ".json");
+  {
+    const std::lock_guard guard(lock_);
+    used_.insert(stem);
+  }
+  std::error_code missing;
+  if (std::filesystem::exists(card, missing)) {
+    Json facts = Json::parse(read_file(card), nullptr, false);
+    if (is_whole(facts)) return facts;
+  }
+  const std::filesystem::path work = work_ / stem;
+  std::filesystem::create_directories(work, missing);
+  Json facts = product.make(work, stem);
+  facts["files"] = Json::array();
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(work))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const std::filesystem::path& file : files) {
+    const std::string bytes = read_file(file);
+    facts["files"].push_back({{"name", file.filename().string()},
+                              {"bytes", bytes.size()},
+                              {"hash", content_hash(bytes)}});
+    std::error_code failed;
+    std::filesystem::rename(file, folder_ / file.filename(), failed);
+    if (failed) {
+      throw environment_error(
+          "cannot write '{}': {}", (folder_ / file.filename()).string(), failed.message());
+    }
+  }
+  write_file(card, facts.dump(1) + "\n");
+  const std::lock_guard guard(lock_);
+  ++made_;
+  return facts;
+}
+
+void Media::forget_the_rest() {
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, failed)) {
+    // only what a card of ours lists
+    const std::filesystem::path& card = entry.path();
+    if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
+    const Json facts = Json::parse(read_file(card), nullptr, false);
+    if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) continue;
+    const std::string stem = card.stem().string();
+    for (const Json& file : facts["files"]) {
+      const std::string name = file.is_object() ? file.value("name", "") : "";
+      if (name.starts_with(stem) && name.find('/') == std::string::npos)
+        std::filesystem::remove(folder_ / name, failed);
+    }
+    std::filesystem::remove(card, failed);
+  }
+}
+
+std::string program_identity() {
+  static const std::string identity = [] {
+    std::string program;
+    try {
+      program = content_hash(read_file("/proc/self/exe"));
+    } catch (const Error&) {
+      program = "unknown";  // no /proc: the version must do
+    }
+    return fmt::format("{} {} {}", program_version(), program, versions().dump());
+  }();
+  return identity;
+}
+
+}  // namespace polhode

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/pages.h"
+
+#include <cstdlib>
+#include <unistd.h>
+
+#include "base/base64.h"
+#include "base/hash.h"
+#include "base/system/atomic_file.h"
+#include "base/system/child_process.h"
+#include "base/system/scratch_folder.h"
+#include "base/version.h"
+#include "html/escape.h"
+#include "html/page_parts.h"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+// Only the page's own script runs: the nonce depends on everything in it, so that no text of a deck
+// can know it. Nothing comes from elsewhere.
+std::string head(const DeckWords& words, const std::string& css, const std::string& nonce) {
+  return fmt::format(
+             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
+             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+             "'self' data: file:; "
+             "media-src 'self' data: file:; font-src data:; style-src 'unsafe-inline'; script-src "
+             "'nonce-{}'; "
+             "base-uri 'none'; form-action 'none'\">\n"
+             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+             "<meta name=\"description\" content=\"{}\">\n<meta name=\"generator\" "
+             "content=\"polhode {}\">\n"
+             "<title>{}</title>\n<style>\n",
+             escaped(words.lang),
+             nonce,
+             escaped(words.description),
+             escaped(program_version()),
+             escaped(words.title)) +
+         css + "</style>\n</head>\n";
+}
+
+std::string script(const std::string& nonce, const std::string& js) {
+  return fmt::format("<script nonce=\"{}\">\n", nonce) + js + "\n</script>\n";
+}
+
+std::string title_block(const DeckWords& words) {
+  std::string text = fmt::format("<h1>{}</h1>\n", escaped(words.title));
+  if (!words.subtitle.empty())
+    text += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(words.subtitle));
+  std::string by = words.author;
+  if (!words.date.empty()) by += (by.empty() ? "" : " · ") + words.date;
+  if (!by.empty()) text += fmt::format("<p class=\"by\">{}</p>\n", escaped(by));
+  return text;
+}
+
+std::string meta_text(const Json& value) {
+  const std::string type = value.at("t");
+  if (type == "MetaString") return value.at("c");
+  if (type == "MetaInlines") return plain_text(value.at("c"));
+  std::string text;
+  if (type != "MetaList" && type != "MetaBlocks") return text;
+  for (const Json& one : value.at("c")) {
+    const std::string words =
+        type == "MetaList" ? meta_text(one) : plain_text(one.value("c", Json::array()));
+    text += (text.empty() ? "" : ", ") + words;
+  }
+  return text;
+}
+
+}  // namespace
+
+DeckWords words_of(const Deck& deck) {
+  DeckWords words;
+  const auto set = [&](const char* key, std::string& to) {
+    if (deck.meta.contains(key)) to = meta_text(deck.meta[key]);
+  };
+  set("title", words.title);
+  set("subtitle", words.subtitle);
+  set("author", words.author);
+  set("date", words.date);
+  set("description", words.description);
+  set("licence", words.licence);
+  set("lang", words.lang);
+  if (words.title.empty()) words.title = fs::path(deck.file).stem().string();
+  return words;
+}
+
+std::optional<Reveal> find_reveal() {
+  std::vector<fs::path> places;
+  if (const std::string own = environment("POLHODE_REVEAL"); !own.empty()) places.emplace_back(own);
+  if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
+    places.push_back(fs::path(data) / "polhode/reveal.js");
+  if (const std::string home = environment("HOME"); !home.empty())
+    places.push_back(fs::path(home) / ".local/share/polhode/reveal.js");
+  places.emplace_back("/usr/local/share/polhode/reveal.js");
+  places.emplace_back("/usr/share/polhode/reveal.js");
+  for (const fs::path& place : places) {
+    std::error_code missing;
+    if (!fs::is_regular_file(place / "dist/reveal.js", missing) ||
+        !fs::is_regular_file(place / "dist/reveal.css", missing))
+      continue;
+    Reveal reveal;
+    reveal.css = read_file(place / "dist/reveal.css");
+    reveal.js = read_file(place / "dist/reveal.js");
+    const Json package = Json::parse(fs::is_regular_file(place / "package.json", missing)
+                                         ? read_file(place / "package.json")
+                                         : "{}",
+                                     nullptr,
+                                     false);
+    reveal.version =
+        package.is_object() ? package.value("version", "of unknown version") : "of unknown version";
+    // the end of a script is not the end of the page's script
+    for (std::size_t at = reveal.js.find("</script"); at != std::string::npos;
+         at = reveal.js.find("</script", at))
+      reveal.js.replace(at, 2, "<\\/");
+    return reveal;
+  }
+  return {};
+}
+
+std::string formula_font_css() {
+  try {
+    const ChildResult ran =
+        run_child({"fc-match", "-f", "%{family}\n%{file}", "Latin Modern Math"}, "");
+    const std::size_t end = ran.out.find('\n');
+    if (ran.status != 0 || end == std::string::npos || ran.out.find("Latin Modern Math") > end)
+      return "";
+    const std::string font = read_file(ran.out.substr(end + 1));
+    return "@font-face { font-family: \"Latin Modern Math\"; src: url(data:font/otf;base64," +
+           base64(font) + ") format(\"opentype\"); }\n";
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+    return "";
+  }
+}
+
+std::string lecture_page(const DeckWords& words,
+                         const std::string& body,
+                         const std::string& contents) {
+  std::string inside =
+      "<a class=\"skip\" href=\"#main\">To the text</a>\n<header class=\"top\">\n" +
+      title_block(words) +
+      "<div class=\"tools\"><button type=\"button\" id=\"look\" "
+      "hidden>Look</button></div>\n</header>\n";
+  inside +=
+      "<nav class=\"contents\" aria-label=\"Contents\"><details "
+      "open><summary>Contents</summary>\n" +
+      contents + "</details></nav>\n";
+  inside += "<main id=\"main\">\n" + body + "</main>\n<footer>";
+  if (!words.licence.empty()) inside += fmt::format("{} · ", escaped(words.licence));
+  inside += fmt::format("polhode {}</footer>\n", escaped(program_version()));
+  const std::string nonce = content_hash(inside);
+  return head(words, formula_font_css() + lecture_css(), nonce) + "<body>\n" + inside +
+         script(nonce, lecture_js()) + "</body>\n</html>\n";
+}
+
+std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal) {
+  const std::string inside =
+      "<div class=\"reveal\"><div class=\"slides\">\n<section class=\"slide first\">\n" +
+      title_block(words) + "</section>\n" + body +
+      "</div></div>\n<p class=\"hint\" aria-live=\"polite\"></p>\n";
+  const std::string nonce = content_hash(inside);
+  return head(words, formula_font_css() + reveal.css + slides_css(), nonce) + "<body>\n" + inside +
+         script(nonce, reveal.js) + script(nonce, slides_js()) + "</body>\n</html>\n";
+}
+
+std::string handout_page(const DeckWords& words, const std::string& body) {
+  const std::string inside =
+      "<header>\n" + title_block(words) + "</header>\n<main>\n" + body + "</main>\n";
+  return head(words, formula_font_css() + handout_css(), content_hash(inside)) + "<body>\n" +
+         inside + "</body>\n</html>\n";
+}
+
+std::string find_printer() {
+  const std::string own = environment("POLHODE_CHROMIUM");
+  for (const std::string& name : {own,
+                                  std::string("chromium"),
+                                  std::string("chromium-browser"),
+                                  std::string("google-chrome")}) {
+    if (name.empty()) continue;
+    try {
+      if (run_child({name, "--version"}, "").status == 0) return name;
+    } catch (const Error& error) {
+      if (error.fault() == Fault::interrupted) throw;
+    }
+  }
+  return "";
+}
+
+std::string print_page(const std::string& printer, const fs::path& html) {
+  const ScratchFolder scratch;
+  const std::string pdf = scratch / "page.pdf";
+  std::vector<std::string> command = {printer,
+                                      "--headless",
+                                      "--disable-gpu",
+                                      "--no-pdf-header-footer",
+                                      "--disable-extensions",
+                                      "--disable-background-networking",
+                                      "--user-data-dir=" + (scratch / "profile"),
+                                      "--virtual-time-budget=10000",
+                                      "--print-to-pdf=" + pdf};
+  // it refuses its own sandbox to root
+  if (geteuid() == 0) command.emplace_back("--no-sandbox");
+  command.push_back("file://" + percent_encoded(fs::absolute(html).string()));
+  const ChildResult ran = run_child(command, "");
+  std::error_code missing;
+  if (ran.status != 0 || !fs::exists(pdf, missing)) {
+    throw environment_error(
+        "{} could not print the handout: {}", printer, ran.err.substr(0, ran.err.find('\n')));
+  }
+  return read_file(pdf);
+}
+
+}  // namespace polhode

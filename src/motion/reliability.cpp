@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "motion/reliability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "motion/scales.h"
+#include "motion/solution_method.h"
+#include "motion/step_limit.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kTimesCompared = 257;
+
+}  // namespace
+
+Reliability reliability_of(const BodyModel& model,
+                           const State& start,
+                           double duration,
+                           double accuracy_rad,
+                           const Integration& found) {
+  Reliability result;
+  const Drift& drift = found.record.drift;
+  const auto watch = [&](const std::optional<double>& worst, const char* what) {
+    if (worst && !(*worst <= kTrustedDrift))
+      result.doubts.push_back(fmt::format("{} drifts by {:.2g} of itself", what, *worst));
+  };
+  watch(drift.energy, "energy");
+  watch(drift.momentum, model.chi_P.squaredNorm() > 0.0 ? "L about the vertical" : "L");
+  for (const SolutionMethod& row : solution_methods()) {
+    if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
+    const std::unique_ptr<Trajectory> truth = row.make(model, start);
+    double worst = 0.0;
+    for (int i = 0; i < kTimesCompared; ++i) {
+      const double t = duration * i / (kTimesCompared - 1);
+      worst = std::max(worst, deviation(model, found.trajectory->at(t), truth->at(t)));
+    }
+    result.attitude_error_rad = worst;
+    if (worst > accuracy_rad) {
+      result.doubts.push_back(
+          fmt::format("the attitude is off by up to {:.2g} rad, and the scene allows {:.2g}",
+                      worst,
+                      accuracy_rad));
+    }
+    break;
+  }
+  return result;
+}
+
+std::optional<std::string> step_beyond_limit(const BodyModel& model,
+                                             const State& start,
+                                             const NumericsSpec& numerics) {
+  if (!numerics.step) return {};
+  for (const StepperInfo& row : stepper_table()) {
+    if (row.name != numerics.method) continue;
+    const double limit = step_limit(row, model, start);
+    if (*numerics.step <= limit) return {};
+    return fmt::format("a step of {:.3g} s is beyond {:.3g} s, where {} ends on this motion ({})",
+                       *numerics.step,
+                       limit,
+                       row.name,
+                       row.limit);
+  }
+  return {};
+}
+
+std::optional<std::string> turns_backwards(double fastest_rad_per_s, double frame_s) {
+  const double turn = fastest_rad_per_s * frame_s;
+  if (!(turn > kPi)) return {};
+  return fmt::format(
+      "the body turns by {:.0f} degrees from frame to frame, so that the eye sees it slower or "
+      "backwards; let at most {:.3g} s of motion pass between frames (now {:.3g} s)",
+      turn * 180.0 / kPi,
+      kPi / fastest_rad_per_s,
+      frame_s);
+}
+
+}  // namespace polhode

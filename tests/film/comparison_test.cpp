@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "film/comparison.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "film/frame_times.h"
+#include "math/so3.h"
+#include "support/scenes.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+
+Solved solved(const std::string& name) {
+  return solve(load_scene(test::scene_path(name)));
+}
+
+// explicit Euler on the transverse Omega of a free symmetric body multiplies it by
+// sqrt(1 + (h lambda)^2) in each step, and leaves Omega_3 alone
+TEST(Comparison, ExplicitEulerGainsEnergyAsTheorySays) {
+  const Solved truth = solved("compare_euler");
+  const Comparison comparison(truth, kFrame);
+  const Contender& euler = comparison.contenders()[0];
+  const double I1 = 0.01, I3 = 0.004, h = 0.1;
+  const Vec3 w = euler.motion.at(0.0).w_B;
+  const double lambda = w.z() * (I3 - I1) / I1;
+  const double across = I1 * (w.x() * w.x() + w.y() * w.y());
+  const double growth = std::pow(1.0 + h * h * lambda * lambda, 30.0) - 1.0;
+  const double expected = across * growth / (across + I3 * w.z() * w.z());
+  EXPECT_NEAR(*drift_at(euler.motion, 3.0).energy, expected, 1e-9 * expected);
+  EXPECT_EQ(comparison.notes(euler, 3.0).lines[2].substr(0, 12), "energy +20 %");
+  EXPECT_NE(comparison.notes(euler, 3.0).stamp, "");
+}
+
+// stamped from the first frame on which the error passes what the scene allows, and not before
+TEST(Comparison, StampsFromTheFrameOnWhichTheErrorPasses) {
+  for (const char* name : {"compare_euler", "compare_engines", "compare_fast_top"}) {
+    const Solved truth = solved(name);
+    const double allowed = truth.simulation.report.accuracy_rad;
+    const Comparison comparison(truth, kFrame);
+    for (const Contender& one : comparison.contenders()) {
+      const auto error = [&](double t) {
+        return rotation_angle_between(one.motion.at(t).q_SB, truth.simulation.motion.at(t).q_SB);
+      };
+      if (!one.untrusted_from) {
+        for (double t = 0.0; t <= one.end; t += kFrame)
+          EXPECT_LE(error(t), allowed) << name << ' ' << one.method;
+        continue;
+      }
+      const double from = *one.untrusted_from;
+      EXPECT_GT(error(from), allowed) << name << ' ' << one.method;
+      if (from > 0.0) {
+        EXPECT_LE(error(from - kFrame), allowed) << name << ' ' << one.method;
+      }
+      EXPECT_EQ(comparison.notes(one, std::max(0.0, from - 1e-9)).stamp, "");
+    }
+    // the closed form is the truth
+    EXPECT_FALSE(comparison.contenders().back().untrusted_from);
+  }
+}
+
+// RK4 at y = h lambda = 3.99 ends in numbers that are none; the splitting does not care
+TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
+  const Solved truth = solved("compare_fast_top");
+  const Comparison comparison(truth, kFrame);
+  const Contender& rk4 = comparison.contenders()[0];
+  EXPECT_NE(rk4.failure.find("not a number"), std::string::npos);
+  EXPECT_GT(rk4.end, 0.0);
+  EXPECT_LT(rk4.end, 0.2);
+  EXPECT_TRUE(std::isfinite(rk4.motion.at(rk4.end).w_B.norm()));
+  EXPECT_NE(comparison.notes(rk4, 1.0).stamp.find("ended"), std::string::npos);
+  EXPECT_EQ(comparison.contenders()[1].failure, "");
+  EXPECT_LT(*comparison.attitude_error(comparison.contenders()[1], 2.0), 0.01);
+  const nlohmann::ordered_json report = comparison.report();
+  EXPECT_EQ(report[0]["end_s"], rk4.end);
+  EXPECT_EQ(report[1]["failure"], "");
+}
+
+// a method that cannot take one step has a panel that shows the start
+TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
+  Scene scene = load_scene(test::scene_path("compare_euler"));
+  scene.numerics.compare = {"dmv2", "exact"};
+  scene.numerics.step = 5.0;
+  const Solved truth = solve(scene);
+  const Comparison comparison(truth, kFrame);
+  const Contender& dmv = comparison.contenders()[0];
+  EXPECT_EQ(dmv.end, 0.0);
+  EXPECT_NE(dmv.failure.find("no solution"), std::string::npos) << dmv.failure;
+  EXPECT_NE(comparison.notes(dmv, 1.0).stamp, "");
+  EXPECT_EQ(*comparison.attitude_error(dmv, 0.0), 0.0);
+}
+
+// the T-handle: the linearly implicit scheme damps the tumbling, the explicit one feeds it
+TEST(Comparison, EnginesErrInTheirOwnWays) {
+  const Comparison comparison(solved("compare_engines"), kFrame);
+  const auto energy = [&](std::size_t i) {
+    return *drift_at(comparison.contenders()[i].motion, 6.0).energy;
+  };
+  EXPECT_GT(energy(0), 0.2);
+  EXPECT_GT(energy(1), 0.2);
+  EXPECT_LT(energy(2), -0.2);
+  EXPECT_LT(std::abs(energy(4)), 1e-13);
+}
+
+// a panel draws the paths of its own method, not those of the truth
+TEST(Comparison, EachPanelHasThePathsOfItsOwnMethod) {
+  Scene scene = load_scene(test::scene_path("compare_euler"));
+  scene.video.size = {320, 180};
+  scene.show["trail"] = scene.show["herpolhode"] = true;
+  const Solved truth = solve(scene);
+  const FrameTimes frames = plan_frame_times(truth, {});
+  const Comparison comparison(truth, kFrame);
+  const Film film = make_film(truth, frames.timeline, &comparison, {}, true);
+  double apart = 0.0;
+  for (std::size_t i = 0; i < film.panels().size(); ++i) {
+    const Motion& motion = comparison.contenders()[i].motion;
+    const Scenery& scenery = film.panels()[i].composer->scenery();
+    const Path& trail = scenery.paths.axis.path();
+    ASSERT_GT(trail.points.size(), 8U);
+    for (std::size_t k = 0; k < trail.points.size(); k += 8) {
+      const double t = trail.parameters[k];
+      const double length = kTrailRadius * scenery.scale.body;
+      const auto tip = [&](const Motion& of) {
+        return Vec3(of.at(t).reference_S + length * (of.at(t).q_SB * Vec3::UnitZ()));
+      };
+      EXPECT_LT((trail.points[k] - tip(motion)).norm(), 1e-12 * length) << i << ' ' << t;
+      apart = std::max(apart, (tip(motion) - tip(truth.simulation.motion)).norm() / length);
+    }
+    const Path& herpolhode = scenery.paths.herpolhode.path();
+    for (std::size_t k = 0; k < herpolhode.points.size(); k += 8) {
+      const Vec3 tip = omega_tip(scenery, motion.at(herpolhode.parameters[k]));
+      EXPECT_EQ(herpolhode.points[k], tip) << i << ' ' << herpolhode.parameters[k];
+    }
+  }
+  EXPECT_GT(apart, 0.1) << "explicit Euler is bad here";
+}
+
+}  // namespace
+}  // namespace polhode
