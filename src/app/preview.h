@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/load.h"
+#include "app/made.h"
 
 namespace polhode {
 
@@ -18,6 +19,6 @@ struct PreviewJob {
 
 // A sheet of twelve small pictures, from the first frame of the film to its last, each with its
 // time. Throws Error as render_film does.
-void write_preview(const PreviewJob& job);
+Made write_preview(const PreviewJob& job);
 
 }  // namespace polhode

@@ -88,7 +88,7 @@ std::string report_text(const FilmBasis& film, const FilmFacts& facts) {
 
 }  // namespace
 
-void render_film(const RenderJob& job) {
+Made render_film(const RenderJob& job) {
   const auto wall_start = std::chrono::steady_clock::now();
 
   // load and check everything that can be checked before work begins
@@ -115,7 +115,12 @@ void render_film(const RenderJob& job) {
   });
 
   // report
-  if (!reported) return;
+  Made made;
+  made.output = order.sink.output;
+  made.frames = target.range().count;
+  made.from_earlier = target.there();
+  made.is_picture = order.sink.still;
+  if (!reported) return made;
   FilmFacts facts = facts_of(order, basis, target);
   add_makers_facts(*maker, facts);
   maker.reset();  // its processes are reaped, and their time is counted
@@ -128,6 +133,7 @@ void render_film(const RenderJob& job) {
   } else {
     report_file->commit_with(report);
   }
+  return made;
 }
 
 }  // namespace polhode

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "app/film_order.h"
+#include "app/made.h"
 
 namespace polhode {
 
 // Throws Error; nothing half-written stays behind.
-void render_film(const RenderJob& job);
+Made render_film(const RenderJob& job);
 
 }  // namespace polhode

@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_chart(CLI::App& command) {
   auto job = std::make_shared<ChartJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   add_scenes(command, job->scenes);
   add_text(command,
            "-o,--output",
@@ -29,7 +29,7 @@ Action define_chart(CLI::App& command) {
       ->type_name("RAD|PX");
   add_progress(command, *progress);
   return [job, progress] {
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     print_out(chart(*job));
     return 0;
   };

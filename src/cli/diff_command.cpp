@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_diff(CLI::App& command) {
   auto job = std::make_shared<DiffJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto given = std::make_shared<ThresholdOptions>();
   command
       .add_option("actual",
@@ -39,7 +39,7 @@ Action define_diff(CLI::App& command) {
   add_progress(command, *progress);
   return [=] {
     job->thresholds = thresholds_of(*given);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const DiffResult result = diff(*job);
     print_out(result.text);
     return result.same ? 0 : static_cast<int>(Fault::check_failed);

@@ -32,7 +32,7 @@ const GoldenAction& find_action(const std::string& name) {
 Action define_golden(CLI::App& command) {
   auto job = std::make_shared<GoldenJob>();
   auto action = std::make_shared<std::string>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   command.add_option("action", *action, "run, update or show")->required()->type_name("ACTION");
   command.add_option("folder", job->folder, "folder with cases.toml, see docs/golden.md")
@@ -59,7 +59,7 @@ Action define_golden(CLI::App& command) {
       throw input_error("must be at least 1, got {}", **jobs).at({{}, 0, "--jobs"});
     }
     job->jobs = jobs->value_or(0);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const GoldenResult result = chosen.run(*job);
     print_out(result.text);
     return result.exit_code;

@@ -12,7 +12,7 @@ namespace polhode {
 
 Action define_lecture(CLI::App& command) {
   auto job = std::make_shared<LectureJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   command.add_option("deck", job->deck, "deck, a Markdown file whose pictures name scenes")
       ->required()
@@ -43,7 +43,7 @@ Action define_lecture(CLI::App& command) {
       throw input_error("must be greater than 0, got {}", **jobs).at({{}, 0, "--jobs"});
     }
     job->jobs = jobs->value_or(job->jobs);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const LectureResult result = lecture(*job);
     int code = 0;
     for (const Error& problem : result.problems) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/render_film.h"
+#include "cli/closing_line.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 
@@ -9,7 +10,7 @@ namespace polhode {
 
 Action define_render(CLI::App& command) {
   auto job = std::make_shared<RenderJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   add_scene(command, job->scene);
   add_text(command,
@@ -51,9 +52,8 @@ Action define_render(CLI::App& command) {
   add_progress(command, *progress);
   return [job, progress, jobs] {
     if (*jobs) job->jobs = **jobs;
-    job->progress = parse_progress(*progress);
-    render_film(*job);
-    return 0;
+    job->progress = progress_of(*progress);
+    return make_and_tell(*progress, [&] { return render_film(*job); });
   };
 }
 

@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_stability(CLI::App& command) {
   auto job = std::make_shared<StabilityJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto turns = std::make_shared<std::optional<double>>();
   auto allowed = std::make_shared<std::optional<double>>();
   auto jobs = std::make_shared<std::optional<int>>();
@@ -47,7 +47,7 @@ Action define_stability(CLI::App& command) {
     job->turns = turns->value_or(job->turns);
     job->allowed_rad = allowed->value_or(job->allowed_rad);
     job->jobs = jobs->value_or(job->jobs);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     print_out(stability(*job));
     return 0;
   };
