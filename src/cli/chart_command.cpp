@@ -18,7 +18,7 @@ Action define_chart(CLI::App& command) {
            "folder for chart.csv, .svg, .png and .pdf (default: output/SCENE_chart)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
-      ->type_name("NAMES");
+      ->type_name("METHODS");
   command.add_flag("--pictures", job->pictures, "drawing settings instead of methods");
   add_text(command,
            "--size",

@@ -18,16 +18,21 @@ constexpr GoldenAction kActions[] = {
     {"run", golden_run}, {"update", golden_update}, {"show", golden_show}};
 
 const GoldenAction& find_action(const std::string& name) {
-  std::vector<std::string> names;
   for (const GoldenAction& action : kActions) {
     if (name == action.name) return action;
-    names.emplace_back(action.name);
   }
-  throw input_error("no action is called '{}'{}", name, suggestion(name, names))
+  throw input_error("no action is called '{}'{}", name, suggestion(name, golden_actions()))
       .at({{}, 0, "golden"});
 }
 
 }  // namespace
+
+std::vector<std::string> golden_actions() {
+  std::vector<std::string> names;
+  for (const GoldenAction& action : kActions)
+    names.emplace_back(action.name);
+  return names;
+}
 
 Action define_golden(CLI::App& command) {
   auto job = std::make_shared<GoldenJob>();
@@ -40,7 +45,7 @@ Action define_golden(CLI::App& command) {
       ->type_name("DIR");
   add_text(command, "--cases", job->cases, "only these, with commas between")->type_name("NAMES");
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
-      ->type_name("NAME");
+      ->type_name("BACKEND");
   add_whole_number(command, "--jobs", *jobs, "cases at a time (default: one per processor)")
       ->type_name("N");
   command.add_flag("--json", job->json, "as JSON");

@@ -27,7 +27,7 @@ Action define_lecture(CLI::App& command) {
            job->to,
            fmt::format("only these, with commas between: {} (default: all that can be made here)",
                        fmt::join(names, ", ")))
-      ->type_name("NAMES");
+      ->type_name("DOCUMENTS");
   command.add_flag("--allow-outside",
                    job->allow_outside,
                    "let the deck name files outside its folder; only for decks that you trust");
@@ -35,7 +35,8 @@ Action define_lecture(CLI::App& command) {
       ->type_name("WxH");
   add_text(command, "--fps", job->settings.fps, "of all films; default: each scene's own")
       ->type_name("N");
-  add_text(command, "--quality", job->settings.quality, "draft, lecture or archive");
+  add_text(command, "--quality", job->settings.quality, "draft, lecture or archive")
+      ->type_name("QUALITY");
   add_whole_number(command, "--jobs", *jobs, "films made at the same time (2)")->type_name("N");
   add_progress(command, *progress);
   return [=] {

@@ -16,7 +16,7 @@ Action define_preview(CLI::App& command) {
       ->type_name("OUT.png");
   add_numerics_options(command, job->overrides);
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
-      ->type_name("NAME");
+      ->type_name("BACKEND");
   add_quiet(command, *progress);
   return [job, progress] {
     return make_and_tell(*progress, [&] { return write_preview(*job); });

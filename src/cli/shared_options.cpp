@@ -118,7 +118,7 @@ ProgressKind progress_of(const ProgressOptions& options) {
 
 void add_numerics_options(CLI::App& command, Overrides& overrides) {
   add_text(command, "--method", overrides.method, "integrator, see `polhode list methods`")
-      ->type_name("NAME");
+      ->type_name("METHOD");
   add_number(command, "--step", overrides.step, "step of fixed-step methods, seconds")
       ->type_name("H");
   add_number(command, "--tolerance", overrides.tolerance, "local error of adaptive methods")

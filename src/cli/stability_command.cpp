@@ -21,7 +21,7 @@ Action define_stability(CLI::App& command) {
            "folder for stability.csv and the pictures (default: output/SCENE_stability)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
-      ->type_name("NAMES");
+      ->type_name("METHODS");
   add_text(command, "--x", job->x, "key of the scene that changes across; spin: a factor on it")
       ->type_name("KEY");
   add_text(command, "--y", job->y, "key that changes upwards")->type_name("KEY");
