@@ -6,6 +6,7 @@
 
 namespace polhode {
 
+// "0.1.0": part of reports, and of what pictures are kept by.
 std::string program_version();
 
 }  // namespace polhode

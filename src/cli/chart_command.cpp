@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_chart(CLI::App& command) {
   auto job = std::make_shared<ChartJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   add_scenes(command, job->scenes);
   add_text(command,
            "-o,--output",
@@ -18,7 +18,7 @@ Action define_chart(CLI::App& command) {
            "folder for chart.csv, .svg, .png and .pdf (default: output/SCENE_chart)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
-      ->type_name("NAMES");
+      ->type_name("METHODS");
   command.add_flag("--pictures", job->pictures, "drawing settings instead of methods");
   add_text(command,
            "--size",
@@ -29,7 +29,7 @@ Action define_chart(CLI::App& command) {
       ->type_name("RAD|PX");
   add_progress(command, *progress);
   return [job, progress] {
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     print_out(chart(*job));
     return 0;
   };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@ using Action = std::function<int()>;
 struct Command {
   const char* name;
   const char* doc;
+  const char* example;  // the shortest that is of use
   // Adds the options to the subcommand and returns what to run after parsing.
   Action (*define)(CLI::App& command);
 };
@@ -35,5 +37,10 @@ Action define_lecture(CLI::App& command);
 Action define_list(CLI::App& command);
 Action define_schema(CLI::App& command);
 Action define_doctor(CLI::App& command);
+Action define_manual(CLI::App& command);
+Action define_completion(CLI::App& command);
+
+// What `golden` can do.
+std::vector<std::string> golden_actions();
 
 }  // namespace polhode

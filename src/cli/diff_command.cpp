@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_diff(CLI::App& command) {
   auto job = std::make_shared<DiffJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto given = std::make_shared<ThresholdOptions>();
   command
       .add_option("actual",
@@ -18,10 +18,10 @@ Action define_diff(CLI::App& command) {
                   "what was made: picture.png, frame_%05d.png, a folder of .png, film.mp4, or a "
                   "scene.toml, which is rendered first")
       ->required()
-      ->type_name("A");
+      ->type_name("ACTUAL");
   command.add_option("reference", job->reference, "what it should look like, of the same kinds")
       ->required()
-      ->type_name("B");
+      ->type_name("REFERENCE");
   add_thresholds(command, *given);
   command.add_flag("--json", job->json, "all numbers, of every frame, as JSON");
   add_text(command, "--html", job->html, "write a page for a person, DIR/index.html")
@@ -35,11 +35,11 @@ Action define_diff(CLI::App& command) {
   command.add_flag_callback(
       "--no-text", [job] { job->text = false; }, "a scene without labels, clock, title, caption");
   add_text(command, "--backend", job->backend, "OpenGL for scenes: osmesa, egl or auto")
-      ->type_name("NAME");
+      ->type_name("BACKEND");
   add_progress(command, *progress);
   return [=] {
     job->thresholds = thresholds_of(*given);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const DiffResult result = diff(*job);
     print_out(result.text);
     return result.same ? 0 : static_cast<int>(Fault::check_failed);

@@ -18,21 +18,26 @@ constexpr GoldenAction kActions[] = {
     {"run", golden_run}, {"update", golden_update}, {"show", golden_show}};
 
 const GoldenAction& find_action(const std::string& name) {
-  std::vector<std::string> names;
   for (const GoldenAction& action : kActions) {
     if (name == action.name) return action;
-    names.emplace_back(action.name);
   }
-  throw input_error("no action is called '{}'{}", name, suggestion(name, names))
+  throw input_error("no action is called '{}'{}", name, suggestion(name, golden_actions()))
       .at({{}, 0, "golden"});
 }
 
 }  // namespace
 
+std::vector<std::string> golden_actions() {
+  std::vector<std::string> names;
+  for (const GoldenAction& action : kActions)
+    names.emplace_back(action.name);
+  return names;
+}
+
 Action define_golden(CLI::App& command) {
   auto job = std::make_shared<GoldenJob>();
   auto action = std::make_shared<std::string>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   command.add_option("action", *action, "run, update or show")->required()->type_name("ACTION");
   command.add_option("folder", job->folder, "folder with cases.toml, see docs/golden.md")
@@ -40,7 +45,7 @@ Action define_golden(CLI::App& command) {
       ->type_name("DIR");
   add_text(command, "--cases", job->cases, "only these, with commas between")->type_name("NAMES");
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
-      ->type_name("NAME");
+      ->type_name("BACKEND");
   add_whole_number(command, "--jobs", *jobs, "cases at a time (default: one per processor)")
       ->type_name("N");
   command.add_flag("--json", job->json, "as JSON");
@@ -59,7 +64,7 @@ Action define_golden(CLI::App& command) {
       throw input_error("must be at least 1, got {}", **jobs).at({{}, 0, "--jobs"});
     }
     job->jobs = jobs->value_or(0);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const GoldenResult result = chosen.run(*job);
     print_out(result.text);
     return result.exit_code;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/commands/join.h"
+#include "cli/closing_line.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 
@@ -9,15 +10,16 @@ namespace polhode {
 
 Action define_join(CLI::App& command) {
   auto job = std::make_shared<JoinJob>();
+  auto progress = std::make_shared<ProgressOptions>();
   command.add_option("parts", job->parts, "pieces made by `polhode render --shard`, in any order")
       ->required()
       ->type_name("PART");
   add_text(command, "-o,--output", job->output, "the film, with the ending of its pieces")
       ->required()
       ->type_name("OUT");
-  return [job] {
-    join_pieces(*job);
-    return 0;
+  add_quiet(command, *progress);
+  return [job, progress] {
+    return make_and_tell(*progress, [&] { return join_pieces(*job); });
   };
 }
 

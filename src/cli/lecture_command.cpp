@@ -12,7 +12,7 @@ namespace polhode {
 
 Action define_lecture(CLI::App& command) {
   auto job = std::make_shared<LectureJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   command.add_option("deck", job->deck, "deck, a Markdown file whose pictures name scenes")
       ->required()
@@ -27,7 +27,7 @@ Action define_lecture(CLI::App& command) {
            job->to,
            fmt::format("only these, with commas between: {} (default: all that can be made here)",
                        fmt::join(names, ", ")))
-      ->type_name("NAMES");
+      ->type_name("DOCUMENTS");
   command.add_flag("--allow-outside",
                    job->allow_outside,
                    "let the deck name files outside its folder; only for decks that you trust");
@@ -35,7 +35,8 @@ Action define_lecture(CLI::App& command) {
       ->type_name("WxH");
   add_text(command, "--fps", job->settings.fps, "of all films; default: each scene's own")
       ->type_name("N");
-  add_text(command, "--quality", job->settings.quality, "draft, lecture or archive");
+  add_text(command, "--quality", job->settings.quality, "draft, lecture or archive")
+      ->type_name("QUALITY");
   add_whole_number(command, "--jobs", *jobs, "films made at the same time (2)")->type_name("N");
   add_progress(command, *progress);
   return [=] {
@@ -43,7 +44,7 @@ Action define_lecture(CLI::App& command) {
       throw input_error("must be greater than 0, got {}", **jobs).at({{}, 0, "--jobs"});
     }
     job->jobs = jobs->value_or(job->jobs);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const LectureResult result = lecture(*job);
     int code = 0;
     for (const Error& problem : result.problems) {

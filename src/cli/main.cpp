@@ -14,31 +14,75 @@
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
-#include "base/version.h"
+#include "app/version_text.h"
 #include "cli/command.h"
+#include "cli/commit.h"
 
 namespace polhode {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
-      {"render", "make a film or a picture of a scene", define_render},
-      {"join", "put the pieces of a film together, without encoding again", define_join},
+      {"render",
+       "make a film or a picture of a scene",
+       "polhode render top.toml -o top.mp4",
+       define_render},
+      {"join",
+       "put the pieces of a film together, without encoding again",
+       "polhode join top_1.mp4 top_2.mp4 -o top.mp4",
+       define_join},
       {"verify",
        "make a film again from its report and tell whether it is the same",
+       "polhode verify top.mp4",
        define_verify},
-      {"preview", "draw a sheet of small pictures from the whole film", define_preview},
-      {"simulate", "write the motion of a scene as a table (CSV)", define_simulate},
-      {"inspect", "tell what the body of a scene is and what theory says of it", define_inspect},
-      {"chart", "chart speed against accuracy of the methods on scenes", define_chart},
-      {"stability", "map where methods fail, over step and spin or any two keys", define_stability},
+      {"preview",
+       "draw a sheet of small pictures from the whole film",
+       "polhode preview top.toml -o sheet.png",
+       define_preview},
+      {"simulate",
+       "write the motion of a scene as a table (CSV)",
+       "polhode simulate top.toml -o top.csv --rate 1000",
+       define_simulate},
+      {"inspect",
+       "tell what the body of a scene is and what theory says of it",
+       "polhode inspect top.toml",
+       define_inspect},
+      {"chart",
+       "chart speed against accuracy of the methods on scenes",
+       "polhode chart top.toml -o chart",
+       define_chart},
+      {"stability",
+       "map where methods fail, over step and spin or any two keys",
+       "polhode stability top.toml -o maps --methods rk4",
+       define_stability},
       {"diff",
        "tell whether pictures or films are the same, and how far they are apart",
+       "polhode diff top.mp4 reference.mp4 --html report",
        define_diff},
-      {"golden", "keep a folder of pictures that scenes must go on looking like", define_golden},
-      {"lecture", "make a page, slides, a handout and data from a deck", define_lecture},
-      {"list", "list methods, models, shapes, scenes or formats", define_list},
-      {"schema", "print a JSON Schema of the scene file, for editors", define_schema},
-      {"doctor", "tell what works here and what is missing", define_doctor},
+      {"golden",
+       "keep a folder of pictures that scenes must go on looking like",
+       "polhode golden run tests/golden",
+       define_golden},
+      {"lecture",
+       "make a page, slides, a handout and data from a deck",
+       "polhode lecture deck.md -o lecture",
+       define_lecture},
+      {"list",
+       "list methods, models, shapes, scenes or formats",
+       "polhode list scenes",
+       define_list},
+      {"schema",
+       "print a JSON Schema of the scene file, for editors",
+       "polhode schema > scene.schema.json",
+       define_schema},
+      {"doctor", "tell what works here and what is missing", "polhode doctor", define_doctor},
+      {"manual",
+       "print a manual page, or write all of them",
+       "polhode manual render | man -l -",
+       define_manual},
+      {"completion",
+       "print what makes a shell complete commands, options and their values",
+       "source <(polhode completion bash)",
+       define_completion},
   };
   return table;
 }
@@ -106,7 +150,7 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
 
 int run(int argc, char** argv) {
   CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
-  app.set_version_flag("--version", program_version());
+  app.set_version_flag("--version", version_text(program_commit()));
   bool verbose = false;
   app.add_flag("-v,--verbose", verbose, "tell more on stderr");
   app.require_subcommand(1);
@@ -118,7 +162,7 @@ int run(int argc, char** argv) {
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.doc);
-    sub->footer("");
+    sub->footer(fmt::format("Example: {}", command.example));
     actions.emplace_back(sub, command.define(*sub));
   }
   refuse_unknown_command(argc, argv);

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/commands/render.h"
+#include "cli/closing_line.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 
@@ -9,7 +10,7 @@ namespace polhode {
 
 Action define_render(CLI::App& command) {
   auto job = std::make_shared<RenderJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
   add_scene(command, job->scene);
   add_text(command,
@@ -25,15 +26,15 @@ Action define_render(CLI::App& command) {
       ->type_name("T");
   add_number(command, "--to", job->to, "end of the film, seconds of the motion")->type_name("T");
   add_number(command, "--still", job->still, "one picture at this time")->type_name("T");
-  add_text(command, "--quality", job->quality, "draft, lecture or archive")->type_name("NAME");
-  add_text(command, "--codec", job->codec, "of .mp4 films: h264, hevc or av1")->type_name("NAME");
+  add_text(command, "--quality", job->quality, "draft, lecture or archive")->type_name("QUALITY");
+  add_text(command, "--codec", job->codec, "of .mp4 films: h264, hevc or av1")->type_name("CODEC");
   add_text(command, "--preset", job->preset, "effort of the encoder, ultrafast to veryslow")
-      ->type_name("P");
+      ->type_name("PRESET");
   add_whole_number(command, "--crf", job->crf, "quality, 1 (best) to 51; to 63 for VP9 and AV1")
       ->type_name("N");
   add_numerics_options(command, job->overrides);
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
-      ->type_name("NAME");
+      ->type_name("BACKEND");
   command.add_flag("--transparent", job->transparent, "no background, where the format has alpha");
   add_whole_number(command, "--jobs", *jobs, "processes that draw (default 1)")->type_name("N");
   command.add_flag("--resume",
@@ -51,9 +52,8 @@ Action define_render(CLI::App& command) {
   add_progress(command, *progress);
   return [job, progress, jobs] {
     if (*jobs) job->jobs = **jobs;
-    job->progress = parse_progress(*progress);
-    render_film(*job);
-    return 0;
+    job->progress = progress_of(*progress);
+    return make_and_tell(*progress, [&] { return render_film(*job); });
   };
 }
 

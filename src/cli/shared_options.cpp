@@ -102,13 +102,23 @@ void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
   command.add_option("scenes", scenes, "scene files")->required()->type_name("SCENE");
 }
 
-void add_progress(CLI::App& command, std::string& progress) {
-  add_text(command, "--progress", progress, "auto, bar, json or none")->type_name("KIND");
+void add_progress(CLI::App& command, ProgressOptions& options) {
+  add_text(command, "--progress", options.progress, "auto, bar, json or none")->type_name("KIND");
+  add_quiet(command, options);
+}
+
+void add_quiet(CLI::App& command, ProgressOptions& options) {
+  command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only on stderr");
+}
+
+ProgressKind progress_of(const ProgressOptions& options) {
+  const ProgressKind kind = parse_progress(options.progress);
+  return options.quiet ? ProgressKind::none : kind;
 }
 
 void add_numerics_options(CLI::App& command, Overrides& overrides) {
   add_text(command, "--method", overrides.method, "integrator, see `polhode list methods`")
-      ->type_name("NAME");
+      ->type_name("METHOD");
   add_number(command, "--step", overrides.step, "step of fixed-step methods, seconds")
       ->type_name("H");
   add_number(command, "--tolerance", overrides.tolerance, "local error of adaptive methods")

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/compare/diff.h"
+#include "base/system/progress.h"
 #include "film/load.h"
 
 namespace polhode {
@@ -40,8 +41,16 @@ void add_scene(CLI::App& command, std::filesystem::path& scene);
 // One or more of them.
 void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes);
 
-// --progress, to be read by parse_progress
-void add_progress(CLI::App& command, std::string& progress);
+// --progress and --quiet, as they were given
+struct ProgressOptions {
+  std::string progress = "auto";
+  bool quiet = false;
+};
+void add_progress(CLI::App& command, ProgressOptions& options);
+// --quiet alone, for commands that end with a line but show no progress
+void add_quiet(CLI::App& command, ProgressOptions& options);
+// Throws Error (input).
+ProgressKind progress_of(const ProgressOptions& options);
 
 // --method, --step, --tolerance, --accuracy
 void add_numerics_options(CLI::App& command, Overrides& overrides);

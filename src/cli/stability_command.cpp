@@ -10,7 +10,7 @@ namespace polhode {
 
 Action define_stability(CLI::App& command) {
   auto job = std::make_shared<StabilityJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   auto turns = std::make_shared<std::optional<double>>();
   auto allowed = std::make_shared<std::optional<double>>();
   auto jobs = std::make_shared<std::optional<int>>();
@@ -21,7 +21,7 @@ Action define_stability(CLI::App& command) {
            "folder for stability.csv and the pictures (default: output/SCENE_stability)")
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
-      ->type_name("NAMES");
+      ->type_name("METHODS");
   add_text(command, "--x", job->x, "key of the scene that changes across; spin: a factor on it")
       ->type_name("KEY");
   add_text(command, "--y", job->y, "key that changes upwards")->type_name("KEY");
@@ -47,7 +47,7 @@ Action define_stability(CLI::App& command) {
     job->turns = turns->value_or(job->turns);
     job->allowed_rad = allowed->value_or(job->allowed_rad);
     job->jobs = jobs->value_or(job->jobs);
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     print_out(stability(*job));
     return 0;
   };

@@ -11,7 +11,7 @@ namespace polhode {
 
 Action define_verify(CLI::App& command) {
   auto job = std::make_shared<VerifyJob>();
-  auto progress = std::make_shared<std::string>("auto");
+  auto progress = std::make_shared<ProgressOptions>();
   command.add_option("output", job->output, "what `polhode render` made")
       ->required()
       ->type_name("OUT");
@@ -22,7 +22,7 @@ Action define_verify(CLI::App& command) {
       ->type_name("FILE.json");
   add_progress(command, *progress);
   return [job, progress] {
-    job->progress = parse_progress(*progress);
+    job->progress = progress_of(*progress);
     const Verified verified = verify(*job);
     print_out(verified.text + "\n");
     return verified.same ? 0 : static_cast<int>(Fault::check_failed);

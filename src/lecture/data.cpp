@@ -74,8 +74,10 @@ Json licences(const LectureData& data) {
     list.push_back({{"what", fmt::format("reveal.js {}, inside slides.html", data.reveal_version)},
                     {"licence", "MIT"}});
   }
-  list.push_back({{"what", "Latin Modern Math, inside the pages where it was installed"},
-                  {"licence", "GUST Font License"}});
+  if (data.formula_font) {
+    list.push_back(
+        {{"what", "Latin Modern Math, inside the pages"}, {"licence", "GUST Font License"}});
+  }
   list.push_back({{"what", "Inter, Nimbus Roman, DejaVu as drawn in pictures"},
                   {"licence", "fonts' own; pictures made with them are free"}});
   return list;

@@ -21,6 +21,7 @@ struct LectureData {
   std::string licence;
   std::vector<std::string> outputs;
   std::string reveal_version;
+  bool formula_font = false;  // inside the pages
   std::vector<SceneData> scenes;
   std::vector<std::pair<std::string, Json>> products;  // stem, facts
 };

@@ -17,6 +17,7 @@
 #include "lecture/data.h"
 #include "lecture/documents.h"
 #include "lecture/media.h"
+#include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
 
@@ -299,13 +300,15 @@ std::string make_document(const std::string& output,
 
 LectureData data_of(const LectureWork& work,
                     const std::vector<std::string>& outputs,
-                    const std::optional<Reveal>& reveal) {
+                    const std::optional<Reveal>& reveal,
+                    bool formula_font) {
   LectureData data;
   data.deck = &work.deck;
   data.deck_text = work.deck_text;
   data.licence = words_of(work.deck).licence;
   data.outputs = outputs;
   data.reveal_version = reveal ? reveal->version : "";
+  data.formula_font = formula_font;
   for (const auto& [stem, task] : work.tasks) {
     if (!task.failure) data.products.emplace_back(stem, task.facts);
   }
@@ -355,6 +358,8 @@ LectureResult lecture(const LectureJob& job) {
   for (const LectureOutput& output : lecture_outputs()) {
     if (wants(output.name.c_str()) && output.name != "data") files.push_back(output.file);
   }
+  const bool pages = has_pages(outputs);
+  if (pages) files.emplace_back(kNoticesFile);
   OutputFolder documents(folder, files);
 
   // render, then everything that needs it
@@ -370,8 +375,10 @@ LectureResult lecture(const LectureJob& job) {
   for (const std::string& output : outputs) {
     if (output != "data") contents.push_back(make_document(output, work, folder, reveal, printer));
   }
+  const bool formula_font = pages && !formula_font_css().empty();
+  if (pages) contents.push_back(notices(outputs, reveal, formula_font));
   stop_if_interrupted();
-  if (wants("data")) write_data(data_of(work, outputs, reveal), folder);
+  if (wants("data")) write_data(data_of(work, outputs, reveal, formula_font), folder);
   documents.commit(contents);
   media.forget_the_rest();
   for (const std::string& file : files)

@@ -108,6 +108,8 @@ std::optional<Reveal> find_reveal() {
     Reveal reveal;
     reveal.css = read_file(place / "dist/reveal.css");
     reveal.js = read_file(place / "dist/reveal.js");
+    if (fs::is_regular_file(place / "LICENSE", missing))
+      reveal.licence = read_file(place / "LICENSE");
     const Json package = Json::parse(fs::is_regular_file(place / "package.json", missing)
                                          ? read_file(place / "package.json")
                                          : "{}",

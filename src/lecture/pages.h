@@ -14,6 +14,7 @@ struct Reveal {
   std::string version;
   std::string css;
   std::string js;
+  std::string licence;  // its LICENSE file, with the copyright notice; empty if there is none
 };
 // Where install-dependencies puts it, or POLHODE_REVEAL; none if it is in neither.
 std::optional<Reveal> find_reveal();

@@ -392,6 +392,10 @@ Stamp Typesetter::set(const std::string& markup, const TextStyle& style, double 
   return implementation_->set(markup, style, x, y);
 }
 
+std::string text_libraries() {
+  return fmt::format("Pango {}, Cairo {}", pango_version_string(), cairo_version_string());
+}
+
 std::string plain_text(std::string_view text) {
   const std::unique_ptr<gchar, decltype(&g_free)> escaped(
       g_markup_escape_text(text.data(), static_cast<gssize>(text.size())), &g_free);

@@ -40,6 +40,9 @@ struct TextBox {
   double ink_height() const { return ink_bottom - ink_top; }
 };
 
+// The libraries that set text, as found at run time: "Pango 1.50.12, Cairo 1.16.0".
+std::string text_libraries();
+
 // Plain text as markup: nothing in it is taken for a tag.
 std::string plain_text(std::string_view text);
 

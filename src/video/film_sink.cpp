@@ -69,4 +69,19 @@ std::string libav_version() {
   return av_version_info();
 }
 
+std::string libav_parts() {
+  const auto part = [](const char* name, unsigned version) {
+    return fmt::format("{} {}.{}.{}",
+                       name,
+                       AV_VERSION_MAJOR(version),
+                       AV_VERSION_MINOR(version),
+                       AV_VERSION_MICRO(version));
+  };
+  return fmt::format("{}, {}, {}, {}",
+                     part("libavcodec", avcodec_version()),
+                     part("libavformat", avformat_version()),
+                     part("libavutil", avutil_version()),
+                     part("libswscale", swscale_version()));
+}
+
 }  // namespace polhode

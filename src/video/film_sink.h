@@ -15,5 +15,7 @@ std::unique_ptr<FrameSink> make_film_sink(const SinkJob& job);
 
 // FFmpeg's own version text.
 std::string libav_version();
+// The libraries of it that were found at run time: "libavcodec 59.37.100, …".
+std::string libav_parts();
 
 }  // namespace polhode

@@ -329,7 +329,7 @@ TEST(Warnings, OfACameraThatSeesNothing) {
     write_text(folder / "scene.toml",
                std::string(test::kSmallScene) + "[camera]\n" + one.camera + "\n");
     const Ran ran =
-        run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.png") + "'");
+        run_polhode("render -q '" + (folder / "scene.toml") + "' -o '" + (folder / "a.png") + "'");
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(ran.err.empty(), *one.says == '\0') << ran.err;
     EXPECT_NE(ran.err.find(one.says), std::string::npos) << ran.err;

@@ -91,7 +91,7 @@ TEST_F(Formats, EachIsMadeWithItsCaptionsBeside) {
 }
 
 TEST_F(Formats, WhatWasChangedIsToldInOneLine) {
-  const Ran gif = run_polhode(render("a.gif", "--fps 60"));
+  const Ran gif = run_polhode(render("a.gif", "--fps 60 --quiet"));
   EXPECT_EQ(gif.code, 0);
   EXPECT_EQ(std::count(gif.err.begin(), gif.err.end(), '\n'), 1) << gif.err;
   EXPECT_NE(gif.err.find("30 frames/s instead of 60"), std::string::npos) << gif.err;

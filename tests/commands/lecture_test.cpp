@@ -69,6 +69,29 @@ TEST_F(LectureRun, MakesPageSlidesAndData) {
   EXPECT_EQ(read_text(folder_ / "out/data/source/scene.toml"), test::kSmallScene);
 }
 
+TEST_F(LectureRun, TellsTheLicencesOfWhatItContains) {
+  fs::create_directories(folder_ / "reveal/dist");
+  write_text(folder_ / "reveal/dist/reveal.js", "// script");
+  write_text(folder_ / "reveal/dist/reveal.css", "/* style */");
+  write_text(folder_ / "reveal/LICENSE", "the notice of reveal.js\n");
+  const std::string reveal = "POLHODE_REVEAL='" + (folder_ / "reveal") + "'";
+  const auto told = [&] {
+    return read_text(folder_ / "out/LICENCES.txt");
+  };
+  // slides contain reveal.js, a page does not; what has no page inside needs no notice
+  ASSERT_EQ(lecture("--to beamer", reveal).code, 0);
+  EXPECT_EQ(told(), "");
+  ASSERT_EQ(lecture("--to html", reveal).code, 0);
+  EXPECT_NE(told().find("Permission is hereby granted"), std::string::npos);
+  EXPECT_EQ(told().find("reveal.js"), std::string::npos);
+  ASSERT_EQ(lecture("--to slides", reveal).code, 0);
+  EXPECT_NE(told().find("the notice of reveal.js"), std::string::npos);
+  // the font is named exactly when it is inside
+  const bool inside =
+      read_text(folder_ / "out/slides.html").find("@font-face") != std::string::npos;
+  EXPECT_EQ(told().find("GUST Font License") != std::string::npos, inside);
+}
+
 TEST_F(LectureRun, RendersOnlyWhatChanged) {
   ASSERT_EQ(lecture().code, 0);
   std::string text = kDeck;

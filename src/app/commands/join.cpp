@@ -69,7 +69,7 @@ void refuse_other_ending(const JoinJob& job) {
 
 }  // namespace
 
-void join_pieces(const JoinJob& job) {
+Made join_pieces(const JoinJob& job) {
   Pieces pieces;
   for (const std::string& file : job.parts) {
     refuse_same_file(job.output, "the output", file);
@@ -89,6 +89,13 @@ void join_pieces(const JoinJob& job) {
               record.title,
               film_comment(record.version, record.scene),
               record.film);
+  Made made;
+  made.output = job.output;
+  made.parts = static_cast<int>(parts.size());
+  for (const FilmJoiner::Part& part : parts) {
+    made.frames += part.frames;
+  }
+  return made;
 }
 
 }  // namespace polhode

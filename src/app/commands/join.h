@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/made.h"
+
 namespace polhode {
 
 struct JoinJob {
@@ -15,6 +17,6 @@ struct JoinJob {
 // The film has exactly the frames of its pieces, with title, chapters and captions of the whole.
 // Throws Error (input) for pieces of different films (naming two of them and what differs), for
 // missing ones (all are named), for one that is there twice or is damaged.
-void join_pieces(const JoinJob& job);
+Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "app/commands/list.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/shipped_files.h"
 #include "chart/gnuplot.h"
 #include "film/report.h"
 #include "model/solids.h"
@@ -112,17 +114,20 @@ std::string list_formats() {
   return aligned(rows);
 }
 
-// the scenes of the folder `scenes` here, or of the source tree
+// the scenes of the folder `scenes` here, or of those that come with the program
 std::string list_scenes() {
   namespace fs = std::filesystem;
-  const fs::path folder =
-      fs::is_directory("scenes") ? fs::path("scenes") : fs::path(POLHODE_SCENES);
   std::error_code failed;
+  const bool here = std::getenv("POLHODE_SCENES") == nullptr && fs::is_directory("scenes", failed);
+  const fs::path folder = here ? fs::path("scenes") : shipped_scenes();
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, failed)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  if (files.empty()) throw input_error("no scenes here and none in {}", folder.string());
+  if (files.empty()) {
+    throw input_error("there are no scenes in '{}'; POLHODE_SCENES can name another folder",
+                      folder.string());
+  }
   std::sort(files.begin(), files.end());
   std::vector<Row> rows = {{"file", "title"}};
   for (const fs::path& file : files)

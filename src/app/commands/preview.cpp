@@ -67,7 +67,7 @@ std::string output_of(const PreviewJob& job) {
 
 }  // namespace
 
-void write_preview(const PreviewJob& job) {
+Made write_preview(const PreviewJob& job) {
   RenderPlan plan;
   plan.scene = small_scene(job);
   const std::string output = output_of(job);
@@ -109,6 +109,11 @@ void write_preview(const PreviewJob& job) {
   }
   write_png(file, sheet, false);
   file.commit();
+  Made made;
+  made.output = output;
+  made.frames = kTiles;
+  made.is_picture = true;
+  return made;
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/made.h"
 #include "film/load.h"
 
 namespace polhode {
@@ -18,6 +19,6 @@ struct PreviewJob {
 
 // A sheet of twelve small pictures, from the first frame of the film to its last, each with its
 // time. Throws Error as render_film does.
-void write_preview(const PreviewJob& job);
+Made write_preview(const PreviewJob& job);
 
 }  // namespace polhode

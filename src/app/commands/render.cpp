@@ -88,7 +88,7 @@ std::string report_text(const PreparedFilm& film, const FilmFacts& facts) {
 
 }  // namespace
 
-void render_film(const RenderJob& job) {
+Made render_film(const RenderJob& job) {
   const auto wall_start = std::chrono::steady_clock::now();
 
   // load and check everything that can be checked before work begins
@@ -116,7 +116,12 @@ void render_film(const RenderJob& job) {
   });
 
   // report
-  if (!reported) return;
+  Made made;
+  made.output = plan.sink.output;
+  made.frames = target.range().count;
+  made.from_earlier = target.there();
+  made.is_picture = plan.sink.still;
+  if (!reported) return made;
   FilmFacts facts = facts_of(plan, basis, target);
   add_renderer_facts(*renderer, facts);
   renderer.reset();  // its processes are reaped, and their time is counted
@@ -129,6 +134,7 @@ void render_film(const RenderJob& job) {
   } else {
     report_file->commit_with(report);
   }
+  return made;
 }
 
 }  // namespace polhode

@@ -12,13 +12,17 @@
 
 namespace polhode {
 
+const std::vector<std::string>& progress_names() {
+  static const std::vector<std::string> names = {"auto", "bar", "json", "none"};
+  return names;
+}
+
 ProgressKind parse_progress(const std::string& text) {
   if (text == "auto") return ProgressKind::automatic;
   if (text == "bar") return ProgressKind::bar;
   if (text == "json") return ProgressKind::json;
   if (text == "none") return ProgressKind::none;
-  throw input_error(
-      "no progress is called '{}'{}", text, suggestion(text, {"auto", "bar", "json", "none"}))
+  throw input_error("no progress is called '{}'{}", text, suggestion(text, progress_names()))
       .at({{}, 0, "--progress"});
 }
 

@@ -4,12 +4,16 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace polhode {
 
 enum class ProgressKind { automatic, bar, json, none };
 
-// "auto", "bar", "json", "none". Throws Error (input).
+// "auto", "bar", "json", "none".
+const std::vector<std::string>& progress_names();
+
+// One of them. Throws Error (input).
 ProgressKind parse_progress(const std::string& text);
 
 // Prints at most ten times a second; automatic means a bar on a terminal and nothing elsewhere.

@@ -1,0 +1,13 @@
+# Lets PROGRAM write its manual pages, completions and schema into FOLDER.
+function(write name)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${FOLDER}/${name} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER}/man)
+write(polhode.bash completion bash)
+write(polhode.zsh completion zsh)
+write(scene.schema.json schema)
+execute_process(COMMAND ${PROGRAM} manual -o ${FOLDER}/man COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB pages ${FOLDER}/man/*.1)
+execute_process(COMMAND gzip -9n ${pages} COMMAND_ERROR_IS_FATAL ANY)
+file(TOUCH ${FOLDER}/written)

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The words that options of the command line take, out of the tables that know them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+std::vector<std::string> backend_words();   // of --backend
+std::vector<std::string> codec_words();     // of --codec
+std::vector<std::string> document_words();  // of `lecture --to`
+std::vector<std::string> method_words();    // of --method and --methods
+std::vector<std::string> preset_words();    // of --preset
+std::vector<std::string> progress_words();  // of --progress
+std::vector<std::string> quality_words();   // of --quality
+
+}  // namespace polhode

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "cli/value_kinds.h"
+
+#include "app/commands/list.h"
+#include "cli/option_words.h"
+#include "cli/command.h"
+
+namespace polhode {
+namespace {
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : commands())
+    names.emplace_back(command.name);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<ValueKind>& value_kinds() {
+  static const std::vector<ValueKind> table = {
+      {"ACTION", ValueForm::word, golden_actions(), {}},
+      {"BACKEND", ValueForm::word, backend_words(), {}},
+      {"CODEC", ValueForm::word, codec_words(), {}},
+      {"COMMAND", ValueForm::word, command_names(), {}},
+      {"KIND", ValueForm::word, progress_words(), {}},
+      {"METHOD", ValueForm::word, method_words(), {}},
+      {"METHODS", ValueForm::words_with_commas, method_words(), {}},
+      {"DOCUMENTS", ValueForm::words_with_commas, document_words(), {}},
+      {"PRESET", ValueForm::word, preset_words(), {}},
+      {"QUALITY", ValueForm::word, quality_words(), {}},
+      {"SHELL", ValueForm::word, {"bash", "zsh"}, {}},
+      {"TABLE", ValueForm::word, list_names(), {}},
+      {"SCENE", ValueForm::file, {}, {"toml"}},
+      {"DECK", ValueForm::file, {}, {"md"}},
+      {"FILE.csv", ValueForm::file, {}, {"csv"}},
+      {"FILE.json", ValueForm::file, {}, {"json"}},
+      {"OUT.png", ValueForm::file, {}, {"png"}},
+      {"OUT", ValueForm::file, {}, {}},
+      {"PART", ValueForm::file, {}, {}},
+      {"ACTUAL", ValueForm::file, {}, {}},
+      {"REFERENCE", ValueForm::file, {}, {}},
+      {"DIR", ValueForm::folder, {}, {}},
+  };
+  return table;
+}
+
+const ValueKind* find_value_kind(const std::string& name) {
+  for (const ValueKind& kind : value_kinds()) {
+    if (kind.name == name) return &kind;
+  }
+  return nullptr;
+}
+
+}  // namespace polhode

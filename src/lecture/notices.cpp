@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/notices.h"
+
+#include <algorithm>
+
+#include "base/version.h"
+
+namespace polhode {
+namespace {
+
+bool has(const std::vector<std::string>& outputs, const char* name) {
+  return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+}
+
+const char* const kMit =
+    R"(Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+SOFTWARE.
+)";
+
+std::string heading(const std::string& words) {
+  return words + "\n" + std::string(words.size(), '-') + "\n\n";
+}
+
+}  // namespace
+
+bool has_pages(const std::vector<std::string>& outputs) {
+  return has(outputs, "html") || has(outputs, "slides") || has(outputs, "handout");
+}
+
+std::string notices(const std::vector<std::string>& outputs,
+                    const std::optional<Reveal>& reveal,
+                    bool formula_font) {
+  std::string text =
+      "Text, scenes and pictures of this lecture belong to its author. Its pages also contain:\n\n";
+  text += heading(fmt::format("Polhode {}: styles and scripts of the pages", program_version()));
+  text += "Copyright (c) 2026 the Polhode authors\n\n" + std::string(kMit);
+  if (has(outputs, "slides") && reveal) {
+    text += "\n" + heading(fmt::format("reveal.js {}, inside slides.html", reveal->version));
+    text += reveal->licence.empty() ? "Copyright (C) Hakim El Hattab, http://hakim.se, and "
+                                      "reveal.js contributors\n\n" +
+                                          std::string(kMit)
+                                    : reveal->licence;
+  }
+  if (formula_font) {
+    text += "\n" + heading("Latin Modern Math, the font of formulas") +
+            "Copyright 2012-2014 B. Jackowski, P. Strzelczyk and P. Pianowski on behalf of TeX "
+            "users groups.\nGUST Font License: "
+            "http://tug.org/fonts/licenses/GUST-FONT-LICENSE.txt\n";
+  }
+  return text;
+}
+
+}  // namespace polhode
