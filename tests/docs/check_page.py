@@ -160,7 +160,7 @@ def run(arguments, folder, environment):
 
 
 def check_scene(page, block, program, folder, environment, complaints):
-    if not re.search(r"^format = 1$", block.text, re.MULTILINE):
+    if not re.search(r"^format = 1\b", block.text, re.MULTILINE):
         complaints.add(page, block.line, "a whole scene says `format = 1`; mark parts of scenes `toml fragment`")
         return
     for arguments in (["inspect", block.name],
