@@ -42,7 +42,7 @@ class Block:
 
     @property
     def is_scene(self):
-        return self.language == "toml" and "fragment" not in self.words and self.name != "cases.toml"
+        return self.language == "toml" and "fragment" not in self.words and not (self.name or "").endswith("cases.toml")
 
 
 class Page:
