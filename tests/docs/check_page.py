@@ -7,6 +7,7 @@ check_page.py POLHODE PAGE --slow   the commands of blocks marked slow
 check_page.py POLHODE               what concerns all pages: each command has one, the index leads to each
 """
 import argparse
+import json
 import os
 import re
 import shlex
@@ -29,6 +30,8 @@ SMALLER = {
     "lecture": ["--size", "192x108", "--fps", "5"],
     "stability": ["--cells", "4x4", "--turns", "4"],
 }
+# Units that a key may carry.
+SUFFIXES = {"mm", "cm", "km", "g", "ms", "min", "h", "d", "deg", "deg_per_s", "rpm", "g_cm2", "g_per_cm3"}
 # Programs that would open a window.
 SILENT = ["ffplay", "xdg-open"]
 
@@ -196,6 +199,15 @@ def check_blocks(page, program, folder, environment, slow, complaints):
                 check_scene(page, block, program, folder, environment, complaints)
 
 
+def scene_keys(schema):
+    """The keys of a scene in SI units: radius, not radius_cm."""
+    keys = set()
+    for name, value in schema.get("properties", {}).items():
+        if isinstance(value, dict):
+            keys |= {name} | scene_keys(value) | scene_keys(value.get("items") or {})
+    return {key for key in keys if not any(key.startswith(f"{other}_") and key[len(other) + 1:] in SUFFIXES for other in keys)}
+
+
 def check_all_pages(program, complaints):
     index = Page(DOCS / "README.md")
     reached = {(DOCS / target.partition("#")[0]).resolve() for _, target in index.links()}
@@ -205,6 +217,12 @@ def check_all_pages(program, complaints):
     for command in program.commands:
         if not (DOCS / f"{command}.md").exists():
             complaints.add(None, 0, f"polhode {command} has no page docs/{command}.md")
+    scene_page = (DOCS / "scene.md").read_text(encoding="utf-8")
+    code = " ".join(re.findall(r"`[^`]+`", scene_page))
+    schema = json.loads(subprocess.run([program.path, "schema"], check=True, capture_output=True, text=True).stdout)
+    for key in sorted(scene_keys(schema)):
+        if not re.search(rf"\b{key}\b", code):
+            complaints.add(None, 0, f"scene.md lacks the key {key}, which polhode schema has")
     used = {(path.parent / target).resolve() for path in [ROOT / "README.md", *DOCS.glob("*.md")]
             for _, target in Page(path).links()}
     for picture in sorted(DOCS.rglob("*.png")):
