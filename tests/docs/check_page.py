@@ -217,8 +217,7 @@ def check_all_pages(program, complaints):
     for command in program.commands:
         if not (DOCS / f"{command}.md").exists():
             complaints.add(None, 0, f"polhode {command} has no page docs/{command}.md")
-    scene_page = (DOCS / "scene.md").read_text(encoding="utf-8")
-    code = " ".join(re.findall(r"`[^`]+`", scene_page))
+    code = " ".join(text for _, text in Page(DOCS / "scene.md").inline_code())
     schema = json.loads(subprocess.run([program.path, "schema"], check=True, capture_output=True, text=True).stdout)
     for key in sorted(scene_keys(schema)):
         if not re.search(rf"\b{key}\b", code):
