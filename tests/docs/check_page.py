@@ -153,11 +153,11 @@ def make_scratch(folder, program):
     return dict(os.environ, PATH=f"{shims}:{os.environ['PATH']}")
 
 
-def run(arguments, folder, environment):
-    """None when all is well, else the last lines that were said."""
+def run(arguments, folder, environment, exit_code=0):
+    """None when all is well, else the last lines that were printed."""
     result = subprocess.run(arguments, cwd=folder, env=environment, stdin=subprocess.DEVNULL, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace")
-    if result.returncode:
+    if result.returncode != exit_code:
         return f"exit code {result.returncode}: " + " / ".join(result.stdout.strip().splitlines()[-3:])
     return None
 
@@ -186,7 +186,7 @@ def check_blocks(page, program, folder, environment, slow, complaints):
                 if not slow and list(command_lines(block.text)):
                     complaints.add(page, block.line, "a polhode command in a block that is not run")
             elif ("slow" in block.words) == slow:
-                fault = run(["bash", "-euo", "pipefail", "-c", block.text], folder, environment)
+                fault = run(["bash", "-euo", "pipefail", "-c", block.text], folder, environment, block.exit_code)
                 if fault:
                     complaints.add(page, block.line, fault)
             continue

@@ -8,6 +8,7 @@ The word after the language of a block says what the test does with it:
     ```toml top.toml at=1.5 picture=step_1    the picture is called step_1.png
     ```toml fragment           part of a scene, not checked
     ```sh                      commands, run
+    ```sh exit=1               commands that must end with this exit code
     ```sh slow                 run by `tools/test slow` only
     ```sh not-run              commands that install, build or open a window; no polhode command may be among them
     ```markdown deck.md        any other file, saved under that name
@@ -33,6 +34,10 @@ class Block:
     def moment(self):
         """The time of the picture, s, as it is written; None where no picture is asked for."""
         return next((word[3:] for word in self.words if word.startswith("at=")), None)
+
+    @property
+    def exit_code(self):
+        return next((int(word[5:]) for word in self.words if word.startswith("exit=")), 0)
 
     @property
     def picture(self):
