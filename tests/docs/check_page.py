@@ -118,9 +118,9 @@ def check_options(page, program, complaints):
                     if option.startswith("-") and option not in program.common:
                         complaints.add(page, line, f"polhode has no option {option}")
     for line, text in inline:
-        if text.startswith("-"):
-            option = re.match(r"-[\w-]*", text)[0]
-            if len(option) > 1 and option not in program.any_option:
+        if text.startswith("--"):
+            option = re.match(r"--[\w-]*", text)[0]
+            if len(option) > 2 and option not in program.any_option:
                 complaints.add(page, line, f"no command has an option {option}")
 
     # the page of a command has a table of all its options, and no others
