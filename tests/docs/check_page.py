@@ -7,6 +7,7 @@ check_page.py POLHODE PAGE --slow   the commands of blocks marked slow
 check_page.py POLHODE               what concerns all pages: each command has one, the index leads to each
 """
 import argparse
+import functools
 import json
 import os
 import re
@@ -63,8 +64,14 @@ class Program:
         table = text.split("Subcommands:")[1].split("\n\n")[0]
         self.commands = re.findall(r"^  (\w+)", table, re.MULTILINE)
         self.common = self.options_of(text)
-        self.options = {command: self.options_of(self.help(command)) | self.common for command in self.commands}
-        self.any_option = set().union(*self.options.values())
+
+    @functools.cache
+    def options(self, command):
+        return self.options_of(self.help(command)) | self.common
+
+    @functools.cache
+    def any_option(self):
+        return set().union(*map(self.options, self.commands))
 
     def help(self, *command):
         return subprocess.run([self.path, *command, "--help"], check=True, capture_output=True, text=True).stdout
@@ -109,7 +116,7 @@ def check_options(page, program, complaints):
         for command, options in command_lines(text):
             if command in program.commands:
                 for option in options:
-                    if option not in program.options[command]:
+                    if option not in program.options(command):
                         complaints.add(page, line, f"polhode {command} has no option {option}")
             elif re.fullmatch(r"[a-z]+", command):
                 complaints.add(page, line, f"polhode has no command {command}")
@@ -120,7 +127,7 @@ def check_options(page, program, complaints):
     for line, text in inline:
         if text.startswith("--"):
             option = re.match(r"--[\w-]*", text)[0]
-            if len(option) > 2 and option not in program.any_option:
+            if len(option) > 2 and option not in program.any_option():
                 complaints.add(page, line, f"no command has an option {option}")
 
     # the page of a command has a table of all its options, and no others
@@ -129,10 +136,10 @@ def check_options(page, program, complaints):
         told = set()
         for line, cells in page.table_rows("Options"):
             names = set(re.findall(r"(?<![\w-])--?[a-z][\w-]*", cells[0]))
-            for name in names - program.options[command]:
+            for name in names - program.options(command):
                 complaints.add(page, line, f"polhode {command} has no option {name}")
             told |= names
-        for name in sorted(program.options[command] - program.common - told):
+        for name in sorted(program.options(command) - program.common - told):
             complaints.add(page, 1, f"the table of options lacks {name}, which polhode {command} --help has")
 
 
