@@ -19,13 +19,14 @@ import tempfile
 from pathlib import Path
 from urllib.parse import unquote
 
-from markdown_page import Page
+sys.dont_write_bytecode = True  # the source tree stays as it is
+from markdown_page import Page  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 
-# Commands of the pages are run as they stand, but small: this is what is appended to them, unless they say it themselves.
-# The last of several equal options counts, so a size in the text is overridden too.
+# Commands of the pages are run as they stand, but small: this is what is appended to them. The last of several equal
+# options counts, so a size in the text is overridden.
 SMALLER = {
     "render": ["--size", "192x108", "--fps", "5"],
     "lecture": ["--size", "192x108", "--fps", "5"],
@@ -35,16 +36,6 @@ SMALLER = {
 SUFFIXES = {"mm", "cm", "km", "g", "ms", "min", "h", "d", "deg", "deg_per_s", "rpm", "g_cm2", "g_per_cm3"}
 # Programs that would open a window.
 SILENT = ["ffplay", "xdg-open"]
-
-SHIM = """#!/usr/bin/env python3
-import os, sys
-smaller = {smaller!r}
-arguments = sys.argv[1:]
-command = arguments[0] if arguments else ""
-more = [] if "--help" in arguments else smaller.get(command, [])
-os.execv({polhode!r}, ["polhode", *arguments, *more])
-"""
-
 
 class Complaints:
     def __init__(self):
@@ -149,7 +140,8 @@ def make_scratch(folder, program):
     shims.mkdir()
     for name in SILENT:
         (shims / name).write_text("#!/bin/sh\nexec cat >/dev/null\n")
-    (shims / "polhode").write_text(SHIM.format(smaller=SMALLER, polhode=program.path))
+    cases = "".join(f"  {command}) set -- \"$@\" {' '.join(more)} ;;\n" for command, more in SMALLER.items())
+    (shims / "polhode").write_text(f'#!/bin/sh\ncase "$1" in\n{cases}esac\nexec {shlex.quote(program.path)} "$@"\n')
     for shim in shims.iterdir():
         shim.chmod(0o755)
     (folder / "build/release").mkdir(parents=True)
