@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which planted defects the rules of other projects and ours catch: the table of
-// docs/image-diff.md.
+// docs/diff.md.
 //   cmake --build --preset release --target diff_rules && build/release/tests/diff_rules
 #include <algorithm>
 #include <cmath>
