@@ -8,4 +8,7 @@ namespace polhode {
 // sources were no git checkout. Written by write_commit.cmake in every build.
 const char* program_commit();
 
+// Its day, "2026-01-31"; of an archive, that of its changelog.
+const char* program_date();
+
 }  // namespace polhode

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/man_page.h"
 
-#include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 
 #include "base/version.h"
 #include "cli/command.h"
+#include "cli/commit.h"
 #include "cli/value_kinds.h"
 
 namespace polhode {
@@ -47,13 +48,20 @@ std::string italic(const std::string& text) {
   return "\\fI" + escaped(text) + "\\fR";
 }
 
+// a phrase of --help as a sentence
+std::string sentence(std::string phrase) {
+  if (!phrase.empty())
+    phrase[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase[0])));
+  return phrase + ".";
+}
+
 std::string head(const std::string& name, const std::string& doc) {
   std::string upper = name;
-  for (char& c : upper) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return fmt::format(".TH {} 1 \"\" \"Polhode {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
+  for (char& c : upper)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return fmt::format(".TH {} 1 {} \"Polhode {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
                      upper,
+                     program_date(),
                      program_version(),
                      escaped(name),
                      escaped(doc));
@@ -147,15 +155,14 @@ std::string command_man_page(const CLI::App& program, const CLI::App& command) {
     const std::string word = italic(option->get_type_name()) + (several ? " ..." : "");
     page += option->get_required() ? " " + word : " [" + word + "]";
   }
-  page += "\n.SH DESCRIPTION\n";
-  for (const Command& row : commands()) {
-    if (command.get_name() == row.name && *row.example != '\0') {
-      page += fmt::format("Example:\n.PP\n.EX\n{}\n.EE\n", escaped(row.example));
-    }
-  }
+  page += "\n.SH DESCRIPTION\n" + escaped(sentence(command.get_description())) + "\n";
   page += section("ARGUMENTS", command, true) + section("OPTIONS", command, false);
   for (const CLI::Option* option : program.get_options()) {
     if (option->check_lname("verbose")) page += option_entry(*option);
+  }
+  for (const Command& row : commands()) {
+    if (command.get_name() != row.name) continue;
+    page += fmt::format(".SH EXAMPLES\n.EX\n{}\n.EE\n", escaped(row.example));
   }
   return page + kExitStatus + ".SH SEE ALSO\n.BR polhode (1)\n";
 }

@@ -1,20 +1,22 @@
 # Writes OUTPUT, a C++ file that holds the commit of the folder SOURCE; leaves it alone when it is as it should be.
 # POLHODE_COMMIT in the environment says it instead, for builds from an archive.
 set(commit "$ENV{POLHODE_COMMIT}")
-if(commit STREQUAL "" AND EXISTS "${SOURCE}/.git")
+set(date "")
+if(EXISTS "${SOURCE}/.git")
   find_program(GIT git)
-  if(GIT)
-    execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --short=12 HEAD
-      OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
-    if(failed)
-      set(commit "")
-    else()
-      execute_process(COMMAND ${GIT} -C ${SOURCE} diff --quiet HEAD -- RESULT_VARIABLE differs ERROR_QUIET)
-      if(differs)
-        string(APPEND commit "-modified")
-      endif()
-    endif()
+endif()
+if(commit STREQUAL "" AND GIT)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} log -1 --abbrev=12 --format=%h
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} log -1 --format=%cs
+    OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} diff --quiet HEAD -- RESULT_VARIABLE differs ERROR_QUIET)
+  if(differs AND NOT commit STREQUAL "")
+    string(APPEND commit "-modified")
   endif()
+endif()
+if(date STREQUAL "")
+  file(TIMESTAMP "${SOURCE}/CHANGELOG.md" date "%Y-%m-%d" UTC)
 endif()
 set(text "// Made by src/cli/write_commit.cmake.
 #include \"cli/commit.h\"
@@ -23,6 +25,10 @@ namespace polhode {
 
 const char* program_commit() {
   return \"${commit}\";
+}
+
+const char* program_date() {
+  return \"${date}\";
 }
 
 }  // namespace polhode

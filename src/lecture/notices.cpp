@@ -33,7 +33,7 @@ SOFTWARE.
 )";
 
 std::string heading(const std::string& words) {
-  return words + "\n" + std::string(words.size(), '-') + "\n\n";
+  return fmt::format("\n{}\n{:-<{}}\n\n", words, "", words.size());
 }
 
 }  // namespace
@@ -45,19 +45,18 @@ bool has_pages(const std::vector<std::string>& outputs) {
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
                     bool formula_font) {
-  std::string text =
-      "Text, scenes and pictures of this lecture belong to its author. Its pages also contain:\n\n";
+  std::string text = "Beside the lecture itself, its pages contain:\n";
   text += heading(fmt::format("Polhode {}: styles and scripts of the pages", program_version()));
   text += "Copyright (c) 2026 the Polhode authors\n\n" + std::string(kMit);
   if (has(outputs, "slides") && reveal) {
-    text += "\n" + heading(fmt::format("reveal.js {}, inside slides.html", reveal->version));
+    text += heading(fmt::format("reveal.js {}, inside slides.html", reveal->version));
     text += reveal->licence.empty() ? "Copyright (C) Hakim El Hattab, http://hakim.se, and "
                                       "reveal.js contributors\n\n" +
                                           std::string(kMit)
                                     : reveal->licence;
   }
   if (formula_font) {
-    text += "\n" + heading("Latin Modern Math, the font of formulas") +
+    text += heading("Latin Modern Math, the font of formulas") +
             "Copyright 2012-2014 B. Jackowski, P. Strzelczyk and P. Pianowski on behalf of TeX "
             "users groups.\nGUST Font License: "
             "http://tug.org/fonts/licenses/GUST-FONT-LICENSE.txt\n";
