@@ -45,11 +45,11 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE ${debian_revision})
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "physically exact films of spinning bodies
- Polhode turns a short scene file into a film of a spinning body: the body,
- its angular velocity and angular momentum, the precession cone and the
- geometry behind them, as MP4, WebM, MOV, GIF, APNG or PNG, rendered without
- a window. It also writes motions as tables, charts the speed of integrators
- against their accuracy, compares pictures, and makes lectures from Markdown.")
+Polhode turns a short scene file into a film of a spinning body: the body,
+its angular velocity and angular momentum, the precession cone and the
+geometry behind them, as MP4, WebM, MOV, GIF, APNG or PNG, rendered without
+a window. It also writes motions as tables, charts the speed of integrators
+against their accuracy, compares pictures, and makes lectures from Markdown.")
 
 # dpkg-shlibdeps finds the libraries that the program is linked with; these are opened or run by name
 # when they are needed, and are unknown to it.

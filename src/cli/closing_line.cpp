@@ -18,12 +18,17 @@ std::string short_number(double value) {
   return fmt::format("{:.{}f}", value, value >= 10.0 ? 1 : 2);
 }
 
-// of the frames that this run made
+// made by this run
 double frames_per_second(const Made& made, double seconds) {
   return seconds > 0.0 ? (made.frames - made.from_earlier) / seconds : 0.0;
 }
 
+int frames_of_output(const Made& made) {
+  return (made.frames + made.every - 1) / made.every;
+}
+
 std::string frames_of(const Made& made) {
+  const int count = frames_of_output(made);
   const std::string frames = fmt::format(
       "{} {}{}", made.frames, made.is_picture ? "picture" : "frame", made.frames == 1 ? "" : "s");
   if (made.parts > 0) {
@@ -53,6 +58,7 @@ std::string closing_json(const Made& made, double seconds) {
       {"seconds_left", 0.0},
       {"limit", nullptr},
       {"output", made.output},
+      {"frames", frames_of_output(made)},
       {"seconds", std::round(1000.0 * seconds) / 1000.0}};
   return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -234,9 +234,10 @@ std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
                     const std::string& printer) {
   if (output == "slides" && !reveal)
-    return "reveal.js is missing; run tools/install-dependencies --for lecture";
+    return "reveal.js is missing; install it (docs/install.md), or run tools/install-dependencies "
+           "--for lecture";
   if (output == "handout" && printer.empty())
-    return "chromium is missing; run tools/install-dependencies --for lecture";
+    return "chromium is missing; install it, or run tools/install-dependencies --for lecture";
   return "";
 }
 
@@ -390,16 +391,20 @@ LectureResult lecture(const LectureJob& job) {
 }
 
 std::vector<ExternalNeed> lecture_needs() {
-  const std::string how = "missing: run tools/install-dependencies --for lecture";
+  // in the sources one command brings all of it
+  const auto missing = [](const char* what) {
+    return fmt::format("missing: install {}, or run tools/install-dependencies --for lecture",
+                       what);
+  };
   const std::string pandoc = pandoc_version(), printer = find_printer();
   const std::optional<Reveal> reveal = find_reveal();
-  return {
-      {"lectures", pandoc.empty() ? how + " (pandoc)" : "ok, " + pandoc},
-      {"slides of lectures", reveal ? "ok, reveal.js " + reveal->version : how + " (reveal.js)"},
-      {"handouts of lectures", printer.empty() ? how + " (chromium)" : "ok, " + printer},
-      {"font of formulas",
-       formula_font_css().empty() ? how + " (fonts-lmodern); browsers take their own"
-                                  : "ok, Latin Modern Math"}};
+  return {{"lectures", pandoc.empty() ? missing("pandoc") : "ok, " + pandoc},
+          {"slides of lectures",
+           reveal ? "ok, reveal.js " + reveal->version : missing("reveal.js (docs/install.md)")},
+          {"handouts of lectures", printer.empty() ? missing("chromium") : "ok, " + printer},
+          {"font of formulas",
+           formula_font_css().empty() ? missing("fonts-lmodern") + "; browsers take their own font"
+                                      : "ok, Latin Modern Math"}};
 }
 
 }  // namespace polhode

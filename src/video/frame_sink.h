@@ -60,6 +60,8 @@ class FrameSink {
   virtual void describe(const FilmMetadata&) {}
   virtual void push(const Image& frame) = 0;
   virtual void finish() = 0;
+  // Of the frames that are pushed the output has every n-th, from the first one on.
+  virtual int keeps_every() const { return 1; }
   virtual SinkTimes times() const = 0;
 };
 

@@ -109,6 +109,7 @@ class GifSink final : public FrameSink {
     writer_.finish();
   }
 
+  int keeps_every() const override { return step_; }
   SinkTimes times() const override { return times_; }
 
  private:

@@ -39,6 +39,9 @@ bool is_line(const std::string& said, const std::string& pattern) {
 TEST_F(ClosingLine, TellsFileFramesSecondsAndRateOfAFilm) {
   const std::string film = said("render scene.toml -o a.mp4");
   EXPECT_TRUE(is_line(film, R"(a\.mp4: 10 frames)" + kTime + kRate)) << film;
+  // a GIF has 30 frames/s of the 60 that are drawn
+  const std::string gif = said("render scene.toml -o a.gif --fps 60 --to 0.5");
+  EXPECT_NE(gif.find("\npolhode: a.gif: 15 frames in "), std::string::npos) << gif;
   const std::string numbered = said("render scene.toml -o f_%d.png --to 0.1 --progress none");
   EXPECT_TRUE(is_line(numbered, R"(f_%d\.png: 1 frame)" + kTime + kRate)) << numbered;
   const std::string unnamed = said("render scene.toml");
@@ -94,6 +97,7 @@ TEST_F(ClosingLine, IsAnObjectAmongProgressLinesOfJson) {
   EXPECT_EQ(last.at("output"), "a \"b\".mp4");
   EXPECT_EQ(last.at("done"), 10);
   EXPECT_EQ(last.at("total"), 10);
+  EXPECT_EQ(last.at("frames"), 10);
   EXPECT_GT(last.at("seconds"), 0.0);
   EXPECT_NEAR(last.at("frames_per_s").get<double>() * last.at("seconds").get<double>(), 10.0, 0.5);
 }

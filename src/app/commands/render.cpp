@@ -119,6 +119,7 @@ Made render_film(const RenderJob& job) {
   Made made;
   made.output = plan.sink.output;
   made.frames = target.range().count;
+  made.every = target.sink().keeps_every();
   made.from_earlier = target.there();
   made.is_picture = plan.sink.still;
   if (!reported) return made;
