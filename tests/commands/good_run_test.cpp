@@ -142,7 +142,11 @@ TEST_F(GoodRun, EveryHelpReadsAndEveryListLists) {
                                 "list scenes",
                                 "list formats",
                                 "schema",
-                                "doctor"}) {
+                                "doctor",
+                                "manual",
+                                "manual stability",
+                                "completion bash",
+                                "completion zsh"}) {
     const Ran ran = run_polhode(arguments);
     EXPECT_EQ(ran.code, 0) << arguments << ran.err;
     EXPECT_GT(ran.out.size(), 4u) << arguments;
