@@ -27,8 +27,8 @@ class GoodRun : public ::testing::Test {
 };
 
 TEST_F(GoodRun, FilmWithReport) {
-  const Ran ran =
-      run_polhode("render " + scene() + out("a.mp4") + " --report '" + (folder_ / "r.json") + "'");
+  const Ran ran = run_polhode("render -q " + scene() + out("a.mp4") + " --report '" +
+                              (folder_ / "r.json") + "'");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
   EXPECT_EQ(ran.out, "");

@@ -31,7 +31,7 @@ class UntrustedRun : public ::testing::Test {
              const std::string& moments = "[1, 1, 2]") const {
     write_text(folder_ / "top.toml",
                fmt::format(fmt::runtime(std::string(kTop)), moments, method, step));
-    return run_polhode(fmt::format("render '{}' -o '{}' --to 1 --report '{}'",
+    return run_polhode(fmt::format("render -q '{}' -o '{}' --to 1 --report '{}'",
                                    folder_ / "top.toml",
                                    out == "null" ? out : folder_ / out,
                                    folder_ / "r.json"));

@@ -26,8 +26,10 @@ bool interrupted() {
 }
 
 // Waits for room before each piece: a pipe that has room takes PIPE_BUF bytes without blocking, so
-// that the flag of a signal is seen even if nobody reads any more.
-int write_to_standard_output(void*, std::uint8_t* bytes, int count) {
+// that the flag of a signal is seen even if nobody reads any more. Byte: FFmpeg 7 has made it
+// const.
+template <class Byte>
+int write_to_standard_output(void*, Byte* bytes, int count) {
   constexpr int kPatienceMs = 100;
   for (int done = 0; done < count;) {
     if (interrupted()) return AVERROR_EXIT;
