@@ -9,12 +9,12 @@
 
 #include <fmt/ranges.h>
 
+#include "app/version_text.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
-#include "app/version_text.h"
 #include "cli/command.h"
 #include "cli/commit.h"
 
