@@ -157,7 +157,7 @@ const BadCall kBadCalls[] = {
     {"list methds", 2, "did you mean 'methods'?"},
     {"manual rendr", 2, "did you mean 'render'?"},
     {"manual -o SCENE", 2, "scene.toml"},
-    {"completion fish", 2, "zsh"},
+    {"completion fish", 2, "did you mean 'bash'?"},
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
