@@ -56,6 +56,7 @@ class CaptionedSink final : public FrameSink {
     film_->finish();
     if (captions_) captions_->commit();
   }
+  int keeps_every() const override { return film_->keeps_every(); }
   SinkTimes times() const override { return film_->times(); }
 
  private:

@@ -42,6 +42,8 @@ TEST_F(ClosingLine, TellsFileFramesSecondsAndRateOfAFilm) {
   // a GIF has 30 frames/s of the 60 that are drawn
   const std::string gif = said("render scene.toml -o a.gif --fps 60 --to 0.5");
   EXPECT_NE(gif.find("\npolhode: a.gif: 15 frames in "), std::string::npos) << gif;
+  const std::string reported = said("render scene.toml -o a.gif --fps 60 --to 0.5 --report a.json");
+  EXPECT_NE(reported.find("\npolhode: a.gif: 15 frames in "), std::string::npos) << reported;
   const std::string numbered = said("render scene.toml -o f_%d.png --to 0.1 --progress none");
   EXPECT_TRUE(is_line(numbered, R"(f_%d\.png: 1 frame)" + kTime + kRate)) << numbered;
   const std::string unnamed = said("render scene.toml");
