@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/csv.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {

@@ -9,6 +9,7 @@
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
 #include "motion/solution_method.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {

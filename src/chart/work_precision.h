@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chart/reference_solution.h"
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/commands/chart.h"
+#include "app/commands/chart_pictures.h"
 #include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
@@ -11,6 +12,7 @@ namespace polhode {
 Action define_chart(CLI::App& command) {
   auto job = std::make_shared<ChartJob>();
   auto progress = std::make_shared<ProgressOptions>();
+  auto pictures = std::make_shared<bool>(false);
   add_scenes(command, job->scenes);
   add_text(command,
            "-o,--output",
@@ -19,7 +21,7 @@ Action define_chart(CLI::App& command) {
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, with commas between")
       ->type_name("METHODS");
-  command.add_flag("--pictures", job->pictures, "drawing settings instead of methods");
+  command.add_flag("--pictures", *pictures, "drawing settings instead of methods");
   add_text(command,
            "--size",
            job->overrides.size,
@@ -28,9 +30,9 @@ Action define_chart(CLI::App& command) {
   add_text(command, "--accuracy", job->overrides.accuracy, "the line: what the scene needs")
       ->type_name("RAD|PX");
   add_progress(command, *progress);
-  return [job, progress] {
+  return [job, progress, pictures] {
     job->progress = progress_of(*progress);
-    print_out(chart(*job));
+    print_out(*pictures ? chart_pictures(*job) : chart(*job));
     return 0;
   };
 }

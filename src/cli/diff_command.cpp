@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/compare/diff.h"
+#include "base/error.h"
 #include "base/system/console.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "app/compare/golden.h"
+#include "app/compare/golden_run.h"
+#include "app/compare/golden_show.h"
+#include "app/compare/golden_update.h"
+#include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/console.h"
 #include "cli/command.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/shared_options.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace polhode {
 namespace {
@@ -16,14 +16,12 @@ std::string long_name(const std::string& names) {
 }
 
 double number_in(const std::string& text, const std::string& option) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failed] = std::from_chars(text.data(), end, value);
-  if (text.empty() || failed != std::errc() || stop != end || !std::isfinite(value)) {
+  const std::optional<double> value = parse_number(text);
+  if (!value) {
     throw input_error("must be a number, such as 1.5; found '{}'", text.substr(0, 40))
         .at({{}, 0, option});
   }
-  return value;
+  return *value;
 }
 
 // runs `read` on the option's text; CLI11 keeps the last of several

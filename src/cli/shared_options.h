@@ -11,7 +11,7 @@
 
 #include "app/compare/diff.h"
 #include "base/system/progress.h"
-#include "film/load.h"
+#include "film/overrides.h"
 
 namespace polhode {
 

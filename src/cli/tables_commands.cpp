@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/commands/doctor.h"
 #include "app/commands/list.h"
+#include "app/commands/schema.h"
 #include "base/error.h"
 #include "base/system/console.h"
 #include "cli/command.h"

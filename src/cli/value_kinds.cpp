@@ -2,8 +2,8 @@
 #include "cli/value_kinds.h"
 
 #include "app/commands/list.h"
-#include "cli/option_words.h"
 #include "cli/command.h"
+#include "cli/option_words.h"
 
 namespace polhode {
 namespace {

@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
-#include "film/report.h"
+#include "film/error_places.h"
+#include "film/motion_report.h"
 #include "math/so3.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {
@@ -187,14 +189,13 @@ PanelNotes Comparison::notes(const Contender& one, double t) const {
   return notes;
 }
 
-nlohmann::ordered_json Comparison::report() const {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json Comparison::report() const {
+  Json list = Json::array();
   for (const Contender& one : contenders_) {
-    nlohmann::ordered_json row = motion_report(one.report);
+    Json row = json_of(one.report);
     row["end_s"] = one.end;
     row["failure"] = one.failure;
-    row["untrusted_from_s"] = one.untrusted_from ? nlohmann::ordered_json(*one.untrusted_from)
-                                                 : nlohmann::ordered_json(nullptr);
+    row["untrusted_from_s"] = one.untrusted_from ? Json(*one.untrusted_from) : Json(nullptr);
     row["attitude_error_at_end_rad"] = nullptr;
     if (const std::optional<double> error = attitude_error(one, one.end))
       row["attitude_error_at_end_rad"] = *error;

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
-#include "film/load.h"
+#include "film/json_fields.h"
+#include "film/solved_scene.h"
 #include "frame/film.h"
 
 namespace polhode {
@@ -37,7 +36,7 @@ class Comparison {
   // As many lines as notes() has, the stamp counted.
   static constexpr int kNoteLines = 5;
   // For the report of a film.
-  nlohmann::ordered_json report() const;
+  Json report() const;
 
  private:
   // start: a motion that begins as all of them do

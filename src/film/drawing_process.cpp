@@ -204,7 +204,7 @@ void DrawingProcess::draw(const std::vector<int>& frames,
     Image image;
     int free = kSlots, next = 0;
     for (const int frame : frames) {
-      renderer->make(frame, image);
+      renderer->render(frame, image);
       if (!wait_for_slot(free)) _exit(0);
       slot(next).put(image);
       next = (next + 1) % kSlots;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/frame_renderer.h"
+#include "image/picture_size.h"
 
 namespace polhode {
 

@@ -149,7 +149,7 @@ std::vector<FilmPlot> make_plots(const Solved& solved) {
   std::vector<FilmPlot> plots;
   if (scene.show.plots.empty()) return plots;
   require_gnuplot();
-  const FrameSize size = frame_size(scene);
+  const PictureSize size = scene.video.size;
   const int count = static_cast<int>(scene.show.plots.size());
   const int top = static_cast<int>(std::lround(kTop * size.height));
   const int all = size.height - top - static_cast<int>(std::lround(kBottom * size.height));

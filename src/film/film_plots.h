@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "film/load.h"
+#include "film/solved_scene.h"
 #include "frame/film.h"
 
 namespace polhode {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// From a scene to the film that it asks for: its clock, its frames, its panels.
+// Which moments of the motion a film shows: its clock and the times of its frames.
 #pragma once
 
-#include <memory>
 #include <optional>
 
-#include "film/comparison.h"
-#include "film/load.h"
-#include "frame/film.h"
+#include "film/solved_scene.h"
+#include "frame/timeline.h"
 #include "motion/loop.h"
 
 namespace polhode {
@@ -36,13 +34,5 @@ void check_time_range(const Scene& scene, const TimeRange& range);
 
 // Throws Error (input) for times outside the motion (naming the option), too many frames.
 FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range);
-
-// One panel; or one for each method that is compared, or for each of show.views. `comparison` must
-// outlive the film. Throws Error (input) for plots beside several panels.
-Film make_film(const Solved& solved,
-               const Timeline& timeline,
-               const Comparison* comparison,
-               const std::vector<FilmPlot>& plots,
-               bool with_text);
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "film/drawing_process.h"
+#include "film/local_renderer.h"
 
 namespace polhode {
 namespace {
@@ -14,15 +15,14 @@ void add(const StageTime& more, StageTime& sum) {
   sum.cpu_s += more.cpu_s;
 }
 
-class Crew final : public FrameRenderer {
+class FrameWorkers final : public FrameRenderer {
  public:
-  Crew(const RenderPlan& plan, const PreparedFilm& basis, const std::vector<int>& frames)
+  FrameWorkers(const PreparedFilm& film, const RenderSetup& setup, const std::vector<int>& frames)
       : frames_(frames) {
     const auto count =
-        std::min(static_cast<std::size_t>(plan.jobs), std::max<std::size_t>(1, frames.size()));
-    const auto open = [&, film = std::shared_ptr<const FilmFrames>()]() mutable {
-      film = std::make_shared<const FilmFrames>(plan, basis);
-      return make_frame_renderer(*film, plan.backend, plan.sink.transparent);
+        std::min(static_cast<std::size_t>(setup.jobs), std::max<std::size_t>(1, frames.size()));
+    const auto open = [&] {
+      return open_local_renderer(film, setup);
     };
     for (std::size_t k = 0; k < count; ++k) {
       std::vector<int> share;
@@ -30,11 +30,11 @@ class Crew final : public FrameRenderer {
         share.push_back(frames[i]);
       }
       members_.push_back(
-          std::make_unique<DrawingProcess>(basis.solved.scene.video.size, share, open));
+          std::make_unique<DrawingProcess>(film.solved().scene.video.size, share, open));
     }
   }
 
-  void make(int index, Image& image) override {
+  void render(int index, Image& image) override {
     CHECK(made_ < frames_.size() && frames_[made_] == index);
     members_[made_ % members_.size()]->next(image);
     ++made_;
@@ -60,10 +60,11 @@ class Crew final : public FrameRenderer {
 
 }  // namespace
 
-std::unique_ptr<FrameRenderer> start_frame_workers(const RenderPlan& plan,
-                                                   const PreparedFilm& basis,
+std::unique_ptr<FrameRenderer> open_frame_renderer(const PreparedFilm& film,
+                                                   const RenderSetup& setup,
                                                    const std::vector<int>& frames) {
-  return std::make_unique<Crew>(plan, basis, frames);
+  if (setup.jobs == 1) return open_local_renderer(film, setup);
+  return std::make_unique<FrameWorkers>(film, setup, frames);
 }
 
 }  // namespace polhode

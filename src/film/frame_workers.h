@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Several processes that draw the frames of one film.
+// Renders the frames of one film in as many processes as are asked for.
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "film/frame_renderer.h"
+#include "film/prepared_film.h"
 
 namespace polhode {
 
-// Forks order.jobs processes (contexts of one process wait for each other in llvmpipe), each of
-// which draws every jobs-th of `frames` with one thread, into memory that is shared, at most three
-// frames ahead. make() must be called for `frames` in their order. The processes end with the
-// maker, and with this process, however that ends. Each sets its own text: Pango's threads would
-// not come along. Pixels are those of make_frame_renderer. Throws Error (environment) for a process
-// that cannot be started, and from make() for one that was killed; what fails in a process is
-// thrown by make() too.
-std::unique_ptr<FrameRenderer> start_frame_workers(const RenderPlan& plan,
-                                                   const PreparedFilm& basis,
+// A renderer whose render() is called with `frames`, in their order. `film` must outlive it.
+//
+// One job: the calling thread draws. More: so many processes are forked here (OpenGL contexts of
+// one process wait for each other in llvmpipe), and each draws every jobs-th of `frames` with one
+// thread, into shared memory, at most three frames ahead. fork() copies only the calling thread, so
+// this comes before anything opens fonts or OpenGL. The processes end with the renderer, and with
+// this process, however that ends. Pixels do not depend on the number of jobs.
+//
+// Throws Error as open_local_renderer does; (environment) for a process that cannot be started, and
+// from render() for one that was killed. What fails in a process is thrown by render() here.
+std::unique_ptr<FrameRenderer> open_frame_renderer(const PreparedFilm& film,
+                                                   const RenderSetup& setup,
                                                    const std::vector<int>& frames);
 
 }  // namespace polhode

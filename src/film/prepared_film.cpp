@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/system/log.h"
+#include "film/error_places.h"
+#include "film/film_panels.h"
 #include "film/film_plots.h"
 
 namespace polhode {
@@ -64,40 +66,30 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
 
 }  // namespace
 
-PreparedFilm prepare_film(const RenderPlan& plan) {
-  PreparedFilm basis{solve(plan.scene), {}};
-  const Scene& scene = basis.solved.scene;
-  basis.frames = with_place(scene, [&] { return plan_frame_times(basis.solved, plan.range); });
+PreparedFilm::PreparedFilm(const RenderPlan& plan) : solved_(solve(plan.scene)), text_(plan.text) {
+  const Scene& scene = solved_.scene;
+  frames_ = with_place(scene, [&] { return plan_frame_times(solved_, plan.range); });
   if (!scene.numerics.compare.empty()) {
-    basis.comparison = std::make_unique<const Comparison>(
-        basis.solved, scene.video.time_scale / basis.frames.rate);
+    comparison_ =
+        std::make_unique<const Comparison>(solved_, scene.video.time_scale / frames_.rate);
   }
-  basis.plots = make_plots(basis.solved);
-  return basis;
+  const std::vector<FilmPlot> plots = make_plots(solved_);
+  film_ = with_place(scene, [&] {
+    return std::make_unique<const Film>(
+        make_film(solved_, frames_.timeline, comparison_.get(), plots, text_));
+  });
+  shutter_s_ = scene.video.shutter / (2.0 * kPi) / frames_.rate;
+  moments_ = moments_of_shutter(solved_.simulation.motion, scene, shutter_s_);
 }
 
-FilmFrames::FilmFrames(const RenderPlan& plan, const PreparedFilm& basis)
-    : basis_(basis),
-      text_(plan.text),
-      film_(with_place(basis.solved.scene,
-                       [&] {
-                         return make_film(basis.solved,
-                                          basis.frames.timeline,
-                                          basis.comparison.get(),
-                                          basis.plots,
-                                          plan.text);
-                       })),
-      open_(basis.solved.scene.video.shutter / (2.0 * kPi) / basis.frames.rate),
-      moments_(moments_of_shutter(basis.solved.simulation.motion, basis.solved.scene, open_)) {}
-
-void FilmFrames::warn() const {
-  const Scene& scene = basis_.solved.scene;
+void PreparedFilm::warn() const {
+  const Scene& scene = solved_.scene;
   if (text_) warn_of_missing_fonts();
-  warn_of_open_loop(scene, basis_.frames);
-  for (const Error& warning : film_.panels().front().composer->warnings()) {
+  warn_of_open_loop(scene, frames_);
+  for (const Error& warning : film_->panels().front().composer->warnings()) {
     spdlog::warn("{}", placed(scene, warning).what());
   }
-  warn_of_backward_turning(scene, basis_.solved.simulation.motion, basis_.frames);
+  warn_of_backward_turning(scene, solved_.simulation.motion, frames_);
 }
 
 }  // namespace polhode

@@ -3,48 +3,44 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "film/comparison.h"
 #include "film/frame_times.h"
 #include "film/render_plan.h"
+#include "film/solved_scene.h"
+#include "frame/film.h"
 
 namespace polhode {
 
-// What a film stands on: all that takes long and needs neither text nor OpenGL, whose threads do
-// not come along when drawing processes are forked.
-struct PreparedFilm {
-  Solved solved;
-  FrameTimes frames;
-  std::unique_ptr<const Comparison> comparison = {};  // null: nothing is compared
-  std::vector<FilmPlot> plots = {};
-};
-
-// Finds the motion. Throws Error as solve, plan_frame_times and make_plots do.
-PreparedFilm prepare_film(const RenderPlan& plan);
-
-// What each frame shows.
-class FilmFrames {
+// The motion, the frame times, and what each frame shows. Invariant: nothing here has opened OpenGL
+// or fonts, and no thread of it is running, so that a process can fork and draw from its copy.
+class PreparedFilm {
  public:
-  // `basis` must outlive it. Throws Error as make_film does.
-  FilmFrames(const RenderPlan& plan, const PreparedFilm& basis);
+  // Finds the motion. Throws Error as solve, plan_frame_times and make_film do.
+  explicit PreparedFilm(const RenderPlan& plan);
+  PreparedFilm(const PreparedFilm&) = delete;
+  PreparedFilm& operator=(const PreparedFilm&) = delete;
 
-  const PreparedFilm& basis() const { return basis_; }
-  const Film& film() const { return film_; }
+  const Solved& solved() const { return solved_; }
+  const FrameTimes& frames() const { return frames_; }
+  const Film& film() const { return *film_; }
+  const Comparison* comparison() const { return comparison_.get(); }  // null: nothing is compared
 
-  // Tells what is doubtful of it.
+  // Logs what is doubtful about the film. It looks for fonts, so it comes after any fork.
   void warn() const;
 
-  // How long the shutter is open, s of film, and in how many pictures that is seen.
-  double open() const { return open_; }
+  // How long the shutter is open, s of film, and in how many pictures a frame averages over that.
+  double shutter_s() const { return shutter_s_; }
   int moments() const { return moments_; }
 
  private:
-  const PreparedFilm& basis_;
-  bool text_;
-  Film film_;
-  double open_;
-  int moments_;
+  Solved solved_;
+  FrameTimes frames_;
+  std::unique_ptr<const Comparison> comparison_;
+  std::unique_ptr<const Film> film_;
+  double shutter_s_ = 0.0;
+  int moments_ = 1;
+  bool text_ = true;
 };
 
 }  // namespace polhode

@@ -1,57 +1,46 @@
 // SPDX-License-Identifier: MIT
-// Where the frames of an order go: one output, one piece of it, or pieces that become one.
+// Where the frames of a plan go.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "film/frame_renderer.h"
-#include "film/resumed_film.h"
-#include "video/pipeline.h"
+#include "base/error.h"
+#include "film/prepared_film.h"
+#include "film/shard.h"
+#include "video/frame_sink.h"
 
 namespace polhode {
 
-// Claims the output before any work is done.
+// Claims its files when it is made, before any work is done.
 class RenderOutput {
  public:
-  // Throws Error as make_sink does. `order` must outlive it.
-  RenderOutput(const RenderPlan& plan, bool with_hashes);
+  RenderOutput() = default;
+  virtual ~RenderOutput() = default;
   RenderOutput(const RenderOutput&) = delete;
   RenderOutput& operator=(const RenderOutput&) = delete;
 
-  // Now that the frames are known. Throws Error (input) for a shard of nothing, and for pieces of
-  // another film.
-  void begin(const PreparedFilm& film);
+  // Once, when the film is known and before the first frame. Throws Error (input) for a shard of
+  // nothing, and for segments of another film.
+  virtual void begin(const PreparedFilm& film) = 0;
 
-  // Which frames of the film are to be pushed, in this order.
+  // Which frames of the film are to be pushed into the sink, in this order; after begin().
   const std::vector<int>& frames() const { return frames_; }
-  // How many more were there already.
-  int there() const { return there_; }
-  const FrameRange& range() const { return range_; }  // of all that the output has
-  FrameSink& sink() { return *sink_; }
-  // Of all frames of the output, if asked for; when the sink has finished.
-  const std::vector<std::string>& hashes() const { return resumed_ ? resumed_->hashes() : hashes_; }
+  // All frames that the output has when it is done; after begin().
+  const FrameRange& range() const { return range_; }
+  // How many of them were there already.
+  int already_there() const { return range_.count - static_cast<int>(frames_.size()); }
 
-  // The stage that limits, for a progress bar.
-  std::string limit(const PipelineStep& step) const;
-  // The error with what is kept, when something is.
-  Error explained(const Error& error) const;
+  virtual FrameSink& sink() = 0;
+  virtual SinkTimes times() const = 0;
+  // Of all frames of the output, when the sink has finished; empty unless they were asked for.
+  virtual const std::vector<std::string>& hashes() const = 0;
+  // The error, with what an early end leaves behind for the next run.
+  virtual Error explained(const Error& error) const { return error; }
 
- private:
-  const RenderPlan& plan_;
-  std::unique_ptr<FrameSink> sink_;
-  ResumedFilm* resumed_ = nullptr;  // sink_, if it is one
+ protected:
   std::vector<int> frames_;
   FrameRange range_;
-  int there_ = 0;
-  std::vector<std::string> hashes_;
 };
-
-// Makes all frames that the target wants and finishes it. `on_frame` as in run_pipeline.
-void fill_output(RenderOutput& target,
-                 FrameRenderer& renderer,
-                 const std::function<void(const PipelineStep&)>& on_frame);
 
 }  // namespace polhode

@@ -2,14 +2,15 @@
 #include "film/render_plan.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "base/error.h"
 #include "base/nearest.h"
 #include "base/version.h"
-#include "film/segments.h"
+#include "film/overrides.h"
 #include "video/encoders.h"
 #include "video/libav/film_output.h"
 #include "video/plain_sinks.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {
@@ -45,25 +46,6 @@ std::string output_of(const RenderJob& job) {
   std::error_code ignored;  // the file's own error tells what is wrong
   std::filesystem::create_directory("output", ignored);
   return "output/" + job.scene.stem().string() + (job.still ? ".png" : ".mp4");
-}
-
-SinkJob sink_job(const RenderJob& job,
-                 const Scene& scene,
-                 const Quality& quality,
-                 const std::string& output,
-                 bool still) {
-  SinkJob sink;
-  sink.output = output;
-  sink.width = scene.video.size.width;
-  sink.height = scene.video.size.height;
-  sink.fps = scene.video.fps;
-  sink.encoder =
-      settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
-  sink.transparent = job.transparent;
-  sink.still = still;
-  sink.title = scene.title;
-  sink.comment = film_comment(program_version(), scene_hash(scene));
-  return sink;
 }
 
 Scene without_text(Scene scene) {
@@ -122,26 +104,26 @@ const std::vector<Quality>& qualities() {
   return table;
 }
 
-Shard parse_shard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  const auto number = [](std::string_view digits, int& value) {
-    const char* end = digits.data() + digits.size();
-    const auto [stop, failed] = std::from_chars(digits.data(), end, value);
-    return !digits.empty() && failed == std::errc() && stop == end;
-  };
-  Shard shard;
-  const std::string_view all = text;
-  if (slash == std::string::npos || !number(all.substr(0, slash), shard.number) ||
-      !number(all.substr(slash + 1), shard.of)) {
-    throw input_error("must be K/N, such as 2/8 for the second of eight pieces; found '{}'",
-                      text.substr(0, 40))
-        .at({{}, 0, "--shard"});
-  }
-  if (shard.of < 1 || shard.number < 1 || shard.number > shard.of) {
-    throw input_error("K/N must have K from 1 to N, got {}/{}", shard.number, shard.of)
-        .at({{}, 0, "--shard"});
-  }
-  return shard;
+SinkJob sink_of(const Scene& scene,
+                const std::string& output,
+                const EncoderSettings& encoder,
+                bool transparent,
+                bool still) {
+  SinkJob sink;
+  sink.output = output;
+  sink.width = scene.video.size.width;
+  sink.height = scene.video.size.height;
+  sink.fps = scene.video.fps;
+  sink.encoder = encoder;
+  sink.transparent = transparent;
+  sink.still = still;
+  sink.title = scene.title;
+  sink.comment = film_comment(program_version(), scene_hash(scene));
+  return sink;
+}
+
+std::string film_comment(const std::string& version, const std::string& scene_hash) {
+  return fmt::format("polhode {}, scene {}", version, scene_hash);
 }
 
 RenderPlan plan_render(const RenderJob& job) {
@@ -155,7 +137,9 @@ RenderPlan plan_render(const RenderJob& job) {
   const bool still = is_still(job, output);
   plan.range = {job.from, job.to, job.still, still};
   check_time_range(plan.scene, plan.range);
-  plan.sink = sink_job(job, plan.scene, quality, output, still);
+  const EncoderSettings encoder =
+      settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
+  plan.sink = sink_of(plan.scene, output, encoder, job.transparent, still);
   if (job.shard) plan.shard = parse_shard(*job.shard);
   plan.resume = job.resume;
   check_shard(plan);
@@ -165,8 +149,7 @@ RenderPlan plan_render(const RenderJob& job) {
   if (job.jobs > kMostJobs) {
     throw input_error("may be at most {}, got {}", kMostJobs, job.jobs).at({{}, 0, "--jobs"});
   }
-  plan.jobs = job.jobs;
-  plan.backend = job.backend;
+  plan.setup = {job.backend, job.transparent, job.jobs};
   return plan;
 }
 

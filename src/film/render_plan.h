@@ -9,6 +9,8 @@
 
 #include "base/system/progress.h"
 #include "film/frame_times.h"
+#include "film/overrides.h"
+#include "film/shard.h"
 #include "video/frame_sink.h"
 
 namespace polhode {
@@ -44,14 +46,12 @@ struct RenderJob {
   ProgressKind progress = ProgressKind::automatic;
 };
 
-// One of several pieces of a film, from 1 to `of`.
-struct Shard {
-  int number = 1;
-  int of = 1;
+// How frames are drawn.
+struct RenderSetup {
+  std::string backend = "auto";  // of open_context
+  bool transparent = false;
+  int jobs = 1;  // processes that draw; 1: the calling thread draws
 };
-
-// "2/8". Throws Error (input), naming --shard.
-Shard parse_shard(const std::string& text);
 
 // A film that is to be made.
 struct RenderPlan {
@@ -62,9 +62,18 @@ struct RenderPlan {
   std::optional<Shard> shard;    // absent: the whole film
   bool resume = false;
   bool text = true;
-  int jobs = 1;
-  std::string backend = "auto";
+  RenderSetup setup;
 };
+
+// The sink of a film of that scene: its size, rate, title and comment.
+SinkJob sink_of(const Scene& scene,
+                const std::string& output,
+                const EncoderSettings& encoder,
+                bool transparent,
+                bool still);
+
+// The comment in a whole film's container: version and hash of the scene.
+std::string film_comment(const std::string& version, const std::string& scene_hash);
 
 // Throws Error (input) for all that can be refused before any work.
 RenderPlan plan_render(const RenderJob& job);

@@ -13,7 +13,6 @@ namespace polhode {
 struct ReportedFilm {
   RenderPlan plan;                    // with the output as it was given then
   std::string gl_renderer;            // that drew it
-  int first_frame = 0;                // of a shard
   std::vector<std::string> hashes;    // of all frames
   std::optional<std::string> broken;  // what contradicts itself in the report
 };

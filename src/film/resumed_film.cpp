@@ -10,13 +10,15 @@
 #include "base/check.h"
 #include "base/system/console.h"
 #include "base/system/log.h"
+#include "film/film_metadata.h"
 #include "video/seal.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kPieceSeconds = 5.0;  // of film: at most so much is lost
+constexpr double kSegmentSeconds = 5.0;  // of film: at most so much is lost
 
 // .film.mp4.parts beside film.mp4
 std::string folder_of(const std::string& output) {
@@ -44,7 +46,7 @@ ResumedFilm::ResumedFilm(const RenderPlan& plan)
 
 // an empty folder is no use to the next run
 ResumedFilm::~ResumedFilm() {
-  piece_.reset();
+  segment_.reset();
   std::error_code ignored;
   fs::remove(folder_, ignored);
 }
@@ -53,31 +55,32 @@ std::string ResumedFilm::file_of(int number) const {
   return (fs::path(folder_) / fmt::format("{:05}{}", number, ending_)).string();
 }
 
-void ResumedFilm::begin(const PreparedFilm& film, const FilmMetadata& metadata) {
-  metadata_ = metadata;
-  const double frames = std::max(1.0, std::round(kPieceSeconds * plan_.sink.fps.value()));
-  pieces_ = static_cast<int>(std::ceil(metadata.frames / frames));
-  record_ = record_of(plan_, film, metadata, {1, pieces_});
-  look_at_old_pieces();
+void ResumedFilm::begin(const PreparedFilm& film) {
+  metadata_ = film_metadata(film.solved().scene, plan_.story, film.frames());
+  range_ = {0, metadata_.frames};
+  const double frames = std::max(1.0, std::round(kSegmentSeconds * plan_.sink.fps.value()));
+  segments_ = static_cast<int>(std::ceil(metadata_.frames / frames));
+  record_ = record_of(plan_, film, metadata_, {1, segments_});
+  look_at_old_segments();
   std::error_code failed;
   fs::create_directory(folder_, failed);
   if (failed) {
     throw input_error("cannot make the folder '{}': {}", folder_, failed.message())
         .at({{}, 0, "--resume"});
   }
-  for (int number = 1; number <= pieces_; ++number) {
+  for (int number = 1; number <= segments_; ++number) {
     if (is_whole(number)) {
       ++whole_;
       continue;
     }
-    const FrameRange range = range_of({number, pieces_}, metadata.frames);
+    const FrameRange range = range_of({number, segments_}, metadata_.frames);
     for (int i = 0; i < range.count; ++i) {
-      missing_.push_back(range.first + i);
+      frames_.push_back(range.first + i);
     }
   }
   if (whole_ > 0) {
     print_err(fmt::format(
-        "polhode: {}: {} of {} pieces were there already\n", plan_.sink.output, whole_, pieces_));
+        "polhode: {}: {} of {} pieces were there already\n", plan_.sink.output, whole_, segments_));
   }
 }
 
@@ -96,7 +99,7 @@ bool ResumedFilm::is_whole(int number) const {
 }
 
 // hours of work are not thrown away for a slip of the keyboard
-void ResumedFilm::look_at_old_pieces() {
+void ResumedFilm::look_at_old_segments() {
   std::error_code failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failed)) {
     if (entry.path().extension() != ending_) continue;
@@ -118,45 +121,45 @@ void ResumedFilm::look_at_old_pieces() {
   }
 }
 
-void ResumedFilm::open_piece(int frame) {
+void ResumedFilm::open_segment(int frame) {
   int number = 1;
-  FrameRange range = range_of({number, pieces_}, metadata_.frames);
+  FrameRange range = range_of({number, segments_}, metadata_.frames);
   while (frame >= range.first + range.count) {
-    range = range_of({++number, pieces_}, metadata_.frames);
+    range = range_of({++number, segments_}, metadata_.frames);
   }
   CHECK(frame == range.first);
   SinkJob job = plan_.sink;
   job.output = file_of(number);
   job.segment = true;
-  piece_ = make_sink(job);
+  segment_ = make_sink(job);
   SegmentRecord record = record_;
   record.shard.number = number;
   record.range = range;
   FilmMetadata metadata = metadata_of_segment(metadata_, range);
   metadata.comment = comment_with(record);
-  piece_->describe(metadata);
-  left_in_piece_ = range.count;
+  segment_->describe(metadata);
+  left_in_segment_ = range.count;
 }
 
 void ResumedFilm::push(const Image& frame) {
-  if (!piece_) open_piece(missing_[pushed_]);
-  piece_->push(frame);
+  if (!segment_) open_segment(frames_[pushed_]);
+  segment_->push(frame);
   ++pushed_;
-  if (--left_in_piece_ > 0) return;
-  piece_->finish();
+  if (--left_in_segment_ > 0) return;
+  segment_->finish();
   times_ = times();
-  piece_.reset();
+  segment_.reset();
   ++whole_;
 }
 
 SinkTimes ResumedFilm::times() const {
-  if (!piece_) return times_;
-  const SinkTimes open = piece_->times();
+  if (!segment_) return times_;
+  const SinkTimes open = segment_->times();
   return {sum(times_.convert, open.convert), sum(times_.encode, open.encode)};
 }
 
 void ResumedFilm::collect_hashes() {
-  for (int number = 1; number <= pieces_; ++number) {
+  for (int number = 1; number <= segments_; ++number) {
     const std::optional<std::string> text = sealed_text(file_of(number));
     if (!text) throw environment_error("{}: was changed while the film was made", file_of(number));
     std::istringstream lines(*text);
@@ -169,18 +172,28 @@ void ResumedFilm::collect_hashes() {
 void ResumedFilm::finish() {
   collect_hashes();
   std::vector<FilmJoiner::Part> parts;
-  for (int number = 1; number <= pieces_; ++number) {
-    parts.push_back({file_of(number), range_of({number, pieces_}, metadata_.frames).count});
+  for (int number = 1; number <= segments_; ++number) {
+    parts.push_back({file_of(number), range_of({number, segments_}, metadata_.frames).count});
   }
   joiner_.join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
 
+Error ResumedFilm::explained(const Error& error) const {
+  if (error.fault() == Fault::interrupted) {
+    return {error.fault(), fmt::format("interrupted; {}", kept())};
+  }
+  if (error.fault() != Fault::environment) return error;
+  return {error.fault(), fmt::format("{}; {}", error.message(), kept()), error.place()};
+}
+
 std::string ResumedFilm::kept() const {
   if (whole_ == 0) return "no piece was whole yet, so nothing is kept";
-  return fmt::format(
-      "kept in {}: {} of {} pieces; the same command goes on from there", folder_, whole_, pieces_);
+  return fmt::format("kept in {}: {} of {} pieces; the same command goes on from there",
+                     folder_,
+                     whole_,
+                     segments_);
 }
 
 }  // namespace polhode

@@ -25,8 +25,8 @@ std::map<std::string, std::string> settings_of(const RenderPlan& plan, const Pre
           {"threads", fmt::format("{}", sink.encoder.threads)},
           {"size", fmt::format("{}x{}", sink.width, sink.height)},
           {"fps", fmt::format("{}/{}", sink.fps.numerator, sink.fps.denominator)},
-          {"from", fmt::format("{}", film.frames.from)},
-          {"to", fmt::format("{}", film.frames.to)},
+          {"from", fmt::format("{}", film.frames().from)},
+          {"to", fmt::format("{}", film.frames().to)},
           {"transparent", fmt::format("{}", sink.transparent)}};
 }
 
@@ -75,35 +75,18 @@ bool consistent(const SegmentRecord& record) {
 
 }  // namespace
 
-FrameRange range_of(const Shard& shard, int frames) {
-  if (shard.of > frames) {
-    throw input_error(
-        "the film has {} frames only; make at most so many pieces, not {}", frames, shard.of)
-        .at({{}, 0, "--shard"});
-  }
-  const auto begin = [&](std::int64_t k) {
-    return static_cast<int>(k * frames / shard.of);
-  };
-  const int first = begin(shard.number - 1);
-  return {first, begin(shard.number) - first};
-}
-
 SegmentRecord record_of(const RenderPlan& plan,
                         const PreparedFilm& film,
                         const FilmMetadata& metadata,
                         const Shard& shard) {
   return {program_version(),
           libav_version(),
-          scene_hash(film.solved.scene),
+          scene_hash(film.solved().scene),
           plan.sink.title,
           settings_of(plan, film),
           shard,
           range_of(shard, metadata.frames),
           metadata};
-}
-
-std::string film_comment(const std::string& version, const std::string& scene_hash) {
-  return fmt::format("polhode {}, scene {}", version, scene_hash);
 }
 
 std::string comment_with(const SegmentRecord& record) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces of a film: which frames each has, and what it says of itself so that they can be joined.
+// Segments of a film: which frames each has, and what it says of itself so that they can be joined.
 #pragma once
 
 #include <map>
@@ -10,17 +10,7 @@
 
 namespace polhode {
 
-// Frames of a film, from `first`.
-struct FrameRange {
-  int first = 0;
-  int count = 0;
-};
-
-// The frames of that piece: all pieces together are the film, and no two differ in length by more
-// than one. Throws Error (input), naming --shard, when there are more pieces than frames.
-FrameRange range_of(const Shard& shard, int frames);
-
-// What a piece says of itself.
+// What a segment says of itself.
 struct SegmentRecord {
   std::string version;  // of Polhode
   std::string ffmpeg;   // that encoded it
@@ -37,17 +27,15 @@ SegmentRecord record_of(const RenderPlan& plan,
                         const Shard& shard);
 
 // The record as the comment of a container, and back. Throws Error (input) for a file that is no
-// film, or no piece of one.
+// film, or no segment of one.
 std::string comment_with(const SegmentRecord& record);
 SegmentRecord record_in(const std::string& file);
 
-// The comment of a whole film.
-std::string film_comment(const std::string& version, const std::string& scene_hash);
-
-// In what two pieces differ that cannot be of one film, such as "scenes differ"; empty if they can.
+// In what two segments differ that cannot be of one film, such as "scenes differ"; empty if they
+// can.
 std::string difference_between(const SegmentRecord& a, const SegmentRecord& b);
 
-// What a piece has of a film's metadata: its key frames. Chapters and captions are the whole
+// What a segment has of a film's metadata: its key frames. Chapters and captions are the whole
 // film's.
 FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range);
 

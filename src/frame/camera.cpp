@@ -79,7 +79,7 @@ Camera::ClipPlanes Camera::clip_planes(double depth, double radius) {
 Camera::Camera(const Vec3& eye,
                const Vec3& target,
                double fov,
-               FrameSize size,
+               PictureSize size,
                const Vec3& center,
                double radius)
     : Camera(camera_axes(eye - target),
@@ -89,7 +89,7 @@ Camera::Camera(const Vec3& eye,
              clip_planes((eye - target).stableNormalized().dot(eye - center), radius)) {}
 
 Camera::Camera(
-    const Mat3& R_CS, const Vec3& eye, double fov, FrameSize size, const ClipPlanes& clip)
+    const Mat3& R_CS, const Vec3& eye, double fov, PictureSize size, const ClipPlanes& clip)
     : eye_(eye),
       R_CS_(R_CS),
       size_(size),
@@ -180,7 +180,7 @@ Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,
                       double fov,
-                      FrameSize size,
+                      PictureSize size,
                       const FrameMargins& margins) {
   CHECK(!points.empty());
   const Mat3 R_CS = camera_axes(direction);

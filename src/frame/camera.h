@@ -7,14 +7,10 @@
 
 #include "frame/draw_list.h"
 #include "frame/view_spec.h"
+#include "image/picture_size.h"
 #include "math/notation.h"
 
 namespace polhode {
-
-struct FrameSize {
-  int width = 1920;   // pixels
-  int height = 1080;  // pixels
-};
 
 // What is left free at the sides of a picture, as fractions of its width and height.
 struct FrameMargins {
@@ -40,7 +36,7 @@ class Camera {
   Camera(const Vec3& eye,
          const Vec3& target,
          double fov,
-         FrameSize size,
+         PictureSize size,
          const Vec3& center,
          double radius);
 
@@ -67,11 +63,11 @@ class Camera {
     double near_plane, far_plane;
   };
   static ClipPlanes clip_planes(double depth, double radius);
-  Camera(const Mat3& R_CS, const Vec3& eye, double fov, FrameSize size, const ClipPlanes& clip);
+  Camera(const Mat3& R_CS, const Vec3& eye, double fov, PictureSize size, const ClipPlanes& clip);
 
   Vec3 eye_;
   Mat3 R_CS_;  // rows: right, up, back
-  FrameSize size_;
+  PictureSize size_;
   double fov_;
   ClipPlanes clip_;
   double focal_px_;
@@ -93,7 +89,7 @@ Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,
                       double fov,
-                      FrameSize size,
+                      PictureSize size,
                       const FrameMargins& margins);
 
 }  // namespace polhode

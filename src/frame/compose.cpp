@@ -47,7 +47,7 @@ DrawingFrame make_drawing_frame(const Scenery& scenery) {
 
 Camera make_camera(const CameraSpec& spec,
                    const std::vector<Vec3>& points,
-                   FrameSize size,
+                   PictureSize size,
                    const FrameMargins& margins) {
   if (!spec.eye) {
     const Vec3 direction = spec.direction.value_or(kDefaultDirection);
@@ -73,7 +73,7 @@ Composer::Composer(const Motion& motion,
                    const Staging& staging,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
-                   FrameSize size)
+                   PictureSize size)
     : scenery_(make_scenery(motion, body, theme, show, circle_segments(0.5 * size.height))),
       shown_(resolve(show, scenery_)),
       drawing_(make_drawing_frame(scenery_)),
@@ -96,7 +96,7 @@ Composer::Composer(const Motion& motion,
                    const CameraSpec& camera,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
-                   FrameSize size)
+                   PictureSize size)
     : Composer(motion,
                body,
                Staging{camera, {}, Timeline({}, motion.duration(), 1.0)},
@@ -175,7 +175,7 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
   return rig;
 }
 
-std::vector<Composer::Rig> Composer::make_rigs(FrameSize size) const {
+std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   std::vector<Rig> rigs;
   const auto add = [&](CameraSpec spec, double begins, double move) {
     // looking along L means from the side that it points to
@@ -328,7 +328,7 @@ std::vector<Error> Composer::warnings() const {
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,
-                          FrameSize size) {
+                          PictureSize size) {
   // an automatic camera keeps everything that is drawn inside the frame, so a radian moves a point
   // by at most half a diagonal
   const double half_diagonal = 0.5 * std::hypot(size.width, size.height);

@@ -46,14 +46,14 @@ class Composer {
            const Staging& staging,
            const ShowSpec& show,
            const ThemeSpec& theme,
-           FrameSize size);
+           PictureSize size);
   // With one camera, the film's clock that of the motion.
   Composer(const Motion& motion,
            const BodySpec& body,
            const CameraSpec& camera,
            const ShowSpec& show,
            const ThemeSpec& theme,
-           FrameSize size);
+           PictureSize size);
   // The same picture, with the same camera and scale, of another motion of the same body; its
   // paths are those of that motion.
   Composer(const Composer& other, const Motion& motion);
@@ -91,7 +91,7 @@ class Composer {
   Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
-  std::vector<Rig> make_rigs(FrameSize size) const;
+  std::vector<Rig> make_rigs(PictureSize size) const;
   // Radii in pixels, where things come nearest to their cameras.
   struct Largest {
     double body = 0.0;
@@ -116,6 +116,6 @@ class Composer {
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,
-                          FrameSize size);
+                          PictureSize size);
 
 }  // namespace polhode

@@ -52,7 +52,7 @@ TextRoom room_of(const PixelBox& box) {
           static_cast<double>(box.bottom())};
 }
 
-std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels, FrameSize size) {
+std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels, PictureSize size) {
   const int seam = std::max(1, static_cast<int>(std::lround(kSeamWidth * size.height)));
   const Rgb grey = bytes(panels.front().composer->scenery().theme.space_axes);
   const auto line = [&](int width, int height) {
@@ -101,7 +101,7 @@ FilmText film_text(const ShowSpec& show, const std::string& title, double time_s
   return text;
 }
 
-std::vector<PixelBox> panel_places(FrameSize size, int count) {
+std::vector<PixelBox> panel_places(PictureSize size, int count) {
   // as many columns as bring the panels nearest to a square and leave the fewest gaps
   int columns = 1;
   double best = std::numeric_limits<double>::infinity();
@@ -131,7 +131,7 @@ std::vector<PixelBox> panel_places(FrameSize size, int count) {
 
 FrameMargins text_margins(const FilmText& text,
                           const PixelBox& panel,
-                          FrameSize size,
+                          PictureSize size,
                           int note_lines) {
   FrameMargins margins;
   const double own = text.size * type_size(panel.width, panel.height);
@@ -153,7 +153,7 @@ FrameMargins text_margins(const FilmText& text,
 
 Film::Film(std::vector<FilmPanel> panels,
            const FilmText& text,
-           FrameSize size,
+           PictureSize size,
            std::vector<FilmPlot> plots)
     : panels_(std::move(panels)),
       text_(text),

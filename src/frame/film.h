@@ -50,13 +50,13 @@ FilmText film_text(const ShowSpec& show, const std::string& title, double time_s
 
 // Equal panels side by side, or in rows where that leaves them less narrow. Together they cover the
 // frame.
-std::vector<PixelBox> panel_places(FrameSize size, int count);
+std::vector<PixelBox> panel_places(PictureSize size, int count);
 
 // The room that text needs at the sides of one panel: what an automatic camera leaves free.
 // note_lines: of PanelNotes.
 FrameMargins text_margins(const FilmText& text,
                           const PixelBox& panel,
-                          FrameSize size,
+                          PictureSize size,
                           int note_lines);
 
 // Immutable; at() is a pure function of t and may be called from any thread.
@@ -64,7 +64,7 @@ class Film {
  public:
   Film(std::vector<FilmPanel> panels,
        const FilmText& text,
-       FrameSize size,
+       PictureSize size,
        std::vector<FilmPlot> plots = {});
 
   // At a moment of the film, s.
@@ -85,7 +85,7 @@ class Film {
 
   std::vector<FilmPanel> panels_;
   FilmText text_;
-  FrameSize size_;
+  PictureSize size_;
   std::vector<FilmPlot> plots_;
   std::vector<Stamp> seams_;  // thin lines between panels
   std::unique_ptr<Typesetter> typesetter_;

@@ -184,9 +184,9 @@ Image difference_picture(const Image& a, const Image& b, int gain) {
   return out;
 }
 
-Region worst_region(const Image& a, const Image& b, int width, int height) {
+PixelBox worst_region(const Image& a, const Image& b, int width, int height) {
   refuse_sizes(a, b);
-  Region best{0, 0, std::min(width, a.width), std::min(height, a.height)};
+  PixelBox best{0, 0, std::min(width, a.width), std::min(height, a.height)};
   TileSums tiles(premultiplied(a), premultiplied(b));
   const int wide = std::clamp(best.width / TileSums::kTile, 1, tiles.columns());
   const int high = std::clamp(best.height / TileSums::kTile, 1, tiles.rows());
@@ -203,7 +203,7 @@ Region worst_region(const Image& a, const Image& b, int width, int height) {
   return best;
 }
 
-Image cut_out(const Image& image, const Region& region) {
+Image cut_out(const Image& image, const PixelBox& region) {
   CHECK(region.x >= 0 && region.y >= 0 && region.x + region.width <= image.width &&
         region.y + region.height <= image.height);
   Image out(region.width, region.height);

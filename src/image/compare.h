@@ -7,6 +7,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/pixel_box.h"
 
 namespace polhode {
 
@@ -29,18 +30,12 @@ double psnr(double rms);
 // |a - b| times gain, clipped, opaque; for a person to look at. A difference of alpha is white.
 Image difference_picture(const Image& a, const Image& b, int gain);
 
-// A rectangle of a picture, in pixels from the top left.
-struct Region {
-  int x = 0, y = 0;
-  int width = 0, height = 0;
-};
-
 // Where the pictures differ most: the rectangle of this size (cut to the picture's) with the
 // greatest sum of differences, to within eight pixels.
-Region worst_region(const Image& a, const Image& b, int width, int height);
+PixelBox worst_region(const Image& a, const Image& b, int width, int height);
 
 // That part of a picture, which must hold it.
-Image cut_out(const Image& image, const Region& region);
+Image cut_out(const Image& image, const PixelBox& region);
 
 // Has every pixel full alpha?
 bool is_opaque(const Image& image);

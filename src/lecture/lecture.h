@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/list.h"
+#include "app/commands/doctor.h"
 #include "base/system/progress.h"
 #include "lecture/products.h"
 

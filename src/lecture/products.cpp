@@ -2,7 +2,6 @@
 #include "lecture/products.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/commands/chart.h"
@@ -10,7 +9,9 @@
 #include "app/commands/render.h"
 #include "app/commands/simulate.h"
 #include "app/commands/stability.h"
+#include "base/numbers.h"
 #include "base/system/atomic_file.h"
+#include "film/solved_scene.h"
 #include "frame/timeline.h"
 
 namespace polhode {
@@ -19,12 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 double number_of(const std::string& text, const std::string& key) {
-  double value = 0.0;
-  const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || failed != std::errc() || stop != text.data() + text.size() ||
-      !std::isfinite(value))
+  const std::optional<double> value = parse_number(text);
+  if (!value)
     throw input_error("{} must be a number, such as 2.5; found '{}'", key, text.substr(0, 40));
-  return value;
+  return *value;
 }
 
 // a setting of the picture; none if it is not there

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "film/load.h"
+#include "film/overrides.h"
 #include "lecture/deck.h"
 #include "lecture/media.h"
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/system/interrupt.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 #include "motion/walk.h"
 
 namespace polhode {

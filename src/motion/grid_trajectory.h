@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "motion/trajectory.h"
 
 namespace polhode {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 

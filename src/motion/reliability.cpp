@@ -10,6 +10,7 @@
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {

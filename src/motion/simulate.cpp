@@ -9,8 +9,10 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/numbers.h"
 #include "motion/method_costs.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {
@@ -247,15 +249,12 @@ Accuracy parse_accuracy(const std::string& text) {
   // a number, with "px" behind it when it counts pixels of the finished picture
   const bool pixels = text.size() > 2 && text.substr(text.size() - 2) == "px";
   const std::string number = pixels ? text.substr(0, text.size() - 2) : text;
-  char* end = nullptr;
-  const double value = std::strtod(number.c_str(), &end);
-  if (!number.empty() && *end == '\0' && value <= 0.0) {
-    throw input_error("must be greater than 0, got {}", text);
-  }
-  if (number.empty() || *end != '\0' || !std::isfinite(value)) {
+  const std::optional<double> value = parse_number(number);
+  if (!value) {
     throw input_error("'{}' is no accuracy; give radians (1e-6) or pixels (\"0.1px\")", text);
   }
-  return {value, pixels};
+  if (*value <= 0.0) throw input_error("must be greater than 0, got {}", text);
+  return {*value, pixels};
 }
 
 }  // namespace polhode

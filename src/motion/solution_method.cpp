@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "motion/exact/exact.h"
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {

@@ -2,7 +2,7 @@
 // The longest step of a method on a motion, where theory knows one.
 #pragma once
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 

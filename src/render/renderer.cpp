@@ -101,7 +101,7 @@ class Renderer::Implementation {
     const bool single = picture.panels.size() == 1;
     if (!single) clear(picture, {}, image);
     for (const Panel& panel : picture.panels) {
-      const Region region = region_of(panel);
+      const DrawnRegion region = region_of(panel);
       if (single) clear(picture, region.parts, image);
       if (region.parts.empty()) continue;
       draw_panel(panel, region.box);
@@ -151,17 +151,17 @@ class Renderer::Implementation {
 
   // The part of the picture that a panel's items may cover: the box that is drawn, and the boxes of
   // it that are read back. A function of the panel alone.
-  struct Region {
+  struct DrawnRegion {
     PixelBox box;
     std::vector<PixelBox> parts;
   };
-  Region region_of(const Panel& panel) {
+  DrawnRegion region_of(const Panel& panel) {
     if (info_.by_outlines) find_outlines(panel);
     const std::optional<PixelBox> box = box_of(panel);
     if (!box) return {panel.place, {panel.place}};
     if (box->empty()) return {};
     if (!info_.by_outlines) return {*box, {*box}};
-    Region region{{}, smoother_.covered()};
+    DrawnRegion region{{}, smoother_.covered()};
     for (const PixelBox& part : region.parts)
       region.box = region.box.empty() ? part : around(region.box, part);
     return region;
@@ -295,7 +295,7 @@ class Renderer::Implementation {
     }
   }
 
-  void read_back(const Region& region, Image& image) {
+  void read_back(const DrawnRegion& region, Image& image) {
     const StageTimer timer(times_.read_back);
     const PixelBox& box = region.box;
     const Framebuffer* source = drawn_.get();

@@ -162,11 +162,6 @@ struct Set {
 
 class Typesetter::Implementation {
  public:
-  Implementation() : fonts_(pango_cairo_font_map_new()), context_(make_context(fonts_.get())) {
-    // sizes are in pixels
-    pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts_.get()), 72.0);
-  }
-
   TextBox measure(const std::string& markup, const TextStyle& style) {
     const std::lock_guard lock(mutex_);
     const std::string key = key_of(markup, style);
@@ -208,7 +203,18 @@ class Typesetter::Implementation {
                        s.centered);
   }
 
+  // Pango starts threads with its first fonts, and fork() copies only the calling thread: so fonts
+  // are opened with the first text, not before
+  void open_fonts() {
+    if (fonts_ != nullptr) return;
+    fonts_.reset(pango_cairo_font_map_new());
+    context_ = make_context(fonts_.get());
+    // sizes are in pixels
+    pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts_.get()), 72.0);
+  }
+
   GObjectPtr<PangoLayout> layout(const std::string& markup, const TextStyle& style) {
+    open_fonts();
     GObjectPtr<PangoLayout> layout(pango_layout_new(context_.get()));
     pango_layout_set_font_description(layout.get(), font_of(style).get());
     if (style.width > 0.0) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "image/png.h"
 #include "video/film_reader.h"
 #include "video/png_sink.h"
@@ -140,13 +140,11 @@ std::unique_ptr<FrameSource> open_numbered(const std::string& name) {
         !found.ends_with(pattern.after)) {
       continue;
     }
-    int number = 0;
-    const char* first = found.data() + before.size();
-    const char* last = found.data() + found.size() - pattern.after.size();
-    const auto [stop, wrong] = std::from_chars(first, last, number);
-    if (wrong != std::errc() || stop != last || number < 0) continue;
+    const std::optional<int> number = parse_integer(std::string_view(found).substr(
+        before.size(), found.size() - before.size() - pattern.after.size()));
+    if (!number || *number < 0) continue;
     // only what the pattern itself would write
-    if (fs::path(pattern.of(number)).filename() == file.filename()) numbers.push_back(number);
+    if (fs::path(pattern.of(*number)).filename() == file.filename()) numbers.push_back(*number);
   }
   if (numbers.empty()) throw input_error("there is no such picture").at({name, 0, {}});
   std::sort(numbers.begin(), numbers.end());

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "video/video_spec.h"
 
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace polhode {
 namespace {
 
 constexpr int kMostFramesPerSecond = 1000;
-
-// the whole text as a whole number of at most 9 digits
-std::optional<int> whole(const std::string& text) {
-  int value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || end != text.data() + text.size() || text.empty() ||
-      text.size() > 9) {
-    return std::nullopt;
-  }
-  return value;
-}
 
 // what a decimal rate most likely means: a whole number, or one of television's over 1001
 std::string exact_rate(double decimal) {
@@ -37,16 +26,14 @@ std::string exact_rate(double decimal) {
 
 FrameRate parse_frame_rate(const std::string& text) {
   const std::size_t slash = text.find('/');
-  const std::optional<int> above = whole(text.substr(0, slash));
+  const std::optional<int> above = parse_integer(text.substr(0, slash));
   const std::optional<int> below =
-      slash == std::string::npos ? std::optional(1) : whole(text.substr(slash + 1));
+      slash == std::string::npos ? std::optional(1) : parse_integer(text.substr(slash + 1));
   if (!above || !below) {
-    double decimal = 0.0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), decimal);
-    if (failed == std::errc() && end == text.data() + text.size() && decimal > 0.0 &&
-        decimal < kMostFramesPerSecond) {
+    const std::optional<double> decimal = parse_number(text);
+    if (decimal && *decimal > 0.0 && *decimal < kMostFramesPerSecond) {
       throw input_error(
-          "frame rates are exact: write \"{}\" instead of {}", exact_rate(decimal), text);
+          "frame rates are exact: write \"{}\" instead of {}", exact_rate(*decimal), text);
     }
     throw input_error("'{}' is no frame rate; write 60 or \"30000/1001\"", text.substr(0, 40));
   }
@@ -77,9 +64,9 @@ void check_picture_size(const PictureSize& size) {
 
 PictureSize parse_picture_size(const std::string& text) {
   const std::size_t cross = text.find('x');
-  const std::optional<int> width = whole(text.substr(0, cross));
+  const std::optional<int> width = parse_integer(text.substr(0, cross));
   const std::optional<int> height =
-      cross == std::string::npos ? std::nullopt : whole(text.substr(cross + 1));
+      cross == std::string::npos ? std::nullopt : parse_integer(text.substr(cross + 1));
   if (!width || !height) {
     throw input_error("'{}' is no picture size; write \"1920x1080\"", text.substr(0, 40));
   }

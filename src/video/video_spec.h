@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fields.h"
+#include "image/picture_size.h"
 
 namespace polhode {
 
@@ -20,13 +21,6 @@ struct FrameRate {
 
 // "60", "29.97" is refused in favour of "30000/1001". Throws Error (input).
 FrameRate parse_frame_rate(const std::string& text);
-
-struct PictureSize {
-  int width = 1920;   // pixels
-  int height = 1080;  // pixels
-
-  friend bool operator==(const PictureSize&, const PictureSize&) = default;
-};
 
 inline constexpr int kSmallestSide = 16;    // pixels
 inline constexpr int kLargestSide = 16384;  // pixels; what GL and H.264 level limits leave

@@ -10,8 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "film/film_panels.h"
 #include "film/frame_times.h"
-#include "film/load.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
 #include "image/compare.h"
 #include "render/renderer.h"
 #include "support/edge_truth.h"

@@ -12,6 +12,7 @@
 #include "chart/work_precision.h"
 #include "motion/scales.h"
 #include "motion/solution_method.h"
+#include "motion/stepper_table.h"
 #include "support/loads.h"
 #include "support/tops.h"
 

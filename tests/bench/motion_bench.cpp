@@ -4,6 +4,7 @@
 
 #include "math/so3.h"
 #include "motion/exact/exact.h"
+#include "motion/stepper_table.h"
 #include "support/motions.h"
 #include "support/tops.h"
 

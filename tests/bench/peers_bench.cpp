@@ -11,6 +11,7 @@
 #include "chart/work_precision.h"
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 #include "motion/walk.h"
 #include "peers.h"
 #include "support/tops.h"

@@ -2,7 +2,8 @@
 // What composing and drawing a frame of the demo costs at 1920x1080 and 640x360.
 #include <benchmark/benchmark.h>
 
-#include "film/load.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
 #include "render/renderer.h"
 
 namespace polhode {
@@ -20,7 +21,7 @@ void draw_frame(benchmark::State& run) {
                           scene.camera,
                           scene.show,
                           scene.theme,
-                          frame_size(scene));
+                          scene.video.size);
   const std::unique_ptr<Context> context = open_context("auto");
   Renderer renderer(*context, {scene.video.size.width, scene.video.size.height, 4, false});
   Image image;

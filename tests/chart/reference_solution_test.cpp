@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/grid_trajectory.h"
+#include "motion/stepper_table.h"
 #include "support/residual.h"
 #include "support/taylor_oracle.h"
 #include "support/tops.h"

@@ -8,6 +8,7 @@
 
 #include "chart/plot_stability.h"
 #include "motion/step_limit.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/tops.h"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "chart/plot_work_precision.h"
+#include "motion/stepper_table.h"
 #include "support/tops.h"
 
 namespace polhode::test {

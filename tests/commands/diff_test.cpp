@@ -9,7 +9,7 @@
 #include "image/png.h"
 #include "support/flat_image.h"
 #include "support/run.h"
-#include "video/frame_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
+#include "film/film_panels.h"
 #include "film/frame_times.h"
 #include "math/so3.h"
 #include "support/scenes.h"

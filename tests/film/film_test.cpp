@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/render.h"
+#include "film/film_panels.h"
 #include "film/film_plots.h"
 #include "film/frame_times.h"
 #include "image/compare.h"

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "film/load.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
 #include "motion/derived.h"
 #include "support/scenes.h"
 

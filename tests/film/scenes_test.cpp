@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "app/commands/render.h"
-#include "film/load.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
+#include "frame/compose.h"
+#include "frame/elements.h"
 #include "image/png.h"
 #include "support/run.h"
 

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr FrameSize kSize{640, 360};
+constexpr PictureSize kSize{640, 360};
 
 std::vector<Vec3> random_points(unsigned seed, double spread) {
   std::mt19937_64 random(seed);

@@ -21,7 +21,7 @@ using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
 
-constexpr FrameSize kSize{640, 360};
+constexpr PictureSize kSize{640, 360};
 
 Composer composer(const BodySpec& body,
                   const MotionSpec& motion,

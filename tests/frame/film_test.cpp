@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 TEST(PanelPlaces, CoverTheFrameOnce) {
-  for (const FrameSize& size : {FrameSize{1920, 1080}, {640, 360}, {101, 999}}) {
+  for (const PictureSize& size : {PictureSize{1920, 1080}, {640, 360}, {101, 999}}) {
     for (int count = 1; count <= 9; ++count) {
       std::vector<int> hits(static_cast<std::size_t>(size.width) * size.height, 0);
       const std::vector<PixelBox> places = panel_places(size, count);
@@ -122,7 +122,7 @@ Film two_panels() {
                                                       CameraSpec{},
                                                       ShowSpec{},
                                                       ThemeSpec{},
-                                                      FrameSize{place.width, place.height});
+                                                      PictureSize{place.width, place.height});
     panel.end = 4.0;
     panels.push_back(panel);
   }
@@ -178,7 +178,7 @@ TEST(Film, APanelStandsStillBehindItsEnd) {
                                                     CameraSpec{},
                                                     ShowSpec{},
                                                     ThemeSpec{},
-                                                    FrameSize{320, 180});
+                                                    PictureSize{320, 180});
   panel.end = 1.0;
   panel.notes = [](double t) {
     return PanelNotes{{"a <b>", "line"}, t > 1.0 ? "ended" : ""};

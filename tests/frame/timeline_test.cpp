@@ -87,7 +87,7 @@ TEST(Story, WhatIsNotThereYetIsNotDrawn) {
 
 // wherever the camera goes, and whatever it moves with, all that is shown stays in the frame
 TEST(Cameras, KeepEverythingInTheFrame) {
-  const FrameSize size{640, 360};
+  const PictureSize size{640, 360};
   const BodySpec body = test::cone_body();
   for (const char* follow : {"none", "center", "body", "momentum"}) {
     for (const double orbit : {0.0, 0.8}) {

@@ -7,6 +7,7 @@
 
 #include "motion/exact/exact.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 #include "motion/walk.h"
 #include "support/residual.h"
 #include "support/taylor_oracle.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/residual.h"
 #include "support/taylor_oracle.h"

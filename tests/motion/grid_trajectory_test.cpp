@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/residual.h"
 #include "support/stepper_rows.h"

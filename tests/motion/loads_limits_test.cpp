@@ -7,7 +7,7 @@
 
 #include "math/so3.h"
 #include "motion/simulate.h"
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/loads.h"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "motion/stepper_table.h"
 #include "support/tops.h"
 
 namespace polhode::test {

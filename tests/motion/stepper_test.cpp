@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // One test kit for every method of the table: a new row is tested by being there.
-#include "motion/stepper.h"
-
 #include <cmath>
 #include <functional>
 
@@ -9,6 +7,7 @@
 
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/residual.h"
 #include "support/stepper_rows.h"

@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "motion/exact/exact.h"
 #include "motion/grid_trajectory.h"
+#include "motion/stepper_table.h"
 #include "motion/trajectory.h"
 #include "support/residual.h"
 #include "support/taylor_oracle.h"

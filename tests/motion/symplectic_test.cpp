@@ -9,6 +9,7 @@
 
 #include "motion/grid_trajectory.h"
 #include "motion/scales.h"
+#include "motion/stepper_table.h"
 #include "support/residual.h"
 #include "support/stepper_rows.h"
 #include "support/taylor_oracle.h"

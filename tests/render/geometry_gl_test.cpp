@@ -21,7 +21,7 @@
 namespace polhode {
 namespace {
 
-constexpr FrameSize kSize{640, 480};
+constexpr PictureSize kSize{640, 480};
 
 // how edges are made smooth while a test runs
 Edges edges_now = Edges::samples;

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr FrameSize kSize{320, 180};
+constexpr PictureSize kSize{320, 180};
 
 DrawList example(double t) {
   const BodySpec body = test::prolate_body();
@@ -101,7 +101,7 @@ TEST(Renderer, NothingIsOutsideThePaintedBoxes) {
 // against the mean of 64 pictures, each a part of a pixel aside: outlines serve at least as well as
 // four samples from the size on at which they are taken
 TEST(Renderer, OutlinesAreNoWorseThanFourSamples) {
-  constexpr FrameSize kLarge{960, 540};
+  constexpr PictureSize kLarge{960, 540};
   const BodySpec body = test::prolate_body();
   const Composer composer(
       test::moving(body, test::wobbling()), body, CameraSpec{}, ShowSpec{}, ThemeSpec{}, kLarge);

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-constexpr FrameSize kSize{320, 240};
+constexpr PictureSize kSize{320, 240};
 
 // distances along the ray eye + t d at which it meets the finite cone, nearest first
 std::vector<double> intersections(const Cone& cone, const Vec3& eye, const Vec3& d) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/stepper.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 

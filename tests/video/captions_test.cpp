@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "support/run.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

@@ -12,7 +12,7 @@
 #include "support/flat_image.h"
 #include "support/run.h"
 #include "video/decoded_film.h"
-#include "video/frame_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

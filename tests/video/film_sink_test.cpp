@@ -12,6 +12,7 @@
 #include "support/full_disk.h"
 #include "support/run.h"
 #include "video/decoded_film.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

@@ -11,8 +11,8 @@
 #include "support/run.h"
 #include "video/decoded_film.h"
 #include "video/encoders.h"
-#include "video/frame_sink.h"
 #include "video/gif_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

@@ -10,6 +10,7 @@
 #include "support/run.h"
 #include "video/pipeline.h"
 #include "video/png_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {

@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/chart_pictures.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/output_folder.h"
 #include "chart/plot_work_precision.h"
+#include "film/error_places.h"
+#include "film/solved_scene.h"
 #include "motion/solution_method.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {
@@ -79,7 +81,6 @@ std::string summary(const WorkPanel& panel) {
 }  // namespace
 
 std::string chart(const ChartJob& job) {
-  if (job.pictures) return chart_pictures(job);
   const std::vector<const StepperInfo*> methods = parse_methods(job.methods);
   std::vector<Task> tasks;
   int runs = 0;

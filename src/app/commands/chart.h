@@ -7,15 +7,14 @@
 #include <vector>
 
 #include "base/system/progress.h"
-#include "film/load.h"
+#include "film/overrides.h"
 
 namespace polhode {
 
 struct ChartJob {
   std::vector<std::filesystem::path> scenes;
-  std::string output;     // folder, made when it is missing
-  std::string methods;    // names with commas between; empty: all that can take the scene
-  bool pictures = false;  // drawing settings instead of methods
+  std::string output;   // folder, made when it is missing
+  std::string methods;  // names with commas between; empty: all that can take the scene
   Overrides overrides;
   ProgressKind progress = ProgressKind::automatic;
 };

@@ -11,6 +11,8 @@
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
 #include "chart/plot_picture_error.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
 #include "frame/compose.h"
 #include "image/compare.h"
 #include "image/shrink.h"
@@ -50,7 +52,7 @@ struct Drawn {
 Drawn draw(const Solved& solved, const Context& context, const DrawingSetting& setting) {
   const Scene& scene = solved.scene;
   const int k = setting.supersampling;
-  const FrameSize size{scene.video.size.width * k, scene.video.size.height * k};
+  const PictureSize size{scene.video.size.width * k, scene.video.size.height * k};
   const Composer composer(
       solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, size);
   Renderer renderer(context, {size.width, size.height, setting.samples, false, setting.edges});

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
+#include "film/overrides.h"
 #include "motion/derived.h"
 
 namespace polhode {

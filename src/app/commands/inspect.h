@@ -7,7 +7,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "film/load.h"
+#include "film/overrides.h"
+#include "film/solved_scene.h"
 
 namespace polhode {
 

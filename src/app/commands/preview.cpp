@@ -6,7 +6,9 @@
 
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
-#include "film/frame_renderer.h"
+#include "base/system/overwriting.h"
+#include "film/local_renderer.h"
+#include "film/overrides.h"
 #include "image/png.h"
 #include "text/typesetter.h"
 
@@ -77,11 +79,10 @@ Made write_preview(const PreviewJob& job) {
   refuse_same_file(output, "the output", job.scene);
   AtomicFile file(output);
 
-  const PreparedFilm basis = prepare_film(plan);
-  const FilmFrames film(plan, basis);
+  const PreparedFilm film(plan);
   film.warn();
-  const std::unique_ptr<FrameRenderer> renderer = make_frame_renderer(film, job.backend, false);
-  const FrameTimes& frames = basis.frames;
+  const std::unique_ptr<FrameRenderer> renderer = open_local_renderer(film, {job.backend});
+  const FrameTimes& frames = film.frames();
   const PictureSize tile = plan.scene.video.size;
   const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;
   Image sheet;
@@ -102,7 +103,7 @@ Made write_preview(const PreviewJob& job) {
   for (int i = 0; i < kTiles; ++i) {
     stop_if_interrupted();
     const int index = static_cast<int>(std::int64_t{i} * (frames.count - 1) / (kTiles - 1));
-    renderer->make(index, picture);
+    renderer->render(index, picture);
     const int left = kGap + i % kColumns * step_x, top = kHead + i / kColumns * step_y;
     lay_tile(sheet, picture, left, top);
     write(time_of_tile(frames, frames.film_time(index)), 17.0, left, top + tile.height + 4);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/made.h"
-#include "film/load.h"
+#include "film/overrides.h"
 
 namespace polhode {
 

@@ -4,14 +4,15 @@
 #include <chrono>
 #include <memory>
 
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
+#include "base/system/overwriting.h"
+#include "film/film_record.h"
 #include "film/frame_workers.h"
-#include "film/render_output.h"
-#include "film/report.h"
+#include "film/open_output.h"
+#include "video/captions.h"
 #include "video/libav/film_output.h"
 
 namespace polhode {
@@ -43,49 +44,6 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   if (!plan.story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
 }
 
-FilmFacts facts_of(const RenderPlan& plan, const PreparedFilm& film, RenderOutput& target) {
-  FilmFacts facts;
-  facts.output = plan.sink.output;
-  facts.frames = target.range().count;
-  facts.from_s = film.frames.from;
-  facts.to_s = film.frames.to;
-  facts.transparent = plan.sink.transparent;
-  facts.text = plan.text;
-  facts.still = plan.sink.still;
-  facts.resume = plan.resume;
-  if (plan.shard) facts.shard = fmt::format("{}/{}", plan.shard->number, plan.shard->of);
-  facts.first_frame = target.range().first;
-  facts.jobs = plan.jobs;
-  for (const StoryStep& step : plan.story) {
-    facts.captions.push_back(step.caption);
-  }
-  facts.hashes = target.hashes();
-  facts.encoder = plan.sink.encoder;
-  facts.times.simulate = film.solved.simulate_time;
-  facts.times.convert = target.sink().times().convert;
-  facts.times.encode = target.sink().times().encode;
-  return facts;
-}
-
-void add_renderer_facts(const FrameRenderer& renderer, FilmFacts& facts) {
-  const DrawingTimes times = renderer.times();
-  facts.renderer = renderer.info();
-  facts.times.compose = times.compose;
-  facts.times.draw = times.render.draw;
-  facts.times.read_back = times.render.read_back;
-  facts.times.smooth = times.render.smooth;
-}
-
-std::string report_text(const PreparedFilm& film, const FilmFacts& facts) {
-  nlohmann::ordered_json told = film_report(film.solved, facts);
-  if (film.comparison != nullptr) told["compare"] = film.comparison->report();
-  if (film.frames.loop) {
-    told["loop"] = {{"duration_s", film.frames.loop->duration},
-                    {"residual_rad", film.frames.loop->residual}};
-  }
-  return told.dump(2) + "\n";
-}
-
 }  // namespace
 
 Made render_film(const RenderJob& job) {
@@ -97,39 +55,34 @@ Made render_film(const RenderJob& job) {
   const bool reported = !job.report.empty();
   std::unique_ptr<AtomicFile> report_file;
   if (reported && job.report != "-") report_file = std::make_unique<AtomicFile>(job.report);
-  RenderOutput target(plan, reported);
+  const std::unique_ptr<RenderOutput> output = open_output(plan, reported);
 
-  // simulate and plan; open the drawing side, other processes before there is any text here
-  const PreparedFilm basis = prepare_film(plan);
-  target.begin(basis);
-  std::unique_ptr<FrameRenderer> renderer;
-  if (plan.jobs > 1) renderer = start_frame_workers(plan, basis, target.frames());
-  const FilmFrames film(plan, basis);
+  // find the motion and what each frame shows; open the renderer
+  const PreparedFilm film(plan);
+  output->begin(film);
+  std::unique_ptr<FrameRenderer> renderer = open_frame_renderer(film, plan.setup, output->frames());
   film.warn();
-  if (renderer == nullptr)
-    renderer = make_frame_renderer(film, plan.backend, plan.sink.transparent);
 
   // draw here, convert and encode behind the queue
-  Progress progress(job.progress, target.range().count, "frames", target.there());
-  fill_output(target, *renderer, [&](const PipelineStep& step) {
-    progress.show(step.done, target.limit(step));
+  Progress progress(job.progress, output->range().count, "frames", output->already_there());
+  render_frames(*output, *renderer, [&](const PipelineStep& step) {
+    progress.show(step.done, limiting_stage(plan, step));
   });
 
   // report
   Made made;
   made.output = plan.sink.output;
-  made.frames = target.range().count;
-  made.every = target.sink().keeps_every();
-  made.from_earlier = target.there();
+  made.frames = output->range().count;
+  made.every = output->sink().keeps_every();
+  made.from_earlier = output->already_there();
   made.is_picture = plan.sink.still;
   if (!reported) return made;
-  FilmFacts facts = facts_of(plan, basis, target);
-  add_renderer_facts(*renderer, facts);
+  FilmRecord record = film_record(plan, film, *output, *renderer);
   renderer.reset();  // its processes are reaped, and their time is counted
-  facts.times.total.wall_s =
+  record.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  facts.times.total.cpu_s = process_cpu_seconds();
-  const std::string report = report_text(basis, facts);
+  record.total.cpu_s = process_cpu_seconds();
+  const std::string report = json_of(record).dump(2) + "\n";
   if (report_file == nullptr) {
     print_out(report);
   } else {

@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
+#include "base/system/overwriting.h"
+#include "film/solved_scene.h"
 
 namespace polhode {
 namespace {

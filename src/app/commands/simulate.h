@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "film/load.h"
+#include "film/overrides.h"
 
 namespace polhode {
 

@@ -17,9 +17,11 @@
 #include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_stability.h"
+#include "film/error_places.h"
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
+#include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/system/progress.h"
-#include "film/load.h"
 
 namespace polhode {
 

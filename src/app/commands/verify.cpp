@@ -6,13 +6,16 @@
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "base/system/scratch_folder.h"
-#include "film/render_output.h"
+#include "film/frame_workers.h"
+#include "film/open_output.h"
 #include "film/reported_film.h"
 #include "image/png.h"
+#include "video/captions.h"
 #include "video/film_reader.h"
 #include "video/libav/film_output.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace fs = std::filesystem;
@@ -161,27 +164,27 @@ Verified verify(const VerifyJob& job) {
   RenderPlan& plan = reported.plan;
   const std::string made = scratch / fs::path(output).filename().string();
   plan.sink.output = job.output.substr(0, prefix) + made;
-  RenderOutput target(plan, true);
-  const PreparedFilm basis = prepare_film(plan);
-  target.begin(basis);
-  const FilmFrames film(plan, basis);
-  film.warn();
+  const std::unique_ptr<RenderOutput> remade = open_output(plan, true);
+  const PreparedFilm film(plan);
+  remade->begin(film);
   const std::unique_ptr<FrameRenderer> renderer =
-      make_frame_renderer(film, plan.backend, plan.sink.transparent);
+      open_frame_renderer(film, plan.setup, remade->frames());
+  film.warn();
   if (renderer->info().gl_renderer != reported.gl_renderer) {
     throw input_error("cannot be compared: it was drawn by {}, this is {}",
                       reported.gl_renderer,
                       renderer->info().gl_renderer)
         .at({report_file, 0, {}});
   }
-  Progress progress(job.progress, target.range().count);
-  fill_output(target, *renderer, [&](const PipelineStep& step) {
-    progress.show(step.done, target.limit(step));
+  Progress progress(job.progress, remade->range().count);
+  render_frames(*remade, *renderer, [&](const PipelineStep& step) {
+    progress.show(step.done, limiting_stage(plan, step));
   });
 
   // hold it against the report, and against the output
-  const Again again{kind, output, made, target.range().first, target.range().count, plan.sink.fps};
-  Difference difference = compare_hashes(again, reported.hashes, target.hashes());
+  const Again again{
+      kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
+  Difference difference = compare_hashes(again, reported.hashes, remade->hashes());
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);
   if (!difference.empty()) return {false, fmt::format("{}: {}", output, difference)};

@@ -118,7 +118,7 @@ std::string numbers(const Difference& d,
 // a small part of the picture, with its pixels large enough to be counted
 std::string worst_part(const ShownFrame& shown, const Image& difference, const Image& heat) {
   const Image& image = shown.reference;
-  const Region region = worst_region(
+  const PixelBox region = worst_region(
       image, shown.actual, std::max(32, image.width / 20), std::max(18, image.height / 20));
   return fmt::format("<h3>Worst region: {}×{} pixels at {}, {}</h3>\n",
                      region.width,

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/compare/diff.h"
+#include "app/compare/frame_score.h"
+#include "image/image.h"
+#include "image/verdict.h"
 
 namespace polhode {
 

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/compare/golden.h"
 #include "app/compare/golden_cases.h"
+#include "app/compare/golden_job.h"
 #include "image/verdict.h"
 
 namespace polhode {

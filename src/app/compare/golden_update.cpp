@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "app/compare/golden_update.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>

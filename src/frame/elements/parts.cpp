@@ -9,7 +9,6 @@
 namespace polhode {
 namespace {
 
-constexpr double kLongestVector = 50.0;
 constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
 constexpr double kLongEnough = 0.3;      // longer ones have it in full
 
@@ -35,16 +34,6 @@ Material shell(const glm::vec3& color, float alpha) {
 
 ArrowShape times(const ArrowShape& shape, double factor) {
   return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
-}
-
-double drawn_length(const Scenery& scenery, double length) {
-  return std::min(length, kLongestVector * scenery.scale.body);
-}
-
-Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
-  const double length = (end - from).norm();
-  const double drawn = drawn_length(scenery, length);
-  return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
 }
 
 void add_vector(const Scenery& scenery,

@@ -5,7 +5,8 @@
 
 #include <string>
 
-#include "frame/elements.h"
+#include "frame/glyphs.h"
+#include "frame/scenery.h"
 
 namespace polhode {
 
@@ -40,12 +41,6 @@ void add_at_reference(const Scenery& scenery,
                       const Material& material,
                       Glyphs& glyphs,
                       const char* name = nullptr);
-// A vector of that length, m, as long as it is drawn: one that a failing method has blown up still
-// fits single precision.
-double drawn_length(const Scenery& scenery, double length);
-// Where a vector ends that is drawn so.
-Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
-
 // The axis that a picture follows, in body axes: of symmetry, else towards the centre of mass, else
 // the third.
 Vec3 figure_axis_B(const Scenery& scenery);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The makers of every stepper, for the table in motion/stepper.cpp.
+// The makers of every stepper, for the table in motion/stepper_table.cpp.
 #pragma once
 
 #include <memory>

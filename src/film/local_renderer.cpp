@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/frame_renderer.h"
+#include "film/local_renderer.h"
 
 #include <set>
 
@@ -8,23 +8,23 @@
 namespace polhode {
 namespace {
 
-class Drawer final : public FrameRenderer {
+class LocalRenderer final : public FrameRenderer {
  public:
-  Drawer(const FilmFrames& film, const std::string& backend, bool transparent) : film_(film) {
+  LocalRenderer(const PreparedFilm& film, const RenderSetup& setup) : film_(film) {
     // the threads that start here are the rasteriser's
     const std::set<int> before = thread_ids();
-    context_ = open_context(backend);
-    const PictureSize& size = film.basis().solved.scene.video.size;
-    renderer_ = std::make_unique<Renderer>(*context_,
-                                           RenderSettings{size.width, size.height, 4, transparent});
+    context_ = open_context(setup.backend);
+    const PictureSize& size = film.solved().scene.video.size;
+    renderer_ = std::make_unique<Renderer>(
+        *context_, RenderSettings{size.width, size.height, 4, setup.transparent});
     rasteriser_ = thread_ids();
     for (const int id : before) {
       rasteriser_.erase(id);
     }
   }
 
-  void make(int index, Image& image) override {
-    const double time = film_.basis().frames.film_time(index);
+  void render(int index, Image& image) override {
+    const double time = film_.frames().film_time(index);
     const Picture picture = composed(time);
     const int moments = film_.moments();
     if (moments == 1) {
@@ -33,7 +33,7 @@ class Drawer final : public FrameRenderer {
     }
     // what moves while the shutter is open; the text stands still
     for (int k = 0; k < moments; ++k) {
-      renderer_->draw(film_.film().bare_at(time + film_.open() * (k + 0.5) / moments), image);
+      renderer_->draw(film_.film().bare_at(time + film_.shutter_s() * (k + 0.5) / moments), image);
       blurred_.add(image);
     }
     blurred_.mean(image);
@@ -57,7 +57,7 @@ class Drawer final : public FrameRenderer {
     return film_.film().at(film_time);
   }
 
-  const FilmFrames& film_;
+  const PreparedFilm& film_;
   std::unique_ptr<Context> context_;
   std::unique_ptr<Renderer> renderer_;
   std::set<int> rasteriser_;  // threads
@@ -67,10 +67,9 @@ class Drawer final : public FrameRenderer {
 
 }  // namespace
 
-std::unique_ptr<FrameRenderer> make_frame_renderer(const FilmFrames& film,
-                                                   const std::string& backend,
-                                                   bool transparent) {
-  return std::make_unique<Drawer>(film, backend, transparent);
+std::unique_ptr<FrameRenderer> open_local_renderer(const PreparedFilm& film,
+                                                   const RenderSetup& setup) {
+  return std::make_unique<LocalRenderer>(film, setup);
 }
 
 }  // namespace polhode

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The use cases `golden run`, `update` and `show`: a folder of pictures that scenes must go on
+// What `golden run`, `update` and `show` are asked: a folder of pictures that scenes must go on
 // looking like. DIR/cases.toml lists them; DIR/NAME.png is the reference of a case,
 // DIR/NAME.CAUSE.png another that is accepted as well, and NAME.png.toml beside each tells what
 // drew it and how to compare.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "base/system/progress.h"
 
@@ -34,18 +33,5 @@ struct GoldenResult {
   int exit_code = 0;  // 0; 1: a picture is different or has no reference; 2: a case cannot be drawn
   std::string text;   // for standard output: words, or JSON
 };
-
-// Draws every case and compares it with each of its references; the best match counts. Touches no
-// reference. What fails leaves NAME.actual.png and NAME.difference.png in job.output; those of
-// cases that pass are removed.
-GoldenResult golden_run(const GoldenJob& job);
-
-// Draws every case and writes the references that are missing or no longer match, all together and
-// after all could be drawn. Throws Error (input) when the folder's git tree holds changes, unless
-// allowed.
-GoldenResult golden_update(const GoldenJob& job);
-
-// Lists cases, references and what the sidecars say. Draws nothing.
-GoldenResult golden_show(const GoldenJob& job);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "video/frame_sink.h"
+#include "video/sink_kinds.h"
 
 #include "base/error.h"
 #include "base/nearest.h"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/doctor.h"
+
+#include <memory>
+#include <thread>
+
+#include "base/error.h"
+#include "base/text_table.h"
+#include "chart/gnuplot.h"
+#include "film/motion_report.h"
+#include "render/context.h"
+#include "render/renderer.h"
+#include "text/typesetter.h"
+#include "video/encoders.h"
+
+namespace polhode {
+namespace {
+
+// one line about a back end, from really opening it and its framebuffers
+std::string examine_backend(const Backend& backend, bool& works) {
+  try {
+    const std::unique_ptr<Context> context = backend.open();
+    const Renderer renderer(*context, {64, 64, 4, false, Edges::samples});
+    works = true;
+    return fmt::format("ok, {}, OpenGL {}, {} samples",
+                       renderer.info().gl_renderer,
+                       renderer.info().gl_version,
+                       renderer.info().samples);
+  } catch (const Error& error) {
+    return fmt::format("missing: {}", error.what());
+  }
+}
+
+}  // namespace
+
+Diagnosis examine(const std::vector<ExternalNeed>& needs) {
+  std::vector<TextRow> rows;
+  bool draws = false;
+  const nlohmann::ordered_json all = versions();
+  for (const auto& [key, value] : all.items()) {
+    rows.push_back({key, value.get<std::string>()});
+  }
+  for (const Backend& backend : backends()) {
+    rows.push_back({"back end " + backend.name, examine_backend(backend, draws)});
+  }
+  const std::string gnuplot = gnuplot_version();
+  rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
+  for (const ExternalNeed& need : needs)
+    rows.push_back({need.name, need.state});
+  for (const FontFound& font : examine_fonts()) {
+    rows.push_back({"font " + font.wanted,
+                    font.there ? "ok"
+                               : fmt::format("missing: {} serves instead; install {}",
+                                             font.found.empty() ? "nothing" : font.found,
+                                             font.package)});
+  }
+  for (const FilmEncoder& encoder : film_encoders()) {
+    rows.push_back(
+        {"encoder " + encoder.name,
+         fmt::format("{}, {}: {}",
+                     has_encoder(encoder.name)
+                         ? "ok"
+                         : "missing: install an FFmpeg that has it (Debian: libavcodec59)",
+                     encoder.title,
+                     encoder.doc)});
+  }
+  const bool encodes = has_encoder("libx264");
+  rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});
+  return {aligned(rows), draws && encodes};
+}
+
+}  // namespace polhode

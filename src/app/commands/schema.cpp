@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/schema.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scene/schema.h"
+
+namespace polhode {
+
+std::string schema_text() {
+  return scene_schema().dump(2) + "\n";
+}
+
+}  // namespace polhode

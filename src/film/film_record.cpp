@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "film/film_record.h"
+
+#include "scene/canonical.h"
+
+namespace polhode {
+namespace {
+
+EncoderRecord record_of(const EncoderSettings& encoder) {
+  EncoderRecord record;
+  if (!encoder.codec.empty()) record.codec = encoder.codec;
+  if (!encoder.preset.empty()) record.preset = encoder.preset;
+  if (encoder.crf > 0) record.crf = encoder.crf;
+  record.threads = encoder.threads;
+  record.finest = encoder.finest;
+  return record;
+}
+
+FilmTimes times_of(const PreparedFilm& film, const SinkTimes& sink, const DrawingTimes& drawing) {
+  return {.simulate = film.solved().simulate_time,
+          .compose = drawing.compose,
+          .draw = drawing.render.draw,
+          .read_back = drawing.render.read_back,
+          .smooth = drawing.render.smooth,
+          .convert = sink.convert,
+          .encode = sink.encode};
+}
+
+}  // namespace
+
+FilmRecord film_record(const RenderPlan& plan,
+                       const PreparedFilm& film,
+                       const RenderOutput& output,
+                       const FrameRenderer& renderer) {
+  const Scene& scene = film.solved().scene;
+  const RendererInfo& drawn_by = renderer.info();
+  FilmRecord record;
+  record.output = plan.sink.output;
+  record.scene_file = scene.file;
+  record.title = scene.title;
+  record.scene_hash = scene_hash(scene);
+  record.versions = versions();
+  record.backend = drawn_by.backend;
+  record.gl_renderer = drawn_by.gl_renderer;
+  record.gl_version = drawn_by.gl_version;
+  record.samples = drawn_by.samples;
+  record.edges = drawn_by.by_outlines ? "outlines" : "samples";
+  record.motion = film.solved().simulation.report;
+  record.frames = output.range().count;
+  record.size = scene.video.size;
+  record.fps = scene.video.fps;
+  record.from_s = film.frames().from;
+  record.to_s = film.frames().to;
+  record.transparent = plan.sink.transparent;
+  record.text = plan.text;
+  record.still = plan.sink.still;
+  record.resume = plan.resume;
+  if (plan.shard) record.shard = name_of(*plan.shard);
+  record.first_frame = output.range().first;
+  record.jobs = plan.setup.jobs;
+  for (const StoryStep& step : plan.story)
+    record.captions.push_back(step.caption);
+  record.encoder = record_of(plan.sink.encoder);
+  record.stages = times_of(film, output.times(), renderer.times());
+  record.scene = scene_to_json(scene);
+  record.frame_hashes = output.hashes();
+  if (film.comparison() != nullptr) record.compare = film.comparison()->report();
+  record.loop = film.frames().loop;
+  return record;
+}
+
+}  // namespace polhode

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// JSON from and to structs that list their keys: one list serves writing and reading.
+//
+//   template <class Visitor> void report_fields(Visitor& v, Struct& s) {
+//     v.field("key", s.member);       // always there; absent optionals are null
+//     v.optional("key", s.member);    // left out when the std::optional is absent
+//     v.derived("key", value);        // written for people, not read back
+//   }
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/system/stage_clock.h"
+#include "video/video_spec.h"
+
+namespace polhode {
+
+using Json = nlohmann::ordered_json;
+
+class JsonWriter;
+class JsonReader;
+
+template <class T>
+concept ListsFields = requires(JsonWriter& v, T& s) {
+  report_fields(v, s);
+};
+
+template <class T>
+Json json_of(T value);
+
+// Collects the fields of a struct as one JSON object, in the order of its list.
+class JsonWriter {
+ public:
+  template <class T>
+  void field(const char* key, const T& value) {
+    json_[key] = json_of(value);
+  }
+  template <class T>
+  void optional(const char* key, const std::optional<T>& value) {
+    if (value) field(key, *value);
+  }
+  template <class T>
+  void derived(const char* key, const T& value) {
+    field(key, value);
+  }
+  const Json& json() const { return json_; }
+
+ private:
+  Json json_ = Json::object();
+};
+
+inline void read_json(const Json& json, Json& value) {
+  value = json;
+}
+inline void read_json(const Json& json, FrameRate& value) {
+  value = parse_frame_rate(json.get<std::string>());
+}
+template <class T>
+void read_json(const Json& json, T& value);
+template <class T>
+void read_json(const Json& json, std::optional<T>& value);
+template <class T>
+void read_json(const Json& json, std::vector<T>& value);
+
+// Sets the fields of a struct from a JSON object. Throws nlohmann's exception for a missing key or
+// a value of the wrong kind.
+class JsonReader {
+ public:
+  // `json` must outlive it.
+  explicit JsonReader(const Json& json) : json_(json) {}
+
+  template <class T>
+  void field(const char* key, T& value) {
+    read_json(json_.at(key), value);
+  }
+  template <class T>
+  void optional(const char* key, std::optional<T>& value) {
+    if (json_.contains(key)) read_json(json_.at(key), value.emplace());
+  }
+  template <class T>
+  void derived(const char*, const T&) {}
+
+ private:
+  const Json& json_;
+};
+
+inline Json json_value(const FrameRate& rate) {
+  return fmt::format("{}/{}", rate.numerator, rate.denominator);
+}
+template <class T>
+Json json_value(const std::optional<T>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+template <class T>
+Json json_value(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values)
+    list.push_back(json_of(value));
+  return list;
+}
+template <class T>
+requires(!ListsFields<T>) Json json_value(const T& value) {
+  return value;
+}
+template <ListsFields T>
+Json json_value(T& value) {
+  JsonWriter writer;
+  report_fields(writer, value);
+  return writer.json();
+}
+
+// A struct, a list or a single value as JSON.
+template <class T>
+Json json_of(T value) {
+  return json_value(value);
+}
+
+template <class T>
+void read_json(const Json& json, T& value) {
+  if constexpr (requires(JsonReader & v) { report_fields(v, value); }) {
+    JsonReader reader(json);
+    report_fields(reader, value);
+  } else {
+    json.get_to(value);
+  }
+}
+template <class T>
+void read_json(const Json& json, std::optional<T>& value) {
+  value.reset();
+  if (!json.is_null()) read_json(json, value.emplace());
+}
+template <class T>
+void read_json(const Json& json, std::vector<T>& value) {
+  value.clear();
+  for (const Json& one : json)
+    read_json(one, value.emplace_back());
+}
+
+template <class Visitor>
+void report_fields(Visitor& v, StageTime& s) {
+  v.field("wall_s", s.wall_s);
+  v.field("cpu_s", s.cpu_s);
+}
+
+}  // namespace polhode

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "film/overrides.h"
+
+#include <cmath>
+
+#include "base/at_place.h"
+#include "motion/simulate.h"
+#include "motion/stepper_table.h"
+
+namespace polhode {
+namespace {
+
+double positive(double value) {
+  if (std::isfinite(value) && value > 0.0) return value;
+  throw input_error("must be a number greater than 0, got {}", value);
+}
+
+}  // namespace
+
+Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
+  Scene scene = load_scene(file);
+  // runs `set`, and remembers where the value of the key comes from; its errors name the option
+  const auto replace = [&](const char* key, const char* option, const auto& set) {
+    at_place({{}, 0, option}, set);
+    scene.options[key] = option;
+  };
+  NumericsSpec& numerics = scene.numerics;
+  if (overrides.method) {
+    replace("numerics.method", "--method", [&] {
+      if (*overrides.method != "auto" && *overrides.method != "exact") {
+        find_stepper(*overrides.method);
+      }
+      // a step or tolerance of the scene belongs to the scene's own method
+      if (*overrides.method != numerics.method) {
+        numerics.step.reset();
+        numerics.tolerance.reset();
+      }
+      numerics.method = *overrides.method;
+      numerics.compare.clear();
+    });
+  }
+  if (overrides.step) {
+    replace("numerics.step", "--step", [&] { numerics.step = positive(*overrides.step); });
+  }
+  if (overrides.tolerance) {
+    replace("numerics.tolerance", "--tolerance", [&] {
+      numerics.tolerance = positive(*overrides.tolerance);
+    });
+  }
+  if (overrides.accuracy) {
+    replace("numerics.accuracy", "--accuracy", [&] {
+      numerics.accuracy = parse_accuracy(*overrides.accuracy);
+    });
+  }
+  if (overrides.size) {
+    replace(
+        "video.size", "--size", [&] { scene.video.size = parse_picture_size(*overrides.size); });
+  }
+  if (overrides.fps) {
+    replace("video.fps", "--fps", [&] { scene.video.fps = parse_frame_rate(*overrides.fps); });
+  }
+  if (overrides.loop) scene.video.loop = true;
+  return scene;
+}
+
+}  // namespace polhode

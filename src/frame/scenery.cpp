@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "frame/scenery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr double kLongestVector = 50.0;  // drawn, in units of the body's radius
+// lengths of the longest vectors of a film, in units of the body's radius
+constexpr double kOmegaLength = 1.3;
+constexpr double kMomentumLength = kReachOfVectors;
+constexpr double kVelocityLength = 0.6;
+
+constexpr int kFramingTimes = 240;
+constexpr std::size_t kFieldPoints = 48;
+
+// points spread over the body: each the farthest from those before it
+std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
+  std::vector<Vec3> chosen;
+  if (points.empty()) return chosen;
+  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  while (chosen.size() < std::min(count, points.size())) {
+    chosen.push_back(points[next]);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      nearest[i] = std::min(nearest[i], (points[i] - chosen.back()).squaredNorm());
+    next = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) -
+                                    nearest.begin());
+    if (nearest[next] == 0.0) break;
+  }
+  return chosen;
+}
+
+// the longest vector of the film has the full length; a body at rest has none to scale
+Scale make_scale(const Scenery& scenery, double radius) {
+  const BodyModel& model = scenery.motion.model();
+  double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0, turned_by = 0.0;
+  for (const double t : framing_times(scenery.motion)) {
+    const Sample sample = scenery.motion.at(t);
+    for (const Load& load : model.loads.listed) {
+      const Quat q_SP = sample.q_SB * Quat(model.R_BP);
+      force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
+    }
+    turned_by = std::max(turned_by, torque(model, t, scenery.motion.state_at(t)).norm());
+    turning = std::max(turning, sample.w_S.norm());
+    momentum = std::max(momentum, sample.L_S.norm());
+    for (const Vec3& r_B : scenery.field_points_B)
+      speed = std::max(speed, point_velocity(model, sample, r_B).norm());
+  }
+  const auto per = [&](double length, double most) {
+    return most > 0.0 ? length * radius / most : 0.0;
+  };
+  return {radius,
+          per(kOmegaLength, turning),
+          per(kMomentumLength, momentum),
+          per(kVelocityLength, speed),
+          per(kForceLength, force),
+          per(kForceLength, turned_by)};
+}
+
+}  // namespace
+
+double drawn_length(const Scenery& scenery, double length) {
+  return std::min(length, kLongestVector * scenery.scale.body);
+}
+
+Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
+  const double length = (end - from).norm();
+  const double drawn = drawn_length(scenery, length);
+  return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
+}
+
+std::vector<double> framing_times(const Motion& motion) {
+  std::vector<double> times;
+  for (int i = 0; i <= kFramingTimes; ++i)
+    times.push_back(motion.duration() * i / kFramingTimes);
+  return times;
+}
+
+void make_look(Scenery& scenery, const BodySpec& body, int segments) {
+  scenery.look = body_look(body, scenery.motion.model(), scenery.theme, segments);
+  for (LookPart& part : scenery.look)
+    part.material.finish = finish_named(scenery.options.material);
+}
+
+Scenery make_scenery(const Motion& motion,
+                     const BodySpec& body,
+                     const ThemeSpec& theme_spec,
+                     const ShowSpec& show,
+                     int segments) {
+  const Theme theme = make_theme(theme_spec);
+  const auto shared = [](Mesh mesh) {
+    return std::make_shared<const Mesh>(std::move(mesh));
+  };
+  Scenery scenery{motion, theme};
+  scenery.options = show;
+  scenery.segments = segments;
+  make_look(scenery, body, segments);
+  scenery.ball = shared(unit_sphere(std::max(16, segments / 4)));
+  // what surrounds the body may be as large as the frame, and bends in two directions
+  const int large = segments * 3 / 2;
+  scenery.sphere = shared(unit_sphere(large));
+  scenery.stand = shared(unit_cone(segments));
+  scenery.disc = shared(unit_disc(large));
+  scenery.ring = shared(torus(1.0, 0.006, large));
+  scenery.hull_B = hull_of(scenery.look);
+  scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);
+  double radius = body_radius(scenery.look, motion.model());
+  for (const std::vector<Vec3>* points : {&show.points, &show.trail_points}) {
+    for (const Vec3& point : *points)
+      radius = std::max(radius, (point - motion.model().reference_B()).norm());
+  }
+  scenery.scale = make_scale(scenery, radius);
+  scenery.paths = make_paths(scenery);
+  return scenery;
+}
+
+Vec3 omega_tip(const Scenery& scenery, const Sample& sample) {
+  return drawn_tip(
+      scenery, sample.reference_S, sample.reference_S + scenery.scale.omega * sample.w_S);
+}
+
+Vec3 momentum_tip(const Scenery& scenery, const Sample& sample) {
+  return drawn_tip(
+      scenery, sample.reference_S, sample.reference_S + scenery.scale.momentum * sample.L_S);
+}
+
+}  // namespace polhode
