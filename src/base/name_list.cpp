@@ -25,7 +25,7 @@ std::set<std::string> known_names(std::string_view list,
   std::set<std::string> names;
   for (const std::string& name : split_names(list)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw input_error("no {} is called '{}'{}", what, name, suggestion(name, known))
+      throw input_error("unknown {} '{}'{}", what, name, suggestion(name, known))
           .at({{}, 0, option});
     }
     names.insert(name);

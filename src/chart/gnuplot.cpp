@@ -73,7 +73,7 @@ std::string gnuplot_version() {
 void require_gnuplot() {
   if (!gnuplot_version().empty()) return;
   throw environment_error(
-      "gnuplot, which draws the charts, is not here; install gnuplot-nox, or run "
+      "gnuplot, which draws the charts, is not installed; install gnuplot-nox, or run "
       "tools/install-dependencies");
 }
 

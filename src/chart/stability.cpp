@@ -84,7 +84,7 @@ RunOutcome parse_run_outcome(const std::string& name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (name == kNames[i]) return static_cast<RunOutcome>(i);
   }
-  throw input_error("no outcome is called '{}'{}",
+  throw input_error("unknown outcome '{}'{}",
                     name,
                     suggestion(name, std::vector<std::string>(kNames.begin(), kNames.end())));
 }

@@ -19,15 +19,18 @@ Action define_chart(CLI::App& command) {
            job->output,
            "folder for chart.csv, .svg, .png and .pdf (default: output/SCENE_chart)")
       ->type_name("DIR");
-  add_text(command, "--methods", job->methods, "only these, with commas between")
+  add_text(command, "--methods", job->methods, "only these, separated by commas")
       ->type_name("METHODS");
-  command.add_flag("--pictures", *pictures, "drawing settings instead of methods");
+  command.add_flag("--pictures", *pictures, "compare drawing settings instead of methods");
   add_text(command,
            "--size",
            job->overrides.size,
-           "of --pictures; default: the scene's, shrunk to 960x540")
+           "picture size with --pictures (default: the scene's, at most 960x540)")
       ->type_name("WxH");
-  add_text(command, "--accuracy", job->overrides.accuracy, "the line: what the scene needs")
+  add_text(command,
+           "--accuracy",
+           job->overrides.accuracy,
+           "the accuracy that the chart marks (default: what the scene needs)")
       ->type_name("RAD|PX");
   add_progress(command, *progress);
   return [job, progress, pictures] {

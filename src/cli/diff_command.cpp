@@ -16,25 +16,32 @@ Action define_diff(CLI::App& command) {
   command
       .add_option("actual",
                   job->actual,
-                  "what was made: picture.png, frame_%05d.png, a folder of .png, film.mp4, or a "
+                  "the result: picture.png, frame_%05d.png, a folder of .png, film.mp4, or a "
                   "scene.toml, which is rendered first")
       ->required()
       ->type_name("ACTUAL");
-  command.add_option("reference", job->reference, "what it should look like, of the same kinds")
+  command.add_option("reference", job->reference, "what it should look like; the same kinds")
       ->required()
       ->type_name("REFERENCE");
   add_thresholds(command, *given);
-  command.add_flag("--json", job->json, "all numbers, of every frame, as JSON");
-  add_text(command, "--html", job->html, "write a page for a person, DIR/index.html")
-      ->type_name("DIR");
-  add_number(command, "--still", job->still, "the moment of a scene's picture, s (default: 0)")
+  command.add_flag("--json", job->json, "print all numbers of every frame as JSON");
+  add_text(command, "--html", job->html, "write an HTML report, DIR/index.html")->type_name("DIR");
+  add_number(command, "--still", job->still, "time of a scene's picture, s (default: 0)")
       ->type_name("T");
-  add_text(command, "--size", job->overrides.size, "of a scene (default: the other side's)")
+  add_text(command,
+           "--size",
+           job->overrides.size,
+           "picture size of a scene (default: that of the other side)")
       ->type_name("WxH");
-  add_text(command, "--fps", job->overrides.fps, "of a scene's film (default: the other side's)")
+  add_text(command,
+           "--fps",
+           job->overrides.fps,
+           "frame rate of a scene's film (default: that of the other side)")
       ->type_name("N");
   command.add_flag_callback(
-      "--no-text", [job] { job->text = false; }, "a scene without labels, clock, title, caption");
+      "--no-text",
+      [job] { job->text = false; },
+      "draw scenes without labels, clock, title and caption");
   add_text(command, "--backend", job->backend, "OpenGL for scenes: osmesa, egl or auto")
       ->type_name("BACKEND");
   add_progress(command, *progress);

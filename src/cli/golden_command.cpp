@@ -24,7 +24,7 @@ const GoldenAction& find_action(const std::string& name) {
   for (const GoldenAction& action : kActions) {
     if (name == action.name) return action;
   }
-  throw input_error("no action is called '{}'{}", name, suggestion(name, golden_actions()))
+  throw input_error("unknown action '{}'{}", name, suggestion(name, golden_actions()))
       .at({{}, 0, "golden"});
 }
 
@@ -46,20 +46,22 @@ Action define_golden(CLI::App& command) {
   command.add_option("folder", job->folder, "folder with cases.toml, see docs/golden.md")
       ->required()
       ->type_name("DIR");
-  add_text(command, "--cases", job->cases, "only these, with commas between")->type_name("NAMES");
+  add_text(command, "--cases", job->cases, "only these, separated by commas")->type_name("NAMES");
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("BACKEND");
   add_whole_number(command, "--jobs", *jobs, "cases at a time (default: one per processor)")
       ->type_name("N");
   command.add_flag("--json", job->json, "as JSON");
-  add_text(command, "--html", job->html, "run: write a page of what failed, DIR/index.html")
+  add_text(
+      command, "--html", job->html, "run: write an HTML report of the failures, DIR/index.html")
       ->type_name("DIR");
-  add_text(command, "--output", job->output, "run: where failures leave their pictures")
+  add_text(command, "--output", job->output, "run: folder for the pictures of failed cases")
       ->type_name("DIR");
   add_text(command, "--cause", job->cause, "update: write NAME.CAUSE.png beside NAME.png")
       ->type_name("CAUSE");
-  command.add_flag("--all", job->all, "update: also what is the same within its thresholds");
-  command.add_flag("--allow-dirty", job->allow_dirty, "update: though the git tree holds changes");
+  command.add_flag("--all", job->all, "update: also cases that pass within their thresholds");
+  command.add_flag(
+      "--allow-dirty", job->allow_dirty, "update: even if the git tree has uncommitted changes");
   add_progress(command, *progress);
   return [=] {
     const GoldenAction& chosen = find_action(*action);

@@ -14,7 +14,8 @@ Action define_join(CLI::App& command) {
   command.add_option("parts", job->parts, "pieces made by `polhode render --shard`, in any order")
       ->required()
       ->type_name("PART");
-  add_text(command, "-o,--output", job->output, "the film, with the ending of its pieces")
+  add_text(
+      command, "-o,--output", job->output, "the joined film, with the same ending as its pieces")
       ->required()
       ->type_name("OUT");
   add_quiet(command, *progress);

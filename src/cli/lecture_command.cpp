@@ -14,7 +14,7 @@ Action define_lecture(CLI::App& command) {
   auto job = std::make_shared<LectureJob>();
   auto progress = std::make_shared<ProgressOptions>();
   auto jobs = std::make_shared<std::optional<int>>();
-  command.add_option("deck", job->deck, "deck, a Markdown file whose pictures name scenes")
+  command.add_option("deck", job->deck, "Markdown file whose pictures name scenes")
       ->required()
       ->type_name("DECK");
   add_text(command, "-o,--output", job->output, "folder (default: output/DECK_lecture)")
@@ -25,19 +25,22 @@ Action define_lecture(CLI::App& command) {
   add_text(command,
            "--to",
            job->to,
-           fmt::format("only these, with commas between: {} (default: all that can be made here)",
+           fmt::format("only these, separated by commas: {} (default: all that can be made here)",
                        fmt::join(names, ", ")))
       ->type_name("DOCUMENTS");
   command.add_flag("--allow-outside",
                    job->allow_outside,
-                   "let the deck name files outside its folder; only for decks that you trust");
-  add_text(command, "--size", job->settings.size, "of all pictures; default: each scene's own")
+                   "allow the deck to use files outside its folder; only for decks that you trust");
+  add_text(
+      command, "--size", job->settings.size, "size of all pictures (default: each scene's own)")
       ->type_name("WxH");
-  add_text(command, "--fps", job->settings.fps, "of all films; default: each scene's own")
+  add_text(
+      command, "--fps", job->settings.fps, "frame rate of all films (default: each scene's own)")
       ->type_name("N");
   add_text(command, "--quality", job->settings.quality, "draft, lecture or archive")
       ->type_name("QUALITY");
-  add_whole_number(command, "--jobs", *jobs, "films made at the same time (2)")->type_name("N");
+  add_whole_number(command, "--jobs", *jobs, "films rendered at the same time (default: 2)")
+      ->type_name("N");
   add_progress(command, *progress);
   return [=] {
     if (*jobs && **jobs < 1) {

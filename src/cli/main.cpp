@@ -31,11 +31,11 @@ const std::vector<Command>& commands() {
        "polhode join top_1.mp4 top_2.mp4 -o top.mp4",
        define_join},
       {"verify",
-       "make a film again from its report and tell whether it is the same",
+       "render a film again from its report and check that it is the same",
        "polhode verify top.mp4",
        define_verify},
       {"preview",
-       "draw a sheet of small pictures from the whole film",
+       "draw an overview sheet of small pictures of the whole film",
        "polhode preview top.toml -o sheet.png",
        define_preview},
       {"simulate",
@@ -43,23 +43,23 @@ const std::vector<Command>& commands() {
        "polhode simulate top.toml -o top.csv --rate 1000",
        define_simulate},
       {"inspect",
-       "tell what the body of a scene is and what theory says of it",
+       "print the body's mass properties and what theory says of its motion",
        "polhode inspect top.toml",
        define_inspect},
       {"chart",
-       "chart speed against accuracy of the methods on scenes",
+       "chart speed against accuracy of integration methods",
        "polhode chart top.toml -o chart",
        define_chart},
       {"stability",
-       "map where methods fail, over step and spin or any two keys",
+       "map where methods fail, over step and spin or any two scene keys",
        "polhode stability top.toml -o maps --methods rk4",
        define_stability},
       {"diff",
-       "tell whether pictures or films are the same, and how far they are apart",
+       "compare pictures or films, and measure how much they differ",
        "polhode diff top.mp4 reference.mp4 --html report",
        define_diff},
       {"golden",
-       "keep a folder of pictures that scenes must go on looking like",
+       "compare scenes with a folder of accepted (golden) pictures",
        "polhode golden run tests/golden",
        define_golden},
       {"lecture",
@@ -74,13 +74,16 @@ const std::vector<Command>& commands() {
        "print a JSON Schema of the scene file, for editors",
        "polhode schema > scene.schema.json",
        define_schema},
-      {"doctor", "tell what works here and what is missing", "polhode doctor", define_doctor},
+      {"doctor",
+       "check what works on this machine and what is missing",
+       "polhode doctor",
+       define_doctor},
       {"manual",
        "print a manual page, or write all of them",
        "polhode manual render | man -l -",
        define_manual},
       {"completion",
-       "print what makes a shell complete commands, options and their values",
+       "print a completion script for bash or zsh",
        "source <(polhode completion bash)",
        define_completion},
   };
@@ -102,7 +105,7 @@ void refuse_unknown_command(int argc, char** argv) {
     if (std::strcmp(command.name, argv[1]) == 0) return;
     names.emplace_back(command.name);
   }
-  throw input_error("no command is called '{}'{}", argv[1], suggestion(argv[1], names));
+  throw input_error("unknown command '{}'{}", argv[1], suggestion(argv[1], names));
 }
 
 // the first word that is an option's name and that this command does not have; "" if there is none
@@ -121,7 +124,7 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
     std::vector<std::string> names;
     for (const Command& command : commands())
       names.emplace_back(command.name);
-    return input_error("give a command: {}; `polhode --help` tells more", fmt::join(names, ", "));
+    return input_error("give a command: {}; see `polhode --help`", fmt::join(names, ", "));
   }
   const CLI::App& command = *app.get_subcommands().front();
   std::string text = error.what();
@@ -138,21 +141,21 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
     }
     const std::vector<std::string> left = app.remaining(true);
     const std::string word = left.empty() ? "" : left.front();
-    text = word.starts_with("-") ? fmt::format("'{}' belongs behind the command", word)
-                                 : fmt::format("'{}' is one word too many", word);
+    text = word.starts_with("-") ? fmt::format("'{}' must come after the command", word)
+                                 : fmt::format("unexpected argument '{}'", word);
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     // "--size: 1 required TEXT missing" in several wordings; the first word is the option
     text = text.substr(0, text.find(':')) + " needs a value";
   }
   return input_error(
-      "{}: {}; `polhode {} --help` tells more", command.get_name(), text, command.get_name());
+      "{}: {}; see `polhode {} --help`", command.get_name(), text, command.get_name());
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
   app.set_version_flag("--version", version_text(program_commit()));
   bool verbose = false;
-  app.add_flag("-v,--verbose", verbose, "tell more on stderr");
+  app.add_flag("-v,--verbose", verbose, "print more on stderr");
   app.require_subcommand(1);
   app.fallthrough();
   app.footer(

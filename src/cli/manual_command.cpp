@@ -31,8 +31,7 @@ std::string man_page(const CLI::App& program, const std::string& name) {
     if (command->get_name() == name) return command_man_page(program, *command);
     names.push_back(command->get_name());
   }
-  throw input_error("no command is called '{}'{}", name, suggestion(name, names))
-      .at({{}, 0, "manual"});
+  throw input_error("unknown command '{}'{}", name, suggestion(name, names)).at({{}, 0, "manual"});
 }
 
 }  // namespace
@@ -42,7 +41,7 @@ Action define_manual(CLI::App& command) {
   auto folder = std::make_shared<std::string>();
   command.add_option("name", *name, "page of this command (default: of the program)")
       ->type_name("COMMAND");
-  add_text(command, "-o,--output", *folder, "write the pages of all commands as files instead")
+  add_text(command, "-o,--output", *folder, "write the pages of all commands into this folder")
       ->type_name("DIR");
   return [&command, name, folder] {
     const CLI::App& program = *command.get_parent();
@@ -57,7 +56,7 @@ Action define_manual(CLI::App& command) {
 
 Action define_completion(CLI::App& command) {
   auto shell = std::make_shared<std::string>();
-  command.add_option("shell", *shell, "the shell that reads it")->required()->type_name("SHELL");
+  command.add_option("shell", *shell, "bash or zsh")->required()->type_name("SHELL");
   return [&command, shell] {
     const CLI::App& program = *command.get_parent();
     if (*shell == "bash") {
@@ -65,7 +64,7 @@ Action define_completion(CLI::App& command) {
     } else if (*shell == "zsh") {
       print_out(zsh_completion(program));
     } else {
-      throw input_error("no shell is called '{}'{}", *shell, suggestion(*shell, {"bash", "zsh"}))
+      throw input_error("unknown shell '{}'{}", *shell, suggestion(*shell, {"bash", "zsh"}))
           .at({{}, 0, "completion"});
     }
     return 0;

@@ -16,7 +16,7 @@ Action define_render(CLI::App& command) {
   add_text(command,
            "-o,--output",
            job->output,
-           "what to write; its ending says the kind, see `polhode list formats` "
+           "what to write; the ending selects the format, see `polhode list formats` "
            "(default output/SCENE.mp4, .png with --still)")
       ->type_name("OUT");
   add_text(command, "--size", job->overrides.size, "picture size")->type_name("WxH");
@@ -39,7 +39,7 @@ Action define_render(CLI::App& command) {
   add_whole_number(command, "--jobs", *jobs, "processes that draw (default 1)")->type_name("N");
   command.add_flag("--resume",
                    job->resume,
-                   "make the film in pieces that outlive a killed run, and go on from those there");
+                   "make the film in pieces; after a crash, continue from the complete ones");
   add_text(command, "--shard", job->shard, "only the K-th of N pieces, for `polhode join`")
       ->type_name("K/N");
   command.add_flag_callback(
@@ -47,7 +47,7 @@ Action define_render(CLI::App& command) {
   add_text(command,
            "--report",
            job->report,
-           "write what was done, how exact and how fast, as JSON; - for standard output")
+           "write settings, accuracy and speed as JSON; - for standard output")
       ->type_name("FILE.json");
   add_progress(command, *progress);
   return [job, progress, jobs] {

@@ -129,16 +129,25 @@ void add_numerics_options(CLI::App& command, Overrides& overrides) {
 }
 
 void add_thresholds(CLI::App& command, ThresholdOptions& given) {
-  add_whole_number(command, "--max", given.max, "levels of 255 by which values may differ (3)")
+  add_whole_number(command,
+                   "--max",
+                   given.max,
+                   "difference of values that is ignored, in levels of 255 (default: 3)")
       ->type_name("N");
-  add_number(
-      command, "--fraction", given.fraction, "share of pixels that may differ by more (5e-4)")
+  add_number(command,
+             "--fraction",
+             given.fraction,
+             "share of pixels that may differ by more (default: 5e-4)")
       ->type_name("F");
-  add_whole_number(command, "--limit", given.limit, "levels that no value may differ by more (70)")
+  add_whole_number(command,
+                   "--limit",
+                   given.limit,
+                   "difference that no value may exceed, in levels (default: 70)")
       ->type_name("N");
-  add_number(command, "--ssim", given.ssim, "least SSIM, up to 1 (default: not asked)")
+  add_number(command, "--ssim", given.ssim, "smallest allowed SSIM, up to 1 (default: not checked)")
       ->type_name("S");
-  add_number(command, "--flip", given.flip, "greatest mean FLIP, from 0 (default: not asked)")
+  add_number(
+      command, "--flip", given.flip, "largest allowed mean FLIP, from 0 (default: not checked)")
       ->type_name("F");
 }
 

@@ -21,17 +21,22 @@ Action define_stability(CLI::App& command) {
            job->output,
            "folder for stability.csv and the pictures (default: output/SCENE_stability)")
       ->type_name("DIR");
-  add_text(command, "--methods", job->methods, "only these, with commas between")
+  add_text(command, "--methods", job->methods, "only these, separated by commas")
       ->type_name("METHODS");
-  add_text(command, "--x", job->x, "key of the scene that changes across; spin: a factor on it")
+  add_text(command, "--x", job->x, "scene key on the horizontal axis; spin: a factor on the spin")
       ->type_name("KEY");
-  add_text(command, "--y", job->y, "key that changes upwards")->type_name("KEY");
-  add_text(command, "--x-range", job->x_range, "default: around the scene's own")->type_name("A:B");
-  add_text(command, "--y-range", job->y_range, "default: around the scene's own")->type_name("A:B");
-  add_text(command, "--cells", job->cells, "cells across and upwards")->type_name("NxM");
-  add_number(command, "--turns", *turns, "how far the body turns in every run (default: 100)")
+  add_text(command, "--y", job->y, "scene key on the vertical axis")->type_name("KEY");
+  add_text(
+      command, "--x-range", job->x_range, "range of the axis (default: around the scene's value)")
+      ->type_name("A:B");
+  add_text(
+      command, "--y-range", job->y_range, "range of the axis (default: around the scene's value)")
+      ->type_name("A:B");
+  add_text(command, "--cells", job->cells, "number of cells, horizontal x vertical")
+      ->type_name("NxM");
+  add_number(command, "--turns", *turns, "turns of the body in each run (default: 100)")
       ->type_name("N");
-  add_number(command, "--allowed", *allowed, "attitude error that is fine, rad (default: 0.1)")
+  add_number(command, "--allowed", *allowed, "allowed attitude error, rad (default: 0.1)")
       ->type_name("RAD");
   add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
       ->type_name("N");

@@ -20,7 +20,8 @@ Action define_list(CLI::App& command) {
       ->type_name("TABLE");
   return [what] {
     if (what->empty()) {
-      throw input_error("say which table: {}", fmt::join(list_names(), ", ")).at({{}, 0, "list"});
+      throw input_error("give the name of a table: {}", fmt::join(list_names(), ", "))
+          .at({{}, 0, "list"});
     }
     print_out(list_table(*what));
     return 0;

@@ -151,7 +151,7 @@ DrawingProcess::DrawingProcess(PictureSize size,
     : size_(size) {
   memory_ = mmap(
       nullptr, kSlots * slot_bytes(), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory_ == MAP_FAILED) throw environment_error("no memory for so many --jobs");
+  if (memory_ == MAP_FAILED) throw environment_error("not enough memory for so many --jobs");
   for (int i = 0; i < kSlots; ++i) {
     new (static_cast<char*>(memory_) + static_cast<std::size_t>(i) * slot_bytes()) Slot;
   }
@@ -258,11 +258,11 @@ void DrawingProcess::tell_end() {
   }
   process_ = -1;
   if (!WIFSIGNALED(status)) {
-    throw environment_error("a drawing process ended before its time, with exit code {}",
+    throw environment_error("a drawing process ended early, with exit code {}",
                             WEXITSTATUS(status));
   }
   throw environment_error(
-      "a drawing process was ended by signal {} ({}); if memory was short, take fewer --jobs",
+      "a drawing process was ended by signal {} ({}); if memory was short, use fewer --jobs",
       WTERMSIG(status),
       strsignal(WTERMSIG(status)));
 }

@@ -51,7 +51,7 @@ Film make_film(const Solved& solved,
   const int lines = !with_text ? 0 : compared ? Comparison::kNoteLines : views.size() > 1 ? 1 : 0;
   FrameMargins margins = common_margins(text, places, size, lines);
   if (count > 1 && !scene.show.plots.empty()) {
-    throw input_error("plots stand beside a single picture; leave them out, or show one view")
+    throw input_error("plots need a film with a single panel; remove them, or show one view")
         .at({{}, 0, "show.plots"});
   }
   margins.right += width_of_plots(scene.show);

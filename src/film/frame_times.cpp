@@ -24,7 +24,7 @@ double time_option(const char* option,
 void refuse_too_many_frames(double count) {
   if (count > kMostFrames) {
     throw input_error(
-        "the film would have {:.3g} frames; take a shorter range or a larger video.time_scale",
+        "the film would have {:.3g} frames; choose a shorter range or a larger video.time_scale",
         count);
   }
 }

@@ -26,7 +26,7 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
       turns_backwards(fastest, scene.video.time_scale / frames.rate);
   if (!words) return;
   const Error warning = input_error(
-      "{}: take a higher video.fps, a smaller video.time_scale, or blur it with "
+      "{}: use a higher video.fps, a smaller video.time_scale, or blur it with "
       "video.shutter_deg = 360",
       *words);
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
@@ -35,7 +35,7 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
 void warn_of_missing_fonts() {
   for (const FontFound& font : examine_fonts()) {
     if (font.there) continue;
-    spdlog::warn("the font {} is missing, {} serves instead; install {}",
+    spdlog::warn("the font {} is missing, so {} is used instead; install {}",
                  font.wanted,
                  font.found.empty() ? "another" : font.found,
                  font.package);
@@ -57,8 +57,8 @@ int moments_of_shutter(const Motion& motion, const Scene& scene, double open) {
 void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
   if (!frames.loop || frames.loop->residual <= scene.video.loop_residual) return;
   const Error warning = input_error(
-      "the motion comes back to its start only to {:.2g} degrees (after {:.4g} s); give it a "
-      "longer motion.duration to look in",
+      "the motion returns to its start only to within {:.2g} degrees (after {:.4g} s); a longer "
+      "motion.duration gives more to choose from",
       frames.loop->residual * 180.0 / kPi,
       frames.loop->duration);
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());

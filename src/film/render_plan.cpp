@@ -21,7 +21,7 @@ const Quality& find_quality(const std::string& name) {
     if (row.name == name) return row;
     names.push_back(row.name);
   }
-  throw input_error("no quality is called '{}'{}", name, suggestion(name, names))
+  throw input_error("unknown quality '{}'{}", name, suggestion(name, names))
       .at({{}, 0, "--quality"});
 }
 
@@ -30,7 +30,7 @@ bool is_still(const RenderJob& job, const std::string& output) {
   const bool numbered = output.find('%') != std::string::npos;
   const bool picture = output.ends_with(".png") && !numbered && !output.starts_with(kHashPrefix);
   if (job.still && output.ends_with(".png") && numbered) {
-    throw input_error("makes one picture, but '{}' numbers its pictures; leave out the %", output)
+    throw input_error("makes one picture, but '{}' is a numbered sequence; leave out the %", output)
         .at({{}, 0, "--still"});
   }
   if (job.still && find_sink_kind(output).film) {
@@ -77,19 +77,18 @@ void check_shard(const RenderPlan& plan) {
   const bool film = format != nullptr && format->keeps_metadata;
   if (plan.shard && (plan.sink.still || !(film || numbered || hashes))) {
     throw input_error(
-        "no pieces can be made of '{}': name a .mp4, .webm, .mov, numbered .png or "
+        "'{}' cannot be made in pieces: choose a .mp4, .webm, .mov, numbered .png or "
         ".hash",
         output)
         .at({{}, 0, "--shard"});
   }
   if (plan.resume && !film) {
-    throw input_error("nothing could go on in '{}': name a .mp4, .webm or .mov, or use --shard",
+    throw input_error("'{}' cannot be resumed: choose a .mp4, .webm or .mov, or use --shard",
                       output)
         .at({{}, 0, "--resume"});
   }
   if (plan.resume && plan.shard) {
-    throw input_error("is for whole films; a shard is small enough to be made again")
-        .at({{}, 0, "--resume"});
+    throw input_error("is for whole films; render the shard again instead").at({{}, 0, "--resume"});
   }
 }
 
@@ -147,7 +146,7 @@ RenderPlan plan_render(const RenderJob& job) {
   if (job.jobs < 1) throw input_error("must be at least 1, got {}", job.jobs).at({{}, 0, "--jobs"});
   constexpr int kMostJobs = 64;
   if (job.jobs > kMostJobs) {
-    throw input_error("may be at most {}, got {}", kMostJobs, job.jobs).at({{}, 0, "--jobs"});
+    throw input_error("must be at most {}, got {}", kMostJobs, job.jobs).at({{}, 0, "--jobs"});
   }
   plan.setup = {job.backend, job.transparent, job.jobs};
   return plan;

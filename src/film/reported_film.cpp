@@ -95,7 +95,7 @@ ReportedFilm read_report(const std::string& file) {
     if (!film.broken) check_time_range(film.plan.scene, film.plan.range);
     return film;
   } catch (const Json::exception&) {
-    throw input_error("is no report of `polhode render --report`").at(place);
+    throw input_error("is not a report of `polhode render --report`").at(place);
   } catch (const Error& error) {
     throw Error(error.fault(), fmt::format("{}", error.what()), place);
   }

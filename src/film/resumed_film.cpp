@@ -79,8 +79,10 @@ void ResumedFilm::begin(const PreparedFilm& film) {
     }
   }
   if (whole_ > 0) {
-    print_err(fmt::format(
-        "polhode: {}: {} of {} pieces were there already\n", plan_.sink.output, whole_, segments_));
+    print_err(fmt::format("polhode: {}: {} of {} pieces are already complete\n",
+                          plan_.sink.output,
+                          whole_,
+                          segments_));
   }
 }
 
@@ -113,8 +115,7 @@ void ResumedFilm::look_at_old_segments() {
     }
     if (difference.empty()) continue;
     throw input_error(
-        "'{}' holds pieces of another film: {}; delete it to begin anew, or choose "
-        "another output",
+        "'{}' holds pieces of another film: {}; delete it to start again, or choose another output",
         folder_,
         difference)
         .at({{}, 0, "--resume"});
@@ -161,7 +162,8 @@ SinkTimes ResumedFilm::times() const {
 void ResumedFilm::collect_hashes() {
   for (int number = 1; number <= segments_; ++number) {
     const std::optional<std::string> text = sealed_text(file_of(number));
-    if (!text) throw environment_error("{}: was changed while the film was made", file_of(number));
+    if (!text)
+      throw environment_error("{}: changed while the film was being made", file_of(number));
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);) {
       hashes_.push_back(line);

@@ -106,7 +106,7 @@ std::string comment_with(const SegmentRecord& record) {
   // what a tag of a .mov can hold
   constexpr std::size_t kMost = 60000;  // bytes
   if (comment.size() > kMost) {
-    throw input_error("the story has more words than a piece can carry; render the film whole");
+    throw input_error("the story has too much text for a piece to carry; render the film whole");
   }
   return comment;
 }
@@ -116,7 +116,8 @@ SegmentRecord record_in(const std::string& file) {
   const std::string comment = comment_of_film(file);
   const std::size_t begin = comment.find(kBegin);
   const Error none =
-      input_error("is no piece of a film; `polhode render SCENE --shard K/N` makes them").at(place);
+      input_error("is not a piece of a film; `polhode render SCENE --shard K/N` makes them")
+          .at(place);
   if (begin == std::string::npos) throw none;
   try {
     SegmentRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));

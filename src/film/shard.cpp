@@ -34,7 +34,7 @@ std::string name_of(const Shard& shard) {
 FrameRange range_of(const Shard& shard, int frames) {
   if (shard.of > frames) {
     throw input_error(
-        "the film has {} frames only; make at most so many pieces, not {}", frames, shard.of)
+        "the film has only {} frames; make at most that many pieces, not {}", frames, shard.of)
         .at({{}, 0, "--shard"});
   }
   const auto begin = [&](std::int64_t k) {

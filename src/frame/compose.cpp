@@ -26,7 +26,7 @@ std::map<std::string, bool> resolve(const ShowSpec& spec, const Scenery& scenery
   }
   const bool cones = shown["space_cone"] || shown["body_cone"] || shown["precession_cone"];
   if (spec.body_opacity < 1.0 && cones) {
-    throw input_error("a body that is seen through goes without cones; set the cones to false")
+    throw input_error("a translucent body cannot be combined with cones; set the cones to false")
         .at({{}, 0, "show.body_opacity"});
   }
   return shown;
@@ -61,7 +61,7 @@ Camera make_camera(const CameraSpec& spec,
   const auto [center, radius] = ball_around(points);
   const Vec3 target = spec.target.value_or(center);
   if ((*spec.eye - target).norm() < 1e-9 * (radius + target.norm())) {
-    throw input_error("the camera is where it looks at").at({{}, 0, "camera.eye"});
+    throw input_error("the camera is at its own target").at({{}, 0, "camera.eye"});
   }
   return {*spec.eye, target, spec.fov, size, center, radius};
 }
@@ -303,9 +303,10 @@ std::vector<Error> Composer::warnings() const {
       largest = std::max(largest, scenery_.scale.body * camera.pixels_per_metre(middle));
   }
   if (!any_seen) {
-    return {input_error("the camera sees nothing of the scene; without camera.eye it frames the "
-                        "film by itself")
-                .at({{}, 0, "camera.eye"})};
+    return {
+        input_error(
+            "the camera does not see the scene; without camera.eye it frames the film by itself")
+            .at({{}, 0, "camera.eye"})};
   }
   if (!shows("body")) return {};
   if (nearest < scenery_.scale.body) {
@@ -316,11 +317,10 @@ std::vector<Error> Composer::warnings() const {
                 .at({{}, 0, "camera.eye"})};
   }
   if (largest > 0.0 && largest < 1.0) {
-    return {
-        input_error("the body, {:.3g} m, is never as large as a pixel; the film goes too far or "
-                    "the camera stands too far away",
-                    scenery_.scale.body)
-            .at({{}, 0, "camera"})};
+    return {input_error("the body, {:.3g} m, is never as large as a pixel; the motion goes too far "
+                        "or the camera is too far away",
+                        scenery_.scale.body)
+                .at({{}, 0, "camera"})};
   }
   return {};
 }

@@ -133,7 +133,7 @@ Theme make_theme(const ThemeSpec& spec) {
     if (spec.background) theme.background = color_from_hex(*spec.background);
     return theme;
   }
-  throw input_error("no theme is called '{}'{}", spec.theme, suggestion(spec.theme, theme_names()))
+  throw input_error("unknown theme '{}'{}", spec.theme, suggestion(spec.theme, theme_names()))
       .at({{}, 0, "video.theme"});
 }
 

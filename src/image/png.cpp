@@ -102,13 +102,13 @@ Image decode_png(const std::string& bytes, const std::string& name) {
   const Place place{name, 0, {}};
   Reader png;
   const auto refuse = [&] {
-    return input_error("is no PNG picture: {}", png.message).at(place);
+    return input_error("is not a PNG picture: {}", png.message).at(place);
   };
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) throw refuse();
 
   // a size is only a claim until the pixels have been seen: believe no more than memory may hold
   if (std::size_t{png.width} * png.height > kMostPngPixels) {
-    throw input_error("claims {}x{} pixels, too many to be read", png.width, png.height).at(place);
+    throw input_error("claims {}x{} pixels, too many to read", png.width, png.height).at(place);
   }
   png.format = PNG_FORMAT_RGBA;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));

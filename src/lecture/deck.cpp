@@ -128,7 +128,7 @@ class Reader {
       const PictureClass* found = find_class(name);
       if (found == nullptr) {
         throw input_error(
-            "no picture is a '.{}'{}", name, suggestion(name, names_of(picture_classes())));
+            "unknown kind of picture '.{}'{}", name, suggestion(name, names_of(picture_classes())));
       }
       if (row != nullptr && row != found)
         throw input_error("a picture is either a .{} or a .{}", row->name, found->name);
@@ -176,12 +176,12 @@ class Reader {
     const int line = line_of(target);
     try {
       if (names_scene(image))
-        throw input_error("a picture of a scene stands in a paragraph of its own");
+        throw input_error("a picture of a scene needs a paragraph of its own");
       const std::string file = percent_decoded(target);
       const std::string ending = std::filesystem::path(file).extension();
       if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
           ending != ".webp")
-        throw input_error("'{}' is no picture (.png, .jpg, .svg, .webp) and no scene", file);
+        throw input_error("'{}' is neither a picture (.png, .jpg, .svg, .webp) nor a scene", file);
       trusted_file(deck_.root, deck_.root.folder, file);
       read(image["c"][1]);
       image["c"][0] = Json::array({"", Json::array(), Json::array()});
@@ -251,8 +251,7 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
     }
     const int line = lines.next(key);
     deck.problems.push_back(
-        input_error("a deck says nothing of its '{}'{}", key, suggestion(key, known))
-            .at({deck.file, line, {}}));
+        input_error("a deck has no '{}'{}", key, suggestion(key, known)).at({deck.file, line, {}}));
   }
   if (!deck.meta.contains("lang")) return;
   const Json& lang = deck.meta["lang"];
@@ -285,7 +284,7 @@ const std::vector<PictureClass>& picture_classes() {
   static const PictureSetting stills = {
       "stills",
       "moments for the handout, s, with spaces between (the story's pauses, else the poster)"};
-  static const PictureSetting methods = {"methods", "only these, with commas between"};
+  static const PictureSetting methods = {"methods", "only these, separated by commas"};
   static const std::vector<PictureClass> table = {
       {PictureKind::film, "film", "a film", {from, to, at, stills, size, fps, method, step, alt}},
       {PictureKind::loop,
@@ -300,7 +299,9 @@ const std::vector<PictureClass>& picture_classes() {
       {PictureKind::chart,
        "chart",
        "speed against accuracy of the methods",
-       {methods, {"accuracy", "the line: what the scene needs"}, alt}},
+       {methods,
+        {"accuracy", "the accuracy that the chart marks (default: what the scene needs)"},
+        alt}},
       {PictureKind::stability,
        "stability",
        "where methods fail",

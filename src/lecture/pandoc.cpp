@@ -43,7 +43,7 @@ std::string pandoc_version() {
 void require_pandoc() {
   if (pandoc_version().empty()) {
     throw environment_error(
-        "pandoc is missing, which reads decks; install it (tools/install-dependencies --for "
+        "pandoc, which reads decks, is not installed; install it (tools/install-dependencies --for "
         "lecture)");
   }
 }

@@ -95,7 +95,7 @@ std::string name_of_product(const DeckScene& scene, const std::string& kind) {
 // the key was made from what the file said then
 void check_unchanged(const DeckScene& scene) {
   if (scene_hash(load_scene(scene.file)) != scene.hash)
-    throw input_error("{} was changed meanwhile; run again", scene.name);
+    throw input_error("{} changed during the run; run again", scene.name);
 }
 
 RenderJob render_job(const DeckScene& scene,

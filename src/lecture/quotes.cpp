@@ -185,7 +185,7 @@ Quote parse_quote(const std::string& words) {
                                           words.size() - std::string_view(kHead).size() - 1);
   const std::size_t hash = inside.rfind('#');
   if (hash == std::string::npos || hash == 0)
-    throw input_error("'{}' names no number; write {{inspect:scene.toml#key}}", words);
+    throw input_error("'{}' does not name a number; write {{inspect:scene.toml#key}}", words);
   Quote quote;
   quote.scene = inside.substr(0, hash);
   quote.key = inside.substr(hash + 1);
@@ -205,8 +205,8 @@ Quote parse_quote(const std::string& words) {
       (f.size() == 2 ||
        (f[1] == '.' && f.size() > 3 &&
         std::all_of(f.begin() + 2, f.end() - 1, [](char c) { return c >= '0' && c <= '9'; })));
-  if (!good) throw input_error("'{}' is no format; write %.3g, %.2f or %.1e", f);
-  if (quote.key.empty()) throw input_error("'{}' names no number", words);
+  if (!good) throw input_error("'{}' is not a number format; write %.3g, %.2f or %.1e", f);
+  if (quote.key.empty()) throw input_error("'{}' does not name a number", words);
   return quote;
 }
 
@@ -243,8 +243,10 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
       if (row.name == quote.unit) other = &row;
     }
     if (other == nullptr) {
-      throw input_error(
-          "'{}' cannot be told in '{}'{}", quote.key, quote.unit, suggestion(quote.unit, names));
+      throw input_error("'{}' cannot be converted to '{}'{}",
+                        quote.key,
+                        quote.unit,
+                        suggestion(quote.unit, names));
     }
     unit = other->text;
     factor = other->factor;

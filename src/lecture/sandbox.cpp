@@ -40,7 +40,7 @@ std::filesystem::path trusted_file(const DeckRoot& root,
   std::filesystem::path file = from / asked;
   std::error_code failed;
   const std::filesystem::path real = std::filesystem::canonical(file, failed);
-  if (failed) throw input_error("'{}' is not there", name);
+  if (failed) throw input_error("'{}' does not exist", name);
   const std::filesystem::path home = std::filesystem::canonical(
       root.folder.empty() ? std::filesystem::path(".") : root.folder, failed);
   if (failed || (!root.allow_outside && !is_inside(real, home))) {
@@ -49,7 +49,7 @@ std::filesystem::path trusted_file(const DeckRoot& root,
         name);
   }
   if (!std::filesystem::is_regular_file(real, failed)) {
-    throw input_error("'{}' is no ordinary file", name);
+    throw input_error("'{}' is not a regular file", name);
   }
   return file;
 }
@@ -72,7 +72,7 @@ void check_link(const std::string& target) {
   for (const std::string_view start : kAllowed) {
     if (plain && target.starts_with(start)) return;
   }
-  throw input_error("the link '{}' is none of https:, http:, mailto: and #place", target);
+  throw input_error("the link '{}' must be https:, http:, mailto: or #place", target);
 }
 
 void check_formula(const std::string& tex) {

@@ -224,11 +224,12 @@ TopKind classify(const Vec3& moments) {
 MassProperties mass_properties(const BodySpec& spec) {
   const bool by_tensor = spec.moments || spec.tensor;
   if (!by_tensor && (spec.mass || spec.center_of_mass)) {
-    throw input_error("goes with moments or tensor only; solids, parts and points have their own")
+    throw input_error(
+        "is allowed only with moments or tensor; solids, parts and points have their own")
         .at({{}, 0, spec.mass ? "body.mass" : "body.center_of_mass"});
   }
   if (!by_tensor && spec.about != "center") {
-    throw input_error("goes with moments or tensor only").at({{}, 0, "body.about"});
+    throw input_error("is allowed only with moments or tensor").at({{}, 0, "body.about"});
   }
 
   // points, a solid, or parts carry everything

@@ -46,7 +46,7 @@ const LoadKind& kind_of(const LoadSpec& spec, const std::string& path) {
   for (const LoadKind& kind : load_kinds()) {
     if (kind.name == spec.kind) return kind;
   }
-  throw input_error("no load is called '{}'{}", spec.kind, suggestion(spec.kind, load_names()))
+  throw input_error("unknown load '{}'{}", spec.kind, suggestion(spec.kind, load_names()))
       .at({{}, 0, path + ".kind"});
 }
 

@@ -50,11 +50,11 @@ void read_soup(const std::string& bytes,
   } else if (ending == ".stl") {
     good = CGAL::IO::read_STL(in, points, faces);
   } else {
-    throw input_error("'{}' is no mesh file; give one that ends in .obj or .stl", name);
+    throw input_error("'{}' is not a mesh file; give one that ends in .obj or .stl", name);
   }
   if (!good) {
     throw input_error(
-        "'{}' is broken off or no {} file after face {}", name, ending.substr(1), faces.size());
+        "'{}' ends early or is not {} after face {}", name, ending.substr(1), faces.size());
   }
   if (faces.empty()) throw input_error("'{}' has no faces", name);
 }
@@ -179,7 +179,7 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
     }
     for (const std::size_t i : faces[f]) {
       if (i < merged.size()) continue;
-      throw input_error("'{}': face {} names a vertex that is not there; there are {}",
+      throw input_error("'{}': face {} names a vertex that does not exist; there are {}",
                         name,
                         f + 1,
                         merged.size());

@@ -159,7 +159,7 @@ const SolidKind& kind_of(const SolidSpec& solid, const std::string& path) {
   for (const SolidKind& kind : solid_kinds()) {
     if (kind.name == solid.kind) return kind;
   }
-  throw input_error("no solid is called '{}'{}", solid.kind, suggestion(solid.kind, solid_names()))
+  throw input_error("unknown solid '{}'{}", solid.kind, suggestion(solid.kind, solid_names()))
       .at({{}, 0, fmt::format("{}.kind", path)});
 }
 
@@ -283,13 +283,13 @@ void check_dimensions(const SolidSpec& solid, const std::string& path) {
         .at({{}, 0, path + ".tube"});
   }
   if (contains(kind.needs, "file") && !solid.mesh) {
-    throw input_error("'{}' was not read; a mesh needs a scene that is a file", *solid.file)
+    throw input_error("'{}' was not read; a scene with a mesh must be a file", *solid.file)
         .at({{}, 0, path + ".file"});
   }
   if (solid.profile.empty()) return;
   if (solid.smooth && solid.profile.size() > kMostSmooth) {
     throw input_error(
-        "has {} points; a smooth outline takes at most {}", solid.profile.size(), kMostSmooth)
+        "has {} points; a smooth outline can have at most {}", solid.profile.size(), kMostSmooth)
         .at({{}, 0, path + ".profile"});
   }
   check_profile(lathe_outline(solid), {{}, 0, path + ".profile"});

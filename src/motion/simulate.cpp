@@ -63,8 +63,8 @@ Integration refine(const StepperInfo& method,
         method.adaptive ? fineness < 1e-15 : duration / fineness > kMostStepsRefined;
     if (too_fine) {
       throw input_error(
-          "{} cannot reach an attitude accuracy of {:.3g} rad over {} s in reasonable "
-          "work; give a step or tolerance yourself, a looser accuracy, or another method",
+          "{} cannot reach an attitude accuracy of {:.3g} rad over {} s with reasonable effort; "
+          "give a step or tolerance yourself, a looser accuracy, or another method",
           method.name,
           report.accuracy_rad,
           duration)
@@ -251,7 +251,7 @@ Accuracy parse_accuracy(const std::string& text) {
   const std::string number = pixels ? text.substr(0, text.size() - 2) : text;
   const std::optional<double> value = parse_number(number);
   if (!value) {
-    throw input_error("'{}' is no accuracy; give radians (1e-6) or pixels (\"0.1px\")", text);
+    throw input_error("'{}' is not an accuracy; give radians (1e-6) or pixels (\"0.1px\")", text);
   }
   if (*value <= 0.0) throw input_error("must be greater than 0, got {}", text);
   return {*value, pixels};

@@ -80,7 +80,7 @@ const SolutionMethod& find_model(const std::string& name) {
   for (const SolutionMethod& row : solution_methods()) {
     if (row.name == name) return row;
   }
-  throw input_error("no model is called '{}'{}", name, suggestion(name, model_names()))
+  throw input_error("unknown model '{}'{}", name, suggestion(name, model_names()))
       .at({{}, 0, "numerics.model"});
 }
 
@@ -173,7 +173,7 @@ const SolutionMethod& choose_solution_method(const BodyModel& model,
     const bool automatic = numerics.method == "auto" || numerics.method == "exact";
     if (asked.splits && !automatic && !is_splitting(numerics.method)) {
       throw input_error(
-          "model 'splitting' takes symplectic methods only, and {} is none; use "
+          "model 'splitting' needs a symplectic method, and {} is not; use "
           "kick_srkn11, or model = \"ode\"",
           numerics.method)
           .at({{}, 0, "numerics.method"});

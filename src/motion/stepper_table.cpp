@@ -131,7 +131,7 @@ const StepperInfo& find_stepper(const std::string& name) {
     if (row.name == name) return row;
     names.push_back(row.name);
   }
-  throw input_error("no method is called '{}'{}", name, suggestion(name, names));
+  throw input_error("unknown method '{}'{}", name, suggestion(name, names));
 }
 
 std::vector<const StepperInfo*> parse_methods(const std::string& names) {

@@ -56,11 +56,11 @@ std::unique_ptr<Context> open_context(const std::string& name) {
     }
   }
   if (name != "auto") {
-    throw input_error("no back end is called '{}'{}", name, suggestion(name, backend_names()))
+    throw input_error("unknown back end '{}'{}", name, suggestion(name, backend_names()))
         .at({{}, 0, "--backend"});
   }
   throw environment_error(
-      "no OpenGL without a window here: {} (Debian: libosmesa6, or libegl1 with "
+      "OpenGL without a window is not available: {} (Debian: libosmesa6, or libegl1 with "
       "libgl1-mesa-dri)",
       reasons);
 }

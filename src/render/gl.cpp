@@ -9,7 +9,7 @@ namespace {
 template <class Function>
 void load(Function& function, const Context& context, const char* name) {
   function = reinterpret_cast<Function>(context.function(name));
-  if (function == nullptr) throw environment_error("this OpenGL has no {}", name);
+  if (function == nullptr) throw environment_error("this OpenGL lacks {}", name);
 }
 
 }  // namespace

@@ -107,10 +107,7 @@ Framebuffer::Framebuffer(const Gl& gl, int width, int height, int samples, bool 
     depth_ = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height, samples);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw environment_error(
-        "OpenGL has no {}x{} framebuffer with {} samples here, or no memory for it",
-        width,
-        height,
-        samples);
+        "OpenGL cannot create a {}x{} framebuffer with {} samples here", width, height, samples);
   }
 }
 

@@ -30,7 +30,7 @@ int integer(const Gl& gl, GLenum name) {
 const RenderSettings& fitting(const Gl& gl, const RenderSettings& settings) {
   const int most = integer(gl, GL_MAX_RENDERBUFFER_SIZE);
   if (settings.width > most || settings.height > most) {
-    throw input_error("a picture of {}x{} is larger than OpenGL draws here ({} pixels a side)",
+    throw input_error("a picture of {}x{} is larger than OpenGL can draw here ({} pixels a side)",
                       settings.width,
                       settings.height,
                       most);

@@ -60,14 +60,14 @@ std::vector<PathPart> parts_of(const std::string& path) {
       const bool digits = !inside.empty() && inside.size() < 6 &&
                           inside.find_first_not_of("0123456789") == std::string::npos;
       if (end == std::string::npos || !digits)
-        throw input_error("'{}' is no key; write motion.spin.body[2] or the like", path);
+        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
       parts.push_back({"", std::stol(inside)});
       i = end + 1;
     } else {
       if (path[i] == '.') ++i;
       const std::size_t end = std::min(path.find_first_of(".[", i), path.size());
       if (end == i)
-        throw input_error("'{}' is no key; write motion.spin.body[2] or the like", path);
+        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
       parts.push_back({path.substr(i, end - i), -1});
       i = end;
     }

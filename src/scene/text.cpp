@@ -64,7 +64,7 @@ void refuse_deep_nesting(std::string_view text, const std::string& name) {
     if (c == '.') ++dots;
     if (std::string_view("[]{}=,\n").find(c) != std::string_view::npos) dots = 0;
     if (brackets > kDeepestNesting || dots > kDeepestNesting) {
-      throw input_error("nested deeper than {} levels; no scene needs that", kDeepestNesting)
+      throw input_error("nested deeper than {} levels, which no scene needs", kDeepestNesting)
           .at({name, line_of(text, i), {}});
     }
     ++i;
@@ -92,8 +92,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     throw input_error("is empty; a scene needs at least a [body] table").at({name, 0, {}});
   }
   if (text.size() > kLargestScene) {
-    throw input_error("holds more than {} bytes; is this a scene?", kLargestScene)
-        .at({name, 0, {}});
+    throw input_error("is larger than {} bytes; is this a scene?", kLargestScene).at({name, 0, {}});
   }
   refuse_other_encodings(text, name);
   refuse_deep_nesting(text, name);

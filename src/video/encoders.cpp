@@ -141,14 +141,14 @@ bool takes_crf(const FilmEncoder& encoder) {
 }
 
 Error takes_none(const char* option, bool (*takes)(const FilmEncoder&)) {
-  return input_error("this format has none; leave it out, or write one of {}", takers(takes))
+  return input_error("this format has none; omit it, or write one of {}", takers(takes))
       .at({{}, 0, option});
 }
 
 void check_preset(const std::string& preset) {
   const std::vector<std::string>& all = encoder_presets();
   if (std::find(all.begin(), all.end(), preset) != all.end()) return;
-  throw input_error("no preset is called '{}'{}", preset, suggestion(preset, all))
+  throw input_error("unknown preset '{}'{}", preset, suggestion(preset, all))
       .at({{}, 0, "--preset"});
 }
 
@@ -219,7 +219,7 @@ const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& cod
     tried.push_back(encoder.name);
   }
   throw environment_error(
-      "this FFmpeg has no {}; install one that has (Debian: libavcodec59), or "
+      "this FFmpeg lacks {}; install one that has it (Debian: libavcodec59), or "
       "choose another format",
       fmt::join(tried, " and no "));
 }
@@ -234,7 +234,7 @@ EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wis
   if (format == nullptr) {
     // hashes and nothing at all take any command line of a film
     if (!output.ends_with(".png")) return settings;
-    if (wish.codec) throw input_error("a picture has none; leave it out").at({{}, 0, "--codec"});
+    if (wish.codec) throw input_error("a picture has none; omit it").at({{}, 0, "--codec"});
     if (wish.forced) throw takes_none("--preset", takes_presets);
     if (wish.crf) throw takes_none("--crf", takes_crf);
     return settings;

@@ -29,15 +29,14 @@ class PartInput {
     if (!std::filesystem::is_regular_file(file, ignored)) refuse("there is no such film");
     AVFormatContext* input = nullptr;
     const int opened = avformat_open_input(&input, ("file:" + file).c_str(), nullptr, nullptr);
-    if (opened < 0) refuse("is no film that can be read: " + libav_words(opened));
+    if (opened < 0) refuse("is not a readable film: " + libav_words(opened));
     input_.reset(input);
     packet_.reset(made(av_packet_alloc()));
   }
 
   // Needed before packets are copied.
   void examine() {
-    if (avformat_find_stream_info(input_.get(), nullptr) < 0)
-      refuse("nothing is known of its tracks");
+    if (avformat_find_stream_info(input_.get(), nullptr) < 0) refuse("its tracks are unknown");
     if (input_->nb_streams != 1 || input_->streams[0]->codecpar->codec_type != AVMEDIA_TYPE_VIDEO) {
       refuse("is no piece: it must hold one track of pictures");
     }

@@ -27,9 +27,9 @@ using Input = std::unique_ptr<AVFormatContext, CloseInput>;
 void refuse_missing(const std::string& file) {
   std::error_code failed;
   const std::filesystem::file_status status = std::filesystem::status(file, failed);
-  if (!std::filesystem::exists(status)) throw input_error("there is no such file");
+  if (!std::filesystem::exists(status)) throw input_error("the file does not exist");
   if (std::filesystem::is_directory(status)) throw input_error("is a folder, not a film");
-  if (!std::filesystem::is_regular_file(status)) throw input_error("is no ordinary file");
+  if (!std::filesystem::is_regular_file(status)) throw input_error("is not a regular file");
 }
 
 }  // namespace
@@ -69,13 +69,13 @@ class FilmReader::Implementation {
     AVFormatContext* input = nullptr;
     // the protocol is named, or libav would find one in a name such as "take:1.mp4"
     const int opened = avformat_open_input(&input, ("file:" + file_).c_str(), nullptr, nullptr);
-    if (opened < 0) throw input_error("is no film that can be read: {}", libav_words(opened));
+    if (opened < 0) throw input_error("is not a readable film: {}", libav_words(opened));
     input_.reset(input);
     if (avformat_find_stream_info(input, nullptr) < 0) {
-      throw input_error("is no film that can be read: nothing is known of its tracks");
+      throw input_error("is not a readable film: its tracks are unknown");
     }
     const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
-    if (index < 0) throw input_error("has no pictures in it");
+    if (index < 0) throw input_error("contains no pictures");
     stream_ = input->streams[index];
   }
 
@@ -85,7 +85,7 @@ class FilmReader::Implementation {
     if (codec == nullptr) {
       throw environment_error("this FFmpeg cannot decode {}", avcodec_get_name(track.codec_id));
     }
-    if (track.width <= 0 || track.height <= 0) throw input_error("has no pictures in it");
+    if (track.width <= 0 || track.height <= 0) throw input_error("contains no pictures");
     decoder_.reset(made(avcodec_alloc_context3(codec)));
     check_libav(avcodec_parameters_to_context(decoder_.get(), &track),
                 "cannot read the film's header");
@@ -144,7 +144,8 @@ class FilmReader::Implementation {
   // it holds: those before the place where it was trimmed.
   void refuse_short() const {
     if (packets_ >= info_.frames) return;
-    throw input_error("is damaged: it promises {} frames and holds {}", info_.frames, packets_);
+    throw input_error(
+        "is damaged: its header promises {} frames, but it contains {}", info_.frames, packets_);
   }
 
   double time_of_frame() {

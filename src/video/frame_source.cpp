@@ -118,7 +118,7 @@ std::unique_ptr<FrameSource> open_folder(const std::string& name) {
       entries.push_back({file.filename().string(), file});
     }
   }
-  if (entries.empty()) throw input_error("has no .png files in it").at({name, 0, {}});
+  if (entries.empty()) throw input_error("contains no .png files").at({name, 0, {}});
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return comes_before(a.label, b.label);
   });
@@ -146,7 +146,7 @@ std::unique_ptr<FrameSource> open_numbered(const std::string& name) {
     // only what the pattern itself would write
     if (fs::path(pattern.of(*number)).filename() == file.filename()) numbers.push_back(*number);
   }
-  if (numbers.empty()) throw input_error("there is no such picture").at({name, 0, {}});
+  if (numbers.empty()) throw input_error("the picture does not exist").at({name, 0, {}});
   std::sort(numbers.begin(), numbers.end());
   std::vector<PictureSource::Entry> entries;
   entries.reserve(numbers.size());
@@ -163,14 +163,14 @@ std::unique_ptr<FrameSource> open_frames(const std::string& name) {
   const bool there = fs::exists(name, ignored);
   const std::string ending = lower(fs::path(name).extension().string());
   if (!there && has_frame_number(name) && ending == ".png") return open_numbered(name);
-  if (!there) throw input_error("there is no such file").at({name, 0, {}});
+  if (!there) throw input_error("the file does not exist").at({name, 0, {}});
   if (ending == ".png") {
     return std::make_unique<PictureSource>(SourceKind::picture,
                                            std::vector<PictureSource::Entry>{{"", name}});
   }
   if (has_film_ending(lower(name))) return std::make_unique<FilmSource>(name);
   throw input_error(
-      "is no picture (.png), numbered sequence (name_%05d.png), folder of pictures, film (.mp4, "
+      "is not a picture (.png), numbered sequence (name_%05d.png), folder of pictures, film (.mp4, "
       ".mkv, .mov, .webm, .gif) or scene (.toml)")
       .at({name, 0, {}});
 }

@@ -17,8 +17,7 @@ std::string hash_file(const SinkJob& job) {
   if (!job.output.starts_with(kHashPrefix)) return job.output;
   std::string name = job.output.substr(kHashPrefix.size());
   if (name.empty()) {
-    throw input_error("a file name belongs after hash:, such as hash:frames.txt")
-        .at({job.output, 0, {}});
+    throw input_error("hash: needs a file name, such as hash:frames.txt").at({job.output, 0, {}});
   }
   return name;
 }

@@ -29,7 +29,7 @@ void refuse_nameless(const std::string& output) {
   const std::string name = output.substr(output.find_last_of('/') + 1);
   for (const SinkKind& kind : sink_kinds()) {
     if (kind.ending.empty() || name != kind.ending) continue;
-    throw input_error("a name belongs before the ending, such as film{}", kind.ending)
+    throw input_error("the ending needs a name before it, such as film{}", kind.ending)
         .at({output, 0, {}});
   }
 }
@@ -133,14 +133,15 @@ std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
   const SinkKind& kind = find_sink_kind(job.output);
   const Place place{job.output, 0, {}};
   if (kind.film && has_frame_number(job.output)) {
-    throw input_error("a film is one file; a name with % is for numbered .png pictures").at(place);
+    throw input_error("a film is a single file; names with % are for numbered .png pictures")
+        .at(place);
   }
   if (kind.film && job.still) {
     throw input_error("one picture (--still) is written as .png, not as a film").at(place);
   }
   if (job.transparent && !kind.alpha) {
     throw input_error(
-        "{} keeps no alpha; for a transparent picture use {}", kind.name, alpha_formats())
+        "{} has no alpha channel; for a transparent picture use {}", kind.name, alpha_formats())
         .at(place);
   }
   std::unique_ptr<FrameSink> sink = kind.make(job);

@@ -35,7 +35,7 @@ FrameRate parse_frame_rate(const std::string& text) {
       throw input_error(
           "frame rates are exact: write \"{}\" instead of {}", exact_rate(*decimal), text);
     }
-    throw input_error("'{}' is no frame rate; write 60 or \"30000/1001\"", text.substr(0, 40));
+    throw input_error("'{}' is not a frame rate; write 60 or \"30000/1001\"", text.substr(0, 40));
   }
   if (*above <= 0 || *below <= 0 || *above < *below ||
       static_cast<double>(*above) / *below > kMostFramesPerSecond) {
@@ -68,7 +68,7 @@ PictureSize parse_picture_size(const std::string& text) {
   const std::optional<int> height =
       cross == std::string::npos ? std::nullopt : parse_integer(text.substr(cross + 1));
   if (!width || !height) {
-    throw input_error("'{}' is no picture size; write \"1920x1080\"", text.substr(0, 40));
+    throw input_error("'{}' is not a picture size; write \"1920x1080\"", text.substr(0, 40));
   }
   const PictureSize size{*width, *height};
   check_picture_size(size);

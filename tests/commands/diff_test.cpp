@@ -185,7 +185,7 @@ TEST_F(Diff, WhatCannotBeComparedIsSaidInOneLine) {
   write_text(folder_ / "cut.png", bytes.substr(0, bytes.size() / 2));
   std::filesystem::create_directory(folder_ / "empty");
   refuses(diff("a.png", "wide.png"), "is 64x48 pixels");
-  refuses(diff("a.png", "missing.png"), "missing.png: there is no such file");
+  refuses(diff("a.png", "missing.png"), "missing.png: the file does not exist");
   refuses(diff("a.png", "text.png"), "no PNG");
   refuses(diff("a.png", "cut.png"), "cut.png");
   refuses(diff("a.png", "notes.txt"), "is no picture");

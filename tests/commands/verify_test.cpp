@@ -147,7 +147,7 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   expect("a.mp4", 2, "is no report");
   std::filesystem::remove(folder_ / "r.json");
   expect("a.mp4", 2, "no such file");
-  expect("b.mp4", 2, "there is no such file");
+  expect("b.mp4", 2, "the file does not exist");
   EXPECT_EQ(run_polhode("verify -").code, 2);
   EXPECT_EQ(run_polhode("verify null").code, 2);
 }

@@ -150,7 +150,7 @@ TEST_F(LoadScene, says_what_is_wrong_with_the_file) {
   EXPECT_EQ(error_of_file(folder_), "is a folder; give a file");
   std::ofstream(folder_ / "empty.toml").close();
   EXPECT_NE(error_of_file(folder_ / "empty.toml").find("is empty"), std::string::npos);
-  EXPECT_NE(error_of_file("/dev/zero").find("is no ordinary file"), std::string::npos);
+  EXPECT_NE(error_of_file("/dev/zero").find("is not a regular file"), std::string::npos);
 }
 
 TEST_F(LoadScene, says_that_a_file_cannot_be_read) {

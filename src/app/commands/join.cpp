@@ -26,7 +26,7 @@ void add_piece(const std::string& file, Pieces& pieces) {
   Found found{file, record_in(file)};
   if (!sealed_text(file)) {
     throw input_error(
-        "is damaged: it is not as it was when it was made; make it again with --shard {}/{}",
+        "is damaged: its contents have changed since it was made; make it again with --shard {}/{}",
         found.record.shard.number,
         found.record.shard.of)
         .at({file, 0, {}});
@@ -41,8 +41,7 @@ void add_piece(const std::string& file, Pieces& pieces) {
   const int number = found.record.shard.number;
   const auto [place, is_new] = pieces.emplace(number, std::move(found));
   if (is_new) return;
-  throw input_error("is shard {} again; '{}' is it already", number, place->second.file)
-      .at({file, 0, {}});
+  throw input_error("is shard {}, and so is '{}'", number, place->second.file).at({file, 0, {}});
 }
 
 // "shards 2 and 5 of 8 are missing"

@@ -130,7 +130,7 @@ std::string list_table(const std::string& name) {
   for (const Listing& listing : kListings) {
     if (name == listing.name) return listing.make();
   }
-  throw input_error("there is no list of '{}'{}", name, suggestion(name, list_names()));
+  throw input_error("there is no table '{}'{}", name, suggestion(name, list_names()));
 }
 
 }  // namespace polhode

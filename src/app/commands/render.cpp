@@ -37,7 +37,7 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   refuse_same_file(output, "the output", job.scene);
   refuse_same_file(job.report, "--report", job.scene);
   if (output == kStandardOutput && job.report == kStandardOutput) {
-    throw input_error("the film goes to standard output already; name a file")
+    throw input_error("the film itself goes to standard output; give a file name")
         .at({{}, 0, "--report"});
   }
   refuse_same_file(job.report, "--report", output);

@@ -53,7 +53,8 @@ void write_csv(const SimulateJob& job) {
   }
   const double last = std::floor(scene.motion.duration * rate * (1.0 + 1e-12));
   if (last > kMostRows) {
-    throw input_error("{:.3g} rows are too many; take a smaller rate", last).at({{}, 0, "--rate"});
+    throw input_error("{:.3g} rows are too many; choose a smaller rate", last)
+        .at({{}, 0, "--rate"});
   }
 
   const Solved solved = solve(scene);

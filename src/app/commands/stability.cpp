@@ -37,7 +37,7 @@ MapAxis parse_range(const std::string& text, const std::string& option) {
     char* end = nullptr;
     const double value = std::strtod(part.c_str(), &end);
     if (part.empty() || *end != '\0' || !std::isfinite(value)) {
-      throw input_error("'{}' is no range; write two numbers, 0.1:10", text).at({{}, 0, option});
+      throw input_error("'{}' is not a range; write two numbers, 0.1:10", text).at({{}, 0, option});
     }
     return value;
   };
@@ -56,7 +56,7 @@ std::array<int, 2> parse_cells(const std::string& text) {
   if (std::sscanf(text.c_str(), "%4dx%4d%n", &columns, &rows, &used) != 2 ||
       used != static_cast<int>(text.size()) || columns < 2 || rows < 2 || columns > kMostCells ||
       rows > kMostCells) {
-    throw input_error("'{}' is no size of a map; write 64x64, at most {}", text, kMostCells)
+    throw input_error("'{}' is not the size of a map; write 64x64, at most {}", text, kMostCells)
         .at({{}, 0, "--cells"});
   }
   return {columns, rows};
@@ -105,7 +105,7 @@ Setup make_setup(const MappedScene& place, double x, double y, const StabilityJo
     start.y *= spin;
     const double rate = typical_rate(model, start);
     if (rate <= 0.0)
-      throw input_error("the body rests, and nothing can fail").at({{}, 0, "motion.spin"});
+      throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
     Setup setup;
     setup.problem = std::make_unique<StabilityProblem>(model, start, job.turns * 2.0 * kPi / rate);
     setup.step = step.value_or(scene.numerics.step.value_or(0.1 / rate));
@@ -159,7 +159,7 @@ MappedScene make_place(const std::filesystem::path& file,
     }
     const double found = typical_rate(model, start_state(model, place.scene.motion));
     if (found <= 0.0)
-      throw input_error("the body rests, and nothing can fail").at({{}, 0, "motion.spin"});
+      throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
     return found;
   });
   const std::array<int, 2> cells = parse_cells(job.cells);

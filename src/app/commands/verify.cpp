@@ -138,11 +138,11 @@ Difference compare_hashes(const Again& again,
 void refuse_nothing(const std::string& kind, const std::string& output) {
   const Place place{output, 0, {}};
   if (kind == "null" || output == kStandardOutput) {
-    throw input_error("leaves nothing that could be verified").at(place);
+    throw input_error("writes no file that could be verified").at(place);
   }
   if (kind == "png sequence") return;
   std::error_code ignored;
-  if (!fs::is_regular_file(output, ignored)) throw input_error("there is no such file").at(place);
+  if (!fs::is_regular_file(output, ignored)) throw input_error("the file does not exist").at(place);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Counterpart counterpart(const std::string& name) {
   const std::unique_ptr<FrameSource> source = open_frames(name);
   found.info = source->info();
   SourceFrame frame;
-  if (!source->next(frame)) throw input_error("has no frames in it").at({name, 0, {}});
+  if (!source->next(frame)) throw input_error("contains no frames").at({name, 0, {}});
   found.width = frame.image.width;
   found.height = frame.image.height;
   found.transparent = found.info.kind != SourceKind::film && !is_opaque(frame.image);
@@ -67,7 +67,7 @@ std::string rendered(const std::string& scene,
     render.still = job.still.value_or(0.0);
     render.output = stem + ".png";
   } else if (job.still) {
-    throw input_error("makes one picture; leave it out to compare with a film or a sequence")
+    throw input_error("draws one picture; leave it out to compare with a film or a sequence")
         .at({{}, 0, "--still"});
   } else {
     render.output = stem + (film ? ".mp4" : "_%05d.png");
@@ -91,13 +91,14 @@ Sides prepare(const DiffJob& job, const ScratchFolder& scratch) {
   for (const std::string* name : {&job.actual, &job.reference}) {
     std::error_code ignored;
     if (is_scene(*name) && !std::filesystem::exists(*name, ignored))
-      throw input_error("there is no such file").at({*name, 0, {}});
+      throw input_error("the file does not exist").at({*name, 0, {}});
   }
   if (!is_scene(job.actual) && !is_scene(job.reference)) {
     for (const auto& [given, option] : {std::pair{job.still.has_value(), "--still"},
                                         {job.overrides.size.has_value(), "--size"},
                                         {job.overrides.fps.has_value(), "--fps"}}) {
-      if (given) throw input_error("is for scenes, and neither side is one").at({{}, 0, option});
+      if (given)
+        throw input_error("is for scenes, but neither side is a scene").at({{}, 0, option});
     }
     return sides;
   }
@@ -295,7 +296,7 @@ Outcome compare_all(const DiffJob& job, const Sides& sides) {
     outcome.scores.push_back(std::move(score));
     if (pairs.count() > 1) progress.show(static_cast<int>(outcome.scores.size()));
   }
-  if (outcome.scores.empty()) throw input_error("has no frames in it").at({job.actual, 0, {}});
+  if (outcome.scores.empty()) throw input_error("contains no frames").at({job.actual, 0, {}});
   outcome.shown = worst.take();
   for (ShownFrame& shown : outcome.shown) {
     shown.title = frame_name(shown.score, outcome.kind == SourceKind::film);

@@ -84,11 +84,11 @@ fs::path reference_file(const fs::path& folder, const std::string& name, const s
 std::vector<LoadedCase> load_cases(const fs::path& folder, const std::string& names) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
-    throw input_error("there is no such folder").at({folder.string(), 0, {}});
+    throw input_error("the folder does not exist").at({folder.string(), 0, {}});
   }
   const fs::path list = folder / "cases.toml";
   if (!fs::exists(list, ignored)) {
-    throw input_error("has no cases.toml; `polhode golden --help` tells where to read of it")
+    throw input_error("has no cases.toml; docs/golden.md describes it")
         .at({folder.string(), 0, {}});
   }
   const GoldenFile file = load_golden_file(list);

@@ -58,7 +58,7 @@ std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<Loade
   // a wrong name is the user's fault, not every case's
   const std::vector<std::string> names = backend_names();
   if (std::find(names.begin(), names.end(), job.backend) == names.end()) {
-    throw input_error("no back end is called '{}'{}", job.backend, suggestion(job.backend, names))
+    throw input_error("unknown back end '{}'{}", job.backend, suggestion(job.backend, names))
         .at({{}, 0, "--backend"});
   }
   std::vector<CaseResult> results(cases.size());

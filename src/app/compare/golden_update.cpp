@@ -26,8 +26,8 @@ void refuse_dirty(const GoldenJob& job) {
     const ChildResult said = run_child(words, "");
     if (said.status != 0) {
       throw input_error(
-          "git knows nothing of this folder, so that what an update changes could not be seen or "
-          "undone; --allow-dirty does it all the same")
+          "git does not track this folder, so an update could not be reviewed or undone; give "
+          "--allow-dirty to update anyway")
           .at({job.folder, 0, {}});
     }
     return said.out;
@@ -37,8 +37,8 @@ void refuse_dirty(const GoldenJob& job) {
   if (changed.empty()) return;
   const std::string first = changed.substr(0, changed.find('\n'));
   throw input_error(
-      "the git tree holds changes ({}{}); commit them first, so that the update can be seen by "
-      "itself, or give --allow-dirty",
+      "the git tree has uncommitted changes ({}{}); commit them first, so that the update can be "
+      "reviewed by itself, or give --allow-dirty",
       first.size() > 3 ? first.substr(3) : first,
       std::count(changed.begin(), changed.end(), '\n') > 1 ? " and others" : "")
       .at({job.folder, 0, {}});

@@ -49,11 +49,11 @@ AtomicFile::AtomicFile(fs::path target)
     throw input_error("is a folder; give a file name").at(place);
   }
   if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
-    throw input_error("is no ordinary file; choose another output").at(place);
+    throw input_error("is not a regular file; choose another output").at(place);
   }
 
   if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {
-    throw input_error("is protected from writing; choose another output").at(place);
+    throw input_error("is write-protected; choose another output").at(place);
   }
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done
@@ -133,7 +133,7 @@ std::string read_file(const fs::path& path, std::size_t most) {
   if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
   // a pipe that nobody writes to would be waited for
   if (!fs::is_regular_file(path, ignored)) {
-    throw input_error("is no ordinary file; write it to one first").at(place);
+    throw input_error("is not a regular file; write it to one first").at(place);
   }
   std::ifstream in(path, std::ios::binary);
   if (!in) throw input_error("cannot be read ({})", std::strerror(errno)).at(place);
@@ -144,7 +144,7 @@ std::string read_file(const fs::path& path, std::size_t most) {
   while (in.read(block.data(), block.size()), in.gcount() > 0) {
     content.append(block.data(), static_cast<std::size_t>(in.gcount()));
     if (content.size() > most) {
-      throw input_error("holds more than {} bytes; is this the right file?", most).at(place);
+      throw input_error("is larger than {} bytes; is this the right file?", most).at(place);
     }
   }
   if (in.bad()) throw input_error("cannot be read").at(place);

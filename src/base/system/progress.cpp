@@ -22,7 +22,7 @@ ProgressKind parse_progress(const std::string& text) {
   if (text == "bar") return ProgressKind::bar;
   if (text == "json") return ProgressKind::json;
   if (text == "none") return ProgressKind::none;
-  throw input_error("no progress is called '{}'{}", text, suggestion(text, progress_names()))
+  throw input_error("unknown kind of progress '{}'{}", text, suggestion(text, progress_names()))
       .at({{}, 0, "--progress"});
 }
 

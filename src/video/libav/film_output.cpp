@@ -48,7 +48,7 @@ int write_to_standard_output(void*, Byte* bytes, int count) {
 AVIOContext* open_standard_output() {
   if (isatty(STDOUT_FILENO) != 0) {
     throw input_error(
-        "a film is no text for a terminal; send it to a program or a file, such as "
+        "a film cannot be written to a terminal; send it to a program or a file, as in "
         "-o - | ffplay -");
   }
   auto* buffer = static_cast<std::uint8_t*>(made(av_malloc(kBuffer)));

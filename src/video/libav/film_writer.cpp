@@ -23,7 +23,7 @@ const FilmEncoder& fitting_encoder(const FilmFormat& format, const SinkJob& job)
   const int step_y = 1 << pixels.log2_chroma_h;
   const bool rgb = (pixels.flags & AV_PIX_FMT_FLAG_RGB) != 0;
   if (!rgb && (job.width % step_x != 0 || job.height % step_y != 0)) {
-    throw input_error("{} wants even sides: {}x{} is not, {}x{} is",
+    throw input_error("{0} needs even sides: use {3}x{4} instead of {1}x{2}",
                       row.title,
                       job.width,
                       job.height,

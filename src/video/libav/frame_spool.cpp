@@ -28,7 +28,7 @@ int open_nameless(const std::filesystem::path& folder) {
 }
 
 Owned<AVCodecContext> open_codec(const AVCodec* codec, const AVCodecContext& like) {
-  if (codec == nullptr) throw environment_error("this FFmpeg has no FFV1");
+  if (codec == nullptr) throw environment_error("this FFmpeg lacks FFV1");
   Owned<AVCodecContext> context(made(avcodec_alloc_context3(codec)));
   context->width = like.width;
   context->height = like.height;
