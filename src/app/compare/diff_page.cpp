@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "base/base64.h"
 #include "base/version.h"
 #include "html/escape.h"
