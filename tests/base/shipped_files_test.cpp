@@ -17,9 +17,14 @@ constexpr const char* kTell = "POLHODE_TEST_TELLS_SHIPPED_FILES";
 
 // what a copy of this program at `binary` finds
 fs::path found_from(const fs::path& binary) {
-  setenv(kTell, "1", 1);
-  const ChildResult told = run_child({binary.string(), "--gtest_filter=ShippedFiles.*"}, "");
-  unsetenv(kTell);
+  // all of it, also where this program runs a share of the tests
+  const ChildResult told = run_child({"env",
+                                      "-u",
+                                      "GTEST_TOTAL_SHARDS",
+                                      std::string(kTell) + "=1",
+                                      binary.string(),
+                                      "--gtest_filter=ShippedFiles.*"},
+                                     "");
   const std::size_t begin = told.out.find('<'), end = told.out.find('>');
   return begin == std::string::npos ? "" : told.out.substr(begin + 1, end - begin - 1);
 }
