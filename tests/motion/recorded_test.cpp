@@ -66,7 +66,8 @@ TEST(Recorded, AnglesAreInDegrees) {
 
 TEST(Recorded, EnergyIsKineticAndPotential) {
   const Motion top = moving(cone_body(), spinning_on_pivot());
-  const double m = 0.1, g = gravity_of(spinning_on_pivot()).norm(), length = 0.75 * 0.05;  // of a cone's centre
+  const double m = 0.1, g = gravity_of(spinning_on_pivot()).norm(),
+               length = 0.75 * 0.05;  // of a cone's centre
   const std::vector<double> start = recorded("energy", top, 0.0);
   for (const double t : {0.0, 0.4, 2.0}) {
     const std::vector<double> now = recorded("energy", top, t);

@@ -155,7 +155,7 @@ TEST(WhereMethodsFail, L4SleepingTop) {
   const auto tilt_after = [&](double ratio, double t) {
     const double h = 0.005;
     const Problem p{model, {exp_rotation({1e-9, 0, 0}), {0, 0, 0.5 * ratio * critical}}};
-    const std::unique_ptr<Stepper> rk4 = find_stepper("rk4").make(p.model, 1.0);
+    const std::unique_ptr<Stepper> rk4 = stepper("rk4", p);
     State s = p.start;
     for (int i = 0; i < std::lround(t / h); ++i)
       rk4->step(0.0, h, s);

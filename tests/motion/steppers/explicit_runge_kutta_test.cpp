@@ -74,7 +74,7 @@ TEST(ExplicitRungeKutta, TheEstimateOfDopri5IsOfOrderFive) {
 TEST(ExplicitRungeKutta, E1ExplicitEulerGrowsByAnExactAmount) {
   const Problem p = hairer_vilmart();
   const double h = 0.05;
-  const std::unique_ptr<Stepper> euler = find_stepper("explicit_euler").make(p.model, 1.0);
+  const std::unique_ptr<Stepper> euler = stepper("explicit_euler", p);
   State s = p.start;
   double worst_norm = 0.0, worst_energy = 0.0, least_growth = 1.0;
   for (int i = 0; i < 200; ++i) {
@@ -101,7 +101,7 @@ TEST(ExplicitRungeKutta, E2ExplicitEulerBlowsUpInFiniteTime) {
   const double steps[] = {0.1, 0.05, 0.025, 0.0125};
   const double expected[] = {53.1, 106.05, 209.5, 417.2};
   for (int i = 0; i < 4; ++i) {
-    const std::unique_ptr<Stepper> euler = find_stepper("explicit_euler").make(p.model, 1.0);
+    const std::unique_ptr<Stepper> euler = stepper("explicit_euler", p);
     State s = p.start;
     long n = 0;
     while (s.y.norm() < 1e6 && n < 100'000)
@@ -118,7 +118,7 @@ TEST(ExplicitRungeKutta, R0RungeKutta4LosesWhatTheStabilityFunctionSays) {
   const double steps[] = {0.4, 0.2, 0.1};
   const double expected[] = {0.1868180457, 0.9457730295, 0.9982326739};
   for (int i = 0; i < 3; ++i) {
-    const std::unique_ptr<Stepper> rk4 = find_stepper("rk4").make(p.model, 1.0);
+    const std::unique_ptr<Stepper> rk4 = stepper("rk4", p);
     const int n = static_cast<int>(std::lround(200.0 / steps[i]));
     State s = p.start;
     for (int k = 0; k < n; ++k)
@@ -133,13 +133,8 @@ TEST(ExplicitRungeKutta, R0RungeKutta4LosesWhatTheStabilityFunctionSays) {
 
 // R0b: the limit of RK4 on the imaginary axis is 2 sqrt 2
 TEST(ExplicitRungeKutta, R0bRungeKutta4IsUnstableBeyondTwoRootTwo) {
-  const Problem p{free_body({1, 1, 2}), {Quat::Identity(), {1e-6, 0, 4}}};
-  const auto transverse = [&](double x) {
-    const std::unique_ptr<Stepper> rk4 = find_stepper("rk4").make(p.model, 1.0);
-    State s = p.start;
-    for (int k = 0; k < 500; ++k)
-      rk4->step(0.0, 0.5 * x, s);
-    return s.y.head<2>().norm() / 1e-6;
+  const auto transverse = [](double x) {
+    return transverse_growth("rk4", x, 500);
   };
   EXPECT_LE(transverse(2.82), 1.0);
   EXPECT_GE(transverse(2.84), 10.0);
@@ -147,13 +142,8 @@ TEST(ExplicitRungeKutta, R0bRungeKutta4IsUnstableBeyondTwoRootTwo) {
 
 // R0c: the limit of Dormand and Prince's fifth order is 0.997
 TEST(ExplicitRungeKutta, R0cDormandPrince5IsUnstableBeyondOne) {
-  const Problem p{free_body({1, 1, 2}), {Quat::Identity(), {1e-6, 0, 4}}};
-  const auto transverse = [&](double x) {
-    const std::unique_ptr<Stepper> dopri5 = find_stepper("dopri5").make(p.model, 1.0);
-    State s = p.start;
-    for (int k = 0; k < 2000; ++k)
-      dopri5->step(0.0, 0.5 * x, s);
-    return s.y.head<2>().norm() / 1e-6;
+  const auto transverse = [](double x) {
+    return transverse_growth("dopri5", x, 2000);
   };
   EXPECT_LT(transverse(0.9), 1.0);
   EXPECT_GT(transverse(1.1), 1.0);
@@ -172,7 +162,7 @@ TEST(ExplicitRungeKutta, R0dRungeKutta4LosesEnergyAsTheFifthPowerOfTheStep) {
   const double expected[] = {-2.532e-7, -7.924e-9, -2.477e-10, -7.740e-12};
   for (int i = 0; i < 4; ++i) {
     const int n = 60 << i;
-    const std::unique_ptr<Stepper> rk4 = find_stepper("rk4").make(p.model, 1.0);
+    const std::unique_ptr<Stepper> rk4 = stepper("rk4", p);
     State s = p.start;
     for (int k = 0; k < 20 * n; ++k)
       rk4->step(0.0, period / n, s);

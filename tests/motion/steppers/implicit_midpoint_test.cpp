@@ -24,7 +24,7 @@ TEST(ImplicitMidpoint, M1KeepsEnergyAtEveryStep) {
   const Problem p = hairer_vilmart();
   const double rate = angular_velocity(p.model, p.start.y).norm();
   for (const double turn : {0.16, 0.5, 1.6, 5.0, 16.0}) {
-    const std::unique_ptr<Stepper> midpoint = find_stepper("implicit_midpoint").make(p.model, 1.0);
+    const std::unique_ptr<Stepper> midpoint = stepper("implicit_midpoint", p);
     State s = p.start;
     int solved = 0;
     double drift = 0.0;
@@ -47,7 +47,7 @@ TEST(ImplicitMidpoint, M1KeepsEnergyAtEveryStep) {
 // here)
 TEST(ImplicitMidpoint, M2PassesTheFixedPointLimit) {
   const Problem p{free_body({1, 2, 3}), {Quat::Identity(), {1e-3, 1e-3, 3.0}}};
-  const std::unique_ptr<Stepper> midpoint = find_stepper("implicit_midpoint").make(p.model, 1.0);
+  const std::unique_ptr<Stepper> midpoint = stepper("implicit_midpoint", p);
   State s = p.start;
   for (int i = 0; i < 100; ++i)
     midpoint->step(0.0, 2.02, s);
