@@ -6,11 +6,11 @@
 namespace polhode {
 namespace {
 
-TEST(AtPlace, gives_back_what_the_work_gives) {
+TEST(AtPlace, GivesBackWhatTheWorkGives) {
   EXPECT_EQ(at_place({}, [] { return 7; }), 7);
 }
 
-TEST(AtPlace, fills_in_what_is_unknown) {
+TEST(AtPlace, FillsInWhatIsUnknown) {
   test::expect_input_error(
       [] {
         at_place({{}, 0, "--size"}, [] { throw input_error("is bad"); });
@@ -28,7 +28,7 @@ TEST(AtPlace, fills_in_what_is_unknown) {
       "is bad");
 }
 
-TEST(AtPlace, leaves_interruptions_alone) {
+TEST(AtPlace, LeavesInterruptionsAlone) {
   const auto interrupted = [] {
     throw Error(Fault::interrupted, "interrupted");
   };

@@ -10,14 +10,14 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-TEST(SplitNames, takes_what_is_between_commas) {
+TEST(SplitNames, TakesWhatIsBetweenCommas) {
   EXPECT_EQ(split_names(""), Names());
   EXPECT_EQ(split_names("a"), Names{"a"});
   EXPECT_EQ(split_names("b,a,b"), (Names{"b", "a", "b"}));
   EXPECT_EQ(split_names("a,,b,"), (Names{"a", "", "b"}));
 }
 
-TEST(KnownNames, refuses_names_of_nothing) {
+TEST(KnownNames, RefusesNamesOfNothing) {
   const Names known = {"body", "plane"};
   EXPECT_EQ(known_names("plane,body,plane", known, "case", "--cases"),
             (std::set<std::string>{"body", "plane"}));

@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<std::string> kNames = {"moments", "tensor", "mass", "radius", "radius_cm"};
 
-TEST(NearestName, mends_one_slip_of_each_kind) {
+TEST(NearestName, MendsOneSlipOfEachKind) {
   EXPECT_EQ(nearest_name("momemts", kNames), "moments");    // change
   EXPECT_EQ(nearest_name("moment", kNames), "moments");     // missing
   EXPECT_EQ(nearest_name("moomments", kNames), "moments");  // too many
@@ -16,20 +16,20 @@ TEST(NearestName, mends_one_slip_of_each_kind) {
   EXPECT_EQ(nearest_name("MOMENTS", kNames), "moments");    // case
 }
 
-TEST(NearestName, takes_the_least_distance_and_the_first_of_equals) {
+TEST(NearestName, TakesTheLeastDistanceAndTheFirstOfEquals) {
   EXPECT_EQ(nearest_name("radius_cn", kNames), "radius_cm");
   EXPECT_EQ(nearest_name("radiu", kNames), "radius");
   EXPECT_EQ(nearest_name("ab", {"ac", "ad"}), "ac");
 }
 
-TEST(NearestName, is_silent_when_nothing_is_near) {
+TEST(NearestName, IsSilentWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("xylophone", kNames), "");
   EXPECT_EQ(nearest_name("mass", {}), "");
   EXPECT_EQ(nearest_name(std::string(100000, 'm'), kNames), "");
   EXPECT_EQ(nearest_name("", kNames), "");
 }
 
-TEST(Suggestion, is_a_name_or_the_list) {
+TEST(Suggestion, IsANameOrTheList) {
   EXPECT_EQ(suggestion("mas", kNames), " (did you mean 'mass'?)");
   EXPECT_EQ(suggestion("xylophone", {"a", "b"}), " (known: a, b)");
 }

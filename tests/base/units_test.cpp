@@ -30,7 +30,7 @@ UnitSuffix suffix(Unit unit, const std::string& name) {
   return {};
 }
 
-TEST(Units, every_unit_has_si_first_and_no_suffix_twice) {
+TEST(Units, EveryUnitHasSiFirstAndNoSuffixTwice) {
   for (const Unit unit : kUnits) {
     const std::vector<UnitSuffix> suffixes = suffixes_of(unit);
     ASSERT_FALSE(suffixes.empty());
@@ -44,7 +44,7 @@ TEST(Units, every_unit_has_si_first_and_no_suffix_twice) {
   }
 }
 
-TEST(Units, decimal_units_are_exact) {
+TEST(Units, DecimalUnitsAreExact) {
   for (int i = 0; i < 1000; ++i) {
     EXPECT_EQ(to_si(i, suffix(Unit::length, "_cm")), i / 100.0);
     EXPECT_EQ(to_si(i, suffix(Unit::length, "_mm")), i / 1000.0);
@@ -53,7 +53,7 @@ TEST(Units, decimal_units_are_exact) {
   }
 }
 
-TEST(Units, factors_are_right) {
+TEST(Units, FactorsAreRight) {
   EXPECT_EQ(to_si(2, suffix(Unit::length, "_km")), 2000.0);
   EXPECT_EQ(to_si(1, suffix(Unit::time, "_d")), 86400.0);
   EXPECT_EQ(to_si(2.7, suffix(Unit::density, "_g_per_cm3")), 2700.0);
@@ -62,7 +62,7 @@ TEST(Units, factors_are_right) {
   EXPECT_DOUBLE_EQ(to_si(90, suffix(Unit::angular_velocity, "_deg_per_s")), kPi / 2);
 }
 
-TEST(Units, keep_infinity_and_sign) {
+TEST(Units, KeepInfinityAndSign) {
   EXPECT_TRUE(std::isinf(to_si(1e308, suffix(Unit::time, "_d"))));
   EXPECT_EQ(to_si(-35, suffix(Unit::length, "_cm")), -0.35);
 }

@@ -44,10 +44,10 @@ TEST_F(GoodRun, FilmWithReport) {
   EXPECT_FALSE(report["gl_renderer"].get<std::string>().empty());
   EXPECT_FALSE(report["model_reason"].get<std::string>().empty());
   for (const char* stage : {"simulate", "compose", "draw", "read_back", "convert", "encode"}) {
-    EXPECT_GE(report["stages"][stage]["wall_s"].get<double>(), 0.0) << stage;
-    EXPECT_GE(report["stages"][stage]["cpu_s"].get<double>(), 0.0) << stage;
+    EXPECT_GT(report["stages"][stage]["wall_s"].get<double>(), 0.0) << stage;
+    EXPECT_GT(report["stages"][stage]["cpu_s"].get<double>(), 0.0) << stage;
   }
-  EXPECT_GT(report["stages"]["draw"]["cpu_s"].get<double>(), 0.0);
+  EXPECT_EQ(report["stages"]["smooth"]["wall_s"], 0.0) << "nothing was smoothed";
 }
 
 TEST_F(GoodRun, StillIsTheFrameOfTheFilm) {

@@ -171,8 +171,12 @@ TEST_F(Verify, ProgressIsJsonLineByLine) {
     last = Json::parse(line);
     if (last.contains("output")) break;  // the closing line
     EXPECT_TRUE(last["limit"] == "drawing" || last["limit"] == "encoding") << line;
-    EXPECT_GE(last["frames_per_s"].get<double>(), 0.0);
-    EXPECT_GE(last["seconds_left"].get<double>(), 0.0);
+    const double rate = last["frames_per_s"], left = last["seconds_left"];  // to 0.01 and 0.1
+    const int done = last["done"];
+    EXPECT_EQ(rate > 0.0, done > 0) << line;
+    if (done > 0) {
+      EXPECT_NEAR(left, (15 - done) / rate, 0.06 + 0.01 * left) << line;
+    }
   }
   EXPECT_EQ(last["done"], 15);
   EXPECT_EQ(last["total"], 15);

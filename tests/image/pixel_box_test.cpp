@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "image/image.h"
-
 namespace polhode {
 namespace {
 
@@ -66,26 +64,6 @@ TEST(PixelBox, BandsCoverAllAndDoNotOverlap) {
       ASSERT_EQ(band.y / rows, (band.bottom() - 1) / rows);
   }
   EXPECT_TRUE(in_bands({}, 8).empty());
-}
-
-// a picture that is used again is wiped as a new one, but where it will be painted over
-TEST(ImageWipe, LeavesNothingOfThePictureBefore) {
-  constexpr std::array<std::uint8_t, 4> kGround = {1, 2, 3, 255};
-  Image plain;
-  plain.wipe(kSide, kSide, kGround);
-  std::mt19937 random(3);
-  Image used;
-  for (int round = 0; round < 50; ++round) {
-    const std::vector<PixelBox> kept = random_boxes(random, round % 4);
-    used.wipe(kSide, kSide, kGround, kept);
-    for (const PixelBox& box : kept)
-      used.fill(box, kGround);
-    ASSERT_EQ(used.pixels, plain.pixels);
-    for (const PixelBox& box : random_boxes(random, 3)) {
-      used.fill(box, {200, static_cast<std::uint8_t>(round), 9, 255});
-      used.painted.push_back(box);
-    }
-  }
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "image/compare.h"
 #include "support/full_disk.h"
 #include "support/run.h"
 
@@ -107,27 +106,6 @@ TEST(Png, AnUnwritablePlaceLeavesNothing) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_png(folder / "nowhere/a.png", noise(4, 4, 4), true), Error);
   EXPECT_EQ(folder.entries(), 0);
-}
-
-TEST(Compare, FindsTheOnePixelThatDiffers) {
-  Image a = noise(16, 8, 5);
-  for (std::size_t i = 3; i < a.pixels.size(); i += 4)
-    a.pixels[i] = 255;
-  Image b = a;
-  EXPECT_EQ(compare(a, b, 0).largest, 0);
-  EXPECT_EQ(compare(a, b, 0).fraction_over, 0.0);
-  b.at(3, 4)[1] = static_cast<std::uint8_t>(b.at(3, 4)[1] ^ 0x40);
-  const Difference difference = compare(a, b, 10);
-  EXPECT_EQ(difference.largest, 0x40);
-  EXPECT_DOUBLE_EQ(difference.fraction_over, 1.0 / (16 * 8));
-  EXPECT_DOUBLE_EQ(difference.mean, 64.0 / (16 * 8 * 3));
-  EXPECT_EQ(compare(a, b, 64).fraction_over, 0.0) << "the threshold itself is allowed";
-  EXPECT_EQ(difference_picture(a, b, 2).at(3, 4)[1], 128);
-  EXPECT_EQ(difference_picture(a, b, 2).at(2, 4)[1], 0);
-}
-
-TEST(Compare, DifferentSizesCannotBeCompared) {
-  EXPECT_THROW(compare(noise(4, 4, 1), noise(4, 5, 1), 0), Error);
 }
 
 }  // namespace

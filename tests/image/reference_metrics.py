@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Reference numbers for tests/image/metrics_test.cpp, from implementations that share nothing with ours.
+"""Reference numbers for tests/support/metric_references.h, from implementations that share nothing with ours.
 
-usage: reference_metrics.py     prints the table of the test
+usage: reference_metrics.py     prints the table
 needs: python3-numpy, python3-skimage (Debian)
 
 SSIM is scikit-image's. FLIP is written here straight from the paper's formulas: whole two-dimensional

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/shrink.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
-
-#include "image/compare.h"
 
 namespace polhode::test {
 namespace {
@@ -29,13 +25,6 @@ TEST(Shrink, EveryPixelIsTheMeanOfItsSquare) {
     }
   }
   EXPECT_EQ(shrunk(large, 1).pixels, large.pixels);
-}
-
-TEST(Compare, RootMeanSquare) {
-  Image a(2, 1), b(2, 1);
-  a.pixels = {0, 0, 0, 255, 0, 0, 0, 255};
-  b.pixels = {3, 0, 0, 255, 0, 4, 0, 255};
-  EXPECT_DOUBLE_EQ(compare(a, b, 0).rms, std::sqrt(25.0 / 6.0));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ double asymmetry(const Mat3& m) {
   return (m - m.transpose()).norm();
 }
 
-TEST(Notes, eq_01_a_small_displacement_is_a_shift_and_a_turn) {
+TEST(Notes, Eq01ASmallDisplacementIsAShiftAndATurn) {
   // the remainder is of second order in the turn: halving it divides the remainder by four
   const Vec3 phi(0.3, -0.8, 0.5);
   const Vec3 r(0.7, 0.2, -1.1);
@@ -57,7 +57,7 @@ TEST(Notes, eq_01_a_small_displacement_is_a_shift_and_a_turn) {
   EXPECT_NEAR(remainder(1e-3) / remainder(5e-4), 4.0, 1e-3);
 }
 
-TEST(Notes, eq_02_velocity_of_a_point) {
+TEST(Notes, Eq02VelocityOfAPoint) {
   for_random_bodies([](const Particles& body) {
     for (const PointMass& p : body.points) {
       // two points keep their distance: r.v is zero for the difference of any two
@@ -70,14 +70,14 @@ TEST(Notes, eq_02_velocity_of_a_point) {
   });
 }
 
-TEST(Notes, eq_03_kinetic_energy_is_the_sum_over_particles) {
+TEST(Notes, Eq03KineticEnergyIsTheSumOverParticles) {
   for_random_bodies([](const Particles& body) {
     const KineticEnergy split = kinetic_energy(properties(body), Vec3::Zero(), body.V, body.Omega);
     EXPECT_NEAR(split.total(), body.energy(), kRoundOff);
   });
 }
 
-TEST(Notes, eq_04_energy_splits_about_the_center_of_mass) {
+TEST(Notes, Eq04EnergySplitsAboutTheCenterOfMass) {
   for_centered_bodies([](const Particles& body) {
     const KineticEnergy split = kinetic_energy(properties(body), Vec3::Zero(), body.V, body.Omega);
     EXPECT_NEAR(split.coupling, 0.0, kRoundOff);
@@ -85,7 +85,7 @@ TEST(Notes, eq_04_energy_splits_about_the_center_of_mass) {
   });
 }
 
-TEST(Notes, eq_05_rotational_energy_by_the_tensor) {
+TEST(Notes, Eq05RotationalEnergyByTheTensor) {
   for_random_bodies([](const Particles& body) {
     const double sum = body.sum([&](const PointMass& p) {
       const Vec3& w = body.Omega;
@@ -96,7 +96,7 @@ TEST(Notes, eq_05_rotational_energy_by_the_tensor) {
   });
 }
 
-TEST(Notes, eq_06_inertia_tensor_about_any_origin) {
+TEST(Notes, Eq06InertiaTensorAboutAnyOrigin) {
   for_random_bodies([](const Particles& body) {
     EXPECT_LE((inertia_tensor(body.points, Vec3::Zero()) - body.tensor()).norm(), kRoundOff);
     const Mat3 about = inertia_tensor(body.points, body.V);
@@ -104,7 +104,7 @@ TEST(Notes, eq_06_inertia_tensor_about_any_origin) {
   });
 }
 
-TEST(Notes, eq_09_a_continuous_body_is_the_limit_of_particles) {
+TEST(Notes, Eq09AContinuousBodyIsTheLimitOfParticles) {
   // an n^3 lattice of a box differs from the integral by exactly 1/n^2 of it
   SolidSpec box;
   box.kind = "box";
@@ -128,7 +128,7 @@ TEST(Notes, eq_09_a_continuous_body_is_the_limit_of_particles) {
   }
 }
 
-TEST(Notes, eq_12_parallel_axes_from_the_center_of_mass) {
+TEST(Notes, Eq12ParallelAxesFromTheCenterOfMass) {
   for_centered_bodies([](const Particles& body) {
     const Vec3 a = 2.0 * body.V;
     const Mat3 expected = inertia_tensor(body.points, a);
@@ -137,7 +137,7 @@ TEST(Notes, eq_12_parallel_axes_from_the_center_of_mass) {
   });
 }
 
-TEST(Notes, eq_14_angular_momentum_is_the_tensor_times_omega) {
+TEST(Notes, Eq14AngularMomentumIsTheTensorTimesOmega) {
   for_random_bodies([](const Particles& body) {
     // eq. 13: the definition; the notes take V = 0
     const Vec3 L = body.sum(
@@ -146,7 +146,7 @@ TEST(Notes, eq_14_angular_momentum_is_the_tensor_times_omega) {
   });
 }
 
-TEST(Notes, eq_15_only_a_spherical_top_has_L_along_every_omega) {
+TEST(Notes, Eq15OnlyASphericalTopHasLAlongEveryOmega) {
   // masses at the corners of a cube: L = I Omega for every Omega; not so for a random body
   Particles cube = random_particles(1);
   cube.points.clear();
@@ -159,7 +159,7 @@ TEST(Notes, eq_15_only_a_spherical_top_has_L_along_every_omega) {
   });
 }
 
-TEST(Notes, eq_22_torque_about_another_origin) {
+TEST(Notes, Eq22TorqueAboutAnotherOrigin) {
   Dice dice(22);
   for (int i = 0; i < kSeeds; ++i) {
     const Vec3 a = dice.vector();
@@ -175,7 +175,7 @@ TEST(Notes, eq_22_torque_about_another_origin) {
   }
 }
 
-TEST(Erratum, row_01_three_angles_between_axes_do_not_fix_the_attitude) {
+TEST(Erratum, Row01ThreeAnglesBetweenAxesDoNotFixTheAttitude) {
   // a rotation and its inverse have the same angles between corresponding axes
   const Mat3 R = exp_rotation({0.4, 0.5, -0.6}).toRotationMatrix();
   const Mat3 inverse = R.transpose();
@@ -183,7 +183,7 @@ TEST(Erratum, row_01_three_angles_between_axes_do_not_fix_the_attitude) {
   EXPECT_GE((R - inverse).norm(), 1.0);
 }
 
-TEST(Erratum, row_02_a_rotator_has_five_degrees_of_freedom) {
+TEST(Erratum, Row02ARotatorHasFiveDegreesOfFreedom) {
   // a turn about the line moves no particle, so three rates are one too many
   const Vec3 line(0.0, 0.0, 1.0);
   for (const double z : {-0.7, 0.1, 0.9})
@@ -191,7 +191,7 @@ TEST(Erratum, row_02_a_rotator_has_five_degrees_of_freedom) {
   EXPECT_TRUE(classify({1.0, 1.0, 0.0}).rotator);
 }
 
-TEST(Erratum, row_05_the_mixed_term_of_v_squared_has_a_factor_two) {
+TEST(Erratum, Row05TheMixedTermOfVSquaredHasAFactorTwo) {
   for_random_bodies([](const Particles& body) {
     double right = 0.0, printed = 0.0;
     for (const PointMass& p : body.points) {
@@ -213,7 +213,7 @@ TEST(Erratum, row_05_the_mixed_term_of_v_squared_has_a_factor_two) {
   });
 }
 
-TEST(Erratum, row_06_rotational_energy_lacks_a_half) {
+TEST(Erratum, Row06RotationalEnergyLacksAHalf) {
   for_centered_bodies([](const Particles& body) {
     const double printed_rotation = body.sum([&](const PointMass& p) {
       return p.mass *
@@ -227,7 +227,7 @@ TEST(Erratum, row_06_rotational_energy_lacks_a_half) {
   });
 }
 
-TEST(Erratum, row_08_the_printed_matrix_is_not_symmetric) {
+TEST(Erratum, Row08ThePrintedMatrixIsNotSymmetric) {
   for_random_bodies([](const Particles& body) {
     const Mat3 right = inertia_tensor(body.points, Vec3::Zero());
     Mat3 printed = right;
@@ -238,7 +238,7 @@ TEST(Erratum, row_08_the_printed_matrix_is_not_symmetric) {
   });
 }
 
-TEST(Erratum, row_09_the_diagonal_form_has_squares) {
+TEST(Erratum, Row09TheDiagonalFormHasSquares) {
   for_random_bodies([](const Particles& body) {
     BodySpec spec;
     for (const PointMass& p : body.points)
@@ -251,7 +251,7 @@ TEST(Erratum, row_09_the_diagonal_form_has_squares) {
   });
 }
 
-TEST(Erratum, row_10_the_triangle_inequality_is_a_theorem_in_three_forms) {
+TEST(Erratum, Row10TheTriangleInequalityIsATheoremInThreeForms) {
   for_random_bodies([](const Particles& body) {
     const Mat3 tensor = body.tensor();
     for (int i = 0; i < 3; ++i) {
@@ -271,13 +271,13 @@ TEST(Erratum, row_10_the_triangle_inequality_is_a_theorem_in_three_forms) {
   expect_input_error([&] { make_model(spec, false, Vec3::Zero()); }, "body.moments", "no body");
 }
 
-TEST(Erratum, row_11_asymmetric_means_all_three_distinct) {
+TEST(Erratum, Row11AsymmetricMeansAllThreeDistinct) {
   // (1, 2, 1) passes "I1 != I2 != I3" and is a symmetric top
   EXPECT_TRUE(classify({1, 2, 1}).symmetric());
   EXPECT_FALSE(classify({1, 2, 1.5}).symmetric());
 }
 
-TEST(Erratum, row_12_moments_of_a_flat_body) {
+TEST(Erratum, Row12MomentsOfAFlatBody) {
   for_random_bodies([](Particles body) {
     for (PointMass& p : body.points)
       p.at.z() = 0.0;
@@ -302,7 +302,7 @@ Mat3 tensor_with_axis_of_order(int order) {
   return inertia_tensor(points, Vec3::Zero());
 }
 
-TEST(Erratum, row_13_two_equal_moments_need_an_axis_of_order_three) {
+TEST(Erratum, Row13TwoEqualMomentsNeedAnAxisOfOrderThree) {
   for (const int order : {3, 4, 5, 6}) {
     const Mat3 tensor = tensor_with_axis_of_order(order);
     EXPECT_NEAR(tensor(0, 0), tensor(1, 1), kRoundOff);
@@ -316,7 +316,7 @@ TEST(Erratum, row_13_two_equal_moments_need_an_axis_of_order_three) {
   EXPECT_EQ(classify({8.08, 6.83, 1.42}).shape, TopKind::Shape::asymmetric);
 }
 
-TEST(Erratum, row_14_a_rotator_has_no_moment_because_its_masses_lie_on_the_axis) {
+TEST(Erratum, Row14ARotatorHasNoMomentBecauseItsMassesLieOnTheAxis) {
   BodySpec spec;
   spec.points = {{1.0, Vec3(0, 0, 0.4)}, {2.0, Vec3(0, 0, -0.1)}, {0.5, Vec3(0, 0, 0.9)}};
   const BodyModel model = make_model(spec, false, Vec3::Zero());
@@ -328,7 +328,7 @@ TEST(Erratum, row_14_a_rotator_has_no_moment_because_its_masses_lie_on_the_axis)
   EXPECT_FALSE(make_model(spec, false, Vec3::Zero()).kind.rotator);
 }
 
-TEST(Erratum, row_15_the_tensor_about_a_moved_origin) {
+TEST(Erratum, Row15TheTensorAboutAMovedOrigin) {
   for_random_bodies([](const Particles& body) {
     const Vec3 a = 2.0 * body.Omega;
     const Mat3 expected = inertia_tensor(body.points, a);
@@ -343,7 +343,7 @@ TEST(Erratum, row_15_the_tensor_about_a_moved_origin) {
   });
 }
 
-TEST(Erratum, row_16_the_center_of_mass_is_the_least_in_the_semidefinite_order) {
+TEST(Erratum, Row16TheCenterOfMassIsTheLeastInTheSemidefiniteOrder) {
   for_centered_bodies([](const Particles& body) {
     const Vec3 a = body.V;
     const Mat3 difference = inertia_tensor(body.points, a) - body.tensor();
@@ -354,7 +354,7 @@ TEST(Erratum, row_16_the_center_of_mass_is_the_least_in_the_semidefinite_order) 
   });
 }
 
-TEST(Erratum, row_17_the_printed_order_of_indices_gives_minus_L) {
+TEST(Erratum, Row17ThePrintedOrderOfIndicesGivesMinusL) {
   for_random_bodies([](const Particles& body) {
     // eps_{mns} eps^{sdg} r^n A_d B_g is r x (A x B)
     const Vec3 printed = body.sum(
@@ -365,7 +365,7 @@ TEST(Erratum, row_17_the_printed_order_of_indices_gives_minus_L) {
   });
 }
 
-TEST(Erratum, row_24_not_the_velocities_vanish_but_m_v_cross_v) {
+TEST(Erratum, Row24NotTheVelocitiesVanishButMVCrossV) {
   for_centered_bodies([](Particles body) {
     body.V = Vec3::Zero();  // the rest frame of the centre of mass
     double fastest = 0.0;
@@ -379,7 +379,7 @@ TEST(Erratum, row_24_not_the_velocities_vanish_but_m_v_cross_v) {
   });
 }
 
-TEST(Erratum, row_22_central_forces_are_what_leaves_L_alone) {
+TEST(Erratum, Row22CentralForcesAreWhatLeavesLAlone) {
   // f_ij = -f_ji alone leaves a torque; only forces along the line of the pair cancel it
   Dice dice(7);
   for (int i = 0; i < kSeeds; ++i) {
@@ -390,7 +390,7 @@ TEST(Erratum, row_22_central_forces_are_what_leaves_L_alone) {
   }
 }
 
-TEST(Erratum, row_25_torque_depends_on_the_origin_unless_the_forces_cancel) {
+TEST(Erratum, Row25TorqueDependsOnTheOriginUnlessTheForcesCancel) {
   Dice dice(25);
   for (int i = 0; i < kSeeds; ++i) {
     const Vec3 r1 = dice.vector(), r2 = dice.vector(), f = dice.vector(), a = dice.vector();
@@ -406,7 +406,7 @@ TEST(Erratum, row_25_torque_depends_on_the_origin_unless_the_forces_cancel) {
   }
 }
 
-TEST(Erratum, row_27_the_sign_of_the_virtual_work) {
+TEST(Erratum, Row27TheSignOfTheVirtualWork) {
   Dice dice(27);
   for (int i = 0; i < kSeeds; ++i) {
     double work = 0.0, right = 0.0, printed = 0.0;

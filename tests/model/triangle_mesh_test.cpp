@@ -2,35 +2,16 @@
 #include "model/triangle_mesh.h"
 
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "base/units.h"
 #include "math/so3.h"
 #include "support/expect_error.h"
+#include "support/meshes.h"
+#include "support/run.h"
 
-namespace polhode {
+namespace polhode::test {
 namespace {
-
-using test::expect_input_error;
-
-const char* const kBox =
-    "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nv 0 0 4\nv 2 0 4\nv 2 3 4\nv 0 3 4\n"
-    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
-const char* const kTetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
-TriangleMesh obj(const std::string& text) {
-  return parse_triangle_mesh(text, "test.obj");
-}
-
-TriangleMesh solid(const std::string& text) {
-  TriangleMesh mesh = obj(text);
-  check_solid(mesh);
-  return mesh;
-}
 
 // an octahedron with each triangle cut in four `times` times, on the unit sphere
 TriangleMesh ball(int times) {
@@ -57,24 +38,6 @@ TriangleMesh ball(int times) {
     mesh = obj(text);
   }
   return mesh;
-}
-
-std::string binary_stl(const TriangleMesh& mesh) {
-  std::string bytes(80, ' ');
-  const auto put = [&](const auto& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
-  };
-  put(static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i)
-      put(0.0f);
-    for (const int i : t) {
-      for (int k = 0; k < 3; ++k)
-        put(static_cast<float>(mesh.points[i][k]));
-    }
-    put(std::uint16_t{0});
-  }
-  return bytes;
 }
 
 TEST(TriangleMesh, BoxHasTheClosedForm) {
@@ -125,74 +88,16 @@ TEST(TriangleMesh, MovesTurnsAndScalesWithItsPoints) {
   EXPECT_LE((found.tensor - expected.tensor).norm(), 1e-13);
 }
 
-TEST(TriangleMesh, StlSaysTheSameAsObj) {
-  const TriangleMesh mesh = solid(kBox);
-  std::string ascii = "solid box\n";
-  for (const auto& t : mesh.triangles) {
-    ascii += "facet normal 0 0 0\nouter loop\n";
-    for (const int i : t) {
-      const Vec3& p = mesh.points[i];
-      ascii += fmt::format("vertex {} {} {}\n", p.x(), p.y(), p.z());
-    }
-    ascii += "endloop\nendfacet\n";
-  }
-  ascii += "endsolid box\n";
-  for (const std::string& bytes : {ascii, binary_stl(mesh)}) {
-    const TriangleMesh read = parse_triangle_mesh(bytes, "BOX.STL");
-    check_solid(read);
-    EXPECT_EQ(read.points.size(), 8u);
-    EXPECT_EQ(read.triangles.size(), 12u);
-    EXPECT_LE((mass_properties_of(read).tensor - mass_properties_of(mesh).tensor).norm(), 1e-14);
-  }
-}
-
-TEST(TriangleMesh, RefusesWhatBoundsNoSolid) {
-  const std::string tetrahedron = kTetrahedron;
-  expect_input_error([&] { solid(tetrahedron.substr(0, tetrahedron.size() - 8)); }, "", "is open");
-  expect_input_error(
-      [&] { solid("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"); },
-      "",
-      "inside out");
-  expect_input_error(
-      [&] { solid("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"); },
-      "",
-      "turned over");
-  expect_input_error([&] { solid(tetrahedron + "f 1 1 2\n"); }, "", "no area");
-  // two tetrahedra through each other
-  expect_input_error(
-      [&] {
-        solid(tetrahedron +
-              "v .1 .1 .1\nv 1.1 .1 .1\nv .1 1.1 .1\nv .1 .1 1.1\n"
-              "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
-      },
-      "",
-      "crosses itself: triangles");
-}
-
-TEST(TriangleMesh, RefusesHostileFiles) {
-  for (const std::string& bytes : {std::string(),
-                                   std::string("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2000000000\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
-                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
-                                   std::string("v 0 0")}) {
-    EXPECT_THROW(obj(bytes), Error) << bytes;
-    EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error) << bytes;
-  }
-  // a binary file broken off anywhere, one that promises too much, and one with a NaN
-  std::string bytes = binary_stl(solid(kTetrahedron));
-  for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_THROW(parse_triangle_mesh(bytes.substr(0, size), "test.stl"), Error) << size;
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::memcpy(bytes.data() + 100, &nan, sizeof(nan));
-  EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error);
-  bytes[83] = '\x7f';
-  EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error);
-  expect_input_error([] { parse_triangle_mesh("", "test.ply"); }, "", ".obj or .stl");
+TEST(TriangleMesh, IsLoadedScaledAndChecked) {
+  const TemporaryFolder folder;
+  write_text(folder / "box.obj", kBox);
+  EXPECT_NEAR(volume_of(load_solid_mesh(folder / "box.obj", 0.01)), 24e-6, 1e-19);
+  const std::string open =
+      std::string(kTetrahedron).substr(0, std::string(kTetrahedron).size() - 8);
+  write_text(folder / "open.obj", open);
+  expect_input_error([&] { load_solid_mesh(folder / "open.obj", 1.0); }, "", "is open");
+  EXPECT_THROW(load_solid_mesh(folder / "none.obj", 1.0), Error);
 }
 
 }  // namespace
-}  // namespace polhode
+}  // namespace polhode::test

@@ -158,34 +158,5 @@ TEST(AdaptiveSteps, ABodyAtRestTakesOneStep) {
   EXPECT_TRUE(same_bits(found.trajectory->at(7.0), rest));
 }
 
-TEST(DriftWatch, RecordsTheWorstAndKeepsNaN) {
-  const Problem p = hairer_vilmart();
-  DriftWatch watch(p.model, p.start);
-  watch.look_at(p.start);
-  EXPECT_EQ(watch.worst().energy.value(), 0.0);
-  State off = p.start;
-  off.y *= 1.01;
-  watch.look_at(off);
-  EXPECT_NEAR(watch.worst().energy.value(), 0.0201, 1e-15);
-  EXPECT_NEAR(watch.worst().momentum.value(), 0.01, 1e-15);
-  watch.look_at(p.start);
-  EXPECT_NEAR(watch.worst().momentum.value(), 0.01, 1e-15);
-  off.y[0] = std::nan("");
-  watch.look_at(off);
-  watch.look_at(p.start);
-  EXPECT_TRUE(std::isnan(watch.worst().energy.value()));
-}
-
-TEST(DriftWatch, OnAPivotOnlyTheVerticalMomentumCounts) {
-  const Problem p = heavy_asymmetric();
-  DriftWatch watch(p.model, p.start);
-  // a turn about the vertical changes L in space but nothing that is conserved
-  State turned = p.start;
-  turned.q = exp_rotation(0.8 * p.model.up_S) * p.start.q;
-  watch.look_at(turned);
-  EXPECT_LE(watch.worst().momentum.value(), 1e-15);
-  EXPECT_LE(watch.worst().energy.value(), 1e-15);
-}
-
 }  // namespace
 }  // namespace polhode

@@ -107,38 +107,6 @@ TEST(Torque, OrderIsKeptInTime) {
   }
 }
 
-// -c L: the closed forms in rescaled time against the equations of motion
-TEST(Damping, RescaledTimeIsTheMotion) {
-  BodySpec rotator;
-  rotator.points = {{1.0, {0, 0, 1}}, {1.0, {0, 0, -1}}};
-  const std::pair<std::string, BodySpec> cases[] = {{"spherical", body_with({1, 1, 1})},
-                                                    {"symmetric", body_with({1, 1, 1.7})},
-                                                    {"asymmetric", body_with({1, 1.3, 1.7})},
-                                                    {"symmetric", rotator}};
-  for (const auto& [model, body] : cases) {
-    SCOPED_TRACE(model);
-    const bool is_rotator = !body.points.empty();
-    MotionSpec spec = spun(is_rotator ? Vec3(2, 1, 0) : Vec3(2.0, 1.5, 3.0), 6.0);
-    spec.torque = {load("damping")};
-    spec.torque[0].c = 0.35;
-    const Simulation exact = solved(body, spec);
-    EXPECT_EQ(exact.report.model, model);
-    EXPECT_EQ(exact.report.method, "exact");
-    NumericsSpec numerics;
-    numerics.model = "ode";
-    numerics.tolerance = 1e-14;
-    numerics.method = "dopri5";
-    const Simulation integrated = solved(body, spec, numerics);
-    const Vec3 L = exact.motion.at(0.0).L_S;
-    for (const double t : {0.5, 3.0, 6.0}) {
-      const Sample s = exact.motion.at(t);
-      expect_residual("L", (s.L_S - std::exp(-0.35 * t) * L).norm() / L.norm(), 1e-14);
-      expect_residual("attitude", turn_between(s, integrated.motion.at(t)), 1e-10);
-      expect_residual("omega", (s.w_B - integrated.motion.at(t).w_B).norm(), 1e-10);
-    }
-  }
-}
-
 TEST(Damping, OfSpinSlowsASphereDown) {
   MotionSpec spec = spun({0.4, -0.1, 1.0});
   spec.torque = {load("damping")};

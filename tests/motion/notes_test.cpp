@@ -75,7 +75,7 @@ struct FreeTop {
   Vec3 momentum_B(double t) const { return motion.at(t).q_SB.conjugate() * motion.at(t).L_S; }
 };
 
-TEST(Notes, eq_02_velocities_of_a_moving_body) {
+TEST(Notes, Eq02VelocitiesOfAMovingBody) {
   for (const std::string hold : {"free", "pivot"}) {
     const Cloud c = cloud(hold, 2);
     for (const double t : kTimes) {
@@ -89,7 +89,7 @@ TEST(Notes, eq_02_velocities_of_a_moving_body) {
   }
 }
 
-TEST(Notes, eq_07_kinetic_and_potential_energy_of_the_lagrangian) {
+TEST(Notes, Eq07KineticAndPotentialEnergyOfTheLagrangian) {
   for (const std::string hold : {"free", "pivot"}) {
     const Cloud c = cloud(hold, 3);
     for (const double t : kTimes) {
@@ -103,7 +103,7 @@ TEST(Notes, eq_07_kinetic_and_potential_energy_of_the_lagrangian) {
   }
 }
 
-TEST(Notes, eq_13_angular_momentum_of_a_moving_body) {
+TEST(Notes, Eq13AngularMomentumOfAMovingBody) {
   const Cloud c = cloud("pivot", 4);
   for (const double t : kTimes) {
     Vec3 L = Vec3::Zero();
@@ -113,7 +113,7 @@ TEST(Notes, eq_13_angular_momentum_of_a_moving_body) {
   }
 }
 
-TEST(Notes, eq_15_a_spherical_top_turns_uniformly) {
+TEST(Notes, Eq15ASphericalTopTurnsUniformly) {
   const Motion motion = moving(ellipsoid_body(Vec3::Constant(0.2)), wobbling());
   for (const double t : kTimes) {
     EXPECT_LE((motion.at(t).w_S - motion.at(0.0).w_S).norm(), 1e-15);
@@ -122,7 +122,7 @@ TEST(Notes, eq_15_a_spherical_top_turns_uniformly) {
   }
 }
 
-TEST(Notes, eq_16_components_along_and_across_the_axis) {
+TEST(Notes, Eq16ComponentsAlongAndAcrossTheAxis) {
   const FreeTop top;
   const double sin_theta = std::sqrt(1.0 - top.cos_theta * top.cos_theta);
   for (const double t : kTimes) {
@@ -135,7 +135,7 @@ TEST(Notes, eq_16_components_along_and_across_the_axis) {
   }
 }
 
-TEST(Notes, eq_17_the_axis_precesses_about_L) {
+TEST(Notes, Eq17TheAxisPrecessesAboutL) {
   const FreeTop top;
   for (const double t : kTimes) {
     const Quat turn = exp_rotation(t / top.moments[0] * top.L);
@@ -143,7 +143,7 @@ TEST(Notes, eq_17_the_axis_precesses_about_L) {
   }
 }
 
-TEST(Notes, eq_19_total_momentum_follows_the_external_force) {
+TEST(Notes, Eq19TotalMomentumFollowsTheExternalForce) {
   const Cloud c = cloud("free", 5);
   const double mass = c.motion.model().body.mass;
   const auto P = [&](double t) {  // eq. 18
@@ -160,7 +160,7 @@ TEST(Notes, eq_19_total_momentum_follows_the_external_force) {
     EXPECT_LE((derivative(P, t) - mass * *c.spec.gravity).norm(), 6e-10);
 }
 
-TEST(Notes, eq_21_momentum_changes_by_the_torque) {
+TEST(Notes, Eq21MomentumChangesByTheTorque) {
   const Cloud c = cloud("pivot", 6);
   for (const double t : kTimes) {
     Vec3 torque = Vec3::Zero();
@@ -172,7 +172,7 @@ TEST(Notes, eq_21_momentum_changes_by_the_torque) {
   }
 }
 
-TEST(Notes, eq_24_momentum_is_the_gradient_of_the_kinetic_energy) {
+TEST(Notes, Eq24MomentumIsTheGradientOfTheKineticEnergy) {
   const Particles body = random_centered_particles(8);
   const MassProperties mass = of_points(body.points);
   const auto T = [&](const Vec3& w) {
@@ -185,7 +185,7 @@ TEST(Notes, eq_24_momentum_is_the_gradient_of_the_kinetic_energy) {
   }
 }
 
-TEST(Notes, eq_25_torque_is_the_slope_of_the_potential) {
+TEST(Notes, Eq25TorqueIsTheSlopeOfThePotential) {
   const Cloud c = cloud("pivot", 9);
   const Sample s = c.motion.at(0.5);
   const auto U = [&](const Vec3& turn) {
@@ -199,7 +199,7 @@ TEST(Notes, eq_25_torque_is_the_slope_of_the_potential) {
   }
 }
 
-TEST(Erratum, row_03_velocities_alone_are_not_the_state) {
+TEST(Erratum, Row03VelocitiesAloneAreNotTheState) {
   // the same V and Omega at another attitude lead elsewhere: a heavy body tilted or upright
   MotionSpec upright = spinning_on_pivot();
   upright.attitude.zxz = Vec3::Zero();
@@ -210,7 +210,7 @@ TEST(Erratum, row_03_velocities_alone_are_not_the_state) {
   EXPECT_GE(moving(cone_body(), tilted).at(0.3).w_S.norm(), 1.0);
 }
 
-TEST(Erratum, row_18_only_without_torque_is_omega_constant) {
+TEST(Erratum, Row18OnlyWithoutTorqueIsOmegaConstant) {
   // moments equal about the pivot, centre of mass off it: spherical and yet not uniform
   const Problem free{free_body({1, 1, 1}), {Quat::Identity(), {0.3, 0.4, 1.0}}};
   const Problem heavy{heavy_body({1, 1, 1}, {0.2, 0.0, 0.5}), free.start};
@@ -224,7 +224,7 @@ TEST(Erratum, row_18_only_without_torque_is_omega_constant) {
   EXPECT_GE((turned.at(1.0).w_S - turned.at(0.0).w_S).norm(), 0.1);
 }
 
-TEST(Erratum, row_19_a_rotator_turns_about_an_axis_across_its_line) {
+TEST(Erratum, Row19ARotatorTurnsAboutAnAxisAcrossItsLine) {
   BodySpec body;
   body.points = {{1.0, Vec3(0, 0, 0.5)}, {2.0, Vec3(0, 0, -0.3)}};
   MotionSpec spec;
@@ -239,7 +239,7 @@ TEST(Erratum, row_19_a_rotator_turns_about_an_axis_across_its_line) {
   }
 }
 
-TEST(Erratum, row_20_the_second_component_vanishes_for_one_instant) {
+TEST(Erratum, Row20TheSecondComponentVanishesForOneInstant) {
   const FreeTop top;
   const double beta = (1.0 / top.moments[2] - 1.0 / top.moments[0]) * top.momentum_B(0.0).z();
   // from the time at which L2 = 0 in body axes, a quarter turn later all of it is along axis 2
@@ -253,7 +253,7 @@ TEST(Erratum, row_20_the_second_component_vanishes_for_one_instant) {
   EXPECT_NEAR(std::abs(top.momentum_B(t0 + 0.5 * turn).y()), across, 1e-16);
 }
 
-TEST(Erratum, row_21_the_spin_about_the_own_axis) {
+TEST(Erratum, Row21TheSpinAboutTheOwnAxis) {
   const FreeTop top;
   const Vec3 y = top.momentum_B(0.0);
   const double psi_rate =
@@ -270,7 +270,7 @@ TEST(Erratum, row_21_the_spin_about_the_own_axis) {
   EXPECT_GE(std::abs(psi_rate - omega_3), 0.1);
 }
 
-TEST(Erratum, row_23_the_potential_depends_on_the_attitude) {
+TEST(Erratum, Row23ThePotentialDependsOnTheAttitude) {
   const Problem top = gni_heavy_top();
   State turned = top.start;
   turned.y = Vec3::Zero();
@@ -281,7 +281,7 @@ TEST(Erratum, row_23_the_potential_depends_on_the_attitude) {
   EXPECT_NEAR(energy(top.model, turned) - energy(top.model, other), 1.0 - std::cos(1.2), 1e-15);
 }
 
-TEST(Erratum, row_26_euler_s_equations_in_body_axes) {
+TEST(Erratum, Row26EulersEquationsInBodyAxes) {
   const Cloud c = cloud("pivot", 10);
   const auto L_B = [&](double t) {
     return Vec3(c.motion.at(t).q_SB.conjugate() * c.motion.at(t).L_S);
@@ -297,7 +297,7 @@ TEST(Erratum, row_26_euler_s_equations_in_body_axes) {
   }
 }
 
-TEST(Erratum, row_28_a_constant_tensor_in_space_drops_the_gyroscopic_term) {
+TEST(Erratum, Row28AConstantTensorInSpaceDropsTheGyroscopicTerm) {
   // in space axes L = I Omega holds with I(t) = Q I Q^T, not with the tensor of the start
   const Cloud c = cloud("free", 11);
   const MassProperties& body = c.motion.model().body;

@@ -39,23 +39,6 @@ double largest_difference(const Motion& a, const Motion& b) {
   return worst;
 }
 
-TEST(ModelChoice, TakesTheLeastThatAnswers) {
-  const auto chosen = [](const BodyModel& model) {
-    return simulate(model, spinning(1.0), {}, 1e-6).report.model;
-  };
-  EXPECT_EQ(chosen(free_body({1, 1, 1})), "spherical");
-  EXPECT_EQ(chosen(free_body({1, 1, 1.8})), "symmetric");
-  EXPECT_EQ(chosen(free_body({0.6, 0.8, 1.0})), "asymmetric");
-  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0, 0, -0.4})), "heavy_symmetric");
-  EXPECT_EQ(chosen(heavy_body({1, 1.8, 1}, {0, 0.4, 0})), "heavy_symmetric");
-  EXPECT_EQ(chosen(heavy_body({1, 1, 1}, {0.3, 0.2, 0.1})), "heavy_symmetric");
-  // the centre of mass off the axis, and no symmetry at all
-  EXPECT_EQ(chosen(heavy_body({1, 1, 1.8}, {0.1, 0, 0.4})), "splitting");
-  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1})), "splitting");
-  // a balanced body on a pivot is free
-  EXPECT_EQ(chosen(heavy_body({0.6, 0.8, 1.0}, {0, 0, 0})), "asymmetric");
-}
-
 // a method that is no splitting integrates the equations of motion
 TEST(ModelChoice, FollowsTheMethod) {
   const BodyModel heavy = heavy_body({0.6, 0.8, 1.0}, {0.3, 0.2, 0.1});

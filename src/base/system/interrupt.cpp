@@ -11,11 +11,9 @@
 namespace polhode {
 namespace {
 
-// the one global besides the logger: a signal handler has nothing else to write to
+// the only globals besides the logger: a signal handler has nothing else to read and write
 std::atomic<std::int64_t> first_signal_ms{0};  // when it came; 0: none has
-
-// One word from a user often comes as two signals: from the terminal and from its shell.
-constexpr std::int64_t kPatienceMs = 500;
+std::atomic<std::int64_t> same_key_ms{0};      // how long after it a signal is still the same
 
 // the clock may be read in a handler; never 0
 std::int64_t now_ms() {
@@ -29,15 +27,16 @@ extern "C" void remember_signal(int signal) {
   const std::int64_t now = now_ms();
   if (first_signal_ms.compare_exchange_strong(first, now)) return;
   // a user who asks again wants the end at once
-  if (now - first < kPatienceMs) return;
+  if (now - first < same_key_ms.load(std::memory_order_relaxed)) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
 }  // namespace
 
-void watch_for_interrupt() {
+void watch_for_interrupt(std::chrono::milliseconds same_key) {
   static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+  same_key_ms = same_key.count();
   std::signal(SIGINT, remember_signal);
   std::signal(SIGTERM, remember_signal);
   std::signal(SIGHUP, remember_signal);

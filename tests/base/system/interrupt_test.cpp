@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/interrupt.h"
+
+#include <csignal>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "support/in_child.h"
+
+namespace polhode::test {
+namespace {
+
+// the exit code that stop_if_interrupted() would end in
+int interruption() {
+  try {
+    stop_if_interrupted();
+  } catch (const Error& error) {
+    return static_cast<int>(error.fault());
+  }
+  return 0;
+}
+
+TEST(Interrupt, ASignalBecomesAnError) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const int code = exit_code_in_child([&] {
+      watch_for_interrupt();
+      if (interruption() != 0) return 1;
+      raise(signal);
+      return interruption();
+    });
+    EXPECT_EQ(code, 130);
+  }
+}
+
+// a terminal and its shell both send the signal of one key
+TEST(Interrupt, TwoSignalsOfOneKeyAreOne) {
+  const int code = exit_code_in_child([] {
+    watch_for_interrupt(std::chrono::hours(1));
+    raise(SIGHUP);
+    raise(SIGHUP);
+    return interruption();
+  });
+  EXPECT_EQ(code, 130);
+}
+
+TEST(Interrupt, ASecondKeyEndsTheProcess) {
+  const int code = exit_code_in_child([] {
+    watch_for_interrupt(std::chrono::milliseconds(0));
+    raise(SIGINT);
+    raise(SIGINT);
+    return 0;
+  });
+  EXPECT_EQ(code, -1);
+}
+
+TEST(Interrupt, WritingToAClosedPipeIsAnErrorCode) {
+  const int code = exit_code_in_child([] {
+    watch_for_interrupt();
+    int ends[2];
+    if (pipe(ends) != 0) return 1;
+    close(ends[0]);
+    return write(ends[1], "x", 1) == -1 && errno == EPIPE ? 0 : 2;
+  });
+  EXPECT_EQ(code, 0);
+}
+
+}  // namespace
+}  // namespace polhode::test

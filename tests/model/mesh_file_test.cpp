@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/meshes.h"
+
+namespace polhode::test {
+namespace {
+
+std::string binary_stl(const TriangleMesh& mesh) {
+  std::string bytes(80, ' ');
+  const auto put = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  put(static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i)
+      put(0.0f);
+    for (const int i : t) {
+      for (int k = 0; k < 3; ++k)
+        put(static_cast<float>(mesh.points[i][k]));
+    }
+    put(std::uint16_t{0});
+  }
+  return bytes;
+}
+
+TEST(MeshFile, StlSaysTheSameAsObj) {
+  const TriangleMesh mesh = solid(kBox);
+  std::string ascii = "solid box\n";
+  for (const auto& t : mesh.triangles) {
+    ascii += "facet normal 0 0 0\nouter loop\n";
+    for (const int i : t) {
+      const Vec3& p = mesh.points[i];
+      ascii += fmt::format("vertex {} {} {}\n", p.x(), p.y(), p.z());
+    }
+    ascii += "endloop\nendfacet\n";
+  }
+  ascii += "endsolid box\n";
+  for (const std::string& bytes : {ascii, binary_stl(mesh)}) {
+    const TriangleMesh read = parse_triangle_mesh(bytes, "BOX.STL");
+    check_solid(read);
+    EXPECT_EQ(read.points.size(), 8u);
+    EXPECT_EQ(read.triangles.size(), 12u);
+    EXPECT_LE((mass_properties_of(read).tensor - mass_properties_of(mesh).tensor).norm(), 1e-14);
+  }
+}
+
+TEST(MeshFile, RefusesWhatBoundsNoSolid) {
+  const std::string tetrahedron = kTetrahedron;
+  expect_input_error([&] { solid(tetrahedron.substr(0, tetrahedron.size() - 8)); }, "", "is open");
+  expect_input_error(
+      [&] { solid("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"); },
+      "",
+      "inside out");
+  expect_input_error(
+      [&] { solid("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"); },
+      "",
+      "turned over");
+  expect_input_error([&] { solid(tetrahedron + "f 1 1 2\n"); }, "", "no area");
+  // two tetrahedra through each other
+  expect_input_error(
+      [&] {
+        solid(tetrahedron +
+              "v .1 .1 .1\nv 1.1 .1 .1\nv .1 1.1 .1\nv .1 .1 1.1\n"
+              "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
+      },
+      "",
+      "crosses itself: triangles");
+}
+
+TEST(MeshFile, RefusesHostileFiles) {
+  for (const std::string& bytes : {std::string(),
+                                   std::string("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2000000000\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
+                                   std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+                                   std::string("v 0 0")}) {
+    EXPECT_THROW(obj(bytes), Error) << bytes;
+    EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error) << bytes;
+  }
+  // a binary file broken off anywhere, one that promises too much, and one with a NaN
+  std::string bytes = binary_stl(solid(kTetrahedron));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(parse_triangle_mesh(bytes.substr(0, size), "test.stl"), Error) << size;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 100, &nan, sizeof(nan));
+  EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error);
+  bytes[83] = '\x7f';
+  EXPECT_THROW(parse_triangle_mesh(bytes, "test.stl"), Error);
+  expect_input_error([] { parse_triangle_mesh("", "test.ply"); }, "", ".obj or .stl");
+}
+
+// the order of corners and the places of points are the file's; a face of four becomes two
+// triangles
+TEST(MeshFile, ObjFacesAreCutIntoTrianglesThatLookOutwards) {
+  const TriangleMesh box = obj(kBox);
+  EXPECT_EQ(box.points.size(), 8U);
+  EXPECT_EQ(box.triangles.size(), 12U);
+  EXPECT_NEAR(volume_of(box), 24.0, 1e-13);
+  const TriangleMesh negative = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
+  EXPECT_EQ(negative.triangles.at(0), (std::array<int, 3>{0, 1, 2}));
+}
+
+}  // namespace
+}  // namespace polhode::test

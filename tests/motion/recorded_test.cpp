@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "motion/recorded.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "math/so3.h"
+#include "support/motions.h"
+
+namespace polhode::test {
+namespace {
+
+std::vector<double> recorded(const std::string& name, const Motion& motion, double t) {
+  for (const Recorded& row : recorded_quantities()) {
+    if (row.name == name) return row.values(motion, motion.at(t));
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+Vec3 vector(const std::vector<double>& values) {
+  EXPECT_EQ(values.size(), 3U);
+  return values.size() == 3 ? Vec3(values[0], values[1], values[2]) : Vec3::Zero();
+}
+
+TEST(Recorded, EveryRowHasANameOfItsOwnAndAValueForEachCurve) {
+  const Motion motion = moving(prolate_body(), wobbling());
+  std::set<std::string> names;
+  for (const Recorded& row : recorded_quantities()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_EQ(row.values(motion, motion.at(1.0)).size(), row.curves.size()) << row.name;
+    EXPECT_FALSE(row.title.empty()) << row.name;
+  }
+  const std::vector<std::string> listed = recorded_names();
+  EXPECT_EQ(std::set<std::string>(listed.begin(), listed.end()), names);
+}
+
+TEST(Recorded, OmegaAndMomentumInBothAxes) {
+  const MotionSpec spec = wobbling();
+  const Motion motion = moving(brick_body(), spec);
+  EXPECT_LE((vector(recorded("omega", motion, 0.0)) - *spec.spin.body).norm(), 1e-14);
+  const Vec3 L = vector(recorded("momentum", motion, 0.0));
+  for (const double t : {0.0, 1.7, 4.0}) {
+    const Quat q = motion.at(t).q_SB;
+    const Vec3 w_B = vector(recorded("omega", motion, t));
+    EXPECT_LE((vector(recorded("omega_space", motion, t)) - q * w_B).norm(), 1e-13);
+    // free: L rests in space, and in the body it is the tensor times omega
+    EXPECT_LE((vector(recorded("momentum", motion, t)) - L).norm(), 1e-13 * L.norm());
+    const Vec3 L_B = motion.model().body.tensor * w_B;
+    EXPECT_LE((vector(recorded("momentum_body", motion, t)) - L_B).norm(), 1e-13 * L.norm());
+  }
+}
+
+TEST(Recorded, AnglesAreInDegrees) {
+  const Motion motion = moving(prolate_body(), wobbling());
+  const Vec3 angles = vector(recorded("euler_angles", motion, 0.0));
+  const Vec3 wanted = wobbling().attitude.zxz.value() * 180.0 / kPi;
+  EXPECT_LE((angles - wanted).norm(), 1e-12);
+  // the third axis is that of symmetry: its tilt is theta
+  for (const double t : {0.0, 1.3}) {
+    EXPECT_NEAR(
+        recorded("tilt", motion, t).at(0), recorded("euler_angles", motion, t).at(1), 1e-11);
+  }
+}
+
+TEST(Recorded, EnergyIsKineticAndPotential) {
+  const Motion top = moving(cone_body(), spinning_on_pivot());
+  const double m = 0.1, g = gravity_of(spinning_on_pivot()).norm(),
+               length = 0.75 * 0.05;  // of a cone's centre
+  const std::vector<double> start = recorded("energy", top, 0.0);
+  for (const double t : {0.0, 0.4, 2.0}) {
+    const std::vector<double> now = recorded("energy", top, t);
+    ASSERT_EQ(now.size(), 3U);
+    EXPECT_DOUBLE_EQ(now[0], now[1] + now[2]);
+    EXPECT_NEAR(now[0], start[0], 1e-12 * start[0]);
+    const double tilt = recorded("tilt", top, t).at(0) * kPi / 180.0;
+    EXPECT_NEAR(now[2], m * g * length * std::cos(tilt), 1e-12) << t;
+  }
+}
+
+TEST(Recorded, DriftIsThatOfTheMotion) {
+  const Motion motion = moving(brick_body(), wobbling());
+  const std::vector<double> now = recorded("drift", motion, 3.0);
+  const Drift wanted = drift_at(motion, 3.0);
+  EXPECT_EQ(now.at(0), wanted.energy.value());
+  EXPECT_EQ(now.at(1), wanted.momentum.value());
+}
+
+TEST(Recorded, PositionFollowsTheFlight) {
+  MotionSpec spec = wobbling();
+  spec.position = Vec3(1, 2, 3);
+  spec.velocity = Vec3(0.5, 0, -1);
+  spec.gravity = Vec3(0, 0, -9.81);
+  const Motion motion = moving(brick_body(), spec);
+  const Vec3 wanted = spec.position + 2.0 * spec.velocity + 2.0 * *spec.gravity;
+  EXPECT_LE((vector(recorded("position", motion, 2.0)) - wanted).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace polhode::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "motion/scales.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "motion/motion.h"
+#include "motion/simulate.h"
+#include "support/loads.h"
+#include "support/tops.h"
+
+namespace polhode::test {
+namespace {
+
+BodyModel loaded(const LoadSpec& spec) {
+  MotionSpec motion = spun({1, 0, 0});
+  motion.torque = {spec};
+  return make_model(body_with({1, 2, 2.5}), motion);
+}
+
+TEST(TypicalRate, IsTheSpinAndTheSwingOfGravity) {
+  const State spinning{Quat::Identity(), {0.6, 0.0, 0.8 * 2.5}};
+  EXPECT_DOUBLE_EQ(typical_rate(free_body({1, 2, 2.5}), spinning), std::hypot(0.6, 0.8));
+  // a pendulum's small swings: sqrt(m g l / I)
+  const BodyModel pendulum = heavy_body({4, 4, 5}, {0, 0, 9});
+  EXPECT_DOUBLE_EQ(typical_rate(pendulum, State()), 1.5);
+  EXPECT_EQ(typical_rate(free_body({1, 2, 2.5}), State()), 0.0);
+}
+
+// a rotator's missing moment is no moment at all, not one that makes the rate infinite
+TEST(TypicalRate, OfARotatorIsFinite) {
+  EXPECT_DOUBLE_EQ(typical_rate(heavy_body({4, 4, 0}, {0, 0, 9}), State()), 1.5);
+}
+
+TEST(TypicalRate, GrowsWithEveryLoad) {
+  LoadSpec torque = load("constant");
+  torque.body = Vec3(0, 0, 0.09);
+  EXPECT_DOUBLE_EQ(typical_rate(loaded(torque), State()), 0.3);
+  LoadSpec damping = load("damping");
+  damping.c = 0.7;
+  EXPECT_DOUBLE_EQ(typical_rate(loaded(damping), State()), 0.7);
+}
+
+TEST(MomentumScale, IsNeverZero) {
+  EXPECT_DOUBLE_EQ(momentum_scale(free_body({1, 2, 2.5}), {Quat::Identity(), {0, 3, 4}}), 5.0);
+  EXPECT_EQ(momentum_scale(free_body({1, 2, 2.5}), State()), 1.0);
+  // what gravity gives: sqrt(I m g l)
+  EXPECT_DOUBLE_EQ(momentum_scale(heavy_body({4, 4, 1}, {0, 0, 9}), State()), 6.0);
+  LoadSpec torque = load("constant");
+  torque.body = Vec3(0, 0, 0.09);
+  EXPECT_DOUBLE_EQ(momentum_scale(loaded(torque), State()), 2.5 * 0.3);
+}
+
+// the local error of order p grows as the p-th power of the step: ten times less is asked, the
+// step falls by 10^(1/p)
+TEST(FirstStep, FollowsToleranceAndOrder) {
+  const BodyModel model = free_body({1, 1, 1});
+  const State spinning{Quat::Identity(), {0, 0, 2}};
+  EXPECT_DOUBLE_EQ(first_step(model, spinning, 1e-10, 5), 0.5 * 1e-2 / 2.0);
+  EXPECT_NEAR(first_step(model, spinning, 1e-9, 5) / first_step(model, spinning, 1e-10, 5),
+              std::pow(10.0, 0.2),
+              1e-14);
+  EXPECT_EQ(first_step(model, State(), 1e-10, 5), std::numeric_limits<double>::infinity());
+}
+
+TEST(Deviation, IsTheAngleOrTheWayInRadiiOfGyration) {
+  BodyModel model = free_body({1, 2, 4});
+  model.body.mass = 1.0;
+  State a, b;
+  b.q = exp_rotation({0, 0.3, 0});
+  b.place_S = Vec3(0, 0, 1.0);  // half a radius of gyration, sqrt(4 / 1)
+  EXPECT_NEAR(deviation(model, a, b), 0.3, 1e-15);
+  model.with_translation = true;
+  EXPECT_NEAR(deviation(model, a, b), 0.5, 1e-15);
+  b.q = exp_rotation({0, 0.7, 0});
+  EXPECT_NEAR(deviation(model, a, b), 0.7, 1e-15);
+}
+
+TEST(Deviation, KeepsNaN) {
+  BodyModel model = free_body({1, 2, 4});
+  State bad;
+  bad.q.coeffs()[0] = std::nan("");
+  EXPECT_TRUE(std::isnan(deviation(model, State(), bad)));
+  model.with_translation = true;
+  EXPECT_TRUE(std::isnan(deviation(model, State(), bad)));
+  State lost;
+  lost.place_S[1] = std::nan("");
+  EXPECT_TRUE(std::isnan(deviation(model, State(), lost)));
+}
+
+}  // namespace
+}  // namespace polhode::test
