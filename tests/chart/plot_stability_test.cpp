@@ -75,7 +75,7 @@ TEST(PlotStability, CellsHaveTheColourOfTheirOutcomeInTheirPlace) {
     }
   }
   const Region& fine = regions[{0xe8, 0xf1, 0xe4}];
-  const Region& wrong = regions[{0xd5, 0x5e, 0x00}];
+  const Region& wrong = regions[{0x9c, 0xc3, 0xe6}];
   ASSERT_GT(wrong.count, 1000.0);
   EXPECT_NEAR(fine.count / wrong.count, 5.0, 0.1);
   // the middle of the whole map, from both; the odd cell is as far left of it as right, and above
