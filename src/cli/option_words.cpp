@@ -7,6 +7,7 @@
 #include "film/render_plan.h"
 #include "lecture/lecture.h"
 #include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "render/context.h"
 #include "video/encoders.h"
 

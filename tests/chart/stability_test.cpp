@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "chart/plot_stability.h"
 #include "motion/step_limit.h"
 #include "motion/stepper_table.h"
 #include "support/expect_error.h"
@@ -25,7 +24,7 @@ StabilityCell tried(const char* method, const StabilityProblem& p, double h) {
   return try_method(find_stepper(method), p, h, kAllowed);
 }
 
-TEST(Stability, VerdictsHaveNames) {
+TEST(Stability, OutcomesHaveNames) {
   for (int v = 0; v < kRunOutcomes; ++v)
     EXPECT_EQ(parse_run_outcome(name_of(static_cast<RunOutcome>(v))), static_cast<RunOutcome>(v));
   expect_input_error([] { parse_run_outcome("fien"); }, "", "fine");
@@ -80,32 +79,6 @@ TEST(Stability, WithoutAReferenceInvariantsDecide) {
   EXPECT_EQ(kept.outcome, RunOutcome::fine);
   EXPECT_TRUE(std::isnan(kept.error_rad));
   EXPECT_NE(lost.outcome, RunOutcome::fine);
-}
-
-TEST(Stability, AxesAndTable) {
-  MapAxis x{"numerics.step", 0.01, 1.0, 3}, y{"motion.position[0]", -1.0, 1.0, 2};
-  EXPECT_TRUE(x.logarithmic());
-  EXPECT_FALSE(y.logarithmic());
-  EXPECT_NEAR(x.at(1), 0.1, 1e-15);
-  EXPECT_EQ(y.at(0), -1.0);
-  EXPECT_EQ(y.at(1), 1.0);
-  StabilityMap map;
-  map.scene = "top";
-  map.method = "rk4";
-  map.cells.resize(6);
-  map.cells[4].outcome = RunOutcome::phase_wrong;
-  const std::string csv = stability_csv({map}, x, y);
-  EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift");
-  EXPECT_NE(csv.find("top,rk4,0.1,1,phase_wrong,0,0,0\n"), std::string::npos) << csv;
-  map.title = "Title";
-  map.limit = {{0.05, -1.0}, {0.2, 1.0}};
-  for (const std::vector<const StabilityMap*>& maps :
-       {std::vector<const StabilityMap*>{&map}, {&map, &map}}) {
-    const std::string svg = plot_stability(maps, x, y, PlotFormat::svg);
-    for (const char* words : {"Title", "rk4", "phase wrong", "numerics.step", "limit of theory"})
-      EXPECT_NE(svg.find(words), std::string::npos) << words;
-  }
 }
 
 }  // namespace

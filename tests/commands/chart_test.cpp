@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "support/run.h"
+#include "support/background.h"
 
 namespace polhode {
 namespace {
@@ -15,9 +15,9 @@ using test::run_polhode;
 using test::TemporaryFolder;
 using test::write_text;
 
-class ChartRun : public ::testing::Test {
+class Chart : public ::testing::Test {
  protected:
-  ChartRun() { write_text(folder_ / "scene.toml", test::kSmallScene); }
+  Chart() { write_text(folder_ / "scene.toml", test::kSmallScene); }
   Ran chart(const std::string& options, const std::string& before = "") const {
     return run_polhode(
         fmt::format("chart '{}' -o '{}' {}", folder_ / "scene.toml", folder_ / "out", options),
@@ -27,7 +27,7 @@ class ChartRun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(ChartRun, WritesTableAndPictures) {
+TEST_F(Chart, WritesTableAndPictures) {
   const Ran ran = chart("--methods rk4,dop853");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("closed form (symmetric)"), std::string::npos) << ran.out;
@@ -40,7 +40,7 @@ TEST_F(ChartRun, WritesTableAndPictures) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 4);
 }
 
-TEST_F(ChartRun, DrawsPictureErrors) {
+TEST_F(Chart, DrawsPictureErrors) {
   const Ran ran = chart("--pictures --size 64x36");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("4 samples"), std::string::npos) << ran.out;
@@ -49,7 +49,7 @@ TEST_F(ChartRun, DrawsPictureErrors) {
             "scene,setting,samples,supersampling,time_ms,rmse_levels,max_levels");
 }
 
-TEST_F(ChartRun, BadInputIsOneLine) {
+TEST_F(Chart, BadInputIsOneLine) {
   EXPECT_EQ(chart("--methods rk44").code, 2);
   EXPECT_NE(chart("--methods rk44").err.find("did you mean 'rk4'?"), std::string::npos);
   EXPECT_NE(chart("--methods kick_strong").err.find("--methods"), std::string::npos);
@@ -60,7 +60,7 @@ TEST_F(ChartRun, BadInputIsOneLine) {
 }
 
 // a second run that fails leaves the first one's files
-TEST_F(ChartRun, WithoutGnuplotNothingChanges) {
+TEST_F(Chart, WithoutGnuplotNothingChanges) {
   ASSERT_EQ(chart("--methods rk4").code, 0);
   const std::string before = read_text(folder_ / "out/chart.csv");
   const Ran ran = chart("--methods rk2", "PATH=/nowhere");
@@ -71,8 +71,11 @@ TEST_F(ChartRun, WithoutGnuplotNothingChanges) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 4);
 }
 
-TEST_F(ChartRun, AnInterruptLeavesNothing) {
-  const Ran ran = chart("", "timeout --preserve-status -s INT 1");
+TEST_F(Chart, AnInterruptLeavesNothing) {
+  test::Background run(
+      {"chart", folder_ / "scene.toml", "-o", folder_ / "out", "--progress", "json"});
+  run.await_progress();
+  const Ran ran = run.end(SIGINT);
   EXPECT_EQ(ran.code, 130) << ran.err;
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 0);
 }

@@ -7,8 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "image/png.h"
+#include "support/background.h"
 #include "support/flat_image.h"
-#include "support/run.h"
+#include "video/frame_sink.h"
 #include "video/sink_kinds.h"
 
 namespace polhode {
@@ -241,8 +242,9 @@ TEST_F(Diff, FullDisksAndUnwritableFoldersAreTold) {
 TEST_F(Diff, AnInterruptEndsIt) {
   film("a.mp4", std::vector<int>(2000, 90));
   const std::string a = folder_ / "a.mp4";
-  const Ran ran = run_polhode(fmt::format("diff '{0}' '{0}' --html '{1}'", a, folder_ / "page"),
-                              "timeout --preserve-status -s INT 0.05");
+  test::Background run({"diff", a, a, "--html", folder_ / "page", "--progress", "json"});
+  run.await_progress();
+  const Ran ran = run.end(SIGINT);
   EXPECT_EQ(ran.code, 130) << ran.out << ran.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "page/index.html"));
 }

@@ -3,10 +3,15 @@
 // will not open. Whatever happens, no broken file stays behind.
 #include <algorithm>
 #include <array>
+#include <climits>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 
-#include "support/run.h"
+#include "support/background.h"
 
 namespace polhode {
 namespace {
@@ -152,9 +157,15 @@ TEST_F(Formats, SignalsLeaveNothing) {
   write_text(folder_ / "scene.toml", story_scene("1000"));
   int turn = 0;
   for (const Way& way : kWays) {
-    const char* signal = std::array{"INT", "TERM", "HUP"}[static_cast<std::size_t>(turn++ % 3)];
-    const Ran ran = run_polhode(render(way.name, std::string(way.options) + " --size 64x64"),
-                                std::string("timeout --preserve-status -s ") + signal + " 0.7");
+    const int signal = std::array{SIGINT, SIGTERM, SIGHUP}[static_cast<std::size_t>(turn++ % 3)];
+    std::vector<std::string> arguments = {
+        "render", folder_ / "scene.toml", "-o", folder_ / way.name};
+    for (const std::string& word :
+         test::words_of(std::string(way.options) + " --size 64x64 --progress json"))
+      arguments.push_back(word);
+    test::Background run(arguments);
+    run.await_progress();
+    const Ran ran = run.end(signal);
     EXPECT_EQ(ran.code, 130) << way.name << ran.err;
     EXPECT_EQ(errors_in(ran.err), 1) << way.name << ran.err;
     expect_nothing_left(way.name);
@@ -265,15 +276,19 @@ TEST_F(Formats, AFullOrClosedStandardOutputIsAFailure) {
 // a reader who holds the pipe and does not read must not keep the program from ending
 TEST_F(Formats, AnInterruptEndsAWriteThatNobodyReads) {
   const std::string pipe = folder_ / "pipe";
-  const std::string err = folder_ / "err";
-  const std::string code = folder_ / "code";
-  const std::string line = "mkfifo '" + pipe + "' && { sleep 6 <'" + pipe + "' & } && " +
-                           "timeout --preserve-status -s INT 0.6 '" POLHODE_BINARY "' " +
-                           render("-") + " >'" + pipe + "' 2>'" + err + "'; echo $? >'" + code +
-                           "'; kill $! 2>/dev/null";
-  EXPECT_EQ(std::system(line.c_str()), 0);
-  EXPECT_EQ(test::read_text(code), "130\n");
-  EXPECT_EQ(test::read_text(err), "polhode: interrupted; nothing was written\n");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  test::Background run({"render", folder_ / "scene.toml", "-o", "-"}, pipe);
+  // until nothing more goes into the pipe
+  EXPECT_TRUE(test::becomes([&] {
+    int waiting = 0;
+    return ioctl(reader, FIONREAD, &waiting) == 0 &&
+           waiting > fcntl(reader, F_GETPIPE_SZ) - PIPE_BUF;
+  }));
+  const Ran ran = run.end(SIGINT);
+  close(reader);
+  EXPECT_EQ(ran.code, 130);
+  EXPECT_EQ(ran.err, "polhode: interrupted; nothing was written\n");
 }
 
 struct BadFormat {

@@ -39,20 +39,27 @@ TEST_F(Jobs, PixelsDoNotDependOnTheirNumber) {
   }
 }
 
-class KilledJobs : public Jobs {
+class JobsKilled : public Jobs {
  protected:
   // a film that takes long, by two processes
-  KilledJobs() {
+  JobsKilled() {
     std::string text = test::kSmallScene;
     text.replace(text.find("duration = 1"), 12, "duration = 5000");
     test::write_text(folder_ / "scene.toml", text);
   }
   std::vector<std::string> long_film() const {
-    return {"render", folder_ / "scene.toml", "-o", folder_ / "a.mp4", "--jobs", "2"};
+    return {"render",
+            folder_ / "scene.toml",
+            "-o",
+            folder_ / "a.mp4",
+            "--jobs",
+            "2",
+            "--progress",
+            "json"};
   }
   std::vector<pid_t> workers(const Background& run) const {
     EXPECT_TRUE(test::becomes([&] { return run.children().size() == 2; }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    run.await_progress();
     return run.children();
   }
   void expect_gone(const std::vector<pid_t>& processes) const {
@@ -62,7 +69,7 @@ class KilledJobs : public Jobs {
   }
 };
 
-TEST_F(KilledJobs, AWorkerThatIsKilledEndsTheFilmInOneLine) {
+TEST_F(JobsKilled, AWorkerThatIsKilledEndsTheFilmInOneLine) {
   Background run(long_film());
   const std::vector<pid_t> crew = workers(run);
   ASSERT_EQ(crew.size(), 2u);
@@ -75,7 +82,7 @@ TEST_F(KilledJobs, AWorkerThatIsKilledEndsTheFilmInOneLine) {
   expect_gone(crew);
 }
 
-TEST_F(KilledJobs, WorkersEndWithTheirParent) {
+TEST_F(JobsKilled, WorkersEndWithTheirParent) {
   for (const int signal : {SIGKILL, SIGINT}) {
     Background run(long_film());
     const std::vector<pid_t> crew = workers(run);

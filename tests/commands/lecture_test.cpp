@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "support/run.h"
+#include "support/background.h"
 
 namespace polhode {
 namespace {
@@ -23,9 +23,9 @@ constexpr const char* kDeck =
     "The rate is {inspect:scene.toml#precession_rate}.\n\n$$x = \\frac{1}{2}$$\n\n"
     "![A caption](scene.toml){.film to=0.5}\n\n![](scene.toml){.inspect keys=kind}\n";
 
-class LectureRun : public ::testing::Test {
+class Lecture : public ::testing::Test {
  protected:
-  LectureRun() {
+  Lecture() {
     fs::create_directory(folder_ / "deck");
     write_text(folder_ / "deck/scene.toml", test::kSmallScene);
     write_text(folder_ / "deck/deck.md", kDeck);
@@ -43,7 +43,7 @@ class LectureRun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(LectureRun, MakesPageSlidesAndData) {
+TEST_F(Lecture, MakesPageSlidesAndData) {
   const Ran ran = lecture("--to html,pptx,beamer,data");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(has("A &lt;b&gt;bold&lt;/b&gt; &quot;title&quot; &amp; more"));
@@ -69,7 +69,7 @@ TEST_F(LectureRun, MakesPageSlidesAndData) {
   EXPECT_EQ(read_text(folder_ / "out/data/source/scene.toml"), test::kSmallScene);
 }
 
-TEST_F(LectureRun, TellsTheLicencesOfWhatItContains) {
+TEST_F(Lecture, TellsTheLicencesOfWhatItContains) {
   fs::create_directories(folder_ / "reveal/dist");
   write_text(folder_ / "reveal/dist/reveal.js", "// script");
   write_text(folder_ / "reveal/dist/reveal.css", "/* style */");
@@ -92,7 +92,7 @@ TEST_F(LectureRun, TellsTheLicencesOfWhatItContains) {
   EXPECT_EQ(told().find("GUST Font License") != std::string::npos, inside);
 }
 
-TEST_F(LectureRun, RendersOnlyWhatChanged) {
+TEST_F(Lecture, RendersOnlyWhatChanged) {
   ASSERT_EQ(lecture().code, 0);
   std::string text = kDeck;
   write_text(folder_ / "deck/deck.md", text + "\nOther words.\n");
@@ -114,7 +114,7 @@ TEST_F(LectureRun, RendersOnlyWhatChanged) {
   EXPECT_EQ(films, 1);
 }
 
-TEST_F(LectureRun, OneBadSceneLeavesTheRest) {
+TEST_F(Lecture, OneBadSceneLeavesTheRest) {
   write_text(folder_ / "deck/bad.toml", "format = 1\n[body]\nmoments = [1, 1, 9]\n");
   write_text(folder_ / "deck/deck.md",
              std::string(kDeck) + "\n![](bad.toml){.film}\n\n{inspect:scene.toml#nothing}\n");
@@ -127,7 +127,7 @@ TEST_F(LectureRun, OneBadSceneLeavesTheRest) {
   EXPECT_TRUE(has("could not be made"));
 }
 
-TEST_F(LectureRun, NothingLeavesTheFolder) {
+TEST_F(Lecture, NothingLeavesTheFolder) {
   write_text(folder_ / "scene.toml", test::kSmallScene);
   write_text(folder_ / "deck/deck.md",
              "![](../scene.toml){.still}\n\n![](/etc/passwd)\n\n{inspect:../scene.toml#kind}\n");
@@ -143,7 +143,7 @@ TEST_F(LectureRun, NothingLeavesTheFolder) {
   EXPECT_EQ(trusted.code, 0) << trusted.err;
 }
 
-TEST_F(LectureRun, HostileTextRunsNothing) {
+TEST_F(Lecture, HostileTextRunsNothing) {
   const std::string name = "$(touch x) \"<img src=q onerror=alert(1)>.toml";
   std::string scene = test::kSmallScene;
   scene.replace(scene.find("\"test\""), 6, "'</script><script>alert(1)</script>'");
@@ -169,7 +169,7 @@ TEST_F(LectureRun, HostileTextRunsNothing) {
   EXPECT_FALSE(fs::exists("x"));
 }
 
-TEST_F(LectureRun, BadUseIsOneLine) {
+TEST_F(Lecture, BadUseIsOneLine) {
   EXPECT_NE(lecture("--to htlm").err.find("did you mean 'html'?"), std::string::npos);
   EXPECT_EQ(lecture("--jobs 0").code, 2);
   EXPECT_EQ(run_polhode("lecture /nowhere.md").code, 2);
@@ -181,14 +181,25 @@ TEST_F(LectureRun, BadUseIsOneLine) {
   EXPECT_TRUE(slides.code == 3 || slides.code == 0) << slides.err;  // where it is installed for all
 }
 
-TEST_F(LectureRun, AnInterruptLeavesTheLastVersion) {
+TEST_F(Lecture, AnInterruptLeavesTheLastVersion) {
   ASSERT_EQ(lecture().code, 0);
   const std::string before = page();
   std::string scene = test::kSmallScene;
   write_text(folder_ / "deck/scene.toml",
              scene.replace(scene.find("duration = 1"), 12, "duration = 900"));
   write_text(folder_ / "deck/deck.md", "# New\n\n![](scene.toml){.film fps=60}\n");
-  const Ran ran = lecture("--to html --size 640x360", "timeout --preserve-status -s INT 1");
+  test::Background run({"lecture",
+                        folder_ / "deck/deck.md",
+                        "-o",
+                        folder_ / "out",
+                        "--to",
+                        "html",
+                        "--size",
+                        "640x360",
+                        "--progress",
+                        "json"});
+  run.await_progress();
+  const Ran ran = run.end(SIGINT);
   EXPECT_EQ(ran.code, 130) << ran.err;
   EXPECT_EQ(page(), before);
   for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out")) {

@@ -23,7 +23,7 @@ constexpr const char* kTop =
     "attitude = {{ zxz_deg = [0, 30, 0] }}\nspin = {{ body = [0.5, 0, 2] }}\n"
     "[numerics]\nmethod = \"{}\"\nstep = {}\n[video]\nsize = \"64x36\"\nfps = 5\n";
 
-class UntrustedRun : public ::testing::Test {
+class Reliability : public ::testing::Test {
  protected:
   Ran render(const std::string& method,
              double step,
@@ -40,7 +40,7 @@ class UntrustedRun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(UntrustedRun, IsWarnedOfAndReported) {
+TEST_F(Reliability, IsWarnedOfAndReported) {
   const Ran ran = render("explicit_euler", 0.01, "null");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.err.find("top.toml:9: numerics.method: the motion cannot be trusted"),
@@ -52,7 +52,7 @@ TEST_F(UntrustedRun, IsWarnedOfAndReported) {
   EXPECT_GT(report["attitude_error_rad"].get<double>(), 0.1);
 }
 
-TEST_F(UntrustedRun, GoodOnesAreQuiet) {
+TEST_F(Reliability, GoodOnesAreQuiet) {
   const Ran ran = render("dmv8", 0.05, "null");
   EXPECT_EQ(ran.err, "");
   const auto report = nlohmann::json::parse(read_text(folder_ / "r.json"));
@@ -60,14 +60,14 @@ TEST_F(UntrustedRun, GoodOnesAreQuiet) {
   EXPECT_TRUE(report["doubts"].empty());
 }
 
-TEST_F(UntrustedRun, AStepBeyondTheLimitIsToldWithTheLimit) {
+TEST_F(Reliability, AStepBeyondTheLimitIsToldWithTheLimit) {
   const Ran ran = render("rk4", 1.6, "null");
   EXPECT_NE(ran.err.find("top.toml:10: numerics.step: a step of 1.6 s is beyond 1.41 s"),
             std::string::npos)
       << ran.err;
 }
 
-TEST_F(UntrustedRun, NotANumberEndsTheRunAndLeavesNoFilm) {
+TEST_F(Reliability, NotANumberEndsTheRunAndLeavesNoFilm) {
   const Ran ran = render("explicit_euler", 1.5, "a.mp4", "[1, 2, 3]");
   EXPECT_EQ(ran.code, 1) << ran.err;
   EXPECT_NE(ran.err.find("explicit_euler"), std::string::npos) << ran.err;
@@ -76,7 +76,7 @@ TEST_F(UntrustedRun, NotANumberEndsTheRunAndLeavesNoFilm) {
 }
 
 // 2.06 rad/s at one frame in two seconds
-TEST_F(UntrustedRun, BackwardTurningIsTold) {
+TEST_F(Reliability, BackwardTurningIsTold) {
   write_text(folder_ / "top.toml",
              fmt::format(fmt::runtime(std::string(kTop)), "[1, 1, 2]", "dmv8", 0.05) +
                  "time_scale = 10\n");

@@ -38,9 +38,9 @@ std::vector<std::string> times_of(const std::string& file) {
   return times;
 }
 
-class Pieces : public ::testing::Test {
+class Segments : public ::testing::Test {
  protected:
-  Pieces() {
+  Segments() {
     write_text(folder_ / "scene.toml",
                std::string(test::kSmallScene) +
                    "[[story]]\nat = 0\ncaption = \"It turns\"\n"
@@ -73,7 +73,7 @@ struct Way {
   const char* options;
 };
 
-TEST_F(Pieces, JoinToExactlyTheirFrames) {
+TEST_F(Segments, JoinToExactlyTheirFrames) {
   for (const Way& way : {Way{".mp4", ""},
                          {".mp4", "--fps 30000/1001 --to 0.3"},
                          {".mp4", "--codec hevc"},
@@ -100,7 +100,7 @@ TEST_F(Pieces, JoinToExactlyTheirFrames) {
 }
 
 // tags and chapters as FFmpeg's own program sees them
-TEST_F(Pieces, JoinToAFilmWithTheSameHead) {
+TEST_F(Segments, JoinToAFilmWithTheSameHead) {
   if (std::system("ffprobe -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffprobe here";
   ASSERT_EQ(render("whole.mp4").code, 0);
   make_shards(2, ".mp4");
@@ -120,7 +120,7 @@ TEST_F(Pieces, JoinToAFilmWithTheSameHead) {
   EXPECT_EQ(head, read_text(folder_ / "j.mp4.txt"));
 }
 
-TEST_F(Pieces, OfHashesAndPicturesHaveTheirNumbersInTheWhole) {
+TEST_F(Segments, OfHashesAndPicturesHaveTheirNumbersInTheWhole) {
   ASSERT_EQ(render("whole.hash").code, 0);
   make_shards(4, ".hash");
   EXPECT_EQ(read_text(folder_ / "p1.hash") + read_text(folder_ / "p2.hash") +
@@ -133,7 +133,7 @@ TEST_F(Pieces, OfHashesAndPicturesHaveTheirNumbersInTheWhole) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "f_10.png"));
 }
 
-TEST_F(Pieces, ThatDoNotFitAreNamedWithWhatDiffers) {
+TEST_F(Segments, ThatDoNotFitAreNamedWithWhatDiffers) {
   make_shards(5, ".mp4");
   const auto join = [&](const std::string& names) {
     std::string line = "join";
@@ -176,7 +176,7 @@ TEST_F(Pieces, ThatDoNotFitAreNamedWithWhatDiffers) {
       run_polhode(fmt::format("join {} -o {}", at("p1.mp4"), at("p1.mp4"))), 2, "would overwrite");
 }
 
-TEST_F(Pieces, WrongWishesAreOneLine) {
+TEST_F(Segments, WrongWishesAreOneLine) {
   const struct {
     const char* output;
     const char* options;
@@ -197,10 +197,10 @@ TEST_F(Pieces, WrongWishesAreOneLine) {
   EXPECT_EQ(folder_.entries(), 1);
 }
 
-class Resume : public Pieces {
+class SegmentsResumed : public Segments {
  protected:
   // four pieces of five seconds
-  Resume() {
+  SegmentsResumed() {
     std::string text = test::kSmallScene;
     text.replace(text.find("duration = 1"), 12, "duration = 20");
     text.replace(text.find("fps = 10"), 8, "fps = 40");
@@ -218,7 +218,7 @@ class Resume : public Pieces {
   }
 };
 
-TEST_F(Resume, AKilledFilmGoesOnAndIsTheSame) {
+TEST_F(SegmentsResumed, AKilledFilmGoesOnAndIsTheSame) {
   ASSERT_EQ(stop_amid(SIGKILL).code, 128 + SIGKILL);
   EXPECT_TRUE(std::filesystem::exists(piece(1)));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4"));
@@ -250,7 +250,7 @@ TEST_F(Resume, AKilledFilmGoesOnAndIsTheSame) {
   EXPECT_EQ(found, 800u);
 }
 
-TEST_F(Resume, AnInterruptKeepsPiecesAndSaysHowToGoOn) {
+TEST_F(SegmentsResumed, AnInterruptKeepsPiecesAndSaysHowToGoOn) {
   expect_one_line(stop_amid(SIGINT), 130, "pieces; the same command goes on from there");
   EXPECT_TRUE(std::filesystem::exists(piece(1)));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.part"));

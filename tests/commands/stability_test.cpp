@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "support/run.h"
+#include "support/background.h"
 
 namespace polhode {
 namespace {
@@ -16,15 +16,12 @@ using test::run_polhode;
 using test::TemporaryFolder;
 using test::write_text;
 
-class StabilityRun : public ::testing::Test {
+class Stability : public ::testing::Test {
  protected:
-  StabilityRun() { write_text(folder_ / "scene.toml", test::kSmallScene); }
-  Ran stability(const std::string& options,
-                const std::string& out = "out",
-                const std::string& before = "") const {
+  Stability() { write_text(folder_ / "scene.toml", test::kSmallScene); }
+  Ran stability(const std::string& options, const std::string& out = "out") const {
     return run_polhode(
-        fmt::format("stability '{}' -o '{}' {}", folder_ / "scene.toml", folder_ / out, options),
-        before);
+        fmt::format("stability '{}' -o '{}' {}", folder_ / "scene.toml", folder_ / out, options));
   }
   std::string table(const std::string& out = "out") const {
     return read_text(folder_ / (out + "/stability.csv"));
@@ -33,7 +30,7 @@ class StabilityRun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(StabilityRun, WritesTableAndMaps) {
+TEST_F(Stability, WritesTableAndMaps) {
   const Ran ran = stability("--methods rk4,explicit_euler --cells 8x4 --turns 5");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("rk4"), std::string::npos) << ran.out;
@@ -47,7 +44,7 @@ TEST_F(StabilityRun, WritesTableAndMaps) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 5);
 }
 
-TEST_F(StabilityRun, TakesAnyTwoKeys) {
+TEST_F(Stability, TakesAnyTwoKeys) {
   const Ran ran = stability(
       "--methods rk4 --cells 4x3 --turns 3 --x motion.spin.body[2] "
       "--y body.solid.semi_axes[0] --y-range 0.1:0.15");
@@ -57,25 +54,29 @@ TEST_F(StabilityRun, TakesAnyTwoKeys) {
 }
 
 // the same table for any number of threads, and from a run that was stopped and taken up again
-TEST_F(StabilityRun, GoesOnWhereItWasStopped) {
+TEST_F(Stability, GoesOnWhereItWasStopped) {
   const std::string options = "--methods rk4,gauss6 --cells 24x24 --turns 40";
   ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
-  // stopped early, and later on machines that are slower, until some rows are finished
-  std::string kept;
-  for (double delay = 0.2; std::count(kept.begin(), kept.end(), '\n') <= 1; delay *= 1.7) {
-    const Ran stopped = stability(
-        options + " --jobs 1", "out", fmt::format("timeout --preserve-status -s INT {}", delay));
-    ASSERT_EQ(stopped.code, 130) << stopped.err;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.csv"));
-    kept = read_text(folder_ / "out/stability.resume");
-  }
+  // stopped when some rows are finished
+  std::vector<std::string> arguments = {
+      "stability", folder_ / "scene.toml", "-o", folder_ / "out", "--jobs", "1"};
+  for (const std::string& word : test::words_of(options))
+    arguments.push_back(word);
+  test::Background run(arguments);
+  EXPECT_TRUE(test::becomes([&] {
+    const std::string kept = read_text(folder_ / "out/stability.resume");
+    return std::count(kept.begin(), kept.end(), '\n') > 2;
+  }));
+  const Ran stopped = run.end(SIGINT);
+  ASSERT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.csv"));
   ASSERT_EQ(stability(options).code, 0);
   EXPECT_TRUE(table() == table("whole"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.resume"));
 }
 
 // what is left of other words, or is nonsense, is not believed
-TEST_F(StabilityRun, DoesNotTakeUpAnotherRun) {
+TEST_F(Stability, DoesNotTakeUpAnotherRun) {
   const std::string options = "--methods rk4 --cells 6x3 --turns 3";
   ASSERT_EQ(stability(options, "whole").code, 0);
   std::filesystem::create_directory(folder_ / "out");
@@ -84,7 +85,7 @@ TEST_F(StabilityRun, DoesNotTakeUpAnotherRun) {
   EXPECT_EQ(table(), table("whole"));
 }
 
-TEST_F(StabilityRun, BadInputIsOneLine) {
+TEST_F(Stability, BadInputIsOneLine) {
   const std::pair<const char*, const char*> cases[] = {
       {"--methods rk44", "did you mean 'rk4'?"},
       {"--cells 0x5", "--cells"},

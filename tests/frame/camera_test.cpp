@@ -49,10 +49,10 @@ TEST(Camera, PixelsPerMetreMatchesProject) {
   EXPECT_NEAR(moved / step, camera.pixels_per_metre(Vec3::Zero()), 1e-6 * moved / step);
 }
 
-class Framing : public ::testing::TestWithParam<int> {};
+class CameraFraming : public ::testing::TestWithParam<int> {};
 
 // everything is inside the margins, and two opposite sides are touched: no nearer camera would do
-TEST_P(Framing, HoldsEveryPointAndWastesNothing) {
+TEST_P(CameraFraming, HoldsEveryPointAndWastesNothing) {
   const std::vector<Vec3> points = random_points(static_cast<unsigned>(GetParam()), 1.0);
   const Vec3 directions[] = {{1, 0, 0}, {0.82, 0.46, 0.34}, {0, -1, 0.2}, {0, 0, 1}, {-1, 2, -3}};
   for (const Vec3& direction : directions) {
@@ -77,9 +77,9 @@ TEST_P(Framing, HoldsEveryPointAndWastesNothing) {
     EXPECT_TRUE(wide || tall);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, Framing, ::testing::Range(1, 6));
+INSTANTIATE_TEST_SUITE_P(Seeds, CameraFraming, ::testing::Range(1, 6));
 
-TEST(Framing, OnePointIsNotACrash) {
+TEST(Camera, OnePointCanBeFramed) {
   const Camera camera =
       framing_camera({Vec3(1, 2, 3)}, {}, Vec3(1, 0, 0), 0.5, kSize, {0.05, 0.05, 0.05, 0.05});
   EXPECT_NEAR((camera.project(Vec3(1, 2, 3)) - Vec2(320, 180)).norm(), 0.0, 1e-6);

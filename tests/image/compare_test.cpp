@@ -86,7 +86,7 @@ TEST(WorstRegion, LiesWhereTheDifferenceIs) {
   const Image a = scene("plain");
   Image b = a;
   b.at(80, 50)[0] = static_cast<std::uint8_t>(b.at(80, 50)[0] ^ 0x80);
-  const Region region = worst_region(a, b, 32, 16);
+  const PixelBox region = worst_region(a, b, 32, 16);
   EXPECT_EQ(region.width, 32);
   EXPECT_EQ(region.height, 16);
   EXPECT_LE(region.x, 80);

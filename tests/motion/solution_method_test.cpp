@@ -7,6 +7,7 @@
 
 #include "motion/motion.h"
 #include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/loads.h"
 #include "support/tops.h"

@@ -80,25 +80,18 @@ Camera test_camera() {
 }
 
 // every test runs with samples and with outlines
-class BothWays : public ::testing::TestWithParam<Edges> {
+class Geometry : public ::testing::TestWithParam<Edges> {
  protected:
   void SetUp() override { edges_now = GetParam(); }
 };
-#define BOTH_WAYS(name)                                                                      \
-  class name : public BothWays {};                                                           \
-  INSTANTIATE_TEST_SUITE_P(                                                                  \
-      By, name, ::testing::Values(Edges::samples, Edges::outlines), [](const auto& tested) { \
-        return tested.param == Edges::samples ? "samples" : "outlines";                      \
-      })
-BOTH_WAYS(ArrowTip);
-BOTH_WAYS(ConePicture);
-BOTH_WAYS(BodyPicture);
-BOTH_WAYS(ScenePicture);
-BOTH_WAYS(CurvePicture);
-BOTH_WAYS(EllipsoidPicture);
-BOTH_WAYS(DiscPicture);
+INSTANTIATE_TEST_SUITE_P(By,
+                         Geometry,
+                         ::testing::Values(Edges::samples, Edges::outlines),
+                         [](const auto& tested) {
+                           return tested.param == Edges::samples ? "samples" : "outlines";
+                         });
 
-TEST_P(ArrowTip, IsWithinHalfAPixelOfTheVectorsEnd) {
+TEST_P(Geometry, AnArrowsTipIsWithinHalfAPixelOfTheVectorsEnd) {
   const Camera camera = test_camera();
   for (const Vec3& vector : {Vec3(0, 0, 1),
                              Vec3(0, 1, 0),
@@ -121,7 +114,7 @@ TEST_P(ArrowTip, IsWithinHalfAPixelOfTheVectorsEnd) {
 }
 
 // the same check must fail for an arrow that ends elsewhere: a net that catches
-TEST_P(ArrowTip, AShiftOfOnePixelIsSeen) {
+TEST_P(Geometry, AShiftOfOnePixelIsSeen) {
   const Camera camera = test_camera();
   const Vec3 end(0, 0, 1);
   DrawList list;
@@ -143,7 +136,7 @@ Cone test_cone() {
   return {Vec3(0.05, 0.1, -0.6), Vec3(0.1, 0.2, 1).normalized(), 0.5, 1.3, 0.006, Material{}};
 }
 
-TEST_P(ConePicture, ApexIsWithinHalfAPixel) {
+TEST_P(Geometry, AConesApexIsWithinHalfAPixel) {
   const Camera camera = test_camera();
   const Cone cone = test_cone();  // opaque, so that alpha is coverage
   DrawList list;
@@ -156,7 +149,7 @@ TEST_P(ConePicture, ApexIsWithinHalfAPixel) {
   EXPECT_LT((found - apex).norm(), 0.5);
 }
 
-TEST_P(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
+TEST_P(Geometry, AConesRimIsWithinHalfAPixelOfTheCircle) {
   const Camera camera = test_camera();
   const Cone cone = test_cone();
   DrawList list;
@@ -194,7 +187,7 @@ TEST_P(ConePicture, RimIsWithinHalfAPixelOfTheCircle) {
 }
 
 // a ball covers the ellipse that the pinhole projection of a sphere is: area and centre
-TEST_P(BodyPicture, BallHasItsProjectedAreaAndCentre) {
+TEST_P(Geometry, ABallHasItsProjectedAreaAndCentre) {
   const double radius = 0.5;
   const double distance = 4.0;
   const double fov = 0.6;
@@ -218,7 +211,7 @@ TEST_P(BodyPicture, BallHasItsProjectedAreaAndCentre) {
 }
 
 // a whole scene: the tips that the composer promises are where its arrows end
-TEST_P(ScenePicture, TipsOfOmegaAndMomentum) {
+TEST_P(Geometry, TipsOfOmegaAndMomentumAreInTheirPlace) {
   for (const bool momentum : {true, false}) {
     ShowSpec show;
     for (const char* name : {"body", "space_axes", "space_cone", "body_cone"})
@@ -290,7 +283,7 @@ void expect_on_curve(const char* name,
   EXPECT_GT(looked, 8) << name;
 }
 
-TEST_P(CurvePicture, LiesOnTheProjectedCurve) {
+TEST_P(Geometry, ACurveLiesOnTheProjectedCurve) {
   expect_on_curve("herpolhode", [](const Scenery& scenery, const Sample& now) {
     return omega_tip(scenery, now);
   });
@@ -383,7 +376,7 @@ std::vector<Vec2> contour_of_ellipsoid(const Camera& camera, const Placement& pl
   return contour;
 }
 
-TEST_P(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
+TEST_P(Geometry, AnEllipsoidsContourIsWithinHalfAPixel) {
   for (const char* name : {"ellipsoid", "binet", "trail_sphere"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);
@@ -394,7 +387,7 @@ TEST_P(EllipsoidPicture, ItsContourIsWithinHalfAPixel) {
   }
 }
 
-TEST_P(DiscPicture, ItsRimIsWithinHalfAPixel) {
+TEST_P(Geometry, ADiscsRimIsWithinHalfAPixel) {
   for (const char* name : {"plane", "floor"}) {
     SCOPED_TRACE(name);
     const Composer picture = shown_alone(name);

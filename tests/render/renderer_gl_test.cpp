@@ -236,15 +236,5 @@ TEST(Renderer, AbsurdSizeIsAnInputError) {
   }
 }
 
-TEST(OpenContext, UnknownBackEndNamesTheNearest) {
-  try {
-    open_context("osmessa");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.fault(), Fault::input);
-    EXPECT_NE(std::string(error.what()).find("'osmesa'"), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace polhode

@@ -44,7 +44,7 @@ std::string toml_of(const nlohmann::ordered_json& json) {
   return text;
 }
 
-TEST(Canonical, reads_back_as_the_same_scene) {
+TEST(Canonical, ReadsBackAsTheSameScene) {
   for (const SceneText& good : good_scenes()) {
     SCOPED_TRACE(good.name);
     const Scene scene = parse_scene(good.text, "t");
@@ -53,7 +53,7 @@ TEST(Canonical, reads_back_as_the_same_scene) {
   }
 }
 
-TEST(Canonical, is_in_si_and_resolved) {
+TEST(Canonical, IsInSiAndResolved) {
   const nlohmann::ordered_json json =
       scene_to_json(parse_scene("[body]\nsolid = { kind = \"sphere\", radius_cm = 12, mass_g = 300 "
                                 "}\n[video]\nfps = \"30000/1001\"\n",
@@ -71,7 +71,7 @@ TEST(Canonical, is_in_si_and_resolved) {
 }
 
 // pairs of texts that mean the same
-TEST(SceneHash, does_not_see_spelling) {
+TEST(Canonical, TheHashDoesNotSeeSpelling) {
   const std::vector<std::pair<std::string, std::string>> same = {
       {kBody, "# comment\n\n[body]   # another\nmoments = [1.0, 2e0, 3,]\r\n"},
       {kBody, "body.moments = [1, 2, 3]\nformat = 1\n"},
@@ -92,7 +92,7 @@ TEST(SceneHash, does_not_see_spelling) {
 }
 
 // scenes that differ in one value each
-TEST(SceneHash, sees_every_value) {
+TEST(Canonical, TheHashSeesEveryValue) {
   const std::string solid = "[body]\nsolid = { kind = \"box\", mass = 1 ";
   std::vector<std::string> texts = {kBody,
                                     "title = \"x\"\n" + kBody,
@@ -187,7 +187,7 @@ TEST(SceneHash, sees_every_value) {
   }
 }
 
-TEST(SceneHash, sees_what_a_mesh_file_holds) {
+TEST(Canonical, TheHashSeesWhatAMeshFileHolds) {
   const test::TemporaryFolder folder;
   std::set<std::string> hashes;
   for (const char* tip : {"1", "2"}) {

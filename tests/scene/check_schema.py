@@ -20,7 +20,7 @@ def written_cases(program):
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "cases.json")
         subprocess.run(
-            [program, "--gtest_filter=Schema.is_written_for_the_validator"],
+            [program, "--gtest_filter=Schema.IsWrittenForTheValidator"],
             env=dict(os.environ, POLHODE_SCHEMA_CASES=file),
             check=True,
             stdout=subprocess.DEVNULL,

@@ -51,7 +51,7 @@ std::string damaged(std::string text, std::mt19937& random) {
   return text;
 }
 
-TEST(Fuzz, damaged_scenes_end_in_a_scene_or_an_error) {
+TEST(Fuzz, DamagedScenesEndInASceneOrAnError) {
   std::mt19937 random(20240229);
   int read = 0;
   int refused = 0;

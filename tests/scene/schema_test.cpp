@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(Schema, has_every_spelling_with_its_unit) {
+TEST(Schema, HasEverySpellingWithItsUnit) {
   const Json solid = scene_schema()["properties"]["body"]["properties"]["solid"];
   EXPECT_EQ(solid["properties"]["radius"]["description"], "radius (m)");
   EXPECT_EQ(solid["properties"]["radius_cm"]["description"], "radius (cm)");
@@ -23,20 +23,20 @@ TEST(Schema, has_every_spelling_with_its_unit) {
   EXPECT_EQ(solid["required"], Json::array({"kind"}));
 }
 
-TEST(Schema, converts_ranges_to_the_unit_of_the_key) {
+TEST(Schema, ConvertsRangesToTheUnitOfTheKey) {
   const Json camera = scene_schema()["properties"]["camera"]["properties"];
   EXPECT_EQ(camera["fov"]["maximum"], 2.6);
   EXPECT_NEAR(camera["fov_deg"]["maximum"].get<double>(), 148.969, 1e-3);
 }
 
-TEST(Schema, shares_the_video_table) {
+TEST(Schema, SharesTheVideoTable) {
   const Json video = scene_schema()["properties"]["video"]["properties"];
   EXPECT_TRUE(video.contains("fps"));
   EXPECT_TRUE(video.contains("theme"));
 }
 
 // check_schema.py runs this test alone and judges what it writes with an independent validator
-TEST(Schema, is_written_for_the_validator) {
+TEST(Schema, IsWrittenForTheValidator) {
   const char* file = std::getenv("POLHODE_SCHEMA_CASES");
   if (file == nullptr) GTEST_SKIP() << "only for check_schema.py";
   Json cases{{"schema", scene_schema()}, {"good", Json::array()}, {"bad", Json::array()}};

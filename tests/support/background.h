@@ -12,11 +12,12 @@
 
 namespace polhode::test {
 
-// Until it is so, at most half a minute.
+// Until it is so, at most half a minute. Nothing wakes one up for a file of another program or for
+// what /proc tells, so one looks again and again.
 inline bool becomes(const std::function<bool()>& so) {
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 30000; ++i) {
     if (so()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return false;
 }
@@ -28,10 +29,21 @@ inline bool runs(pid_t id) {
          status.find("State:\tX") == std::string::npos;
 }
 
-// `polhode ARGUMENTS…`; killed at the end if it still runs.
+// The words of a command line without quotes.
+inline std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+// `polhode ARGUMENTS…`, its standard output into a file if one is named; killed at the end if it
+// still runs.
 class Background {
  public:
-  explicit Background(std::vector<std::string> arguments) {
+  explicit Background(std::vector<std::string> arguments, const std::string& out = "") {
     arguments.insert(arguments.begin(), POLHODE_BINARY);
     std::vector<char*> words;
     for (std::string& argument : arguments) {
@@ -41,8 +53,8 @@ class Background {
     const std::string err = folder_ / "err";
     id_ = fork();
     if (id_ != 0) return;
-    const int file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    dup2(file, STDERR_FILENO);
+    dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    if (!out.empty()) dup2(open(out.c_str(), O_WRONLY), STDOUT_FILENO);
     execv(words[0], words.data());
     _exit(127);
   }
@@ -63,7 +75,13 @@ class Background {
     return ids;
   }
 
-  // Sends the signal (0: none) and waits for the end.
+  // Waits until it is amid its work; it must have got `--progress json`.
+  void await_progress() const {
+    EXPECT_TRUE(becomes([&] { return read_text(folder_ / "err").find(kProgress) != npos; }))
+        << read_text(folder_ / "err");
+  }
+
+  // Sends the signal (0: none) and waits for the end. What it says is without lines of progress.
   Ran end(int signal = 0) {
     if (signal != 0) kill(id_, signal);
     int status = 0;
@@ -71,11 +89,17 @@ class Background {
     id_ = -1;
     Ran ran;
     ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ran.err = read_text(folder_ / "err");
+    std::istringstream lines(read_text(folder_ / "err"));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with(kProgress)) ran.err += line + "\n";
+    }
     return ran;
   }
 
  private:
+  static constexpr const char* kProgress = "{\"done\":";
+  static constexpr std::size_t npos = std::string::npos;
+
   TemporaryFolder folder_;
   pid_t id_ = -1;
 };

@@ -7,6 +7,7 @@
 
 #include "math/so3.h"
 #include "motion/stepper.h"
+#include "motion/stepper_table.h"
 #include "support/tops.h"
 
 namespace polhode::test {

@@ -11,7 +11,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-TEST(WebVtt, HasACueForEachCaptionAtTheTimesOfItsFrames) {
+TEST(Captions, WebVttHasACueForEachCaptionAtTheTimesOfItsFrames) {
   const std::vector<FilmMetadata::Caption> captions = {
       {0, 30, "First"}, {30, 31, "Second"}, {60 * 3600, 60 * 3661, "An hour later"}};
   EXPECT_EQ(web_vtt(captions, {60, 1}),
@@ -24,7 +24,7 @@ TEST(WebVtt, HasACueForEachCaptionAtTheTimesOfItsFrames) {
 }
 
 // words cannot end their cue or begin another
-TEST(WebVtt, WordsAreEscaped) {
+TEST(Captions, WordsAreEscaped) {
   const std::string text = web_vtt({{0, 10, "a < b & c\n\n00:01 --> 00:02\r\nΩ <b>"}}, {10, 1});
   EXPECT_EQ(text,
             "WEBVTT\n\n00:00:00.000 --> 00:00:01.000\n"

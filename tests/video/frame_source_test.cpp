@@ -13,7 +13,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-class Sources : public ::testing::Test {
+class FrameSourceNames : public ::testing::Test {
  protected:
   // a picture of one pixel, as grey as its level
   void picture(const std::string& name, int level) const {
@@ -42,7 +42,7 @@ class Sources : public ::testing::Test {
 
 using Labels = std::vector<std::string>;
 
-TEST_F(Sources, AFolderGoesByNumbersInItsNames) {
+TEST_F(FrameSourceNames, AFolderGoesByNumbersInItsNames) {
   for (const char* name : {"f10.png", "f2.png", "f02b.png", "a.PNG", "f.png"})
     picture(name, 10);
   test::write_text(folder_ / "notes.txt", "no picture");
@@ -50,7 +50,7 @@ TEST_F(Sources, AFolderGoesByNumbersInItsNames) {
   EXPECT_EQ(labels("."), (Labels{"a.PNG", "f.png", "f2.png", "f02b.png", "f10.png"}));
 }
 
-TEST_F(Sources, ANumberedNameIsEveryNumberThatItWouldWrite) {
+TEST_F(FrameSourceNames, ANumberedNameIsEveryNumberThatItWouldWrite) {
   for (const char* name :
        {"f_007.png", "f_010.png", "f_1000.png", "f_7.png", "f_0011.png", "f_x.png"})
     picture(name, 10);
@@ -61,12 +61,12 @@ TEST_F(Sources, ANumberedNameIsEveryNumberThatItWouldWrite) {
 }
 
 // a file that is there is that file, whatever its name looks like
-TEST_F(Sources, AFileIsAFile) {
+TEST_F(FrameSourceNames, AFileIsAFile) {
   picture("take_%02d.png", 10);
   EXPECT_EQ(labels("take_%02d.png"), (Labels{""}));
 }
 
-TEST_F(Sources, WhatIsNoSourceIsRefused) {
+TEST_F(FrameSourceNames, WhatIsNoSourceIsRefused) {
   refuses("nothing.png", "no such file");
   std::filesystem::create_directory(folder_ / "empty");
   refuses("empty", "no .png files");

@@ -8,14 +8,14 @@
 namespace polhode {
 namespace {
 
-TEST(FrameRate, WholeNumbersAndRatiosInLowestTerms) {
+TEST(VideoSpec, FrameRatesAreRatiosInLowestTerms) {
   EXPECT_EQ(parse_frame_rate("60"), (FrameRate{60, 1}));
   EXPECT_EQ(parse_frame_rate("30000/1001"), (FrameRate{30000, 1001}));
   EXPECT_EQ(parse_frame_rate("120/2"), (FrameRate{60, 1}));
   EXPECT_DOUBLE_EQ(parse_frame_rate("25/2").value(), 12.5);
 }
 
-TEST(FrameRate, DecimalsAreRefusedWithTheExactRatio) {
+TEST(VideoSpec, DecimalRatesAreRefusedWithTheExactRatio) {
   for (const auto& [text, ratio] : {std::pair{"29.97", "30000/1001"},
                                     {"23.976", "24000/1001"},
                                     {"59.94", "60000/1001"},
@@ -30,7 +30,7 @@ TEST(FrameRate, DecimalsAreRefusedWithTheExactRatio) {
   }
 }
 
-TEST(FrameRate, NonsenseIsRefused) {
+TEST(VideoSpec, NonsenseIsNoFrameRate) {
   for (const char* text : {"",
                            "0",
                            "-1",
@@ -52,12 +52,12 @@ TEST(FrameRate, NonsenseIsRefused) {
   }
 }
 
-TEST(PictureSize, Parses) {
+TEST(VideoSpec, PictureSizesAreTwoSides) {
   EXPECT_EQ(parse_picture_size("1920x1080"), (PictureSize{1920, 1080}));
   EXPECT_EQ(parse_picture_size("16x16384"), (PictureSize{16, 16384}));
 }
 
-TEST(PictureSize, NonsenseIsRefused) {
+TEST(VideoSpec, NonsenseIsNoPictureSize) {
   for (const char* text : {"",
                            "1920",
                            "x",

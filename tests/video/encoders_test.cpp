@@ -1,90 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Every kind of film, decoded again: the tables of video/encoders.h are gone through, so that a new
-// row is tested by being there.
+// Every kind of film, decoded again.
+#include "video/encoders.h"
+
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <set>
 
 #include "base/error.h"
 #include "support/full_disk.h"
-#include "support/run.h"
-#include "video/decoded_film.h"
-#include "video/encoders.h"
-#include "video/gif_sink.h"
+#include "video/every_format.h"
 #include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {
 
+using test::all_ways;
 using test::decode;
 using test::DecodedFilm;
+using test::job_for;
+using test::paint;
+using test::some_metadata;
 using test::TemporaryFolder;
-
-// A way to make a film: an ending with one of its codecs.
-struct Way {
-  const FilmFormat* format;
-  const FilmEncoder* encoder;
-
-  std::string name() const { return encoder->codec + format->ending; }
-  bool lossless() const { return encoder->codec == "apng"; }
-};
-
-std::vector<Way> all_ways() {
-  std::vector<Way> ways;
-  for (const FilmFormat& format : film_formats()) {
-    for (const std::string& codec : format.codecs) {
-      ways.push_back({&format, &find_encoder(format, codec)});
-    }
-  }
-  return ways;
-}
-
-SinkJob job_for(const TemporaryFolder& folder, const Way& way, FrameRate fps = {25, 1}) {
-  SinkJob job;
-  job.output = folder / ("a" + way.format->ending);
-  job.width = 64;
-  job.height = 48;
-  job.fps = fps;
-  job.encoder.codec = way.encoder->codec;
-  job.encoder.crf = way.encoder->crf[1];
-  job.title = "A <title> & \"quotes\" ü";
-  job.comment = "what made it";
-  return job;
-}
-
-void paint(Image& image, int x, int y, int r, int g, int b, int a) {
-  std::uint8_t* pixel = image.at(x, y);
-  pixel[0] = static_cast<std::uint8_t>(r);
-  pixel[1] = static_cast<std::uint8_t>(g);
-  pixel[2] = static_cast<std::uint8_t>(b);
-  pixel[3] = static_cast<std::uint8_t>(a);
-}
-
-// an orange square of 16 pixels that walks over blue; the ground is clear when there is alpha
-Image walking(const SinkJob& job, int index) {
-  Image image(job.width, job.height);
-  for (int y = 0; y < job.height; ++y) {
-    for (int x = 0; x < job.width; ++x) {
-      const bool inside = y >= 16 && y < 32 && (x - 2 * index + 640) % 64 < 16;
-      if (inside) {
-        paint(image, x, y, 240, 165, 30, 255);
-      } else {
-        paint(image, x, y, 20, 60, 140, job.transparent ? 0 : 255);
-      }
-    }
-  }
-  return image;
-}
-
-void write_film(const SinkJob& job, int frames, const FilmMetadata& metadata = {}) {
-  const std::unique_ptr<FrameSink> sink = make_sink(job);
-  sink->describe(metadata);
-  for (int i = 0; i < frames; ++i) {
-    sink->push(walking(job, i));
-  }
-  sink->finish();
-}
+using test::walking;
+using test::Way;
+using test::write_film;
 
 std::string alpha_decoder(const Way& way) {
   return way.encoder->codec == "vp9" ? "libvpx-vp9" : "";
@@ -97,7 +35,7 @@ double unit_of(const Way& way) {
   return 0.0;
 }
 
-TEST(Formats, CountSizeAndTimesAreExact) {
+TEST(Encoders, CountSizeAndTimesAreExact) {
   for (const Way& way : all_ways()) {
     for (const FrameRate fps : {FrameRate{25, 1}, {30000, 1001}, {50, 1}}) {
       SCOPED_TRACE(way.name() + " " + std::to_string(fps.value()));
@@ -127,7 +65,7 @@ TEST(Formats, CountSizeAndTimesAreExact) {
 }
 
 // the delays that the file holds, each a fraction of a second in a chunk of its own (fcTL)
-TEST(Formats, DelaysOfAnApngAreExactFractions) {
+TEST(Encoders, DelaysOfAnApngAreExactFractions) {
   const Way apng{find_film_format("a.apng"), &find_encoder(*find_film_format("a.apng"), "")};
   const TemporaryFolder folder;
   const SinkJob job = job_for(folder, apng, {30000, 1001});
@@ -150,7 +88,7 @@ TEST(Formats, DelaysOfAnApngAreExactFractions) {
   EXPECT_EQ(delays, 5);
 }
 
-TEST(Formats, PicturesComeBack) {
+TEST(Encoders, PicturesComeBack) {
   for (const Way& way : all_ways()) {
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
@@ -176,7 +114,7 @@ TEST(Formats, PicturesComeBack) {
   }
 }
 
-TEST(Formats, AlphaIsKeptStraight) {
+TEST(Encoders, AlphaIsKeptStraight) {
   int kept = 0;
   for (const Way& way : all_ways()) {
     if (!way.encoder->alpha) continue;
@@ -202,7 +140,7 @@ TEST(Formats, AlphaIsKeptStraight) {
 }
 
 // half-clear pixels keep their full colour, where alpha has more than one bit
-TEST(Formats, HalfClearIsHalfClear) {
+TEST(Encoders, HalfClearIsHalfClear) {
   for (const Way& way : all_ways()) {
     if (!way.encoder->alpha || way.encoder->codec == "gif") continue;
     SCOPED_TRACE(way.name());
@@ -228,110 +166,7 @@ TEST(Formats, HalfClearIsHalfClear) {
   }
 }
 
-TEST(Formats, ColoursAreTagged) {
-  for (const Way& way : all_ways()) {
-    if (way.format->ending == ".gif" || way.format->ending == ".apng") continue;
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    write_film(job_for(folder, way), 3);
-    const DecodedFilm film = decode(folder / ("a" + way.format->ending));
-    EXPECT_EQ(film.range, AVCOL_RANGE_MPEG);
-    if (way.format->ending == ".y4m") continue;  // has no words for the rest
-    EXPECT_EQ(film.matrix, AVCOL_SPC_BT709);
-    EXPECT_EQ(film.primaries, AVCOL_PRI_BT709);
-    EXPECT_EQ(film.transfer, AVCOL_TRC_BT709);
-    if (way.encoder->codec == "hevc") {
-      EXPECT_EQ(film.tag, MKTAG('h', 'v', 'c', '1')) << "QuickTime looks for it";
-    }
-  }
-}
-
-TEST(Formats, TheFinestHasAsMuchColourAsPlayersTake) {
-  for (const Way& way : all_ways()) {
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    SinkJob job = job_for(folder, way);
-    job.encoder.finest = true;
-    write_film(job, 3);
-    const int format = decode(job.output).pixel_format;
-    const std::string& codec = way.encoder->codec;
-    if (codec == "vp9" || codec == "raw") {
-      EXPECT_EQ(format, AV_PIX_FMT_YUV444P);
-    }
-    if (codec == "h264" || codec == "hevc" || codec == "av1") {
-      EXPECT_EQ(format, AV_PIX_FMT_YUV420P) << "4:4:4 stays blank in many players";
-    }
-  }
-}
-
-FilmMetadata some_glyphs() {
-  FilmMetadata metadata;
-  metadata.frames = 40;
-  metadata.key_frames = {7, 18, 33};
-  metadata.chapters = {{0, "First <one>"}, {18, "Second & last ü"}};
-  metadata.captions = {{0, 18, "Words"}};
-  return metadata;
-}
-
-DecodedFilm marked_film(const TemporaryFolder& folder, const Way& way) {
-  const SinkJob job = job_for(folder, way);
-  write_film(job, 40, some_glyphs());
-  return decode(job.output);
-}
-
-TEST(Formats, TitleChaptersAndEncoderAreInTheContainer) {
-  for (const Way& way : all_ways()) {
-    if (!way.format->keeps_metadata) continue;
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    const DecodedFilm film = marked_film(folder, way);
-    EXPECT_EQ(film.title, job_for(folder, way).title);
-    EXPECT_EQ(film.comment, job_for(folder, way).comment);
-    ASSERT_EQ(film.chapters.size(), 2u);
-    EXPECT_EQ(film.chapters[0].title, "First <one>");
-    EXPECT_EQ(film.chapters[1].title, "Second & last ü");
-    EXPECT_NEAR(film.chapters[1].start_s, 18 / 25.0, 1e-3);
-    EXPECT_NEAR(film.chapters[1].end_s, 40 / 25.0, 1e-3);
-    EXPECT_EQ(film.pts.size(), 40u);
-    EXPECT_NE(test::read_text(folder / "a.vtt").find("Words"), std::string::npos);
-  }
-}
-
-TEST(Formats, KeyFramesAreWhereTheStoryStopsAndEverySecond) {
-  for (const Way& way : all_ways()) {
-    if (!way.format->keeps_metadata) continue;
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    const DecodedFilm film = marked_film(folder, way);
-    ASSERT_EQ(film.packets.size(), 40u);
-    std::set<int> keys;
-    for (const DecodedFilm::Packet& packet : film.packets) {
-      const double frame = static_cast<double>(packet.pts) * av_q2d(film.time_base) * 25.0;
-      if (packet.key) keys.insert(static_cast<int>(std::lround(frame)));
-    }
-    for (const int wanted : {0, 7, 18, 33}) {
-      EXPECT_TRUE(keys.contains(wanted)) << wanted;
-    }
-  }
-}
-
-// without metadata no group is longer than a second
-TEST(Formats, AGroupIsAtMostASecond) {
-  for (const Way& way : all_ways()) {
-    if (!way.format->keeps_metadata) continue;
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    write_film(job_for(folder, way, {12, 1}), 40);
-    const DecodedFilm film = decode(folder / ("a" + way.format->ending));
-    int since = 0;
-    for (const bool key : film.key) {
-      since = key ? 1 : since + 1;
-      EXPECT_LE(since, 12);
-    }
-  }
-}
-
-TEST(Formats, SameFramesGiveTheSamePictures) {
+TEST(Encoders, SameFramesGiveTheSamePictures) {
   for (const Way& way : all_ways()) {
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
@@ -349,38 +184,14 @@ TEST(Formats, SameFramesGiveTheSamePictures) {
   }
 }
 
-TEST(Formats, OddSidesWhereColourHasAllOfThem) {
-  for (const Way& way : all_ways()) {
-    SCOPED_TRACE(way.name());
-    const TemporaryFolder folder;
-    SinkJob job = job_for(folder, way);
-    job.width = 63;
-    job.height = 47;
-    const std::string& codec = way.encoder->codec;
-    const bool takes = codec == "prores" || codec == "gif" || codec == "apng";
-    try {
-      write_film(job, 2);
-      EXPECT_TRUE(takes);
-      const DecodedFilm film = decode(job.output);
-      EXPECT_EQ(film.width, 63);
-      EXPECT_EQ(film.height, 47);
-    } catch (const Error& error) {
-      EXPECT_FALSE(takes) << error.what();
-      EXPECT_EQ(error.fault(), Fault::input);
-      EXPECT_NE(std::string(error.what()).find("64x48"), std::string::npos) << error.what();
-      EXPECT_EQ(folder.entries(), 0);
-    }
-  }
-}
-
 // wherever it becomes full; x264's bytes, unlike its pixels, may vary by a few
-TEST(Formats, AFullDiskIsAnErrorAndLeavesNothing) {
+TEST(Encoders, AFullDiskIsAnErrorAndLeavesNothing) {
   for (const Way& way : all_ways()) {
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
     const SinkJob job = job_for(folder, way);
     const auto make = [&] {
-      write_film(job, 12, some_glyphs());
+      write_film(job, 12, some_metadata());
     };
     make();
     const auto whole = static_cast<rlim_t>(std::filesystem::file_size(job.output));
@@ -396,7 +207,7 @@ TEST(Formats, AFullDiskIsAnErrorAndLeavesNothing) {
   }
 }
 
-TEST(Formats, AbandonedLeavesNothingAndKeepsTheOldOnes) {
+TEST(Encoders, AbandonedLeavesNothingAndKeepsTheOldOnes) {
   for (const Way& way : all_ways()) {
     SCOPED_TRACE(way.name());
     const TemporaryFolder folder;
@@ -405,7 +216,7 @@ TEST(Formats, AbandonedLeavesNothingAndKeepsTheOldOnes) {
     test::write_text(folder / "a.vtt", "older words");
     {
       const std::unique_ptr<FrameSink> sink = make_sink(job);
-      sink->describe(some_glyphs());
+      sink->describe(some_metadata());
       for (int i = 0; i < 20; ++i) {
         sink->push(walking(job, i));
       }
@@ -416,7 +227,7 @@ TEST(Formats, AbandonedLeavesNothingAndKeepsTheOldOnes) {
   }
 }
 
-TEST(Formats, EveryPresetOpens) {
+TEST(Encoders, EveryPresetOpens) {
   for (const Way& way : all_ways()) {
     if (!way.encoder->presets) continue;
     for (const std::string& preset : encoder_presets()) {
@@ -434,7 +245,7 @@ TEST(Formats, EveryPresetOpens) {
 }
 
 // the encoder that serves where the first is missing
-TEST(Formats, EveryEncoderOfTheTableIsThereOrSaysWhatToInstall) {
+TEST(Encoders, EveryEncoderOfTheTableIsThereOrSaysWhatToInstall) {
   for (const FilmEncoder& encoder : film_encoders()) {
     EXPECT_TRUE(has_encoder(encoder.name)) << encoder.name;
   }
@@ -499,33 +310,6 @@ TEST(Encoders, GradesAreEachCodecsOwn) {
   EXPECT_EQ(settle_encoder("a.mov", wish).preset, "");
   wish.codec = "av1";
   EXPECT_EQ(settle_encoder("a.mp4", wish).crf, 18);
-}
-
-TEST(Gif, AFasterFilmLosesFramesAndNoTime) {
-  EXPECT_EQ(gif_step({50, 1}), 1);
-  EXPECT_EQ(gif_step({51, 1}), 2);
-  EXPECT_EQ(gif_step({60, 1}), 2);
-  EXPECT_EQ(gif_step({60000, 1001}), 2);
-  EXPECT_EQ(gif_step({1000, 1}), 20);
-  EXPECT_EQ(gif_step({999999937, 10000019}), 2);
-
-  const Way gif{find_film_format("a.gif"), &find_encoder(*find_film_format("a.gif"), "")};
-  for (const FrameRate fps : {FrameRate{60, 1}, {60000, 1001}, {120, 1}, {1000, 1}}) {
-    SCOPED_TRACE(fps.value());
-    const TemporaryFolder folder;
-    const SinkJob job = job_for(folder, gif, fps);
-    const int step = gif_step(fps);
-    write_film(job, 61);
-    const DecodedFilm film = decode(job.output);
-    ASSERT_EQ(film.frames.size(), static_cast<std::size_t>(60 / step + 1));
-    for (std::size_t k = 0; k < film.frames.size(); ++k) {
-      const double shown = static_cast<double>(film.pts[k] - film.pts[0]) * av_q2d(film.time_base);
-      EXPECT_NEAR(shown, static_cast<double>(k) * step / fps.value(), 0.005 + 1e-9);
-      // frame k * step it is, and no neighbour
-      const int x = (7 + 2 * static_cast<int>(k) * step) % 64;
-      EXPECT_NEAR(film.frames[k].at(x, 23)[0], 240, 6) << k;
-    }
-  }
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What the machine lacks, or takes away amid the work: one line, exit code 3 (130 for an
+// interrupt), and nothing left behind.
+#include <algorithm>
+
+#include <sys/stat.h>
+
+#include "support/background.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+
+// the real loader against a machine without the libraries: files of their names that are no
+// libraries
+TEST(Environment, WithoutAnyOpenGlTheRunSaysWhatIsMissing) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  for (const char* name :
+       {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1", "libEGL.so"}) {
+    write_text(folder / name, "");
+  }
+  const std::string before = "LD_LIBRARY_PATH='" + folder.path().string() + "'";
+  const long files = folder.entries();
+  for (const std::string backend : {"auto", "osmesa", "egl"}) {
+    const Ran ran = run_polhode("render '" + (folder / "scene.toml") + "' -o '" +
+                                    (folder / "a.mp4") + "' --backend " + backend,
+                                before);
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(folder.entries(), files);
+  }
+  // with one of the two back, auto finds it
+  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+    std::filesystem::remove(folder / name);
+  }
+  const Ran ran = run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.png") +
+                                  "' --report '" + (folder / "r.json") + "'",
+                              before);
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(test::read_text(folder / "r.json").find("\"backend\": \"osmesa\""), std::string::npos);
+}
+
+TEST(Environment, AFullDiskLeavesNothing) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  // one block of 512 bytes (sh) is less than any film; stdout and stderr stay below it
+  const Ran ran = run_polhode(
+      "render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'", "ulimit -f 1;");
+  EXPECT_EQ(ran.code, 3) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// Mesa itself crashes below this
+TEST(Environment, LittleMemoryIsToldInOneLine) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer itself needs terabytes of addresses";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  for (const std::string limit : {"200000", "300000", "400000", "600000"}) {
+    const Ran ran =
+        run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
+                    "ulimit -v " + limit + ";");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(folder.entries(), 1) << limit;
+  }
+}
+
+TEST(Environment, InterruptLeavesNothingAndSaysSo) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    std::string text = test::kSmallScene;
+    text.replace(text.find("duration = 1"), 12, "duration = 1000");
+    write_text(folder / "scene.toml", text);
+    test::Background run(
+        {"render", folder / "scene.toml", "-o", folder / "a.mp4", "--progress", "json"});
+    run.await_progress();
+    const Ran ran = run.end(signal);
+    EXPECT_EQ(ran.code, 130) << signal << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(folder.entries(), 1) << signal;
+  }
+}
+
+TEST(Environment, AnAnswerThatCannotBeWrittenIsAFailure) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  for (const std::string& arguments : {std::string("list methods"),
+                                       std::string("schema"),
+                                       std::string("doctor"),
+                                       std::string("--help"),
+                                       std::string("render --help"),
+                                       std::string("--version"),
+                                       "inspect " + scene,
+                                       "simulate " + scene + " -o -"}) {
+    for (const std::string closed : {"1>/dev/full", "1>&-"}) {
+      SCOPED_TRACE(arguments + " " + closed);
+      const Ran ran = run_polhode(arguments + " " + closed + " 2>'" + (folder / "err") + "' #");
+      EXPECT_EQ(ran.code, 3);
+      EXPECT_NE(test::read_text(folder / "err").find("cannot write to standard output"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST(Environment, AReaderWhoHasHadEnoughIsNoFailure) {
+  const TemporaryFolder folder;
+  run_polhode("schema 2>'" + (folder / "err") + "'; echo $? >'" + (folder / "code") +
+                  "') | head -n 1 >'" + (folder / "out") + "' #",
+              "(");
+  EXPECT_EQ(test::read_text(folder / "out"), "{\n");
+  EXPECT_EQ(test::read_text(folder / "code"), "0\n");
+  EXPECT_EQ(test::read_text(folder / "err"), "");
+}
+
+// the number of a closed stream must not become that of the film
+TEST(Environment, ClosedStreamsChangeNothingElse) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  EXPECT_EQ(run_polhode("render 2>&- #").code, 2);
+  EXPECT_EQ(
+      run_polhode("render " + scene + " -o '" + (folder / "a.png") + "' 0<&- 1>&- 2>&- #").code, 0);
+  EXPECT_EQ(run_polhode("render " + scene + " -o '" + (folder / "b.png") + "'").code, 0);
+  EXPECT_EQ(test::read_text(folder / "a.png"), test::read_text(folder / "b.png"));
+}
+
+TEST(Environment, WhatIsNoFileIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const Ran ran =
+      run_polhode("render '" + pipe + "' -o '" + (folder / "a.mp4") + "'", "timeout 20");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("no ordinary file"), std::string::npos) << ran.err;
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "frame/arrow.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "frame/to_glm.h"
+
+namespace polhode {
+namespace {
+
+const ArrowMeshes kMeshes = arrow_meshes(32, 32);
+
+std::vector<DrawItem> arrow(const Vec3& from, const Vec3& tip, const ArrowShape& shape) {
+  std::vector<DrawItem> items;
+  add_arrow(items, kMeshes, from, tip, shape, Material{});
+  return items;
+}
+
+// where a point of an item's mesh is drawn
+Vec3 drawn(const DrawItem& item, const Vec3& point) {
+  const glm::vec4 at = item.world_from_mesh * glm::vec4(to_glm(point), 1.0f);
+  return {at.x, at.y, at.z};
+}
+
+// the apex of the head is the end of the vector, whatever its direction and length, and the shaft
+// goes from the foot to the base of the head
+TEST(Arrow, EndsExactlyAtTheTip) {
+  const ArrowShape shape{0.01, 0.03, 0.09};
+  const Vec3 from(0.2, -0.1, 0.4);
+  for (const Vec3& vector : {Vec3(0, 0, 1),
+                             Vec3(0, 0, -1),
+                             Vec3(1, 2, -0.5),
+                             Vec3(0.02, 0.01, 0.0),
+                             Vec3(-1e-3, 0, 1e-3)}) {
+    const std::vector<DrawItem> items = arrow(from, from + vector, shape);
+    ASSERT_EQ(items.size(), 2u);
+    EXPECT_LT((drawn(items[1], Vec3::UnitZ()) - from - vector).norm(), 1e-6);
+    EXPECT_LT((drawn(items[0], Vec3::Zero()) - from).norm(), 1e-6);
+    EXPECT_LT((drawn(items[0], Vec3::UnitZ()) - drawn(items[1], Vec3::Zero())).norm(), 1e-6);
+  }
+}
+
+TEST(Arrow, RadiiAreSquareToTheVector) {
+  const ArrowShape shape{0.01, 0.03, 0.09};
+  const Vec3 vector(0.3, -0.4, 1.2);
+  const std::vector<DrawItem> items = arrow(Vec3::Zero(), vector, shape);
+  ASSERT_EQ(items.size(), 2u);
+  const double radii[] = {shape.shaft_radius, shape.head_radius};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const Vec3& out : {Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+      const Vec3 across = drawn(items[i], out) - drawn(items[i], Vec3::Zero());
+      EXPECT_NEAR(across.norm(), radii[i], 1e-7);
+      EXPECT_NEAR(across.dot(vector), 0.0, 1e-7);
+    }
+  }
+}
+
+// the head of a short vector shrinks in proportion, shaft and all
+TEST(Arrow, AShortVectorHasASmallerHead) {
+  const ArrowShape shape{0.01, 0.03, 0.09};
+  const std::vector<DrawItem> items = arrow(Vec3::Zero(), Vec3(0, 0, 0.03), shape);
+  ASSERT_EQ(items.size(), 2u);
+  const double shrink = 0.02 / 0.09;
+  EXPECT_NEAR(drawn(items[1], Vec3::Zero()).z(), 0.01, 1e-8);
+  EXPECT_NEAR(drawn(items[1], Vec3::UnitX()).x(), 0.03 * shrink, 1e-8);
+  EXPECT_NEAR(drawn(items[0], Vec3::UnitX()).x(), 0.01 * shrink, 1e-8);
+}
+
+TEST(Arrow, AVectorOfNoLengthIsNotDrawn) {
+  EXPECT_TRUE(arrow(Vec3(1, 2, 3), Vec3(1, 2, 3), ArrowShape{}).empty());
+  std::vector<DrawItem> items;
+  add_tube(items, kMeshes, Vec3(1, 2, 3), Vec3(1, 2, 3), 0.1, Material{});
+  EXPECT_TRUE(items.empty());
+}
+
+TEST(Arrow, ATubeGoesFromEndToEnd) {
+  std::vector<DrawItem> items;
+  const Vec3 from(0, 1, 0), to(2, -1, 1);
+  add_tube(items, kMeshes, from, to, 0.25, Material{});
+  ASSERT_EQ(items.size(), 1u);
+  EXPECT_LT((drawn(items[0], Vec3::Zero()) - from).norm(), 1e-6);
+  EXPECT_LT((drawn(items[0], Vec3::UnitZ()) - to).norm(), 1e-6);
+  EXPECT_NEAR((drawn(items[0], Vec3::UnitX()) - from).norm(), 0.25, 1e-6);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Paths that a film reveals, and the curves of a whole film.
+#include <gtest/gtest.h>
+
+#include "frame/compose.h"
+#include "frame/elements/parts.h"
+#include "support/motions.h"
+#include "support/show_only.h"
+
+namespace polhode {
+namespace {
+
+// revealed up to any time, a trail ends where the point is
+TEST(Paths, TrailEndsWhereThePointIs) {
+  const BodySpec body = test::prolate_body();
+  ShowSpec show;
+  show["trail"] = true;
+  const Composer picture(
+      test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+  const Scenery& scenery = picture.scenery();
+  for (const double t : {0.3, 1.234, 4.0}) {
+    const Sample now = scenery.motion.at(t);
+    const Vec3 tip =
+        now.reference_S + kTrailRadius * scenery.scale.body * (now.q_SB * figure_axis_B(scenery));
+    const std::vector<MeshPtr> meshes = scenery.paths.axis.part(0.0, t);
+    ASSERT_FALSE(meshes.empty());
+    // the last ring of the tube is around the tip
+    Vec3 middle = Vec3::Zero();
+    const std::vector<Vertex>& vertices = meshes.back()->vertices;
+    for (std::size_t i = vertices.size() - 8; i < vertices.size(); ++i)
+      middle += to_eigen(vertices[i].position) / 8.0;
+    EXPECT_LT((scenery.paths.axis.place() * middle - tip).norm(), 2e-3 * scenery.scale.body) << t;
+  }
+}
+
+// `trail_length` seconds back and no farther: each corner of the tube is on that part of the path
+TEST(Paths, TrailIsAsLongAsTheSceneAsks) {
+  const BodySpec body = test::prolate_body();
+  ShowSpec show = test::show_only("trail");
+  show.trail_s = 0.5;
+  const Composer picture(
+      test::moving(body, test::wobbling()), body, CameraSpec{}, show, {}, {640, 360});
+  const Scenery& scenery = picture.scenery();
+  const double now = 2.0;
+  const auto tip = [&](double t) {
+    const Sample s = scenery.motion.at(t);
+    return Vec3(s.reference_S +
+                kTrailRadius * scenery.scale.body * (s.q_SB * figure_axis_B(scenery)));
+  };
+  const Glyphs glyphs = picture.glyphs_at(scenery.motion.at(now));
+  ASSERT_FALSE(glyphs.meshes.empty());
+  double earliest = now, farthest = 0.0;
+  for (const MeshGlyph& glyph : glyphs.meshes) {
+    for (const Vertex& vertex : glyph.mesh->vertices) {
+      const Vec3 point = glyph.space_from_mesh * to_eigen(vertex.position);
+      double nearest = 1e9, at = now;
+      for (double t = now - 1.0; t <= now; t += 0.005) {
+        const double distance = (tip(t) - point).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        at = t;
+      }
+      earliest = std::min(earliest, at);
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  EXPECT_NEAR(earliest, now - 0.5, 0.02);
+  EXPECT_LT(farthest, 2.0 * kRimRadius * scenery.scale.body);
+}
+
+// the body's curve is the polhode of its start, in the scale of omega
+TEST(Paths, PolhodeIsThatOfTheStart) {
+  const BodySpec body = test::brick_body();
+  const Composer picture(test::moving(body, test::wobbling()),
+                         body,
+                         CameraSpec{},
+                         test::show_only("polhode"),
+                         {},
+                         {640, 360});
+  const Scenery& scenery = picture.scenery();
+  const BodyModel& model = scenery.motion.model();
+  const Vec3 start = principal_rate(model, scenery.motion.at(0.0));
+  const double energy2 = twice_the_energy(model, start);
+  const MeshPtr mesh = scenery.paths.polhode;
+  ASSERT_TRUE(mesh);
+  for (const Vertex& vertex : mesh->vertices) {
+    // from a corner of the tube to the curve along the normal
+    const Vec3 w = scenery.scale.body / scenery.scale.omega *
+                   (to_eigen(vertex.position) - kRimRadius * to_eigen(vertex.normal));
+    EXPECT_NEAR(twice_the_energy(model, w) / energy2, 1.0, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Arrows, against the motion that they belong to.
+#include <gtest/gtest.h>
+
+#include "frame/compose.h"
+#include "support/motions.h"
+#include "support/show_only.h"
+
+namespace polhode {
+namespace {
+
+using test::moving;
+using test::prolate_body;
+using test::show_only;
+using test::wobbling;
+
+Composer composer(const BodySpec& body, const MotionSpec& motion, const ShowSpec& show) {
+  return {moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, {640, 360}};
+}
+
+// Omega x r, measured: the tips are where the points are a moment later
+TEST(Vectors, VelocitiesPointWhereThePointsGo) {
+  MotionSpec spec = wobbling();
+  spec.velocity = Vec3(0.1, -0.2, 0.3);
+  const Composer picture = composer(prolate_body(), spec, show_only("velocity_field"));
+  const Motion& motion = picture.scenery().motion;
+  const double h = 1e-5;
+  const Glyphs before = picture.glyphs_at(motion.at(0.7 - h));
+  const Glyphs now = picture.glyphs_at(motion.at(0.7));
+  const Glyphs after = picture.glyphs_at(motion.at(0.7 + h));
+  double longest = 0.0;
+  for (std::size_t i = 0; i < now.arrows.size(); ++i) {
+    const Vec3 velocity = (after.arrows[i].from - before.arrows[i].from) / (2.0 * h);
+    const Vec3 along = now.arrows[i].tip - now.arrows[i].from;
+    EXPECT_LT((picture.scenery().scale.velocity * velocity - along).norm(), 1e-8);
+    longest = std::max(longest, along.norm());
+  }
+  EXPECT_GT(longest, 0.3 * picture.scenery().scale.body);
+}
+
+// figure 1 of the notes: r = R + r~
+TEST(Vectors, PositionsCloseATriangle) {
+  MotionSpec spec = wobbling();
+  spec.position = Vec3(0.3, 0.5, 0.2);
+  ShowSpec show = show_only("fixed_frame");
+  show.points = {Vec3(0.05, 0.02, 0.1)};
+  const Composer picture = composer(prolate_body(), spec, show);
+  const Sample s = picture.scenery().motion.at(1.1);
+  const Glyphs glyphs = picture.glyphs_at(s);
+  ASSERT_EQ(glyphs.arrows.size(), 6u);
+  const ArrowGlyph& R = glyphs.arrows[3];
+  const ArrowGlyph& r_tilde = glyphs.arrows[4];
+  const ArrowGlyph& r = glyphs.arrows[5];
+  EXPECT_EQ(R.from, Vec3::Zero());
+  EXPECT_EQ(R.tip, s.reference_S);
+  EXPECT_EQ(r_tilde.from, s.reference_S);
+  EXPECT_LT(((R.tip - R.from) + (r_tilde.tip - r_tilde.from) - (r.tip - r.from)).norm(), 1e-15);
+  EXPECT_LT((glyphs.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
+}
+
+// the sums that make components what they are
+TEST(Vectors, ComponentsAddUpToOmega) {
+  for (const char* name : {"omega_components", "euler_rates"}) {
+    const BodySpec body = test::brick_body();
+    const Composer picture(test::moving(body, test::wobbling()),
+                           body,
+                           CameraSpec{},
+                           test::show_only(name),
+                           {},
+                           {640, 360});
+    const Sample now = picture.scenery().motion.at(1.1);
+    Vec3 sum = Vec3::Zero();
+    for (const ArrowGlyph& arrow : picture.glyphs_at(now).arrows)
+      sum += arrow.tip - arrow.from;
+    EXPECT_LT((sum - picture.scenery().scale.omega * now.w_S).norm(), 1e-12) << name;
+  }
+}
+
+// dL/dt is the torque that is drawn
+TEST(Vectors, TorqueIsTheRateOfL) {
+  const BodySpec body = test::cone_body();
+  const Composer picture(test::moving(body, test::spinning_on_pivot()),
+                         body,
+                         CameraSpec{},
+                         test::show_only("torque"),
+                         {},
+                         {640, 360});
+  const Motion& motion = picture.scenery().motion;
+  const double h = 1e-5;
+  for (const double t : {0.3, 1.0}) {
+    const Vec3 rate = (motion.at(t + h).L_S - motion.at(t - h).L_S) / (2.0 * h);
+    const ArrowGlyph arrow = picture.glyphs_at(motion.at(t)).arrows.at(0);
+    const Vec3 drawn = (arrow.tip - arrow.from) / picture.scenery().scale.torque;
+    EXPECT_LT((drawn - rate).norm(), 1e-6 * rate.norm());
+  }
+}
+
+// a couple is two forces that cancel; its moment is the arm times the force
+TEST(Vectors, ACoupleIsTwoOppositeForces) {
+  MotionSpec spec = wobbling();
+  spec.torque.resize(1);
+  spec.torque[0].kind = "couple";
+  spec.torque[0].body = Vec3(0, 0.1, 0);
+  spec.torque[0].at = Vec3(0, 0, 0.1);
+  spec.torque[0].opposite = Vec3(0, 0, -0.1);
+  const Composer picture = composer(prolate_body(), spec, show_only("forces"));
+  const Sample s = picture.scenery().motion.at(0.9);
+  const std::vector<ArrowGlyph> arrows = picture.glyphs_at(s).arrows;
+  ASSERT_EQ(arrows.size(), 2u);
+  const Vec3 one = arrows[0].tip - arrows[0].from;
+  const Vec3 other = arrows[1].tip - arrows[1].from;
+  EXPECT_LT((one + other).norm(), 1e-15);
+  const double size = picture.scenery().scale.force;
+  EXPECT_LT((one - size * (s.q_SB * Vec3(0, 0.1, 0))).norm(), 1e-12);
+  EXPECT_LT((arrows[0].from - arrows[1].from - s.q_SB * Vec3(0, 0, 0.2)).norm(), 1e-12);
+}
+
+// the weight acts on the centre of mass, three quarters up a cone from its apex
+TEST(Vectors, GravityPullsTheCentreOfMassDown) {
+  const Composer picture =
+      composer(test::cone_body(), test::spinning_on_pivot(), show_only("gravity"));
+  const Sample s = picture.scenery().motion.at(0.7);
+  const ArrowGlyph arrow = picture.glyphs_at(s).arrows.at(0);
+  EXPECT_LT((arrow.from - s.q_SB * Vec3(0, 0, 0.75 * 0.05)).norm(), 1e-12);
+  const Vec3 down = (arrow.tip - arrow.from).normalized();
+  EXPECT_LT((down + Vec3::UnitZ()).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// The table of what can be shown: what is there by default, what is refused, what each name adds.
+#include "frame/elements.h"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "frame/compose.h"
+#include "support/motions.h"
+#include "support/show_only.h"
+
+namespace polhode {
+namespace {
+
+using test::cone_body;
+using test::moving;
+using test::prolate_body;
+using test::show_only;
+using test::spinning_on_pivot;
+using test::wobbling;
+
+Composer composer(const BodySpec& body, const MotionSpec& motion, const ShowSpec& show = {}) {
+  return {moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, {640, 360}};
+}
+
+// the names that a composer shows, in the order of the table
+std::vector<std::string> shown(const Composer& picture) {
+  std::vector<std::string> names;
+  for (const Element& element : elements()) {
+    if (picture.shows(element.name)) names.push_back(element.name);
+  }
+  return names;
+}
+
+TEST(Elements, DefaultsFollowTheScene) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(shown(composer(prolate_body(), wobbling())),
+            (Names{"body", "space_axes", "omega", "momentum", "space_cone", "body_cone"}));
+  EXPECT_EQ(shown(composer(cone_body(), spinning_on_pivot())),
+            (Names{"body", "space_axes", "omega", "momentum", "precession_cone", "pivot"}));
+
+  MotionSpec steady = wobbling();
+  steady.spin.body = Vec3(0, 0, 3);
+  EXPECT_FALSE(composer(prolate_body(), steady).shows("space_cone")) << "no wobble, no cone";
+}
+
+TEST(Elements, AskingForWhatIsNotThereIsAnError) {
+  ShowSpec cones;
+  cones["space_cone"] = true;
+  ShowSpec stand;
+  stand["pivot"] = true;
+  try {
+    composer(cone_body(), spinning_on_pivot(), cones);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().key, "show.space_cone");
+  }
+  try {
+    composer(prolate_body(), wobbling(), stand);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().key, "show.pivot");
+  }
+}
+
+// a force, a couple and a spring
+MotionSpec pulled() {
+  MotionSpec spec = wobbling();
+  spec.torque.resize(3);
+  spec.torque[0].kind = "force";
+  spec.torque[0].space = Vec3(0, 0, 0.1);
+  spec.torque[1].kind = "couple";
+  spec.torque[1].body = Vec3(0, 0.1, 0);
+  spec.torque[1].at = Vec3(0, 0, 0.1);
+  spec.torque[1].opposite = Vec3(0, 0, -0.1);
+  spec.torque[2].kind = "spring";
+  spec.torque[2].k = 0.2;
+  return spec;
+}
+
+TEST(Elements, EachNameAddsItsOwnGlyphs) {
+  struct Count {
+    std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
+    std::size_t shades = 0, ghosts = 0, shells = 0, sheets = 0;
+    bool operator==(const Count&) const = default;
+  };
+  const std::map<std::string, Count> wanted = {{"", {}},
+                                               {"body", {.meshes = 1}},
+                                               {"axes", {.arrows = 3}},
+                                               {"space_axes", {.arrows = 3}},
+                                               {"omega", {.arrows = 1}},
+                                               {"momentum", {.arrows = 1}},
+                                               {"space_cone", {.cones = 1}},
+                                               {"body_cone", {.cones = 1}},
+                                               {"precession_cone", {.cones = 1}},
+                                               {"pivot", {.meshes = 1}},
+                                               {"forces", {.arrows = 3, .rods = 1}},
+                                               {"velocity_field", {.arrows = 48}},
+                                               {"fixed_frame", {.arrows = 4}},
+                                               {"angles", {.arcs = 3}},
+                                               {"tilt", {.arcs = 1}},
+                                               {"ghosts", {.ghosts = 5}},
+                                               {"omega_components", {.arrows = 3}},
+                                               {"euler_rates", {.arrows = 3}},
+                                               {"torque", {.arrows = 1}},
+                                               {"gravity", {.arrows = 1}},
+                                               {"axis_plane", {.meshes = 1, .sheets = 1}},
+                                               {"ellipsoid", {.shells = 1}},
+                                               {"plane", {.meshes = 1, .sheets = 1}},
+                                               {"polhode", {.meshes = 1}},
+                                               {"polhodes", {.meshes = 36}},
+                                               {"herpolhode", {.meshes = 1}},
+                                               {"binet", {.meshes = 2, .shells = 1}},
+                                               {"trail", {.meshes = 1}},
+                                               {"trail_sphere", {.shells = 1}},
+                                               {"floor", {.meshes = 1, .shades = 1}}};
+  ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";
+  for (const auto& [name, count] : wanted) {
+    SCOPED_TRACE(name);
+    const bool heavy = name == "precession_cone" || name == "pivot" || name == "gravity" ||
+                       name == "torque" || name == "ghosts";
+    const MotionSpec motion = heavy              ? spinning_on_pivot()
+                              : name == "forces" ? pulled()
+                                                 : wobbling();
+    const Composer picture =
+        composer(heavy ? cone_body() : prolate_body(), motion, show_only(name));
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
+    const Count found{glyphs.arrows.size(),
+                      glyphs.meshes.size(),
+                      glyphs.rods.size(),
+                      glyphs.arcs.size(),
+                      glyphs.cones.size(),
+                      glyphs.shades.size(),
+                      glyphs.ghosts.size(),
+                      glyphs.shells.size(),
+                      glyphs.sheets.size()};
+    EXPECT_TRUE(found == count) << ::testing::PrintToString(std::vector<std::size_t>{found.arrows,
+                                                                                     found.meshes,
+                                                                                     found.rods,
+                                                                                     found.arcs,
+                                                                                     found.cones,
+                                                                                     found.shades,
+                                                                                     found.ghosts,
+                                                                                     found.shells,
+                                                                                     found.sheets});
+  }
+}
+
+// the longest vector of the whole film has the length that the table of scales promises
+TEST(Elements, LongestVectorsHaveTheirFullLength) {
+  const Composer picture = composer(prolate_body(), wobbling());
+  const Scenery& scenery = picture.scenery();
+  double omega = 0.0, momentum = 0.0;
+  for (const double t : framing_times(scenery.motion)) {
+    const Sample s = scenery.motion.at(t);
+    omega = std::max(omega, (omega_tip(scenery, s) - s.reference_S).norm());
+    momentum = std::max(momentum, (momentum_tip(scenery, s) - s.reference_S).norm());
+  }
+  EXPECT_NEAR(omega, 1.3 * scenery.scale.body, 1e-12);
+  EXPECT_NEAR(momentum, kReachOfVectors * scenery.scale.body, 1e-12);
+  // an ellipsoid reaches as far as its longest semi-axis; corners of its mesh stand a little out
+  EXPECT_NEAR(scenery.scale.body, 0.2, 0.2 * 2e-3);
+}
+
+}  // namespace
+}  // namespace polhode

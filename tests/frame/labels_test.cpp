@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "frame/labels.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+class LabelsAnywhere : public ::testing::TestWithParam<unsigned> {};
+
+// labels that start anywhere, even in one heap, end apart and inside
+TEST_P(LabelsAnywhere, StandApartAndInside) {
+  std::mt19937_64 random(GetParam());
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const TextRoom frame{10, 10, 630, 350};
+  const std::vector<TextRoom> taken = {{10, 10, 300, 40}, {500, 320, 630, 350}};
+  std::vector<LabelWish> wishes;
+  std::vector<TextShaft> shafts;
+  for (int i = 0; i < 9; ++i) {
+    const double heap = GetParam() % 2 == 0 ? 0.1 : 1.0;
+    const Vec2 at(320 + 300 * heap * (uniform(random) - 0.5),
+                  180 + 160 * heap * (uniform(random) - 0.5));
+    const double angle = 6.28 * uniform(random);
+    wishes.push_back({at, {std::cos(angle), std::sin(angle)}, 12 + 20 * uniform(random), 18.0});
+    shafts.push_back({Vec2(320, 180), at});
+  }
+  const std::vector<TextRoom> rooms = place_labels(wishes, taken, shafts, frame, 4.0);
+  ASSERT_EQ(rooms.size(), wishes.size());
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    EXPECT_GE(rooms[i].left, frame.left - 1e-9);
+    EXPECT_LE(rooms[i].right, frame.right + 1e-9);
+    EXPECT_GE(rooms[i].top, frame.top - 1e-9);
+    EXPECT_LE(rooms[i].bottom, frame.bottom + 1e-9);
+    EXPECT_NEAR(rooms[i].width(), wishes[i].width, 1e-9);
+    for (std::size_t k = i + 1; k < rooms.size(); ++k)
+      EXPECT_FALSE(overlap(rooms[i], rooms[k]));
+    for (const TextRoom& obstacle : taken)
+      EXPECT_FALSE(overlap(rooms[i], obstacle));
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, LabelsAnywhere, ::testing::Range(0u, 40u));
+
+TEST(Labels, ALonelyOneStandsBeyondTheTip) {
+  const TextRoom frame{0, 0, 640, 360};
+  const std::vector<TextRoom> rooms = place_labels(
+      {{Vec2(300, 200), Vec2(1, 0), 20, 16}}, {}, {{Vec2(200, 200), Vec2(300, 200)}}, frame, 4.0);
+  EXPECT_NEAR(rooms[0].left, 304.0, 1e-9);
+  EXPECT_NEAR(rooms[0].center().y(), 200.0, 1e-9);
+}
+
+// a label keeps its distance from a vector that it would stand on
+TEST(Labels, StandBesideShafts) {
+  const TextRoom frame{0, 0, 640, 360};
+  const std::vector<TextShaft> shafts = {{Vec2(100, 100), Vec2(500, 100)}};
+  const std::vector<TextRoom> rooms =
+      place_labels({{Vec2(300, 90), Vec2(0, 1), 20, 16}}, {}, shafts, frame, 4.0);
+  EXPECT_TRUE(rooms[0].bottom < 100.0 || rooms[0].top > 100.0)
+      << rooms[0].top << ' ' << rooms[0].bottom;
+}
+
+TEST(Labels, RoomsThatTouchDoNotOverlap) {
+  const TextRoom room{0, 0, 10, 10};
+  EXPECT_FALSE(overlap(room, {10, 0, 20, 10}));
+  EXPECT_FALSE(overlap(room, {0, 10, 10, 20}));
+  EXPECT_TRUE(overlap(room, {9, 9, 20, 20}));
+  EXPECT_TRUE(overlap(room, {2, 2, 3, 3}));
+}
+
+}  // namespace
+}  // namespace polhode

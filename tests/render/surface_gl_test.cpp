@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What a material looks like, on a square that fills the picture.
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/gl_objects.h"
+#include "render/surface.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kSide = 64;  // pixels
+
+class Surface : public ::testing::Test {
+ protected:
+  Surface() {
+    gl_.Viewport(0, 0, kSide, kSide);
+    view_.eye = glm::vec3(0, 0, 5);
+    view_.key_light = view_.fill_light = glm::vec3(0, 0, 1);
+  }
+
+  // the square in the plane z = 0, from -1 to 1, drawn without blending: premultiplied colours;
+  // size: of the world's units
+  Image drawn(const Material& material, float size = 1.0f) {
+    Mesh square;
+    for (const auto& [x, y] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}})
+      square.vertices.push_back({{x, y, 0.0f}, {0.0f, 0.0f, 1.0f}});
+    square.indices = {0, 1, 2, 0, 2, 3};
+    glm::mat4 world_from_mesh(size), clip_from_world(1.0f / size);
+    world_from_mesh[3][3] = clip_from_world[3][3] = 1.0f;
+    const GpuMesh mesh(gl_, square);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    SurfacePrograms programs(gl_);
+    View view = view_;
+    view.eye *= size;
+    programs.begin(view, clip_from_world);
+    programs.use(material, Faces::front, world_from_mesh);
+    mesh.draw();
+    Image image(kSide, kSide);
+    gl_.ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return image;
+  }
+
+  const std::unique_ptr<Context> context_ = open_context("auto");
+  const Gl gl_{*context_};
+  const Framebuffer buffer_{gl_, kSide, kSide, 0, false};
+  View view_;
+};
+
+TEST_F(Surface, FlatOnesHaveTheirColourAndAlpha) {
+  Material material;
+  material.color = glm::vec3(0.2f, 0.4f, 0.8f);
+  material.flat = true;
+  material.alpha = 0.5f;
+  material.fade = 0.5f;
+  const Image image = drawn(material);
+  for (const auto& [x, y] : {std::pair{0, 0}, {31, 40}, {63, 63}}) {
+    const std::uint8_t* p = image.at(x, y);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(p[c], 255.0 * 0.25 * static_cast<double>(material.color[c]), 0.6);
+    EXPECT_NEAR(p[3], 255.0 * 0.25, 0.6);
+  }
+}
+
+// alpha falls as the square of what is left of 1 - r^2
+TEST_F(Surface, SoftOnesFallToNothingAtTheRim) {
+  Material material;
+  material.flat = material.soft = true;
+  material.alpha = 0.8f;
+  const Image image = drawn(material);
+  for (int y = 0; y < kSide; y += 5) {
+    for (int x = 0; x < kSide; x += 5) {
+      const double u = (2.0 * x + 1.0) / kSide - 1.0, v = (2.0 * y + 1.0) / kSide - 1.0;
+      const double inside = std::max(0.0, 1.0 - u * u - v * v);
+      EXPECT_NEAR(image.at(x, y)[3], 255.0 * 0.8 * inside * inside, 1.0) << x << ' ' << y;
+    }
+  }
+}
+
+// the less a light falls straight on a surface, the darker it is
+TEST_F(Surface, LitOnesDarkenWithTheAngleOfTheLight) {
+  Material material;
+  material.color = glm::vec3(0.5f);
+  material.gloss = 0.0f;
+  int before = 256;
+  for (const double angle : {0.0, 0.5, 1.0, 1.5}) {
+    view_.key_light = glm::vec3(std::sin(angle), 0.0, std::cos(angle));
+    const int now = drawn(material).at(kSide / 2, kSide / 2)[0];
+    EXPECT_LT(now, before) << angle;
+    before = now;
+  }
+  EXPECT_GT(before, 0) << "the fill light is left";
+}
+
+// a molecule and a planet are shaded alike, though the determinants of their matrices are out of
+// single precision's reach
+TEST_F(Surface, ShadingDoesNotDependOnTheSize) {
+  Material material;
+  material.mark_width = 0.2f;
+  view_.key_light = glm::normalize(glm::vec3(0.3f, 0.4f, 1.0f));
+  const Image metre = drawn(material);
+  for (const float size : {1e-15f, 1e14f})
+    EXPECT_EQ(drawn(material, size).pixels, metre.pixels) << size;
+}
+
+// the strip lies along +x, and the half beyond is darker: a turn is told from half a turn
+TEST_F(Surface, TheMarkTellsHalfATurn) {
+  Material material;
+  material.color = glm::vec3(0.5f);
+  material.gloss = 0.0f;
+  material.mark_color = glm::vec3(0.5f, 0.0f, 0.0f);
+  material.mark_width = 0.25f;
+  const Image image = drawn(material);
+  const auto at = [&](double x, double y) {
+    return image.at(static_cast<int>((x + 1.0) * 0.5 * kSide),
+                    static_cast<int>((y + 1.0) * 0.5 * kSide));
+  };
+  EXPECT_EQ(at(0.5, 0.0)[1], 0) << "on the strip";
+  EXPECT_EQ(at(0.5, 0.2)[1], 0) << "on the strip";
+  EXPECT_GT(at(0.5, 0.3)[1], 0) << "beside it";
+  EXPECT_GT(at(-0.5, 0.0)[1], 0) << "opposite";
+  EXPECT_LT(at(-0.5, 0.0)[1], at(0.5, 0.5)[1]) << "the darker half";
+}
+
+}  // namespace
+}  // namespace polhode

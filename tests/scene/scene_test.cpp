@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Scenes out of files: what is no file, numbers put in place of its own, lines for messages.
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
+
+// A folder of its own for each test.
+class SceneFiles : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string error_of_file(const fs::path& path) {
+    try {
+      load_scene(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      EXPECT_EQ(error.place().file, path.string());
+      return error.message();
+    }
+    return "";
+  }
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / ("polhode_load_" + std::to_string(getpid()));
+};
+
+TEST_F(SceneFiles, ReadsAFileAndRemembersItsName) {
+  const fs::path file = folder_ / "scene.toml";
+  std::ofstream(file) << kBody;
+  EXPECT_EQ(load_scene(file).file, file.string());
+}
+
+TEST_F(SceneFiles, SaysWhatIsWrongWithTheFile) {
+  EXPECT_EQ(error_of_file(folder_ / "none.toml"), "no such file");
+  EXPECT_EQ(error_of_file(folder_), "is a folder; give a file");
+  std::ofstream(folder_ / "empty.toml").close();
+  EXPECT_NE(error_of_file(folder_ / "empty.toml").find("is empty"), std::string::npos);
+  EXPECT_NE(error_of_file("/dev/zero").find("is not a regular file"), std::string::npos);
+}
+
+TEST_F(SceneFiles, SaysThatAFileCannotBeRead) {
+  // nobody may read the first byte of this one
+  EXPECT_NE(error_of_file("/proc/self/mem").find("cannot be read"), std::string::npos);
+  if (geteuid() == 0) return;  // root may read everything else
+  const fs::path file = folder_ / "secret.toml";
+  std::ofstream(file) << kBody;
+  fs::permissions(file, fs::perms::none);
+  EXPECT_NE(error_of_file(file).find("cannot be read"), std::string::npos);
+}
+
+// every scene that ships must be read
+TEST(Scene, EveryShippedOneIsRead) {
+  const fs::path scenes = fs::path(POLHODE_SOURCE_DIR) / "scenes";
+  if (!fs::exists(scenes)) GTEST_SKIP() << "no scenes yet";
+  for (const fs::directory_entry& entry : fs::directory_iterator(scenes)) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(load_scene(entry.path())) << entry.path();
+  }
+}
+
+TEST(Scene, TheLineOfAKeyIsItsOwnOrThatAroundIt) {
+  const Scene scene = parse_scene(
+      "[body]\n\nparts = [\n{ kind = \"rod\", length = 1 },\n{ kind = \"rod\", radius_cm = 1 "
+      "},\n]\n"
+      "[motion.attitude]\nzxz_deg = [0,\n0, 0]\n",
+      "test.toml");
+  EXPECT_EQ(line_of(scene, "body"), 1);
+  EXPECT_EQ(line_of(scene, "body.parts"), 3);
+  EXPECT_EQ(line_of(scene, "body.parts[1]"), 5);
+  EXPECT_EQ(line_of(scene, "body.parts[1].radius"), 5);
+  EXPECT_EQ(line_of(scene, "body.parts[0].radius"), 4);
+  EXPECT_EQ(line_of(scene, "body.parts[7].radius"), 3);
+  EXPECT_EQ(line_of(scene, "body.mass"), 1);
+  EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), 8);
+  EXPECT_EQ(line_of(scene, "motion.attitude.zxz[1]"), 8);
+  EXPECT_EQ(line_of(scene, "video.fps"), 0);
+  EXPECT_EQ(line_of(scene, ""), 0);
+}
+
+class SceneNumbers : public testing::Test {
+ protected:
+  SceneNumbers() : file_(folder_ / "scene.toml") { write_text(file_, kSmallScene); }
+
+  TemporaryFolder folder_;
+  std::string file_;
+};
+
+TEST_F(SceneNumbers, StandWhereTheFilesStood) {
+  const Scene scene = load_scene(file_,
+                                 {{"motion.spin.body[2]", -7.5},
+                                  {"motion.duration", 2.0},
+                                  {"body.solid.semi_axes[0]", 0.15},
+                                  {"numerics.step", 0.25}});
+  EXPECT_EQ(*scene.motion.spin.body, Vec3(1, 0, -7.5));
+  EXPECT_EQ(scene.motion.duration, 2.0);
+  EXPECT_EQ((*scene.body.solid->semi_axes)[0], 0.15);
+  EXPECT_EQ(scene.numerics.step, 0.25);
+  EXPECT_EQ(*load_scene(file_).motion.spin.body, Vec3(1, 0, 3));
+}
+
+TEST_F(SceneNumbers, AreFound) {
+  EXPECT_EQ(number_in_scene(file_, "motion.spin.body[2]"), 3.0);
+  EXPECT_EQ(number_in_scene(file_, "body.solid.mass"), 1.0);
+  for (const char* path : {"motion.spin.body[3]", "motion.spn", "motion.spin", "video.size"})
+    EXPECT_FALSE(number_in_scene(file_, path)) << path;
+}
+
+// what is no number of the file is refused, by its path or by the strict reader
+TEST_F(SceneNumbers, WrongPathsAreRefused) {
+  const auto with = [&](const char* path, double value = 1.0) {
+    return [=, this] {
+      load_scene(file_, {{path, value}});
+    };
+  };
+  for (const char* path : {"motion.spin.body[7]", "motion.spin", "video.size[0]", "motion.spin[0]"})
+    expect_input_error(with(path), "", "no number at");
+  for (const char* path : {"motion.spin.body[", "motion..spin", "motion.spin.body[x]", ""})
+    expect_input_error(with(path), "", "no key");
+  expect_input_error(with("motion.durration"), "motion.durration", "did you mean 'duration'?");
+  expect_input_error(with("motion.duration", -1.0), "motion.duration", "greater than 0");
+}
+
+// the names as they are spelled, of every place where a mesh may stand; none is opened
+TEST(Scene, MeshFilesAreNamedWithoutBeingOpened) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml",
+             "[body]\nparts = [{ kind = \"mesh\", file = \"a.obj\", mass = 1 },\n"
+             "{ kind = \"box\", size = [1, 1, 1], mass = 1 }]\n"
+             "look = { kind = \"mesh\", file = \"sub/b.stl\" }\n");
+  std::vector<std::string> files = mesh_files(folder / "scene.toml");
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files, (std::vector<std::string>{"a.obj", "sub/b.stl"}));
+}
+
+}  // namespace
+}  // namespace polhode::test
