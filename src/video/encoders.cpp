@@ -221,7 +221,7 @@ const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& cod
   throw environment_error(
       "this FFmpeg lacks {}; install one that has it (Debian: libavcodec59), or "
       "choose another format",
-      fmt::join(tried, " and no "));
+      fmt::join(tried, " and "));
 }
 
 EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wish) {

@@ -24,7 +24,7 @@ TEST(KnownNames, RefusesNamesOfNothing) {
   EXPECT_TRUE(known_names("", known, "case", "--cases").empty());
   test::expect_input_error([&] { known_names("body,plan", known, "case", "--cases"); },
                            "--cases",
-                           "no case is called 'plan' (did you mean 'plane'?)");
+                           "unknown case 'plan' (did you mean 'plane'?)");
 }
 
 }  // namespace

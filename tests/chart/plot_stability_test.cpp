@@ -66,7 +66,7 @@ TEST(PlotStability, CellsHaveTheColourOfTheirOutcomeInTheirPlace) {
   };
   std::map<std::array<int, 3>, PixelBox> regions;
   for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < 600; ++x) {  // the map, without its key
+    for (int x = 0; x < image.width; ++x) {
       const std::uint8_t* p = image.at(x, y);
       PixelBox& region = regions[{p[0], p[1], p[2]}];
       ++region.count;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// GCC 12 sees members without a value where the whole struct is written by its initializer
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 #include "chart/plot_work_precision.h"
 
 #include <cmath>

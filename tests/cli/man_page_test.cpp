@@ -47,8 +47,8 @@ TEST(ManPage, EveryCommandsPageIsSetWithItsOptions) {
     EXPECT_TRUE(says(page.text, "NAME polhode-" + command->get_name()));
     for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_lnames()) {
-        if (!option->get_positional())
-          EXPECT_NE(page.text.find("--" + name), std::string::npos) << name;
+        if (option->get_positional()) continue;
+        EXPECT_NE(page.text.find("--" + name), std::string::npos) << name;
       }
     }
     EXPECT_TRUE(says(page.text, "EXIT STATUS 0 Done."));

@@ -12,12 +12,13 @@ namespace polhode::test {
 
 struct WholeProgram {
   WholeProgram() {
-    app.add_flag("-v,--verbose", "print more on stderr");
+    app.add_flag("-v,--verbose", verbose, "print more on stderr");
     for (const Command& command : commands()) {
       CLI::App* sub = app.add_subcommand(command.name, command.doc);
       actions.push_back(command.define(*sub));
     }
   }
+  bool verbose = false;
   CLI::App app{"Films of spinning bodies.", "polhode"};
   std::vector<Action> actions;  // own what the options are read into
 };

@@ -128,10 +128,10 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --method dopri5 --accuracy 1e-30", 2, "--accuracy: 1e-30 rad"},
     {"render SCENE -o ''", 2, "--output: must not be empty"},
     {"render SCENE -o DIR/a.mp4 --report ''", 2, "--report: must not be empty"},
-    {"render SCENE -o DIR/.mp4", 2, "a name belongs before the ending"},
-    {"render SCENE -o DIR/a%05d.mp4", 2, "a film is one file"},
+    {"render SCENE -o DIR/.mp4", 2, "the ending needs a name before it"},
+    {"render SCENE -o DIR/a%05d.mp4", 2, "a film is a single file"},
     {"render SCENE -o DIR/a%05d.png --still 0.5", 2, "--still: makes one picture"},
-    {"render SCENE SCENE -o DIR/a.mp4", 2, "one word too many"},
+    {"render SCENE SCENE -o DIR/a.mp4", 2, "unexpected argument"},
     {"render SCENE -o DIR/a.mp4 --size", 2, "--size needs a value"},
     {"render SCENE -o DIR/a.mp4 --crf x", 2, "--crf: must be a number"},
     {"render SCENE -o DIR/a.mp4 --crf 1.5", 2, "--crf: must be a whole number"},
@@ -161,9 +161,9 @@ const BadCall kBadCalls[] = {
     {"simulate SCENE -o DIR", 2, "folder"},
     {"simulate SCENE -o SCENE", 2, "the ending of scene files"},
     {"simulate SCENE -o DIR/scene.toml/../a.csv", 2, "not exist"},
-    {"simulate SCENE -o /dev/full", 2, "ordinary file"},
+    {"simulate SCENE -o /dev/full", 2, "regular file"},
     {"render SCENE -o DIR/a.mp4 --report DIR/other.toml", 2, "the ending of scene files"},
-    {"--size 12x12 render SCENE", 2, "belongs behind the command"},
+    {"--size 12x12 render SCENE", 2, "must come after the command"},
     {"render SCENE -o DIR/a.mp4 --report DIR/a.mp4", 2, "overwrite"},
 };
 
@@ -192,7 +192,7 @@ TEST(BadInput, ACameraThatSeesNothingIsWarnedOf) {
   const struct {
     const char* camera;
     const char* says;
-  } cases[] = {{"eye = [5, 0, 0]\ntarget = [10, 0, 0]", "sees nothing"},
+  } cases[] = {{"eye = [5, 0, 0]\ntarget = [10, 0, 0]", "does not see"},
                {"eye = [0.05, 0, 0]", "comes within 0.05 m"},
                {"eye = [1e5, 0, 0]", "never as large as a pixel"},
                {"eye = [2, 0, 0]", ""},

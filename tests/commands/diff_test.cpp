@@ -120,7 +120,7 @@ TEST_F(Diff, SequencesArePairedByNumberAndFoldersByName) {
   std::filesystem::remove(folder_ / "two/f_00003.png");
   refuses(diff("one", "two"), "has no picture 'f_00003.png'");
   refuses(diff("one/f_%05d.png", "two/f_%05d.png"), "has no number '3'");
-  refuses(diff("one/g_%05d.png", "two/f_%05d.png"), "no such picture");
+  refuses(diff("one/g_%05d.png", "two/f_%05d.png"), "the picture does not exist");
 }
 
 TEST_F(Diff, FilmsArePairedByTime) {
@@ -173,8 +173,8 @@ TEST_F(Diff, ScenesAreRenderedAtTheSizeOfTheReference) {
   render("f_%03d.png", "");
   EXPECT_EQ(diff("scene.toml", "f_%03d.png").code, 0);
   refuses(diff("scene.toml", "ref.mp4", "--still 0.5"), "--still");
-  refuses(diff("ref.png", "ref.png", "--still 0.5"), "neither side is one");
-  refuses(diff("nowhere.toml", "ref.png"), "no such file");
+  refuses(diff("ref.png", "ref.png", "--still 0.5"), "neither side is a scene");
+  refuses(diff("nowhere.toml", "ref.png"), "file does not exist");
 }
 
 TEST_F(Diff, WhatCannotBeComparedIsSaidInOneLine) {
@@ -187,9 +187,9 @@ TEST_F(Diff, WhatCannotBeComparedIsSaidInOneLine) {
   std::filesystem::create_directory(folder_ / "empty");
   refuses(diff("a.png", "wide.png"), "is 64x48 pixels");
   refuses(diff("a.png", "missing.png"), "missing.png: the file does not exist");
-  refuses(diff("a.png", "text.png"), "no PNG");
+  refuses(diff("a.png", "text.png"), "not a PNG");
   refuses(diff("a.png", "cut.png"), "cut.png");
-  refuses(diff("a.png", "notes.txt"), "is no picture");
+  refuses(diff("a.png", "notes.txt"), "is not a picture");
   refuses(diff("a.png", "empty"), "no .png files");
   refuses(diff("a.png", "a.png", "--max 300"), "--max");
   refuses(diff("a.png", "a.png", "--fraction -1"), "--fraction");

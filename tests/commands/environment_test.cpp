@@ -140,7 +140,7 @@ TEST(Environment, WhatIsNoFileIsNotWaitedFor) {
   const Ran ran =
       run_polhode("render '" + pipe + "' -o '" + (folder / "a.mp4") + "'", "timeout 20");
   EXPECT_EQ(ran.code, 2);
-  EXPECT_NE(ran.err.find("no ordinary file"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("not a regular file"), std::string::npos) << ran.err;
 }
 
 }  // namespace

@@ -195,13 +195,13 @@ TEST_F(Formats, AMissingEncoderIsNamedWithWhatToInstall) {
   const struct {
     Way way;
     const char* says;
-  } cases[] = {{{"a.mp4", ""}, "no libx264; install"},
-               {{"a.mp4", "--codec hevc"}, "no libx265; install"},
-               {{"a.mp4", "--codec av1"}, "no libaom-av1 and no libsvtav1; install"},
-               {{"a.webm", ""}, "no libvpx-vp9; install"},
-               {{"a.mov", ""}, "no prores_ks; install"},
-               {{"a.gif", ""}, "no gif; install"},
-               {{"a.apng", ""}, "no apng; install"}};
+  } cases[] = {{{"a.mp4", ""}, "lacks libx264; install"},
+               {{"a.mp4", "--codec hevc"}, "lacks libx265; install"},
+               {{"a.mp4", "--codec av1"}, "lacks libaom-av1 and libsvtav1; install"},
+               {{"a.webm", ""}, "lacks libvpx-vp9; install"},
+               {{"a.mov", ""}, "lacks prores_ks; install"},
+               {{"a.gif", ""}, "lacks gif; install"},
+               {{"a.apng", ""}, "lacks apng; install"}};
   for (const auto& [way, says] : cases) {
     const Ran ran = run_polhode(render(way.name, way.options), without);
     EXPECT_EQ(ran.code, 3) << way.name << ran.err;
@@ -298,10 +298,12 @@ struct BadFormat {
 };
 const BadFormat kBadFormats[] = {
     {"a.webp", "", "did you mean '.webm'?"},
-    {"a.mp4", "--transparent", "mp4 keeps no alpha; for a transparent picture use webm, mov, gif"},
-    {"a.mp4", "--codec hevc --transparent", "keeps no alpha"},
-    {"a.y4m", "--transparent", "keeps no alpha"},
-    {"-", "--transparent", "keeps no alpha"},
+    {"a.mp4",
+     "--transparent",
+     "mp4 no alpha channel; for a transparent picture use webm, mov, gif"},
+    {"a.mp4", "--codec hevc --transparent", "no alpha channel"},
+    {"a.y4m", "--transparent", "no alpha channel"},
+    {"-", "--transparent", "no alpha channel"},
     {"a.mp4", "--codec h265", "--codec: .mp4 films take no codec 'h265'"},
     {"a.webm", "--codec av1", "--codec: .webm films take no codec 'av1'"},
     {"a.mp4", "--codec ''", "--codec: must not be empty"},
@@ -314,8 +316,8 @@ const BadFormat kBadFormats[] = {
     {"a.y4m", "--size 127x71", "128x72 is"},
     {"a.gif", "--still 0.5", "--still: makes one picture"},
     {"-", "--still 0.5", "--still: makes one picture"},
-    {".webm", "", "a name belongs before the ending"},
-    {"a%03d.gif", "", "a film is one file"},
+    {".webm", "", "the ending needs a name before it"},
+    {"a%03d.gif", "", "a film is a single file"},
     {"a.mp4", "--report DIR/a.vtt", "would overwrite"},
 };
 

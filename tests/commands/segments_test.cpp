@@ -169,8 +169,8 @@ TEST_F(Segments, ThatDoNotFitAreNamedWithWhatDiffers) {
   expect_one_line(join("p1.mp4 bit.mp4"), 2, "is damaged");
 
   ASSERT_EQ(render("whole.mp4").code, 0);
-  expect_one_line(join("p1.mp4 whole.mp4"), 2, "is no piece of a film");
-  expect_one_line(join("scene.toml"), 2, "is no film");
+  expect_one_line(join("p1.mp4 whole.mp4"), 2, "is not a piece of a film");
+  expect_one_line(join("scene.toml"), 2, "is not a readable film");
   expect_one_line(join("nowhere.mp4"), 2, "there is no such film");
   expect_one_line(
       run_polhode(fmt::format("join {} -o {}", at("p1.mp4"), at("p1.mp4"))), 2, "would overwrite");
@@ -186,10 +186,10 @@ TEST_F(Segments, WrongWishesAreOneLine) {
                {"a.mp4", "--shard a/b", "must be K/N"},
                {"a.mp4", "--shard 3", "must be K/N"},
                {"a.mp4", "--shard 1/1000", "the film has 25 frames only"},
-               {"a.gif", "--shard 1/2", "no pieces can be made"},
-               {"a.png", "--shard 1/2", "no pieces can be made"},
-               {"a.gif", "--resume", "nothing could go on"},
-               {"a.hash", "--resume", "nothing could go on"},
+               {"a.gif", "--shard 1/2", "cannot be made in pieces"},
+               {"a.png", "--shard 1/2", "cannot be made in pieces"},
+               {"a.gif", "--resume", "cannot be resumed"},
+               {"a.hash", "--resume", "cannot be resumed"},
                {"a.mp4", "--resume --shard 1/2", "is for whole films"}};
   for (const auto& one : cases) {
     expect_one_line(render(one.output, one.options), 2, one.says);

@@ -94,8 +94,8 @@ TEST_F(Verify, AFilmThatWasTamperedWithIsFound) {
   }
   write_text(folder_ / "a.mp4", film.substr(0, film.size() * 2 / 3));
   expect("a.mp4", 1, "is damaged");
-  write_text(folder_ / "a.mp4", "nothing");
-  expect("a.mp4", 1, "is no film");
+  write_text(folder_ / "a.mp4", "writes no file");
+  expect("a.mp4", 1, "is not a readable film");
   write_text(folder_ / "a.mp4", film);
   write_text(folder_ / "a.vtt", "WEBVTT\n");
   expect("a.mp4", 1, "its captions, ");
@@ -142,11 +142,11 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   with([](Json& r) { r["encoder"]["threads"] = 0; });
   expect("a.mp4", 2, "encoder.threads");
   with([](Json& r) { r.erase("scene"); });
-  expect("a.mp4", 2, "is no report");
+  expect("a.mp4", 2, "is not a report");
   write_text(folder_ / "r.json", "[");
-  expect("a.mp4", 2, "is no report");
+  expect("a.mp4", 2, "is not a report");
   std::filesystem::remove(folder_ / "r.json");
-  expect("a.mp4", 2, "no such file");
+  expect("a.mp4", 2, "file does not exist");
   expect("b.mp4", 2, "the file does not exist");
   EXPECT_EQ(run_polhode("verify -").code, 2);
   EXPECT_EQ(run_polhode("verify null").code, 2);

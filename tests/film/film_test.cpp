@@ -171,7 +171,7 @@ TEST(FilmPlan, BadStoriesAndShotsAreOneLineWithTheirPlace) {
       {"[[shots]]\nat = 1\nfollow = \"me\"\n", "follow"},
       {"[[shots]]\nmove = 1\n", "at"},
       {"[show]\nplots = [\"tlt\"]\n", "did you mean 'tilt'?"},
-      {"[show]\nviews = [\"space\", \"body\"]\nplots = [\"tilt\"]\n", "single picture"},
+      {"[show]\nviews = [\"space\", \"body\"]\nplots = [\"tilt\"]\n", "with a single panel"},
       {"[video]\nshutter_deg = 400\n", "shutter"},
       {"[numerics]\ncompare = [\"rk44\"]\n", "did you mean 'rk4'?"},
       {"[numerics]\ncompare = []\n", "compare"},

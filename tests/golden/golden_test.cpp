@@ -239,7 +239,7 @@ TEST_F(Net, TighterThresholdsRenewTheReference) {
 TEST_F(Net, UpdateRefusesADirtyTree) {
   Ran ran = golden("update");
   EXPECT_EQ(ran.code, 2);
-  EXPECT_NE(ran.err.find("git knows nothing"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("git does not track"), std::string::npos) << ran.err;
   const std::string git = fmt::format("git -C '{}' -c user.name=t -c user.email=t@example.org ",
                                       folder_.path().string());
   ASSERT_EQ(std::system((git + "init -q").c_str()), 0);
@@ -281,7 +281,7 @@ TEST_F(Net, BadFoldersAndFilesAreToldInOneLine) {
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
   };
   const std::string g = folder_ / "g";
-  refused("golden run '" + (folder_ / "nowhere") + "'", "no such folder");
+  refused("golden run '" + (folder_ / "nowhere") + "'", "folder does not exist");
   refused("golden run '" + folder_.path().string() + "'", "cases.toml");
   refused("golden rum '" + g + "'", "did you mean 'run'");
   refused("golden run '" + g + "' --cases tpo", "did you mean 'top'");

@@ -49,7 +49,7 @@ TEST(Deck, PicturesOfScenesAreFound) {
 
 TEST(Deck, WrongWordsGetTheirLineAndTheNearestOne) {
   EXPECT_EQ(problem_of("# One\n\n![](a.toml){.filn}\n"),
-            "deck.md:3: no picture is a '.filn' (did you mean 'film'?)");
+            "deck.md:3: unknown kind of picture '.filn' (did you mean 'film'?)");
   EXPECT_EQ(problem_of("\n\n![](a.toml){.film form=2}\n"),
             "deck.md:3: a .film has no 'form' (did you mean 'from'?)");
   EXPECT_NE(problem_of("![](a.toml){.film .loop}\n").find("either"), std::string::npos);
@@ -169,9 +169,9 @@ TEST(Quotes, WrongOnesSayWhy) {
     }
   };
   EXPECT_NE(why("precesion_rate").find("did you mean 'precession_rate"), std::string::npos);
-  EXPECT_NE(why("flip_time|%s").find("no format"), std::string::npos);
-  EXPECT_NE(why("flip_time|%.999999g").find("no format"), std::string::npos);
-  EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be told"), std::string::npos);
+  EXPECT_NE(why("flip_time|%s").find("not a number format"), std::string::npos);
+  EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
+  EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
   EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);
 }
 

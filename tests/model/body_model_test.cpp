@@ -240,13 +240,14 @@ TEST(BodyErrors, NameTheKey) {
   BodySpec solid;
   solid.solid = sphere(1.0, 0.5, Vec3::Zero());
   solid.mass = 2.0;
-  expect_input_error([&] { free_model(solid); }, "body.mass", "moments or tensor only");
+  expect_input_error([&] { free_model(solid); }, "body.mass", "only with moments or tensor");
   solid.mass.reset();
   solid.center_of_mass = Vec3::Zero();
-  expect_input_error([&] { free_model(solid); }, "body.center_of_mass", "moments or tensor only");
+  expect_input_error(
+      [&] { free_model(solid); }, "body.center_of_mass", "only with moments or tensor");
   solid.center_of_mass.reset();
   solid.about = "pivot";
-  expect_input_error([&] { free_model(solid); }, "body.about", "moments or tensor only");
+  expect_input_error([&] { free_model(solid); }, "body.about", "only with moments or tensor");
 
   BodySpec point;
   point.points = {{1.0, {1, 0, 0}}};
@@ -255,7 +256,7 @@ TEST(BodyErrors, NameTheKey) {
   BodySpec parts;
   parts.parts = {sphere(1, 0.5, Vec3::Zero()), sphere(1, 0.5, Vec3::Zero())};
   parts.parts[1].kind = "cube";
-  expect_input_error([&] { free_model(parts); }, "body.parts[1].kind", "no solid");
+  expect_input_error([&] { free_model(parts); }, "body.parts[1].kind", "unknown solid");
 }
 
 // a vanishing moment says that all mass is on a line, so the other two are equal

@@ -49,7 +49,7 @@ TEST(ModelChoice, FollowsTheMethod) {
   EXPECT_EQ(ode.method, "taylor10");
   expect_input_error([&] { simulate(heavy, spinning(1.0), by("splitting", "rk4"), 1e-6); },
                      "numerics.method",
-                     "symplectic methods only");
+                     "symplectic method");
 }
 
 TEST(ModelChoice, SaysWhy) {
@@ -186,7 +186,7 @@ TEST(ParseAccuracy, RadiansAndPixels) {
   EXPECT_EQ(parse_accuracy("1e-6").value, 1e-6);
   EXPECT_FALSE(parse_accuracy("1e-6").pixels);
   for (const char* wrong : {"", "px", "nan", "inf", "1 rad", "0.1pxx", "1e999"}) {
-    expect_input_error([&] { parse_accuracy(wrong); }, "", "no accuracy");
+    expect_input_error([&] { parse_accuracy(wrong); }, "", "not an accuracy");
   }
   for (const char* wrong : {"0", "-1", "0px"}) {
     expect_input_error([&] { parse_accuracy(wrong); }, "", "greater than 0");

@@ -106,7 +106,7 @@ TEST(SolutionMethod, RefusesWhatCannotTakeTheScene) {
       refused(heavy_asymmetric().model, by("ode6")), "numerics.model", "a fixed point");
   expect_input_error(refused(heavy_asymmetric().model, by("splitting", "rk4")),
                      "numerics.method",
-                     "symplectic methods only, and rk4 is none");
+                     "needs a symplectic method, and rk4 is not");
 }
 
 // the table: the closed forms make trajectories that start with the start, the others make none

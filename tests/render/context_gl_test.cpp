@@ -62,7 +62,7 @@ class Lacking final : public Context {
 TEST(Context, AMissingFunctionIsNamed) {
   const std::unique_ptr<Context> context = open_context("auto");
   test::expect_error(
-      [&] { Gl{Lacking(*context)}; }, Fault::environment, "", "has no glBlitFramebuffer");
+      [&] { Gl{Lacking(*context)}; }, Fault::environment, "", "lacks glBlitFramebuffer");
 }
 
 }  // namespace

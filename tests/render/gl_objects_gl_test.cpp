@@ -49,7 +49,7 @@ TEST_F(GlObjects, AFramebufferThatIsTooLargeIsAnError) {
   test::expect_error([&] { Framebuffer(gl_, 1'000'000, 16, 0, false); },
                      Fault::environment,
                      "",
-                     "no 1000000x16 framebuffer");
+                     "cannot create a 1000000x16 framebuffer");
   while (gl_.GetError() != GL_NO_ERROR) {
   }
 }

@@ -53,7 +53,7 @@ constexpr int kWidth = 96, kHeight = 64;
 // A square of side 2 in the plane x = 0, turned in it, seen from +x; as a rasteriser with one
 // sample draws it: white on black.
 struct Square {
-  explicit Square(double turn) : turn(turn) {
+  explicit Square(double angle) : turn(angle) {
     item.mesh = std::make_shared<const Mesh>(box({1e-4, 2.0, 2.0}));
     Placement place = Placement::Identity();
     place.linear() = Eigen::AngleAxisd(turn, Vec3::UnitX()).toRotationMatrix();

@@ -47,7 +47,7 @@ TEST_F(SceneFiles, ReadsAFileAndRemembersItsName) {
 }
 
 TEST_F(SceneFiles, SaysWhatIsWrongWithTheFile) {
-  EXPECT_EQ(error_of_file(folder_ / "none.toml"), "no such file");
+  EXPECT_EQ(error_of_file(folder_ / "none.toml"), "does not exist");
   EXPECT_EQ(error_of_file(folder_), "is a folder; give a file");
   std::ofstream(folder_ / "empty.toml").close();
   EXPECT_NE(error_of_file(folder_ / "empty.toml").find("is empty"), std::string::npos);
@@ -131,7 +131,7 @@ TEST_F(SceneNumbers, WrongPathsAreRefused) {
   for (const char* path : {"motion.spin.body[7]", "motion.spin", "video.size[0]", "motion.spin[0]"})
     expect_input_error(with(path), "", "no number at");
   for (const char* path : {"motion.spin.body[", "motion..spin", "motion.spin.body[x]", ""})
-    expect_input_error(with(path), "", "no key");
+    expect_input_error(with(path), "", "not a key");
   expect_input_error(with("motion.durration"), "motion.durration", "did you mean 'duration'?");
   expect_input_error(with("motion.duration", -1.0), "motion.duration", "greater than 0");
 }

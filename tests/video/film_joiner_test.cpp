@@ -85,7 +85,7 @@ TEST(FilmJoiner, PartsThatDoNotFitAreNamed) {
   };
   test::expect_input_error(joined({good.file, 6}), "", "holds 5 frames instead of 6");
   test::expect_input_error(joined(wide), "", "encoded otherwise");
-  test::expect_input_error(joined({folder / "text.mp4", 5}), "", "no film that can be read");
+  test::expect_input_error(joined({folder / "text.mp4", 5}), "", "not a readable film");
   test::expect_input_error(joined({folder / "none.mp4", 5}), "", "no such film");
   EXPECT_EQ(folder.entries(), 3) << "the parts alone";
 }

@@ -91,13 +91,13 @@ TEST(FilmReader, SaysWhatCannotBeRead) {
       FilmReader{file};
     };
   };
-  test::expect_input_error(open("nothing.mp4"), "", "no such file");
+  test::expect_input_error(open("nothing.mp4"), "", "file does not exist");
   std::filesystem::create_directory(folder / "folder.mp4");
   test::expect_input_error(open("folder.mp4"), "", "folder");
   test::write_text(folder / "text.mp4", "this is no film");
-  test::expect_input_error(open("text.mp4"), "", "no film");
+  test::expect_input_error(open("text.mp4"), "", "not a readable film");
   test::write_text(folder / "empty.mp4", "");
-  test::expect_input_error(open("empty.mp4"), "", "no film");
+  test::expect_input_error(open("empty.mp4"), "", "not a readable film");
 }
 
 // however much of it is missing or wrong, a damaged film never passes for a whole one

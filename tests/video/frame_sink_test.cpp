@@ -77,7 +77,7 @@ TEST(FrameSink, AlphaIsKeptOrRefused) {
     if (kind.alpha) {
       EXPECT_NO_THROW(make_sink(job)) << kind.name;
     } else {
-      test::expect_input_error([&] { make_sink(job); }, "", "keeps no alpha");
+      test::expect_input_error([&] { make_sink(job); }, "", "no alpha channel");
     }
   }
 }

@@ -56,7 +56,7 @@ TEST_F(FrameSourceNames, ANumberedNameIsEveryNumberThatItWouldWrite) {
     picture(name, 10);
   EXPECT_EQ(labels("f_%03d.png"), (Labels{"7", "10", "1000"}));
   EXPECT_EQ(labels("f_%d.png"), (Labels{"7", "1000"}));
-  refuses("g_%03d.png", "no such picture");
+  refuses("g_%03d.png", "picture does not exist");
   refuses("nowhere/f_%03d.png", "does not exist");
 }
 
@@ -67,11 +67,11 @@ TEST_F(FrameSourceNames, AFileIsAFile) {
 }
 
 TEST_F(FrameSourceNames, WhatIsNoSourceIsRefused) {
-  refuses("nothing.png", "no such file");
+  refuses("nothing.png", "file does not exist");
   std::filesystem::create_directory(folder_ / "empty");
   refuses("empty", "no .png files");
   test::write_text(folder_ / "notes.txt", "text");
-  refuses("notes.txt", "is no picture");
+  refuses("notes.txt", "is not a picture");
 }
 
 }  // namespace
