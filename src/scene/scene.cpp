@@ -88,7 +88,7 @@ toml::node* inside(toml::node& node, const PathPart& part) {
 // a key that is not there yet is made, for the strict reader to judge; a place in a list is not
 void replace_number(toml::table& tree, const std::string& path, double value) {
   const std::vector<PathPart> parts = parts_of(path);
-  if (parts.empty()) throw input_error("'' is no key");
+  if (parts.empty()) throw input_error("'' is not a key");
   toml::node* node = &tree;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PathPart& part = parts[i];

@@ -54,8 +54,7 @@ class MappedFile {
 };
 
 // the head of an element of so many bytes, which players skip
-std::string element_head(const std::filesystem::path& file, std::size_t bytes) {
-  const bool matroska = file.string().find(".webm") != std::string::npos;
+std::string element_head(bool matroska, std::size_t bytes) {
   const auto byte = [](std::uint64_t value, int shift) {
     return static_cast<char>((value >> shift) & 0xff);
   };
@@ -74,7 +73,8 @@ void append(const std::filesystem::path& file, std::string_view bytes) {
 }  // namespace
 
 void seal_file(const std::filesystem::path& file, std::string_view text) {
-  append(file, fmt::format("{}{}", element_head(file, text.size() + kFooter), text));
+  const bool matroska = file.string().find(".webm") != std::string::npos;
+  append(file, fmt::format("{}{}", element_head(matroska, text.size() + kFooter), text));
   const std::string hash = content_hash(MappedFile(file).text());
   append(file, fmt::format("{}{:0{}d}{}", hash, text.size(), kLengthDigits, kMark));
 }
@@ -89,6 +89,12 @@ std::optional<std::string> sealed_text(const std::filesystem::path& file) {
   const char* digits = footer.data() + kHashDigits;
   std::from_chars(digits, digits + kLengthDigits, length);
   if (length > body.size() || footer.substr(0, kHashDigits) != content_hash(body)) {
+    return std::nullopt;
+  }
+  // the length stands behind the hash: the head of the element, which the hash covers, confirms it
+  const std::string_view before = body.substr(0, body.size() - length);
+  if (!before.ends_with(element_head(true, length + kFooter)) &&
+      !before.ends_with(element_head(false, length + kFooter))) {
     return std::nullopt;
   }
   return std::string(body.substr(body.size() - length));

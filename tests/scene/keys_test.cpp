@@ -62,7 +62,7 @@ TEST(Keys, HaveOneSpellingForEachUnit) {
 TEST(Keys, AreFoundInEveryTableThatHasThem) {
   using Names = std::vector<std::string>;
   const KeyList& list = keys_of<Cart>();
-  EXPECT_EQ(tables_with("radius_mm", list), (Names{"wheels[]", "[spare]"}));
+  EXPECT_EQ(tables_with("radius_mm", list), (Names{"[wheels[]]", "[spare]"}));
   EXPECT_EQ(tables_with("name", list), (Names{"the top of the file"}));
   EXPECT_TRUE(tables_with("radius_deg", list).empty());
   EXPECT_EQ(tables_with("fps", keys_of<Scene>()), (Names{"[video]"}));

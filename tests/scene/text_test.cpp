@@ -105,7 +105,7 @@ TEST(Text, RefusesDeepNestingOfEveryKind) {
 
 TEST(Text, RefusesTooMuch) {
   const std::string error = error_of(kBody + "#" + std::string(kLargestScene, ' '));
-  EXPECT_NE(error.find("holds more than 16000000 bytes"), std::string::npos) << error;
+  EXPECT_NE(error.find("is larger than 16000000 bytes"), std::string::npos) << error;
 }
 
 TEST(Text, CutsBetweenCharacters) {
