@@ -69,7 +69,7 @@ TEST(SharedOptions, TheLastOfSeveralHoldsAndAnAbsentOneChangesNothing) {
   parse(app, {"--number", "1", "--text", "a", "--number", "2"});
   EXPECT_EQ(number, 2.0);
   EXPECT_EQ(text, "a");
-  test::expect_input_error([&] { parse(app, {"--text="}); }, "--text", "must not be empty");
+  test::expect_input_error([&] { parse(app, {"--text", ""}); }, "--text", "must not be empty");
 }
 
 TEST(SharedOptions, QuietSilencesEveryKindOfProgress) {

@@ -278,7 +278,7 @@ TEST_F(Formats, AnInterruptEndsAWriteThatNobodyReads) {
   const std::string pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
-  test::Background run({"render", folder_ / "scene.toml", "-o", "-"}, pipe);
+  test::Background run({"render", folder_ / "scene.toml", "-o", "-", "--size", "640x360"}, pipe);
   // until nothing more goes into the pipe
   EXPECT_TRUE(test::becomes([&] {
     int waiting = 0;

@@ -198,7 +198,12 @@ TEST_F(Lecture, AnInterruptLeavesTheLastVersion) {
                         "640x360",
                         "--progress",
                         "json"});
-  run.await_progress();
+  // until a film has been begun
+  EXPECT_TRUE(test::becomes([&] {
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out"))
+      if (entry.path().filename().string().ends_with(".part")) return true;
+    return false;
+  }));
   const Ran ran = run.end(SIGINT);
   EXPECT_EQ(ran.code, 130) << ran.err;
   EXPECT_EQ(page(), before);

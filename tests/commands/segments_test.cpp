@@ -148,7 +148,7 @@ TEST_F(Segments, ThatDoNotFitAreNamedWithWhatDiffers) {
   expect_one_line(join("p1.mp4 p3.mp4 p4.mp4"), 2, "shards 2 and 5 of 5 are missing");
   expect_one_line(join("p1.mp4"), 2, "shards 2, 3, 4 and 5 of 5 are missing");
   expect_one_line(join("p1.mp4 p2.mp4 p3.mp4 p4.mp4"), 2, "shard 5 of 5 is missing");
-  expect_one_line(join("p1.mp4 p2.mp4 p1.mp4"), 2, "is shard 1 again");
+  expect_one_line(join("p1.mp4 p2.mp4 p1.mp4"), 2, "is shard 1, and so is");
 
   ASSERT_EQ(render("crf.mp4", "--shard 2/5 --crf 30").code, 0);
   expect_one_line(join("p1.mp4 crf.mp4"), 2, "settings differ (crf 18 and 30)");
@@ -185,7 +185,7 @@ TEST_F(Segments, WrongWishesAreOneLine) {
                {"a.mp4", "--shard 4/3", "K from 1 to N, got 4/3"},
                {"a.mp4", "--shard a/b", "must be K/N"},
                {"a.mp4", "--shard 3", "must be K/N"},
-               {"a.mp4", "--shard 1/1000", "the film has 25 frames only"},
+               {"a.mp4", "--shard 1/1000", "the film has only 25 frames"},
                {"a.gif", "--shard 1/2", "cannot be made in pieces"},
                {"a.png", "--shard 1/2", "cannot be made in pieces"},
                {"a.gif", "--resume", "cannot be resumed"},
@@ -234,7 +234,7 @@ TEST_F(SegmentsResumed, AKilledFilmGoesOnAndIsTheSame) {
   const Ran ran = render("a.mp4", fmt::format("--resume --report {}", at("a.json")));
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.err.find("00001.mp4: is damaged and made again"), std::string::npos) << ran.err;
-  EXPECT_NE(ran.err.find("of 4 pieces were there already"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("of 4 pieces are already complete"), std::string::npos) << ran.err;
   EXPECT_EQ(folder_.entries(), 3) << "the folder of pieces is gone";
   ASSERT_EQ(render("b.mp4", "--resume").code, 0);
   EXPECT_EQ(frames_of(folder_ / "a.mp4"), frames_of(folder_ / "b.mp4"));
