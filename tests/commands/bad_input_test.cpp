@@ -106,7 +106,7 @@ struct BadCall {
 };
 
 const BadCall kBadCalls[] = {
-    {"render DIR/missing.toml -o DIR/a.mp4", 2, "missing.toml: no such file"},
+    {"render DIR/missing.toml -o DIR/a.mp4", 2, "missing.toml: the file does not exist"},
     {"render DIR -o DIR/a.mp4", 2, "folder"},
     {"render SCENE -o DIR/a.mp5", 2, ".mp4"},
     {"render SCENE -o DIR/nowhere/a.mp4", 2, "does not exist"},
@@ -137,7 +137,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --crf 1.5", 2, "--crf: must be a whole number"},
     {"simulate SCENE -o DIR/a.csv --rate abc", 2, "--rate: must be a number"},
     {"list", 2, "methods, models, shapes"},
-    {"render SCENE -o DIR/a.mp4 --backend vulkan", 2, "--backend: no back end"},
+    {"render SCENE -o DIR/a.mp4 --backend vulkan", 2, "--backend: unknown back end"},
     {"render SCENE -o DIR/a.mp4 --quality best", 2, "lecture"},
     {"render SCENE -o DIR/a.mp4 --preset fst", 2, "did you mean 'fast'?"},
     {"render SCENE -o DIR/a.mp4 --crf 0", 2, "--crf"},

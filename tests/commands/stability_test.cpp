@@ -55,7 +55,7 @@ TEST_F(Stability, TakesAnyTwoKeys) {
 
 // the same table for any number of threads, and from a run that was stopped and taken up again
 TEST_F(Stability, GoesOnWhereItWasStopped) {
-  const std::string options = "--methods rk4,gauss6 --cells 24x24 --turns 40";
+  const std::string options = "--methods rk4,gauss6 --cells 48x48 --turns 80";
   ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
   // stopped when some rows are finished
   std::vector<std::string> arguments = {

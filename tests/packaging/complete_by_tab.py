@@ -76,7 +76,7 @@ class Shell:
 
 def main():
     shell, binary = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         for name in FILES:
             open(os.path.join(folder, name), "w").close()
         os.mkdir(os.path.join(folder, "folder"))

@@ -47,7 +47,7 @@ TEST_F(SceneFiles, ReadsAFileAndRemembersItsName) {
 }
 
 TEST_F(SceneFiles, SaysWhatIsWrongWithTheFile) {
-  EXPECT_EQ(error_of_file(folder_ / "none.toml"), "does not exist");
+  EXPECT_EQ(error_of_file(folder_ / "none.toml"), "the file does not exist");
   EXPECT_EQ(error_of_file(folder_), "is a folder; give a file");
   std::ofstream(folder_ / "empty.toml").close();
   EXPECT_NE(error_of_file(folder_ / "empty.toml").find("is empty"), std::string::npos);
