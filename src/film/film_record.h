@@ -9,8 +9,8 @@
 
 #include "film/frame_renderer.h"
 #include "film/motion_report.h"
+#include "film/output/render_output.h"
 #include "film/prepared_film.h"
-#include "film/render_output.h"
 
 namespace polhode {
 

@@ -9,8 +9,8 @@
 
 #include "base/system/progress.h"
 #include "film/frame_times.h"
+#include "film/output/shard.h"
 #include "film/overrides.h"
-#include "film/shard.h"
 #include "video/frame_sink.h"
 
 namespace polhode {

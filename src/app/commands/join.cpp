@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/system/overwriting.h"
-#include "film/segments.h"
+#include "film/output/segments.h"
 #include "video/film_joiner.h"
 #include "video/seal.h"
 

@@ -11,7 +11,7 @@
 #include "base/system/overwriting.h"
 #include "film/film_record.h"
 #include "film/frame_workers.h"
-#include "film/open_output.h"
+#include "film/output/open_output.h"
 #include "video/captions.h"
 #include "video/libav/film_output.h"
 

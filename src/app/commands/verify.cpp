@@ -7,7 +7,7 @@
 #include "base/system/interrupt.h"
 #include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
-#include "film/open_output.h"
+#include "film/output/open_output.h"
 #include "film/reported_film.h"
 #include "image/png.h"
 #include "video/captions.h"

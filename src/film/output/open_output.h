@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "film/frame_renderer.h"
-#include "film/render_output.h"
+#include "film/output/render_output.h"
 #include "film/render_plan.h"
 #include "video/pipeline.h"
 

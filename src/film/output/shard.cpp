@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/shard.h"
+#include "film/output/shard.h"
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/resumed_film.h"
+#include "film/output/resumed_film.h"
 
 #include <algorithm>
 #include <cmath>

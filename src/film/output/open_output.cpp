@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "film/open_output.h"
+#include "film/output/open_output.h"
 
 #include <numeric>
 
 #include "film/film_metadata.h"
-#include "film/resumed_film.h"
-#include "film/segments.h"
+#include "film/output/resumed_film.h"
+#include "film/output/segments.h"
 #include "video/plain_sinks.h"
 #include "video/sink_kinds.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "film/render_output.h"
-#include "film/segments.h"
+#include "film/output/render_output.h"
+#include "film/output/segments.h"
 #include "video/film_joiner.h"
 
 namespace polhode {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "film/output/shard.h"
 #include "film/prepared_film.h"
-#include "film/shard.h"
 #include "video/frame_sink.h"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/segments.h"
+#include "film/output/segments.h"
 
 #include <cstdint>
 
