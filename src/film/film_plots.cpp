@@ -57,22 +57,24 @@ Table table_of(const Recorded& quantity, const Motion& motion) {
   return table;
 }
 
-FilmPlot draw(const Recorded& quantity,
-              const Motion& motion,
-              const Theme& theme,
-              double text_size,
-              const PixelBox& place) {
-  const std::array<glm::vec3, 3> colors = {theme.omega, theme.momentum, theme.body_axes};
-  const Table table = table_of(quantity, motion);
-  // gnuplot's points are 1/72 inch of 96 pixels each
-  const double font = 0.75 * text_size * 0.058 * std::min<double>(place.height * 1.3, place.width);
-  const double line_height = font / 0.75 / place.height;  // in parts of the plot
-  const double floor = 2.0 * line_height;
-  const double ceiling = 1.0 - 1.7 * line_height;
-  const double line = std::max(1.0, place.height / 100.0);
-  const std::string ink = hex(theme.space_axes);
-  const std::string unit = quantity.unit.empty() ? "" : fmt::format(", {}", quantity.unit);
-  std::string shared = fmt::format(
+// Sizes of type and lines in a plot of this height.
+struct PlotType {
+  double font = 0.0;         // gnuplot's points: 1/72 inch of 96 pixels each
+  double line_height = 0.0;  // in parts of the plot
+  double line = 1.0;         // width of curves, pixels
+};
+
+PlotType type_of(const PixelBox& place, double text_size) {
+  PlotType type;
+  type.font = 0.75 * text_size * 0.058 * std::min<double>(place.height * 1.3, place.width);
+  type.line_height = type.font / 0.75 / place.height;
+  type.line = std::max(1.0, place.height / 100.0);
+  return type;
+}
+
+// what the axes and the curves have in common: data, and their place in the picture
+std::string frame_script(const Table& table, const PlotType& type, double duration) {
+  return fmt::format(
       "$data << EOD\n{}EOD\n"
       "set lmargin at screen {}\nset rmargin at screen {}\n"
       "set bmargin at screen {}\nset tmargin at screen {}\n"
@@ -80,62 +82,74 @@ FilmPlot draw(const Recorded& quantity,
       table.rows,
       kLeft,
       kRight,
-      floor,
-      ceiling,
-      gnuplot_number(motion.duration()),
+      2.0 * type.line_height,
+      1.0 - 1.7 * type.line_height,
+      gnuplot_number(duration),
       gnuplot_number(table.low),
       gnuplot_number(table.high));
+}
 
-  // axes with the names of curves, then the curves alone in the same place
-  std::string axes =
-      shared + fmt::format(
-                   "set border 3 linecolor rgb '{0}' linewidth {1}\n"
-                   "set tics nomirror out font ',{2}' textcolor rgb '{0}'\n"
-                   "set xtics autofreq\nset format y '%.4g'\nset ytics autofreq\nset mxtics 1\n"
-                   "set key at screen {3},screen 0.995 right top horizontal samplen 1 "
-                   "font ',{2}' textcolor rgb '{0}'\n"
-                   "set label 1 {4} at screen 0.03,screen {6} left "
-                   "font ',{2}' textcolor rgb '{5}'\n",
-                   ink,
-                   0.45 * line,
-                   font,
-                   kRight,
-                   gnuplot_text(fmt::format("{}{}", quantity.title, unit)),
-                   hex(theme.position),
-                   1.0 - 0.75 * line_height);
-  std::string curves = shared;
-  curves += "unset border\nunset tics\nunset key\n";
-  std::string names, lines;
+// axes with the names of curves
+std::string axes_script(const Recorded& quantity, const Theme& theme, const PlotType& type) {
+  const std::string unit = quantity.unit.empty() ? "" : fmt::format(", {}", quantity.unit);
+  std::string script = fmt::format(
+      "set border 3 linecolor rgb '{0}' linewidth {1}\n"
+      "set tics nomirror out font ',{2}' textcolor rgb '{0}'\n"
+      "set xtics autofreq\nset format y '%.4g'\nset ytics autofreq\nset mxtics 1\n"
+      "set key at screen {3},screen 0.995 right top horizontal samplen 1 "
+      "font ',{2}' textcolor rgb '{0}'\n"
+      "set label 1 {4} at screen 0.03,screen {6} left "
+      "font ',{2}' textcolor rgb '{5}'\n",
+      hex(theme.space_axes),
+      0.45 * type.line,
+      type.font,
+      kRight,
+      gnuplot_text(fmt::format("{}{}", quantity.title, unit)),
+      hex(theme.position),
+      1.0 - 0.75 * type.line_height);
+  if (quantity.curves.size() == 1) script += "unset key\n";
+  return script;
+}
+
+// the command that draws all curves; without data their names alone are in the key
+std::string plot_command(const Recorded& quantity,
+                         const Theme& theme,
+                         const PlotType& type,
+                         bool with_data) {
+  const std::array<glm::vec3, 3> colors = {theme.omega, theme.momentum, theme.body_axes};
+  std::string command;
   for (std::size_t i = 0; i < quantity.curves.size(); ++i) {
-    const std::string color = hex(colors[i % colors.size()]);
-    const int dash = static_cast<int>(i) + 1;
-    names += fmt::format("{}NaN with lines linewidth {} dashtype {} linecolor rgb '{}' title {}",
-                         i == 0 ? "plot " : ", ",
-                         line,
-                         dash,
-                         color,
-                         gnuplot_text(quantity.curves[i]));
-    lines +=
-        fmt::format("{}$data using 1:{} with lines linewidth {} dashtype {} linecolor rgb '{}'",
-                    i == 0 ? "plot " : ", ",
-                    i + 2,
-                    line,
-                    dash,
-                    color);
+    command += fmt::format("{}{} with lines linewidth {} dashtype {} linecolor rgb '{}'",
+                           i == 0 ? "plot " : ", ",
+                           with_data ? fmt::format("$data using 1:{}", i + 2) : "NaN",
+                           type.line,
+                           i + 1,
+                           hex(colors[i % colors.size()]));
+    if (!with_data) command += fmt::format(" title {}", gnuplot_text(quantity.curves[i]));
   }
-  if (quantity.curves.size() == 1) axes += "unset key\n";
+  return command + "\n";
+}
+
+FilmPlot draw(const Recorded& quantity,
+              const Motion& motion,
+              const Theme& theme,
+              double text_size,
+              const PixelBox& place) {
+  const PlotType type = type_of(place, text_size);
+  const std::string frame = frame_script(table_of(quantity, motion), type, motion.duration());
   const auto picture = [&](const std::string& script) {
     const std::string bytes =
-        draw_with_gnuplot(script, PlotFormat::overlay, place.width, place.height);
+        draw_with_gnuplot(frame + script, PlotFormat::overlay, place.width, place.height);
     return std::make_shared<const Sprite>(sprite_of(decode_png(bytes, "plot")));
   };
-  return {place,
-          picture(axes.append(names).append("\n")),
-          picture(curves.append(lines).append("\n")),
-          static_cast<int>(std::lround(kLeft * place.width)),
-          static_cast<int>(std::lround(kRight * place.width)),
-          0.0,
-          motion.duration()};
+  return {
+      place,
+      picture(axes_script(quantity, theme, type) + plot_command(quantity, theme, type, false)),
+      picture("unset border\nunset tics\nunset key\n" + plot_command(quantity, theme, type, true)),
+      static_cast<int>(std::lround(kLeft * place.width)),
+      static_cast<int>(std::lround(kRight * place.width)),
+      0.0,
+      motion.duration()};
 }
 
 }  // namespace

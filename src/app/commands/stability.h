@@ -2,28 +2,11 @@
 // The use case `stability`: maps of where methods fail.
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "base/system/progress.h"
+#include "app/commands/stability_job.h"
 
 namespace polhode {
-
-struct StabilityJob {
-  std::vector<std::filesystem::path> scenes;
-  std::string output;               // folder, made when it is missing
-  std::string methods;              // names with commas between; empty: all that can take the scene
-  std::string x = "numerics.step";  // keys of the scene, or "spin": a factor on its spin
-  std::string y = "spin";
-  std::optional<std::string> x_range, y_range;  // "0.1:10"; absent: around the scene's own value
-  std::string cells = "64x64";
-  double turns = 100.0;      // how far the body turns in a run
-  double allowed_rad = 0.1;  // attitude error of what passes for fine
-  int jobs = 0;              // threads; 0: as many as processors
-  ProgressKind progress = ProgressKind::automatic;
-};
 
 // Writes stability.csv, a picture per scene and method, and one overview per scene, into the
 // folder. What is finished when it is interrupted is kept there and taken up by the next run with

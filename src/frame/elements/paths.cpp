@@ -47,6 +47,41 @@ void add_trail_sphere(const Scenery& scenery, const Sample& sample, Glyphs& glyp
   }
 }
 
+namespace {
+
+bool is_asked(const ShowSpec& show, const char* name) {
+  const auto found = show.asked.find(name);
+  return found != show.asked.end() && found->second.value_or(false);
+}
+
+int pieces_of_trail(const Motion& motion) {
+  double fastest = 0.0;
+  for (const double t : framing_times(motion))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  // a straight piece is never more than a tenth of a turn
+  return static_cast<int>(std::clamp(fastest * motion.duration() / 0.6, 64.0, 100'000.0));
+}
+
+// angular velocities of the same energy, other momenta: along the great circle through the axes of
+// the smallest and the largest moment, whose polhodes cover both sides of the separatrix
+std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
+  const double energy2 = twice_the_energy(model, w_P);
+  int least = 0, most = 0;
+  model.moments.minCoeff(&least);
+  model.moments.maxCoeff(&most);
+  std::vector<Vec3> family;
+  for (int k = 0; k < 4 * kFamily; ++k) {
+    const double angle = 2.0 * kPi * (k + 0.5) / (4 * kFamily);
+    Vec3 w = Vec3::Zero();
+    w[least] = std::sqrt(energy2 / model.moments[least]) * std::cos(angle);
+    w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
+    family.push_back(w);
+  }
+  return family;
+}
+
+}  // namespace
+
 Paths make_paths(const Scenery& scenery) {
   const ShowSpec& show = scenery.options;
   const int segments = scenery.segments;
@@ -55,19 +90,13 @@ Paths make_paths(const Scenery& scenery) {
   const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / segments));
   const int sides = std::max(8, static_cast<int>(std::ceil(segments * std::sqrt(kRimRadius))));
   const auto wanted = [&](const char* name) {
-    const auto found = show.asked.find(name);
-    return found != show.asked.end() && found->second.value_or(false);
+    return is_asked(show, name);
   };
   Paths paths;
   const Motion& motion = scenery.motion;
   const BodyModel& model = motion.model();
   const double tube = kRimRadius * scenery.scale.body;
-  double fastest = 0.0;
-  for (const double t : framing_times(motion))
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
-  // a straight piece is never more than a tenth of a turn
-  const int pieces =
-      static_cast<int>(std::clamp(fastest * motion.duration() / 0.6, 64.0, 100'000.0));
+  const int pieces = pieces_of_trail(motion);
   const auto trail = [&](const auto& point) {
     return Trail(sampled([&](double t) { return Vec3(point(motion.at(t))); },
                          0.0,
@@ -107,17 +136,7 @@ Paths make_paths(const Scenery& scenery) {
   if (wanted("binet"))
     paths.binet = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_momentum);
   if (wanted("polhodes")) {
-    // the same energy, other momenta: starts along the great circle through the axes of the
-    // smallest and the largest moment, whose polhodes cover both sides of the separatrix
-    const double energy2 = twice_the_energy(model, w_P);
-    int least = 0, most = 0;
-    model.moments.minCoeff(&least);
-    model.moments.maxCoeff(&most);
-    for (int k = 0; k < 4 * kFamily; ++k) {
-      const double angle = 2.0 * kPi * (k + 0.5) / (4 * kFamily);
-      Vec3 w = Vec3::Zero();
-      w[least] = std::sqrt(energy2 / model.moments[least]) * std::cos(angle);
-      w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
+    for (const Vec3& w : family_of(model, w_P)) {
       if (const MeshPtr mesh = tube_of(polhode(model.moments, w, pieces_of_curve), as_omega))
         paths.polhodes.push_back(mesh);
     }
