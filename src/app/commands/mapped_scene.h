@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/stability_job.h"
+#include "chart/plot_stability.h"
 #include "chart/stability.h"
 #include "motion/stepper_table.h"
 #include "scene/scene.h"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/mapped_scene.h"
+#include "base/error.h"
 #include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
 #include "base/system/parallel.h"
