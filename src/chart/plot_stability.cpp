@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 // fine is calm, the rest told apart by the colour-blind too: lightness rises along the list
-constexpr std::array<const char*, kRunOutcomes> kColors = {
+constexpr std::array<const char*, kRunOutcomes> kOutcomeColors = {
     "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222"};
 
 double shown(const MapAxis& axis, double value) {
@@ -54,7 +54,7 @@ std::string key_entry(int outcome) {
   std::string words = name_of(static_cast<RunOutcome>(outcome));
   std::replace(words.begin(), words.end(), '_', ' ');
   return fmt::format("NaN with points pointtype 5 pointsize 2 linecolor rgb '{}' title {}",
-                     kColors[static_cast<std::size_t>(outcome)],
+                     kOutcomeColors[static_cast<std::size_t>(outcome)],
                      gnuplot_text(words));
 }
 
@@ -108,7 +108,8 @@ std::string map_script(
 std::string palette() {
   std::string text;
   for (int v = 0; v < kRunOutcomes; ++v)
-    text += fmt::format("{}{} '{}'", v == 0 ? "" : ", ", v, kColors[static_cast<std::size_t>(v)]);
+    text += fmt::format(
+        "{}{} '{}'", v == 0 ? "" : ", ", v, kOutcomeColors[static_cast<std::size_t>(v)]);
   return fmt::format(
       "set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\nunset colorbox\n",
       kRunOutcomes,

@@ -14,10 +14,10 @@
 namespace polhode {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr double kKept = 1e-3;     // drift of what passes for fine where nobody knows the truth
 constexpr double kChanged = 0.02;  // drift of energy that makes it the reason
-constexpr double kHopeless = 1e6;  // drift at which a run that blows up is left
+constexpr double kBlownUp = 1e6;   // drift at which a run that blows up is left
 
 constexpr std::array<const char*, kRunOutcomes> kNames = {"fine",
                                                           "phase_wrong",
@@ -122,18 +122,18 @@ StabilityCell try_method(const StepperInfo& method,
           const double found = pointing.of(s), wanted = pointing.of(truth);
           flipped = flipped || (found * wanted < 0.0 && std::abs(found) > kClearly &&
                                 std::abs(wanted) > kClearly);
-          blown_up = drift.worst().energy.value_or(0.0) > kHopeless;
+          blown_up = drift.worst().energy.value_or(0.0) > kBlownUp;
           return !blown_up;
         });
   } catch (const Error& failure) {
     if (failure.fault() == Fault::interrupted) throw;
-    return {RunOutcome::solver_failed, kUnknown, kUnknown, kUnknown};
+    return {RunOutcome::solver_failed, kNoValue, kNoValue, kNoValue};
   }
-  if (nan) return {RunOutcome::not_a_number, kUnknown, kUnknown, kUnknown};
+  if (nan) return {RunOutcome::not_a_number, kNoValue, kNoValue, kNoValue};
   const double sign = last_energy < energy_at_start ? -1.0 : 1.0;
-  cell.error_rad = known && !blown_up ? error : kUnknown;
-  cell.energy_drift = sign * drift.worst().energy.value_or(kUnknown);
-  cell.momentum_drift = drift.worst().momentum.value_or(kUnknown);
+  cell.error_rad = known && !blown_up ? error : kNoValue;
+  cell.energy_drift = sign * drift.worst().energy.value_or(kNoValue);
+  cell.momentum_drift = drift.worst().momentum.value_or(kNoValue);
   cell.outcome =
       blown_up ? RunOutcome::energy_grows : outcome_of(cell, flipped && known, allowed_rad);
   return cell;

@@ -27,6 +27,9 @@ Difference compare(const Image& a, const Image& b, int threshold);
 // for equal pictures.
 double psnr(double rms);
 
+// The gain of pictures of differences, where nothing else is asked for.
+inline constexpr int kDifferenceGain = 16;
+
 // |a - b| times gain, clipped, opaque; for a person to look at. A difference of alpha is white.
 Image difference_picture(const Image& a, const Image& b, int gain);
 

@@ -16,10 +16,6 @@
 namespace polhode {
 namespace {
 
-struct CloseInput {
-  void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
-};
-
 // One film, of which packets are read.
 class PartInput {
  public:
@@ -64,7 +60,7 @@ class PartInput {
 
  private:
   std::string file_;
-  std::unique_ptr<AVFormatContext, CloseInput> input_;
+  LibavInput input_;
   Owned<AVPacket> packet_;
 };
 

@@ -18,11 +18,6 @@ extern "C" {
 namespace polhode {
 namespace {
 
-struct CloseInput {
-  void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
-};
-using Input = std::unique_ptr<AVFormatContext, CloseInput>;
-
 // libav tells little about a name that leads nowhere
 void refuse_missing(const std::string& file) {
   std::error_code failed;
@@ -204,7 +199,7 @@ class FilmReader::Implementation {
   }
 
   std::string file_;
-  Input input_;
+  LibavInput input_;
   AVStream* stream_ = nullptr;  // owned by the input
   Owned<AVCodecContext> decoder_;
   Owned<AVPacket> packet_;

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kColumns = 4;
+constexpr int kTileColumns = 4;
 constexpr int kRows = 3;
 constexpr int kTileWidth = 480;        // pixels
 constexpr int kTallest = 720;          // pixels; of a tile
@@ -86,7 +86,7 @@ Made write_preview(const PreviewJob& job) {
   const PictureSize tile = plan.scene.video.size;
   const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;
   Image sheet;
-  sheet.wipe(kColumns * step_x + kGap, kHead + kRows * step_y, kPaper);
+  sheet.wipe(kTileColumns * step_x + kGap, kHead + kRows * step_y, kPaper);
 
   const Typesetter typesetter;
   const auto write = [&](const std::string& words, double size, int x, int y) {
@@ -98,13 +98,13 @@ Made write_preview(const PreviewJob& job) {
         22.0,
         kGap,
         12);
-  constexpr int kTiles = kColumns * kRows;
+  constexpr int kTiles = kTileColumns * kRows;
   Image picture;
   for (int i = 0; i < kTiles; ++i) {
     stop_if_interrupted();
     const int index = static_cast<int>(std::int64_t{i} * (frames.count - 1) / (kTiles - 1));
     renderer->render(index, picture);
-    const int left = kGap + i % kColumns * step_x, top = kHead + i / kColumns * step_y;
+    const int left = kGap + i % kTileColumns * step_x, top = kHead + i / kTileColumns * step_y;
     lay_tile(sheet, picture, left, top);
     write(time_of_tile(frames, frames.film_time(index)), 17.0, left, top + tile.height + 4);
   }

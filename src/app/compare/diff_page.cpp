@@ -16,7 +16,6 @@
 namespace polhode {
 namespace {
 
-constexpr int kGain = 16;         // of the amplified difference
 constexpr int kSmallWidth = 640;  // pixels: below this a picture is shown with hard pixels
 constexpr int kColumns = 600;     // of a strip at most
 
@@ -44,7 +43,7 @@ std::string figures(const Image& reference,
   std::string text = fmt::format("<div class=\"four {}\">\n", classes);
   text += figure(reference, "reference", "Reference");
   text += figure(actual, "actual", "Actual");
-  text += figure(difference, "difference", fmt::format("Difference × {}", kGain));
+  text += figure(difference, "difference", fmt::format("Difference × {}", kDifferenceGain));
   text += fmt::format(
       "<figure>{}<figcaption>FLIP</figcaption>"
       "<div class=\"scale\">0 <i></i> 1</div></figure>\n",
@@ -135,7 +134,7 @@ std::string worst_part(const ShownFrame& shown, const Image& difference, const I
 }
 
 std::string frame_part(const ShownFrame& shown, const Thresholds& thresholds) {
-  const Image difference = difference_picture(shown.reference, shown.actual, kGain);
+  const Image difference = difference_picture(shown.reference, shown.actual, kDifferenceGain);
   const Image heat = heat_picture(shown.flip);
   const FrameScore& score = shown.score;
   std::string text = viewer(shown);

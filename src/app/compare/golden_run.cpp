@@ -16,8 +16,6 @@ namespace polhode {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kGain = 16;  // of the difference that a failure leaves
-
 using Json = nlohmann::ordered_json;
 
 // pictures of failures, for a person; of what passes none are left
@@ -37,7 +35,7 @@ void leave_pictures(const fs::path& folder, const LoadedCase& one, const CaseRes
   const Image& image = result.drawn->image;
   write_png(actual, image, !is_opaque(image));
   if (result.verdict) {
-    write_png(difference, difference_picture(result.reference, image, kGain), false);
+    write_png(difference, difference_picture(result.reference, image, kDifferenceGain), false);
   }
 }
 

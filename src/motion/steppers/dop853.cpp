@@ -38,7 +38,7 @@ constexpr std::array<TableRow, kStages - 1> kRows = {{
 }};
 
 // weights of the first slope and of slopes 5 to 11: the step, and its difference from order 5
-constexpr std::array<double, 8> kStep = {
+constexpr std::array<double, 8> kStepWeights = {
     0.0542937341165687622380535766363, 4.45031289275240888144113950566, 1.89151789931450038304281599044,
     -5.8012039600105847814672114227, 0.31116436695781989440891606237, -0.152160949662516078556178806805,
     0.201365400804030348374776537501, 0.0447106157277725905176885569043};
@@ -75,10 +75,10 @@ class DormandPrince853 final : public Stepper {
     }
     work.evaluations += kStages;
 
-    Vector slope = kStep[0] * k[0];
+    Vector slope = kStepWeights[0] * k[0];
     Vector error5 = kError5[0] * k[0];
     for (int j = 1; j < 8; ++j) {
-      slope += kStep[j] * k[j + 4];
+      slope += kStepWeights[j] * k[j + 4];
       error5 += kError5[j] * k[j + 4];
     }
     const Vector error3 = slope - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];

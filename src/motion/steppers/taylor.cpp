@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kMostTerms = 17;
+constexpr int kMostCoefficients = 17;
 
 // Four numbers that are added and multiplied together; two registers where they are short.
 using Four [[gnu::vector_size(32)]] = double;
@@ -30,9 +30,9 @@ Vec3 vec(const Four& v) {
 // pull e. Term k of each, times h^k; p is (x, y, z, w). Terms are kept in the orders that products
 // need, so that a product is one of whole registers.
 struct Series {
-  std::array<Four, kMostTerms> p, e, v;
-  std::array<Four, kMostTerms> p1, p2, p3;                        // of (0, v) o p, by v1, v2, v3
-  std::array<Four, kMostTerms> v_left, v_right, e_left, e_right;  // (2, 3, 1) and (3, 1, 2)
+  std::array<Four, kMostCoefficients> p, e, v;
+  std::array<Four, kMostCoefficients> p1, p2, p3;  // of (0, v) o p, by v1, v2, v3
+  std::array<Four, kMostCoefficients> v_left, v_right, e_left, e_right;  // (2, 3, 1) and (3, 1, 2)
   Four bend;
   std::array<Four, 3> pull;  // columns
 

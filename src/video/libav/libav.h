@@ -30,6 +30,12 @@ struct FreeLibav {
 template <class T>
 using Owned = std::unique_ptr<T, FreeLibav>;
 
+// A film that is read, with its file.
+struct CloseInput {
+  void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
+};
+using LibavInput = std::unique_ptr<AVFormatContext, CloseInput>;
+
 // Options for a libav call; entries that are left over were not understood.
 class LibavOptions {
  public:
