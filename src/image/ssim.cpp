@@ -22,16 +22,16 @@ constexpr float kC1 = static_cast<float>(0.01 * 255 * 0.01 * 255);  // (K1 L)^2
 constexpr float kC2 = static_cast<float>(0.03 * 255 * 0.03 * 255);  // (K2 L)^2
 constexpr float kMiddle = 128.0F;  // taken off luma: variances do not mind, digits are saved
 
-using Weights = std::array<float, kRadius + 1>;  // of the middle and to one side
+using Bell = std::array<float, kRadius + 1>;  // of the middle and to one side
 
-Weights gaussian() {
+Bell gaussian() {
   std::array<double, kRadius + 1> g{};
   double sum = 0.0;
   for (std::size_t i = 0; i <= kRadius; ++i) {
     g[i] = std::exp(-0.5 * static_cast<double>(i * i) / (kSigma * kSigma));
     sum += i == 0 ? g[i] : 2.0 * g[i];
   }
-  Weights weights{};
+  Bell weights{};
   for (std::size_t i = 0; i <= kRadius; ++i)
     weights[i] = static_cast<float>(g[i] / sum);
   return weights;
@@ -65,7 +65,7 @@ void take_lumas(const std::uint8_t* a, const std::uint8_t* b, std::size_t width,
 
 // out[x] = weighted sum of in[x] .. in[x + 10]
 POLHODE_WIDE_REGISTERS
-void blur_along(const float* in, std::size_t count, const Weights& w, float* out) {
+void blur_along(const float* in, std::size_t count, const Bell& w, float* out) {
   for (std::size_t x = 0; x < count; ++x) {
     float sum = w[0] * in[x + 5];
     sum += w[1] * (in[x + 4] + in[x + 6]);
@@ -81,7 +81,7 @@ void blur_along(const float* in, std::size_t count, const Weights& w, float* out
 POLHODE_WIDE_REGISTERS
 void blur_across(const std::array<const float*, kWindow>& rows,
                  std::size_t count,
-                 const Weights& w,
+                 const Bell& w,
                  float* out) {
   for (std::size_t x = 0; x < count; ++x) {
     float sum = w[0] * rows[5][x];
@@ -125,7 +125,7 @@ Image continued(const Image& image) {
 // Blurs rows of both pictures one after another and adds up the indices of their windows.
 class Band {
  public:
-  Band(const Image& a, const Image& b, const Weights& weights)
+  Band(const Image& a, const Image& b, const Bell& weights)
       : a_(a),
         b_(b),
         weights_(weights),
@@ -196,7 +196,7 @@ class Band {
 
   const Image& a_;
   const Image& b_;
-  const Weights& weights_;
+  const Bell& weights_;
   std::size_t width_, windows_;
   Quantities row_, mean_;
   std::vector<Quantities> blurred_;  // row y in y % 11
@@ -208,7 +208,7 @@ double ssim_of_opaque(const Image& a, const Image& b, int jobs) {
     return ssim_of_opaque(continued(a), continued(b), jobs);
   constexpr int kBand = 64;  // rows: a fixed number, so that sums do not depend on threads
   const int rows = a.height - kWindow + 1;
-  const Weights weights = gaussian();
+  const Bell weights = gaussian();
   std::vector<double> sums(static_cast<std::size_t>((rows + kBand - 1) / kBand));
   parallel_for(static_cast<long>(sums.size()), jobs, [&](long band) {
     const int begin = static_cast<int>(band) * kBand;

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "model/given_keys.h"
 
 namespace polhode {
 namespace {
@@ -38,10 +39,6 @@ std::vector<std::string> given_keys(const LoadSpec& s) {
   return names;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 const LoadKind& kind_of(const LoadSpec& spec, const std::string& path) {
   for (const LoadKind& kind : load_kinds()) {
     if (kind.name == spec.kind) return kind;
@@ -56,19 +53,12 @@ void check_keys_of(const LoadSpec& spec, const std::string& path) {
   std::vector<std::string> known = kind.needs;
   known.insert(known.end(), kind.takes.begin(), kind.takes.end());
   if (kind.directed) known.insert(known.end(), {"space", "body"});
-  for (const std::string& name : kind.needs) {
-    if (contains(given, name)) continue;
-    throw input_error("a {} needs '{}'", kind.name, name).at({{}, 0, path});
-  }
+  require_keys(kind.name, kind.needs, given, path);
   if (kind.directed && !spec.space && !spec.body) {
     throw input_error("a {} needs 'space' or 'body', its vector in those axes", kind.name)
         .at({{}, 0, path});
   }
-  for (const std::string& name : given) {
-    if (contains(known, name)) continue;
-    throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
-        .at({{}, 0, fmt::format("{}.{}", path, name)});
-  }
+  refuse_other_keys(kind.name, known, given, path);
 }
 
 Load::Kind turned_into(const LoadSpec& spec) {

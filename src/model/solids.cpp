@@ -10,6 +10,7 @@
 #include "base/nearest.h"
 #include "base/units.h"
 #include "math/so3.h"
+#include "model/given_keys.h"
 
 namespace polhode {
 namespace {
@@ -151,10 +152,6 @@ std::vector<std::string> given_dimensions(const SolidSpec& s) {
   return names;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 const SolidKind& kind_of(const SolidSpec& solid, const std::string& path) {
   for (const SolidKind& kind : solid_kinds()) {
     if (kind.name == solid.kind) return kind;
@@ -257,18 +254,10 @@ std::vector<std::string> solid_names() {
 void check_dimensions(const SolidSpec& solid, const std::string& path) {
   const SolidKind& kind = kind_of(solid, path);
   const std::vector<std::string> given = given_dimensions(solid);
-  for (const std::string& name : kind.needs) {
-    if (!contains(given, name)) {
-      throw input_error("a {} needs '{}'", kind.name, name).at({{}, 0, path});
-    }
-  }
-  for (const std::string& name : given) {
-    if (contains(kind.needs, name) || contains(kind.takes, name)) continue;
-    std::vector<std::string> known = kind.needs;
-    known.insert(known.end(), kind.takes.begin(), kind.takes.end());
-    throw input_error("a {} has no '{}'; it takes {}", kind.name, name, fmt::join(known, ", "))
-        .at({{}, 0, fmt::format("{}.{}", path, name)});
-  }
+  std::vector<std::string> known = kind.needs;
+  known.insert(known.end(), kind.takes.begin(), kind.takes.end());
+  require_keys(kind.name, kind.needs, given, path);
+  refuse_other_keys(kind.name, known, given, path);
 
   // a dimension that may be zero is one of the optional ones
   if (contains(kind.needs, "radius") && *solid.radius < magnitude_of(Unit::length).least) {

@@ -8,18 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "chart/work_points.h"
+
 namespace polhode::test {
 namespace {
-
-WorkPoint drawn(const char* method, double time_us, double error_rad, const char* status) {
-  WorkPoint p;
-  p.method = method;
-  p.time_us = time_us;
-  p.error_rad = error_rad;
-  p.evaluations = 10;
-  p.status = status;
-  return p;
-}
 
 TEST(PlotWorkPrecision, TableHasTheContractsColumns) {
   WorkPanel panel;

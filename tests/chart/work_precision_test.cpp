@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "chart/work_points.h"
 #include "motion/stepper_table.h"
 #include "support/tops.h"
 
@@ -72,16 +73,6 @@ TEST(WorkPrecision, FailuresAreTold) {
   EXPECT_EQ(dmv.front().status, "no_solution");
   EXPECT_TRUE(std::isnan(dmv.front().error_rad));
   EXPECT_EQ(dmv.back().status, kPointOk);
-}
-
-WorkPoint drawn(const char* method, double time_us, double error_rad, const char* status) {
-  WorkPoint p;
-  p.method = method;
-  p.time_us = time_us;
-  p.error_rad = error_rad;
-  p.evaluations = 10;
-  p.status = status;
-  return p;
 }
 
 TEST(WorkPrecision, TheCheapestIsTheFastestThatIsKnownToBeGoodEnough) {

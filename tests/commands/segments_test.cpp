@@ -68,18 +68,18 @@ class Segments : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-struct Way {
+struct FilmKind {
   const char* ending;
   const char* options;
 };
 
 TEST_F(Segments, JoinToExactlyTheirFrames) {
-  for (const Way& way : {Way{".mp4", ""},
-                         {".mp4", "--fps 30000/1001 --to 0.3"},
-                         {".mp4", "--codec hevc"},
-                         {".mp4", "--codec av1"},
-                         {".webm", "--transparent"},
-                         {".mov", ""}}) {
+  for (const FilmKind& way : {FilmKind{".mp4", ""},
+                              {".mp4", "--fps 30000/1001 --to 0.3"},
+                              {".mp4", "--codec hevc"},
+                              {".mp4", "--codec av1"},
+                              {".webm", "--transparent"},
+                              {".mov", ""}}) {
     SCOPED_TRACE(std::string(way.ending) + way.options);
     const std::string e = way.ending;
     ASSERT_EQ(render("whole" + e, way.options).code, 0);

@@ -5,23 +5,20 @@
 
 #include <gtest/gtest.h>
 
+#include "frame/composers.h"
 #include "frame/to_glm.h"
 
 namespace polhode {
 namespace {
 
-const ArrowMeshes kMeshes = arrow_meshes(32, 32);
+using test::drawn;
+
+const ArrowMeshes kArrows = arrow_meshes(32, 32);
 
 std::vector<DrawItem> arrow(const Vec3& from, const Vec3& tip, const ArrowShape& shape) {
   std::vector<DrawItem> items;
-  add_arrow(items, kMeshes, from, tip, shape, Material{});
+  add_arrow(items, kArrows, from, tip, shape, Material{});
   return items;
-}
-
-// where a point of an item's mesh is drawn
-Vec3 drawn(const DrawItem& item, const Vec3& point) {
-  const glm::vec4 at = item.world_from_mesh * glm::vec4(to_glm(point), 1.0f);
-  return {at.x, at.y, at.z};
 }
 
 // the apex of the head is the end of the vector, whatever its direction and length, and the shaft
@@ -71,14 +68,14 @@ TEST(Arrow, AShortVectorHasASmallerHead) {
 TEST(Arrow, AVectorOfNoLengthIsNotDrawn) {
   EXPECT_TRUE(arrow(Vec3(1, 2, 3), Vec3(1, 2, 3), ArrowShape{}).empty());
   std::vector<DrawItem> items;
-  add_tube(items, kMeshes, Vec3(1, 2, 3), Vec3(1, 2, 3), 0.1, Material{});
+  add_tube(items, kArrows, Vec3(1, 2, 3), Vec3(1, 2, 3), 0.1, Material{});
   EXPECT_TRUE(items.empty());
 }
 
 TEST(Arrow, ATubeGoesFromEndToEnd) {
   std::vector<DrawItem> items;
   const Vec3 from(0, 1, 0), to(2, -1, 1);
-  add_tube(items, kMeshes, from, to, 0.25, Material{});
+  add_tube(items, kArrows, from, to, 0.25, Material{});
   ASSERT_EQ(items.size(), 1u);
   EXPECT_LT((drawn(items[0], Vec3::Zero()) - from).norm(), 1e-6);
   EXPECT_LT((drawn(items[0], Vec3::UnitZ()) - to).norm(), 1e-6);

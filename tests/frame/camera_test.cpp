@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr PictureSize kSize{640, 360};
+constexpr PictureSize kPicture{640, 360};
 
 std::vector<Vec3> random_points(unsigned seed, double spread) {
   std::mt19937_64 random(seed);
@@ -25,17 +25,17 @@ std::vector<Vec3> random_points(unsigned seed, double spread) {
 
 // the matrix that OpenGL gets and the function that tests trust must be the same projection
 TEST(Camera, ClipMatrixAndProjectAgree) {
-  const Camera camera(Vec3(3, -2, 1.5), Vec3(0.2, 0.1, 0.3), 0.6, kSize, Vec3::Zero(), 1.0);
+  const Camera camera(Vec3(3, -2, 1.5), Vec3(0.2, 0.1, 0.3), 0.6, kPicture, Vec3::Zero(), 1.0);
   for (const Vec3& point : random_points(1, 0.4)) {
     const glm::vec4 clip = camera.view().clip_from_world * glm::vec4(to_glm(point), 1.0f);
     const Vec2 pixel = camera.project(point);
-    EXPECT_NEAR((clip.x / clip.w + 1.0) * 0.5 * kSize.width, pixel.x(), 2e-3);
-    EXPECT_NEAR((1.0 - clip.y / clip.w) * 0.5 * kSize.height, pixel.y(), 2e-3);
+    EXPECT_NEAR((clip.x / clip.w + 1.0) * 0.5 * kPicture.width, pixel.x(), 2e-3);
+    EXPECT_NEAR((1.0 - clip.y / clip.w) * 0.5 * kPicture.height, pixel.y(), 2e-3);
   }
 }
 
 TEST(Camera, UpIsUpAndTheTargetIsInTheMiddle) {
-  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kSize, Vec3::Zero(), 1.0);
+  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kPicture, Vec3::Zero(), 1.0);
   EXPECT_NEAR((camera.project(Vec3::Zero()) - Vec2(320, 180)).norm(), 0.0, 1e-9);
   EXPECT_LT(camera.project(Vec3(0, 0, 0.1)).y(), 180.0);
   // seen from +X with +Z up, +Y is to the right
@@ -43,7 +43,7 @@ TEST(Camera, UpIsUpAndTheTargetIsInTheMiddle) {
 }
 
 TEST(Camera, PixelsPerMetreMatchesProject) {
-  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kSize, Vec3::Zero(), 1.0);
+  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kPicture, Vec3::Zero(), 1.0);
   const double step = 1e-3;
   const double moved = (camera.project(Vec3(0, step, 0)) - camera.project(Vec3::Zero())).norm();
   EXPECT_NEAR(moved / step, camera.pixels_per_metre(Vec3::Zero()), 1e-6 * moved / step);
@@ -57,7 +57,7 @@ TEST_P(CameraFraming, HoldsEveryPointAndWastesNothing) {
   const Vec3 directions[] = {{1, 0, 0}, {0.82, 0.46, 0.34}, {0, -1, 0.2}, {0, 0, 1}, {-1, 2, -3}};
   for (const Vec3& direction : directions) {
     const Camera camera =
-        framing_camera(points, {}, direction, 0.5, kSize, {0.05, 0.05, 0.05, 0.05});
+        framing_camera(points, {}, direction, 0.5, kPicture, {0.05, 0.05, 0.05, 0.05});
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (const Vec3& point : points) {
       const Vec2 p = camera.project(point);
@@ -66,14 +66,14 @@ TEST_P(CameraFraming, HoldsEveryPointAndWastesNothing) {
       top = std::min(top, p.y());
       bottom = std::max(bottom, p.y());
     }
-    const double mx = 0.05 * kSize.width;
-    const double my = 0.05 * kSize.height;
+    const double mx = 0.05 * kPicture.width;
+    const double my = 0.05 * kPicture.height;
     EXPECT_GE(left, mx - 1e-6);
-    EXPECT_LE(right, kSize.width - mx + 1e-6);
+    EXPECT_LE(right, kPicture.width - mx + 1e-6);
     EXPECT_GE(top, my - 1e-6);
-    EXPECT_LE(bottom, kSize.height - my + 1e-6);
-    const bool wide = left < mx + 1e-6 && right > kSize.width - mx - 1e-6;
-    const bool tall = top < my + 1e-6 && bottom > kSize.height - my - 1e-6;
+    EXPECT_LE(bottom, kPicture.height - my + 1e-6);
+    const bool wide = left < mx + 1e-6 && right > kPicture.width - mx - 1e-6;
+    const bool tall = top < my + 1e-6 && bottom > kPicture.height - my - 1e-6;
     EXPECT_TRUE(wide || tall);
   }
 }
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CameraFraming, ::testing::Range(1, 6));
 
 TEST(Camera, OnePointCanBeFramed) {
   const Camera camera =
-      framing_camera({Vec3(1, 2, 3)}, {}, Vec3(1, 0, 0), 0.5, kSize, {0.05, 0.05, 0.05, 0.05});
+      framing_camera({Vec3(1, 2, 3)}, {}, Vec3(1, 0, 0), 0.5, kPicture, {0.05, 0.05, 0.05, 0.05});
   EXPECT_NEAR((camera.project(Vec3(1, 2, 3)) - Vec2(320, 180)).norm(), 0.0, 1e-6);
 }
 

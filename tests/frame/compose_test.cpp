@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "frame/composers.h"
 #include "math/so3.h"
 #include "support/motions.h"
 #include "support/show_only.h"
@@ -11,21 +12,14 @@
 namespace polhode {
 namespace {
 
+using test::composer;
 using test::cone_body;
+using test::kSize;
 using test::moving;
 using test::prolate_body;
 using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
-
-constexpr PictureSize kSize{640, 360};
-
-Composer composer(const BodySpec& body,
-                  const MotionSpec& motion,
-                  const ShowSpec& show = {},
-                  const CameraSpec& camera = {}) {
-  return {moving(body, motion), body, camera, show, ThemeSpec{}, kSize};
-}
 
 // far side, then near side; cones would not know where to go
 TEST(Compose, BodiesThatAreSeenThroughHaveTwoSides) {

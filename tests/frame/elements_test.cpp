@@ -8,22 +8,19 @@
 
 #include "base/error.h"
 #include "frame/compose.h"
+#include "frame/composers.h"
 #include "support/motions.h"
 #include "support/show_only.h"
 
 namespace polhode {
 namespace {
 
+using test::composer;
 using test::cone_body;
-using test::moving;
 using test::prolate_body;
 using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
-
-Composer composer(const BodySpec& body, const MotionSpec& motion, const ShowSpec& show = {}) {
-  return {moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, {640, 360}};
-}
 
 // the names that a composer shows, in the order of the table
 std::vector<std::string> shown(const Composer& picture) {

@@ -9,11 +9,14 @@
 
 #include <gtest/gtest.h>
 
+#include "frame/composers.h"
 #include "frame/to_glm.h"
 #include "math/so3.h"
 
 namespace polhode {
 namespace {
+
+using test::drawn;
 
 const GlyphMeshes kMeshes{arrow_meshes(16, 16), cone_meshes(32)};
 
@@ -28,11 +31,6 @@ DrawList items_of(const Glyphs& glyphs, const Vec3& eye, const DrawingFrame& fra
   DrawList list;
   add_items(glyphs, kMeshes, frame, eye, list);
   return list;
-}
-
-Vec3 drawn(const DrawItem& item, const Vec3& point) {
-  const glm::vec4 at = item.world_from_mesh * glm::vec4(to_glm(point), 1.0f);
-  return {at.x, at.y, at.z};
 }
 
 // an arc runs in the plane of its two directions, on its circle, at a constant rate

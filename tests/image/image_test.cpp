@@ -5,25 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "image/random_boxes.h"
 #include "support/flat_image.h"
 
 namespace polhode {
 namespace {
 
-constexpr int kSide = 24;
-
-std::vector<PixelBox> random_boxes(std::mt19937& random, int count) {
-  std::vector<PixelBox> boxes;
-  const auto below = [&](int most) {
-    return static_cast<int>(random() % static_cast<unsigned>(most));
-  };
-  for (int i = 0; i < count; ++i) {
-    const int x = below(kSide - 1);
-    const int y = below(kSide - 1);
-    boxes.push_back({x, y, 1 + below(kSide - x - 1), 1 + below(kSide - y - 1)});
-  }
-  return boxes;
-}
+using test::kSide;
+using test::random_boxes;
 
 TEST(Image, HasItsRowsFromTopToBottomWithoutGaps) {
   Image image(3, 2);

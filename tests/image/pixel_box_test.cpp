@@ -5,23 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "image/random_boxes.h"
+
 namespace polhode {
 namespace {
 
-constexpr int kSide = 24;
-
-std::vector<PixelBox> random_boxes(std::mt19937& random, int count) {
-  std::vector<PixelBox> boxes;
-  const auto below = [&](int most) {
-    return static_cast<int>(random() % static_cast<unsigned>(most));
-  };
-  for (int i = 0; i < count; ++i) {
-    const int x = below(kSide - 1);
-    const int y = below(kSide - 1);
-    boxes.push_back({x, y, 1 + below(kSide - x - 1), 1 + below(kSide - y - 1)});
-  }
-  return boxes;
-}
+using test::kSide;
+using test::random_boxes;
 
 // how many of the boxes hold each pixel
 std::vector<int> counted(const std::vector<PixelBox>& boxes) {

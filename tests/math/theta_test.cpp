@@ -33,7 +33,7 @@ Wide wide_direction(const Wide& c) {
 }
 
 // on both sides of the change of series, and near both ends
-const double kComplements[] = {1.0 - 1e-8, 0.7, 0.25, 0.2, 0.15, 0.05, 1e-4, 1e-8};
+const double kNomeComplements[] = {1.0 - 1e-8, 0.7, 0.25, 0.2, 0.15, 0.05, 1e-4, 1e-8};
 
 struct Wrapped {
   EllipticParameter parameter;
@@ -46,7 +46,7 @@ struct Wrapped {
 
 TEST(ThetaPhase, HasTheDirectionOfTheta4) {
   double worst = 0.0;
-  for (const double m1 : kComplements) {
+  for (const double m1 : kNomeComplements) {
     const Wrapped w(m1);
     const double K = w.parameter.quarter_period();
     for (const double part : {0.0, 0.1, 0.6, 0.99}) {
@@ -71,7 +71,7 @@ TEST(ThetaPhase, HasTheDirectionOfTheta4) {
 
 TEST(ThetaPair, HasTheQuotientOfTheta1AndTheta2) {
   double worst = 0.0, worst_slope = 0.0;
-  for (const double m1 : kComplements) {
+  for (const double m1 : kNomeComplements) {
     const Wrapped w(m1);
     const double K = w.parameter.quarter_period(), K1 = w.parameter.other_quarter_period();
     for (const double part : {-0.9, -0.3, 0.0, 0.2, 0.95}) {

@@ -325,10 +325,11 @@ TEST(Lathe, SmoothOutlinesGoThroughTheirPoints) {
   SolidSpec solid;
   solid.kind = "lathe";
   solid.mass = 1.0;
-  constexpr int kPoints = 13;
-  for (int i = 0; i < kPoints; ++i) {
-    const double angle = kPi * (static_cast<double>(i) / (kPoints - 1) - 0.5);
-    solid.profile.emplace_back(i == 0 || i + 1 == kPoints ? 0.0 : std::cos(angle), std::sin(angle));
+  constexpr int kProfilePoints = 13;
+  for (int i = 0; i < kProfilePoints; ++i) {
+    const double angle = kPi * (static_cast<double>(i) / (kProfilePoints - 1) - 0.5);
+    solid.profile.emplace_back(i == 0 || i + 1 == kProfilePoints ? 0.0 : std::cos(angle),
+                               std::sin(angle));
   }
   solid.smooth = true;
   const std::vector<Vec2> outline = lathe_outline(solid);

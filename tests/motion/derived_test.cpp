@@ -30,7 +30,7 @@ struct Case {
   }
 };
 
-Case moving(const BodySpec& body, const MotionSpec& spec) {
+Case case_of(const BodySpec& body, const MotionSpec& spec) {
   const BodyModel model = make_model(body, spec);
   return {simulate(model, spec, {}, 1e-9).motion, derived_quantities(model, spec)};
 }
@@ -42,7 +42,7 @@ double turn_about(const Vec3& n, const Vec3& a, const Vec3& b) {
 
 TEST(Derived, FreeSymmetricTopPrecessesAndSpinsAsSaid) {
   for (const BodySpec& body : {test::prolate_body(), test::oblate_body()}) {
-    const Case top = moving(body, test::wobbling());
+    const Case top = case_of(body, test::wobbling());
     const double t = 0.05;
     const Sample a = top.motion.at(0.0);
     const Sample b = top.motion.at(t);
@@ -69,7 +69,7 @@ TEST(Derived, MiddleAxisTurnsOverAfterTheFlipTime) {
   MotionSpec spec;
   spec.spin.body = Vec3(0.01, 3.0, 0.02);
   spec.duration = 40.0;
-  const Case top = moving(body, spec);
+  const Case top = case_of(body, spec);
 
   // zeros of omega_2, by bisection
   std::vector<double> zeros;
@@ -92,7 +92,7 @@ TEST(Derived, MiddleAxisTurnsOverAfterTheFlipTime) {
   MotionSpec tiny = spec;
   const double slope = -std::sqrt(1.0 * 0.5 / (2.2 * 0.7));
   tiny.spin.body = Vec3(1e-7, 3.0, 1e-7 * slope);
-  const Motion grown = moving(body, tiny).motion;
+  const Motion grown = case_of(body, tiny).motion;
   const auto tilt = [&](double t) {
     return std::hypot(grown.at(t).w_B.x(), grown.at(t).w_B.z());
   };
@@ -108,7 +108,7 @@ TEST(Derived, MeanPrecessionOfAsymmetricTops) {
     MotionSpec spec;
     spec.spin.body = long_axis ? Vec3(3.0, 0.9, 0.8) : Vec3(0.8, 0.9, 3.0);
     spec.duration = 100.0;
-    const Case top = moving(body, spec);
+    const Case top = case_of(body, spec);
     EXPECT_EQ(top("spins_about_long_axis"), long_axis ? 1.0 : 0.0);
     const double period = top("polhode_period_s");
     const int axis = long_axis ? 0 : 2;
@@ -131,13 +131,13 @@ TEST(Derived, SteadyPrecessionIsSteady) {
   const double w3 = 400.0;
   spec.spin = {};
   spec.spin.body = Vec3(0, 0, w3);
-  const Case rest = moving(body, spec);
+  const Case rest = case_of(body, spec);
   for (const char* key : {"slow_steady_precession_rad_per_s", "fast_steady_precession_rad_per_s"}) {
     const double rate = rest(key);
     spec.spin = {};
     spec.spin.rates = Vec3(rate, 0.0, w3 - rate * std::cos(tilt));
     spec.duration = 0.2;
-    const Motion motion = moving(body, spec).motion;
+    const Motion motion = case_of(body, spec).motion;
     for (const double t : {0.05, 0.2}) {
       const Vec3 axis = motion.at(t).q_SB * Vec3::UnitZ();
       expect_residual(key, std::abs(angle_between(axis, Vec3::UnitZ()) - tilt), 1e-14);
@@ -161,12 +161,12 @@ TEST(Derived, SleepingTopFallsAtItsRateBelowTheThreshold) {
   spec.attitude.zxz = Vec3(0, 1e-7, 0);
   spec.duration = 12.0;
   spec.spin.body = Vec3(0, 0, 4.2);
-  const Case stable = moving(body, spec);
+  const Case stable = case_of(body, spec);
   EXPECT_EQ(stable("sleeping_top_stable"), 1.0);
   EXPECT_NEAR(stable("sleeping_top_stability_ratio"), 1.1025, 1e-14);
 
   spec.spin.body = Vec3(0, 0, 2.0);
-  const Case falling = moving(body, spec);
+  const Case falling = case_of(body, spec);
   EXPECT_EQ(falling("sleeping_top_stable"), 0.0);
   EXPECT_NEAR(falling("sleeping_top_growth_rate_per_s"), std::sqrt(0.75), 1e-14);
   const auto tilt = [&](double t) {
@@ -183,7 +183,7 @@ TEST(Derived, PendulumAndEnergies) {
   spec.hold = "pivot";
   spec.attitude.zxz = Vec3(0, 1e-4, 0);
   spec.duration = 5.0;
-  const Case small = moving(body, spec);
+  const Case small = case_of(body, spec);
   const double period = small("small_oscillation_period_s");
   expect_residual("small oscillation",
                   (small.motion.at(period).center_S - small.motion.at(0).center_S).norm(),
@@ -191,7 +191,7 @@ TEST(Derived, PendulumAndEnergies) {
 
   // the split of the energy, against sums over the two masses
   spec.spin.space = Vec3(0.7, 0, 0);
-  const Case swung = moving(body, spec);
+  const Case swung = case_of(body, spec);
   const Sample s = swung.motion.at(0.0);
   double kinetic = 0.0;
   for (const PointSpec& point : body.points)
@@ -214,7 +214,7 @@ TEST(Derived, NutationOfAPublishedTop) {
   spec.gravity = Vec3(0, 0, -1);
   spec.attitude.quaternion = Eigen::Vector4d(0.4, 0.2, 0.4, 0.8);
   spec.spin.momentum_body = Vec3(0.2, 1.0, 0.4);
-  const Case top = moving(body, spec);
+  const Case top = case_of(body, spec);
   const auto close = [&](const char* key, double wanted, double tolerance) {
     expect_residual(key, std::abs(top(key) - wanted), tolerance);
   };
@@ -236,10 +236,10 @@ TEST(Derived, NutationLoopsCuspsAndWaves) {
     spec.spin = {};
     spec.spin.body = Vec3(0, 0, 300.0);
     const double rate =
-        one.precession * moving(test::cone_body(), spec)("slow_steady_precession_rad_per_s");
+        one.precession * case_of(test::cone_body(), spec)("slow_steady_precession_rad_per_s");
     spec.spin = {};
     spec.spin.rates = Vec3(rate, 0.0, 300.0 - rate * std::cos(0.5));
-    const Case top = moving(test::cone_body(), spec);
+    const Case top = case_of(test::cone_body(), spec);
     const double period = top("nutation_period_s");
     EXPECT_NEAR(top("least_tilt_rad"), 0.5, 1e-13);
     EXPECT_NEAR(top("precession_rate_at_least_tilt_rad_per_s"), rate, 1e-10);
@@ -265,7 +265,7 @@ TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   spec.hold = "pivot";
   for (const double amplitude : {0.3, 1.5, 3.0}) {
     spec.attitude.zxz = Vec3(0, amplitude, 0);
-    const Case pendulum = moving(body, spec);
+    const Case pendulum = case_of(body, spec);
     const BodyModel& model = pendulum.motion.model();
     const double period = 4.0 * elliptic_k(std::pow(std::cos(0.5 * amplitude), 2)) *
                           std::sqrt(model.moments[0] / model.chi_P.norm());
@@ -274,7 +274,7 @@ TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   }
   spec.attitude.zxz = Vec3(0, 0.4, 0);
   spec.spin.space = Vec3(9.0, 0, 0);
-  const Case over = moving(body, spec);
+  const Case over = case_of(body, spec);
   const double period = over("revolution_period_s");
   expect_residual(
       "revolution", (over.motion.at(period).center_S - over.motion.at(0).center_S).norm(), 1e-12);

@@ -14,7 +14,7 @@
 namespace polhode::test {
 namespace {
 
-BodyModel loaded(const LoadSpec& spec) {
+BodyModel with_torque(const LoadSpec& spec) {
   MotionSpec motion = spun({1, 0, 0});
   motion.torque = {spec};
   return make_model(body_with({1, 2, 2.5}), motion);
@@ -37,10 +37,10 @@ TEST(TypicalRate, OfARotatorIsFinite) {
 TEST(TypicalRate, GrowsWithEveryLoad) {
   LoadSpec torque = load("constant");
   torque.body = Vec3(0, 0, 0.09);
-  EXPECT_DOUBLE_EQ(typical_rate(loaded(torque), State()), 0.3);
+  EXPECT_DOUBLE_EQ(typical_rate(with_torque(torque), State()), 0.3);
   LoadSpec damping = load("damping");
   damping.c = 0.7;
-  EXPECT_DOUBLE_EQ(typical_rate(loaded(damping), State()), 0.7);
+  EXPECT_DOUBLE_EQ(typical_rate(with_torque(damping), State()), 0.7);
 }
 
 TEST(MomentumScale, IsNeverZero) {
@@ -50,7 +50,7 @@ TEST(MomentumScale, IsNeverZero) {
   EXPECT_DOUBLE_EQ(momentum_scale(heavy_body({4, 4, 1}, {0, 0, 9}), State()), 6.0);
   LoadSpec torque = load("constant");
   torque.body = Vec3(0, 0, 0.09);
-  EXPECT_DOUBLE_EQ(momentum_scale(loaded(torque), State()), 2.5 * 0.3);
+  EXPECT_DOUBLE_EQ(momentum_scale(with_torque(torque), State()), 2.5 * 0.3);
 }
 
 // the local error of order p grows as the p-th power of the step: ten times less is asked, the

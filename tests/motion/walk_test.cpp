@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/stepping.h"
 #include "support/tops.h"
 
 namespace polhode::test {
@@ -35,9 +36,6 @@ StepperInfo of_order(int order) {
   row.order = order;
   return row;
 }
-
-constexpr auto kLookAway = [](auto, const State&) {
-};
 
 TEST(WalkFixed, VisitsEveryStepInOrder) {
   State s;

@@ -17,9 +17,6 @@
 namespace polhode::test {
 namespace {
 
-constexpr auto kLookAway = [](auto, const State&) {
-};
-
 State walked(const char* method, const Problem& p, double h, long n) {
   const StepperInfo& row = find_stepper(method);
   const std::unique_ptr<Stepper> stepper = row.make(p.model, momentum_scale(p.model, p.start));

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr PictureSize kSize{320, 180};
+constexpr PictureSize kWideSize{320, 180};
 
 DrawList example(double t) {
   const BodySpec body = test::prolate_body();
@@ -20,7 +20,7 @@ DrawList example(double t) {
                   CameraSpec{},
                   ShowSpec{},
                   ThemeSpec{},
-                  kSize)
+                  kWideSize)
       .at(t);
 }
 
@@ -29,7 +29,7 @@ Image draw(const DrawList& list,
            bool transparent = false,
            Edges edges = Edges::by_size) {
   const std::unique_ptr<Context> context = open_context(backend);
-  Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent, edges});
+  Renderer renderer(*context, {kWideSize.width, kWideSize.height, 4, transparent, edges});
   Image image;
   renderer.draw(list, image);
   return image;
@@ -44,7 +44,7 @@ TEST(Renderer, BothBackEndsGiveTheSameBytes) {
 
 TEST(Renderer, OrderOfFramesDoesNotMatter) {
   const std::unique_ptr<Context> context = open_context("auto");
-  Renderer renderer(*context, {kSize.width, kSize.height, 4, false});
+  Renderer renderer(*context, {kWideSize.width, kWideSize.height, 4, false});
   Image first;
   Image other;
   Image again;
@@ -73,7 +73,7 @@ TEST(Renderer, AFilmIsItsFramesDrawnAlone) {
         alone.push_back(draw(list, "auto", transparent, edges));
 
       const std::unique_ptr<Context> context = open_context("auto");
-      Renderer renderer(*context, {kSize.width, kSize.height, 4, transparent, edges});
+      Renderer renderer(*context, {kWideSize.width, kWideSize.height, 4, transparent, edges});
       Image used;
       for (std::size_t i = 0; i < lists.size(); ++i) {
         Image fresh;
@@ -133,25 +133,25 @@ TEST(Renderer, PanelsAreTheirPicturesSideBySide) {
   const std::vector<double> times = {0.4, 0.7, 3.1};
   const std::unique_ptr<Context> context = open_context("auto");
   std::vector<Image> alone(2 * times.size());
-  Renderer small(*context, {kSize.width, kSize.height, 4, false});
+  Renderer small(*context, {kWideSize.width, kWideSize.height, 4, false});
   for (std::size_t i = 0; i < times.size(); ++i) {
     small.draw(example(times[i]), alone[2 * i]);
     small.draw(example(2.0 * times[i]), alone[2 * i + 1]);
   }
-  Renderer whole(*context, {2 * kSize.width, kSize.height, 4, false});
+  Renderer whole(*context, {2 * kWideSize.width, kWideSize.height, 4, false});
   for (std::size_t i = 0; i < times.size(); ++i) {
     Picture picture;
-    picture.panels.push_back({{0, 0, kSize.width, kSize.height}, example(times[i])});
+    picture.panels.push_back({{0, 0, kWideSize.width, kWideSize.height}, example(times[i])});
     picture.panels.push_back(
-        {{kSize.width, 0, kSize.width, kSize.height}, example(2.0 * times[i])});
+        {{kWideSize.width, 0, kWideSize.width, kWideSize.height}, example(2.0 * times[i])});
     Image together;
     whole.draw(picture, together);
     for (std::size_t side = 0; side < 2; ++side) {
       // places are rounded to 1/256 of a pixel elsewhere: a sample on an edge may fall otherwise
-      Image part(kSize.width, kSize.height);
-      for (int y = 0; y < kSize.height; ++y) {
-        const std::uint8_t* from = together.at(static_cast<int>(side) * kSize.width, y);
-        std::copy_n(from, 4 * kSize.width, part.at(0, y));
+      Image part(kWideSize.width, kWideSize.height);
+      for (int y = 0; y < kWideSize.height; ++y) {
+        const std::uint8_t* from = together.at(static_cast<int>(side) * kWideSize.width, y);
+        std::copy_n(from, 4 * kWideSize.width, part.at(0, y));
       }
       const Difference difference = compare(alone[2 * i + side], part, 3);
       EXPECT_LT(difference.fraction_over, 2e-4) << times[i] << ' ' << side;
@@ -179,8 +179,8 @@ TEST(Renderer, TransparentPictureCompositesToTheOpaqueOne) {
   const Image clear = draw(list, "auto", true);
   EXPECT_EQ(clear.at(0, 0)[3], 0);
   int worst = 0;
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kWideSize.height; ++y) {
+    for (int x = 0; x < kWideSize.width; ++x) {
       const double alpha = clear.at(x, y)[3] / 255.0;
       for (int c = 0; c < 3; ++c) {
         const double over = clear.at(x, y)[c] * alpha + 255.0 * list.background[c] * (1.0 - alpha);
@@ -199,7 +199,8 @@ TEST(Renderer, MarkTellsHalfATurn) {
   motion.duration = 2.0;
   ShowSpec show;
   show["omega"] = show["momentum"] = show["space_axes"] = false;
-  const Composer composer(test::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kSize);
+  const Composer composer(
+      test::moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, kWideSize);
   const Image now = draw(composer.at(0.0), "auto");
   const Image half = draw(composer.at(1.0), "auto");
   const Image full = draw(composer.at(2.0), "auto");

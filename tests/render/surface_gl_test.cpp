@@ -11,12 +11,12 @@
 namespace polhode {
 namespace {
 
-constexpr int kSide = 64;  // pixels
+constexpr int kSurfaceSide = 64;  // pixels
 
 class Surface : public ::testing::Test {
  protected:
   Surface() {
-    gl_.Viewport(0, 0, kSide, kSide);
+    gl_.Viewport(0, 0, kSurfaceSide, kSurfaceSide);
     view_.eye = glm::vec3(0, 0, 5);
     view_.key_light = view_.fill_light = glm::vec3(0, 0, 1);
   }
@@ -39,15 +39,16 @@ class Surface : public ::testing::Test {
     programs.begin(view, clip_from_world);
     programs.use(material, Faces::front, world_from_mesh);
     mesh.draw();
-    Image image(kSide, kSide);
-    gl_.ReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    Image image(kSurfaceSide, kSurfaceSide);
+    gl_.ReadPixels(
+        0, 0, kSurfaceSide, kSurfaceSide, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     return image;
   }
 
   const std::unique_ptr<Context> context_ = open_context("auto");
   const Gl gl_{*context_};
-  const Framebuffer buffer_{gl_, kSide, kSide, 0, false};
+  const Framebuffer buffer_{gl_, kSurfaceSide, kSurfaceSide, 0, false};
   View view_;
 };
 
@@ -72,9 +73,10 @@ TEST_F(Surface, SoftOnesFallToNothingAtTheRim) {
   material.flat = material.soft = true;
   material.alpha = 0.8f;
   const Image image = drawn(material);
-  for (int y = 0; y < kSide; y += 5) {
-    for (int x = 0; x < kSide; x += 5) {
-      const double u = (2.0 * x + 1.0) / kSide - 1.0, v = (2.0 * y + 1.0) / kSide - 1.0;
+  for (int y = 0; y < kSurfaceSide; y += 5) {
+    for (int x = 0; x < kSurfaceSide; x += 5) {
+      const double u = (2.0 * x + 1.0) / kSurfaceSide - 1.0,
+                   v = (2.0 * y + 1.0) / kSurfaceSide - 1.0;
       const double inside = std::max(0.0, 1.0 - u * u - v * v);
       EXPECT_NEAR(image.at(x, y)[3], 255.0 * 0.8 * inside * inside, 1.0) << x << ' ' << y;
     }
@@ -89,7 +91,7 @@ TEST_F(Surface, LitOnesDarkenWithTheAngleOfTheLight) {
   int before = 256;
   for (const double angle : {0.0, 0.5, 1.0, 1.5}) {
     view_.key_light = glm::vec3(std::sin(angle), 0.0, std::cos(angle));
-    const int now = drawn(material).at(kSide / 2, kSide / 2)[0];
+    const int now = drawn(material).at(kSurfaceSide / 2, kSurfaceSide / 2)[0];
     EXPECT_LT(now, before) << angle;
     before = now;
   }
@@ -116,8 +118,8 @@ TEST_F(Surface, TheMarkTellsHalfATurn) {
   material.mark_width = 0.25f;
   const Image image = drawn(material);
   const auto at = [&](double x, double y) {
-    return image.at(static_cast<int>((x + 1.0) * 0.5 * kSide),
-                    static_cast<int>((y + 1.0) * 0.5 * kSide));
+    return image.at(static_cast<int>((x + 1.0) * 0.5 * kSurfaceSide),
+                    static_cast<int>((y + 1.0) * 0.5 * kSurfaceSide));
   };
   EXPECT_EQ(at(0.5, 0.0)[1], 0) << "on the strip";
   EXPECT_EQ(at(0.5, 0.2)[1], 0) << "on the strip";

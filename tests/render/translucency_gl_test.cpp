@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-constexpr PictureSize kSize{320, 240};
+constexpr PictureSize kPictureSize{320, 240};
 
 // distances along the ray eye + t d at which it meets the finite cone, nearest first
 std::vector<double> intersections(const Cone& cone, const Vec3& eye, const Vec3& d) {
@@ -76,7 +76,7 @@ std::vector<Arrangement> arrangements() {
 
 TEST(Translucency, NearestSurfaceIsOnTopFromEverySide) {
   const std::unique_ptr<Context> context = open_context("osmesa");
-  Renderer renderer(*context, {kSize.width, kSize.height, 4, false});
+  Renderer renderer(*context, {kPictureSize.width, kPictureSize.height, 4, false});
   const ConeMeshes meshes = cone_meshes(128);
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
@@ -85,7 +85,7 @@ TEST(Translucency, NearestSurfaceIsOnTopFromEverySide) {
   for (const Arrangement& arrangement : arrangements()) {
     for (int side = 0; side < 24; ++side) {
       const Vec3 eye = 4.0 * Vec3(normal(random), normal(random), normal(random)).normalized();
-      const Camera camera(eye, Vec3(0, 0, 0.3), 0.55, kSize, Vec3(0, 0, 0.3), 1.2);
+      const Camera camera(eye, Vec3(0, 0, 0.3), 0.55, kPictureSize, Vec3(0, 0, 0.3), 1.2);
       for (const bool swapped : {false, true}) {
         DrawList list;
         list.view = camera.view();
@@ -104,7 +104,7 @@ TEST(Translucency, NearestSurfaceIsOnTopFromEverySide) {
           const Vec2 p = camera.project(near);
           const int x = static_cast<int>(std::floor(p.x()));
           const int y = static_cast<int>(std::floor(p.y()));
-          if (x < 0 || y < 0 || x >= kSize.width || y >= kSize.height) continue;
+          if (x < 0 || y < 0 || x >= kPictureSize.width || y >= kPictureSize.height) continue;
           const Vec3 d = (near - eye).normalized();
           const std::vector<double> a = intersections(arrangement.first, eye, d);
           const std::vector<double> b = intersections(arrangement.second, eye, d);

@@ -16,8 +16,6 @@
 namespace polhode {
 namespace {
 
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
-
 std::string hash_of(const std::string& text) {
   return scene_hash(parse_scene(text, "t"));
 }

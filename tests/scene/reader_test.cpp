@@ -8,12 +8,6 @@
 namespace polhode {
 namespace {
 
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
-
-Scene read(const std::string& text) {
-  return parse_scene(text, "test.toml");
-}
-
 TEST(Reader, ReadsEveryGoodScene) {
   for (const SceneText& good : good_scenes()) {
     SCOPED_TRACE(good.name);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/scene_texts.h"
 #include "support/expect_error.h"
 #include "support/run.h"
 
@@ -18,8 +19,6 @@ namespace polhode::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
 
 // A folder of its own for each test.
 class SceneFiles : public ::testing::Test {

@@ -6,7 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "scene/reader.h"
+
 namespace polhode {
+
+// a body that is right, in two lines
+inline const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
+
+// the scene of a text, which errors call test.toml
+inline Scene read(const std::string& text) {
+  return parse_scene(text, "test.toml");
+}
+
+inline std::string repeated(const std::string& piece, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i)
+    text += piece;
+  return text;
+}
 
 struct SceneText {
   std::string name;

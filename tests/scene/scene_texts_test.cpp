@@ -57,16 +57,6 @@ theme = "dark"
 background = "#102030"
 )";
 
-std::string repeated(const std::string& text, int times) {
-  std::string all;
-  for (int i = 0; i < times; ++i)
-    all += text;
-  return all;
-}
-
-// a body that is right, in two lines
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
-
 // Each function is one table: name, text, line, key, part of the message, "false" when no schema
 // can see it.
 // clang-format off

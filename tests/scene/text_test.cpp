@@ -8,18 +8,10 @@
 
 #include "base/error.h"
 #include "scene/scene.h"
+#include "scene/scene_texts.h"
 
 namespace polhode {
 namespace {
-
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
-
-std::string repeated(const std::string& piece, std::size_t times) {
-  std::string text;
-  for (std::size_t i = 0; i < times; ++i)
-    text += piece;
-  return text;
-}
 
 // the error of a text, "" when there is none
 std::string error_of(const std::string& text) {

@@ -7,16 +7,11 @@
 
 #include "base/units.h"
 #include "scene/scene.h"
+#include "scene/scene_texts.h"
 #include "support/expect_error.h"
 
 namespace polhode {
 namespace {
-
-const std::string kBody = "[body]\nmoments = [1, 2, 3]\n";
-
-Scene read(const std::string& text) {
-  return parse_scene(text, "test.toml");
-}
 
 // the value that a line of TOML gives, with the key `x`
 template <class T>

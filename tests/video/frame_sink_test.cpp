@@ -17,7 +17,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-SinkJob job_for(const std::string& output) {
+SinkJob plain_job(const std::string& output) {
   SinkJob job;
   job.output = output;
   job.width = 64;
@@ -58,7 +58,7 @@ TEST(FrameSink, NamesThatCannotBeMeantAreRefused) {
   const TemporaryFolder folder;
   const auto make = [&](const char* name) {
     return [&, name] {
-      make_sink(job_for(folder / name));
+      make_sink(plain_job(folder / name));
     };
   };
   test::expect_input_error(make(".mp4"), "", "film.mp4");
@@ -72,7 +72,7 @@ TEST(FrameSink, AlphaIsKeptOrRefused) {
   for (const SinkKind& kind : sink_kinds()) {
     if (!kind.film || kind.ending.empty()) continue;
     const TemporaryFolder folder;
-    SinkJob job = job_for(folder / ("a" + kind.ending));
+    SinkJob job = plain_job(folder / ("a" + kind.ending));
     job.transparent = true;
     if (kind.alpha) {
       EXPECT_NO_THROW(make_sink(job)) << kind.name;
@@ -93,17 +93,17 @@ TEST(FrameSink, WhatItCannotDoIsSaid) {
     }
     return "";
   };
-  SinkJob odd = job_for(folder / "a.mp4");
+  SinkJob odd = plain_job(folder / "a.mp4");
   odd.width = 63;
   EXPECT_NE(message(odd).find("64x48"), std::string::npos);
-  SinkJob clear = job_for(folder / "a.mp4");
+  SinkJob clear = plain_job(folder / "a.mp4");
   clear.transparent = true;
   EXPECT_NE(message(clear).find("png"), std::string::npos);
-  SinkJob still = job_for(folder / "a.mp4");
+  SinkJob still = plain_job(folder / "a.mp4");
   still.still = true;
   EXPECT_NE(message(still).find(".png"), std::string::npos);
-  EXPECT_NE(message(job_for(folder / "a.mp5")).find("'.mp4'"), std::string::npos);
-  EXPECT_NE(message(job_for(folder / "film")).find(".mp4"), std::string::npos);
+  EXPECT_NE(message(plain_job(folder / "a.mp5")).find("'.mp4'"), std::string::npos);
+  EXPECT_NE(message(plain_job(folder / "film")).find(".mp4"), std::string::npos);
   EXPECT_EQ(folder.entries(), 0);
 }
 

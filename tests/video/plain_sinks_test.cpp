@@ -6,34 +6,21 @@
 #include "support/full_disk.h"
 #include "support/run.h"
 #include "video/sink_kinds.h"
+#include "video/small_frames.h"
 
 namespace polhode {
 namespace {
 
+using test::small_frame;
+using test::small_job;
 using test::TemporaryFolder;
-
-Image frame(int index) {
-  Image image(8, 6);
-  for (std::uint8_t& value : image.pixels)
-    value = static_cast<std::uint8_t>(index * 7 + 1);
-  return image;
-}
-
-SinkJob job_for(const std::string& output) {
-  SinkJob job;
-  job.output = output;
-  job.width = 8;
-  job.height = 6;
-  job.transparent = true;
-  return job;
-}
 
 TEST(PlainSinks, AFullDiskIsAnErrorAndLeavesNothing) {
   const TemporaryFolder folder;
   const auto make = [&] {
-    const auto sink = make_sink(job_for(folder / "a.hash"));
-    sink->push(frame(0));
-    sink->push(frame(1));
+    const auto sink = make_sink(small_job(folder / "a.hash"));
+    sink->push(small_frame(0));
+    sink->push(small_frame(1));
     sink->finish();
   };
   EXPECT_EQ(test::with_full_disk(20, make), test::Outcome::environment);
@@ -45,17 +32,17 @@ TEST(PlainSinks, AFullDiskIsAnErrorAndLeavesNothing) {
 TEST(PlainSinks, AHashFileHasALinePerFrameThatDependsOnEveryByte) {
   const TemporaryFolder folder;
   const auto lines_of = [&](const std::vector<Image>& frames) {
-    const auto sink = make_sink(job_for(folder / "a.hash"));
+    const auto sink = make_sink(small_job(folder / "a.hash"));
     for (const Image& image : frames)
       sink->push(image);
     sink->finish();
     return test::read_text(folder / "a.hash");
   };
-  Image changed = frame(1);
+  Image changed = small_frame(1);
   changed.pixels.back() ^= 1;
-  const std::string first = lines_of({frame(0), frame(1)});
-  EXPECT_EQ(first, lines_of({frame(0), frame(1)}));
-  EXPECT_NE(first, lines_of({frame(0), changed}));
+  const std::string first = lines_of({small_frame(0), small_frame(1)});
+  EXPECT_EQ(first, lines_of({small_frame(0), small_frame(1)}));
+  EXPECT_NE(first, lines_of({small_frame(0), changed}));
   EXPECT_EQ(first.rfind("0 8x6 ", 0), 0u);
   EXPECT_NE(first.find("\n1 8x6 "), std::string::npos);
 }
@@ -63,17 +50,17 @@ TEST(PlainSinks, AHashFileHasALinePerFrameThatDependsOnEveryByte) {
 TEST(PlainSinks, AHashFileHasAFormWithoutEnding) {
   const TemporaryFolder folder;
   for (const char* name : {"frames.txt", "frames.mp4", "frames.png", "frames"}) {
-    const auto sink = make_sink(job_for("hash:" + (folder / name)));
-    sink->push(frame(0));
+    const auto sink = make_sink(small_job("hash:" + (folder / name)));
+    sink->push(small_frame(0));
     sink->finish();
     EXPECT_EQ(test::read_text(folder / name).rfind("0 8x6 ", 0), 0u) << name;
   }
-  EXPECT_THROW(make_sink(job_for("hash:")), Error);
+  EXPECT_THROW(make_sink(small_job("hash:")), Error);
 }
 
 TEST(PlainSinks, NullWritesNothing) {
-  const auto sink = make_sink(job_for("null"));
-  sink->push(frame(0));
+  const auto sink = make_sink(small_job("null"));
+  sink->push(small_frame(0));
   sink->finish();
   EXPECT_FALSE(std::filesystem::exists("null"));
 }
@@ -82,15 +69,15 @@ TEST(PlainSinks, NullWritesNothing) {
 TEST(PlainSinks, HashesAreListedBesideAnySink) {
   const TemporaryFolder folder;
   std::vector<std::string> hashes;
-  const auto sink = with_hashes(make_sink(job_for(folder / "a.hash")), hashes);
+  const auto sink = with_hashes(make_sink(small_job(folder / "a.hash")), hashes);
   for (int i = 0; i < 3; ++i)
-    sink->push(frame(i));
+    sink->push(small_frame(i));
   sink->finish();
   ASSERT_EQ(hashes.size(), 3u);
   std::string lines;
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(hashes[static_cast<std::size_t>(i)], frame_hash(frame(i)));
-    lines += std::to_string(i) + " 8x6 " + frame_hash(frame(i)) + "\n";
+    EXPECT_EQ(hashes[static_cast<std::size_t>(i)], frame_hash(small_frame(i)));
+    lines += std::to_string(i) + " 8x6 " + frame_hash(small_frame(i)) + "\n";
   }
   EXPECT_EQ(test::read_text(folder / "a.hash"), lines);
 }

@@ -7,27 +7,14 @@
 #include "support/full_disk.h"
 #include "support/run.h"
 #include "video/sink_kinds.h"
+#include "video/small_frames.h"
 
 namespace polhode {
 namespace {
 
+using test::small_frame;
+using test::small_job;
 using test::TemporaryFolder;
-
-Image frame(int index) {
-  Image image(8, 6);
-  for (std::uint8_t& value : image.pixels)
-    value = static_cast<std::uint8_t>(index * 7 + 1);
-  return image;
-}
-
-SinkJob job_for(const std::string& output) {
-  SinkJob job;
-  job.output = output;
-  job.width = 8;
-  job.height = 6;
-  job.transparent = true;
-  return job;
-}
 
 TEST(PngSink, ANumberedNameHasOneNumber) {
   EXPECT_EQ(parse_numbered_name("a_%05d.png").of(42), "a_00042.png");
@@ -54,18 +41,18 @@ TEST(PngSink, ANumberedNameHasOneNumber) {
 TEST(PngSink, ASequenceIsWholeOrNotThere) {
   const TemporaryFolder folder;
   {
-    const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+    const auto sink = make_sink(small_job(folder / "f_%03d.png"));
     for (int i = 0; i < 4; ++i)
-      sink->push(frame(i));
+      sink->push(small_frame(i));
     EXPECT_EQ(folder.entries(), 4);
   }
   EXPECT_EQ(folder.entries(), 0) << "not finished";
-  const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+  const auto sink = make_sink(small_job(folder / "f_%03d.png"));
   for (int i = 0; i < 4; ++i)
-    sink->push(frame(i));
+    sink->push(small_frame(i));
   sink->finish();
   EXPECT_EQ(folder.entries(), 4);
-  EXPECT_EQ(read_png(folder / "f_003.png").pixels, frame(3).pixels);
+  EXPECT_EQ(read_png(folder / "f_003.png").pixels, small_frame(3).pixels);
 }
 
 // a run that fails must not take the frames of the last one with it
@@ -73,9 +60,9 @@ TEST(PngSink, AnAbandonedSequenceKeepsTheOldFrames) {
   const TemporaryFolder folder;
   test::write_text(folder / "f_001.png", "an older frame");
   {
-    const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+    const auto sink = make_sink(small_job(folder / "f_%03d.png"));
     for (int i = 0; i < 4; ++i)
-      sink->push(frame(i));
+      sink->push(small_frame(i));
     EXPECT_FALSE(std::filesystem::exists(folder / "f_000.png")) << "before finish()";
   }
   EXPECT_EQ(folder.entries(), 1);
@@ -86,9 +73,9 @@ TEST(PngSink, AFrameThatCannotBeWrittenRemovesTheOthers) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "f_002.png");
   const auto make = [&] {
-    const auto sink = make_sink(job_for(folder / "f_%03d.png"));
+    const auto sink = make_sink(small_job(folder / "f_%03d.png"));
     for (int i = 0; i < 4; ++i)
-      sink->push(frame(i));
+      sink->push(small_frame(i));
   };
   EXPECT_THROW(make(), Error);
   EXPECT_EQ(folder.entries(), 1) << "only the folder in the way";
@@ -97,12 +84,12 @@ TEST(PngSink, AFrameThatCannotBeWrittenRemovesTheOthers) {
 TEST(PngSink, AFullDiskIsAnErrorAndLeavesNothing) {
   const TemporaryFolder folder;
   for (const char* name : {"a.png", "f_%d.png"}) {
-    SinkJob job = job_for(folder / name);
+    SinkJob job = small_job(folder / name);
     job.still = std::string(name) == "a.png";
     const auto make = [&] {
       const auto sink = make_sink(job);
-      sink->push(frame(0));
-      if (!job.still) sink->push(frame(1));
+      sink->push(small_frame(0));
+      if (!job.still) sink->push(small_frame(1));
       sink->finish();
     };
     EXPECT_EQ(test::with_full_disk(20, make), test::Outcome::environment) << name;
@@ -116,20 +103,20 @@ TEST(PngSink, AFullDiskIsAnErrorAndLeavesNothing) {
 
 TEST(PngSink, AStillIsWrittenAtTheEndAndKeepsAlpha) {
   const TemporaryFolder folder;
-  SinkJob job = job_for(folder / "a.png");
+  SinkJob job = small_job(folder / "a.png");
   job.still = true;
   const auto sink = make_sink(job);
-  sink->push(frame(1));
+  sink->push(small_frame(1));
   EXPECT_FALSE(std::filesystem::exists(job.output));
   sink->finish();
   EXPECT_EQ(folder.entries(), 1);
-  EXPECT_EQ(read_png(job.output).pixels, frame(1).pixels);
+  EXPECT_EQ(read_png(job.output).pixels, small_frame(1).pixels);
 }
 
 TEST(PngSink, NeedsToBeToldThatItIsOnePicture) {
   const TemporaryFolder folder;
   try {
-    make_sink(job_for(folder / "a.png"));
+    make_sink(small_job(folder / "a.png"));
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("name_%05d.png"), std::string::npos);
@@ -147,14 +134,14 @@ TEST(PngSink, APercentSignAloneIsNoNumber) {
 // a piece of a film numbers its pictures as the whole does
 TEST(PngSink, APieceBeginsAtItsOwnNumber) {
   const TemporaryFolder folder;
-  const auto sink = make_sink(job_for(folder / "f_%02d.png"));
+  const auto sink = make_sink(small_job(folder / "f_%02d.png"));
   FilmMetadata metadata;
   metadata.first = 41;
   sink->describe(metadata);
-  sink->push(frame(0));
-  sink->push(frame(1));
+  sink->push(small_frame(0));
+  sink->push(small_frame(1));
   sink->finish();
-  EXPECT_EQ(read_png(folder / "f_42.png").pixels, frame(1).pixels);
+  EXPECT_EQ(read_png(folder / "f_42.png").pixels, small_frame(1).pixels);
   EXPECT_EQ(folder.entries(), 2);
 }
 

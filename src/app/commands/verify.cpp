@@ -34,8 +34,8 @@ struct Again {
   }
 };
 
-// a difference in words; empty: there is none
-using Difference = std::string;
+// empty: there is none
+using DifferenceInWords = std::string;
 
 bool same_bytes(const std::string& a, const std::string& b) {
   std::error_code ignored;
@@ -46,7 +46,7 @@ bool same_pixels(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && a.pixels == b.pixels;
 }
 
-Difference compare_films(const Again& again) {
+DifferenceInWords compare_films(const Again& again) {
   FilmReader made(again.made);
   Image expected, found;
   double expected_time = 0.0, found_time = 0.0;
@@ -70,7 +70,7 @@ Difference compare_films(const Again& again) {
   }
 }
 
-Difference compare_pictures(const Again& again, bool numbered) {
+DifferenceInWords compare_pictures(const Again& again, bool numbered) {
   for (int number = again.first; number < again.first + again.count; ++number) {
     stop_if_interrupted();
     const auto name = [&](const std::string& output) {
@@ -88,7 +88,7 @@ Difference compare_pictures(const Again& again, bool numbered) {
   return {};
 }
 
-Difference compare_lists(const Again& again) {
+DifferenceInWords compare_lists(const Again& again) {
   std::istringstream judged(read_file(again.judged)), made(read_file(again.made));
   std::string expected, found;
   for (int number = again.first;; ++number) {
@@ -104,7 +104,7 @@ Difference compare_lists(const Again& again) {
   }
 }
 
-Difference compare_outputs(const Again& again) {
+DifferenceInWords compare_outputs(const Again& again) {
   const std::string& kind = again.kind;
   if (kind == "png") return compare_pictures(again, false);
   if (kind == "png sequence") return compare_pictures(again, true);
@@ -112,7 +112,7 @@ Difference compare_outputs(const Again& again) {
   return kind == "hash" ? compare_lists(again) : compare_films(again);
 }
 
-Difference compare_captions(const Again& again) {
+DifferenceInWords compare_captions(const Again& again) {
   const std::string made = captions_beside(again.made);
   const std::string judged = captions_beside(again.judged);
   std::error_code ignored;
@@ -121,9 +121,9 @@ Difference compare_captions(const Again& again) {
   return same_bytes(judged, made) ? "" : fmt::format("its captions, {}, differ", judged);
 }
 
-Difference compare_hashes(const Again& again,
-                          const std::vector<std::string>& reported,
-                          const std::vector<std::string>& made) {
+DifferenceInWords compare_hashes(const Again& again,
+                                 const std::vector<std::string>& reported,
+                                 const std::vector<std::string>& made) {
   for (std::size_t i = 0; i < std::min(reported.size(), made.size()); ++i) {
     if (reported[i] == made[i]) continue;
     return fmt::format("{} is not what the report says",
@@ -184,7 +184,7 @@ Verified verify(const VerifyJob& job) {
   // hold it against the report, and against the output
   const Again again{
       kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
-  Difference difference = compare_hashes(again, reported.hashes, remade->hashes());
+  DifferenceInWords difference = compare_hashes(again, reported.hashes, remade->hashes());
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);
   if (!difference.empty()) return {false, fmt::format("{}: {}", output, difference)};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
+#include "frame/composers.h"
 #include "math/so3.h"
 #include "support/motions.h"
 #include "support/show_only.h"
@@ -12,6 +13,7 @@
 namespace polhode {
 namespace {
 
+using test::composer;
 using test::cone_body;
 using test::moving;
 using test::oblate_body;
@@ -19,10 +21,6 @@ using test::prolate_body;
 using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
-
-Composer composer(const BodySpec& body, const MotionSpec& motion, const ShowSpec& show = {}) {
-  return {moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, {640, 360}};
-}
 
 // both cones hold omega on their surface and end at its tip, at every time
 TEST(Cones, TouchAlongOmega) {

@@ -3,20 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
+#include "frame/composers.h"
 #include "support/motions.h"
 #include "support/show_only.h"
 
 namespace polhode {
 namespace {
 
+using test::composer;
 using test::moving;
 using test::prolate_body;
 using test::show_only;
 using test::wobbling;
-
-Composer composer(const BodySpec& body, const MotionSpec& motion, const ShowSpec& show) {
-  return {moving(body, motion), body, CameraSpec{}, show, ThemeSpec{}, {640, 360}};
-}
 
 // Omega x r, measured: the tips are where the points are a moment later
 TEST(Vectors, VelocitiesPointWhereThePointsGo) {

@@ -32,7 +32,7 @@ Owned<AVFrame> noise(unsigned seed) {
   return frame;
 }
 
-std::vector<std::uint8_t> bytes_of(const AVFrame& frame) {
+std::vector<std::uint8_t> bgra_of(const AVFrame& frame) {
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < frame.height; ++y) {
     const std::uint8_t* row = frame.data[0] + y * frame.linesize[0];
@@ -51,7 +51,7 @@ TEST(FrameSpool, GivesFramesBackInOrderBitByBit) {
   for (unsigned i = 0; i < 9; ++i) {
     const AVFrame* frame = spool.take();
     ASSERT_NE(frame, nullptr) << i;
-    EXPECT_EQ(bytes_of(*frame), bytes_of(*noise(i))) << i;
+    EXPECT_EQ(bgra_of(*frame), bgra_of(*noise(i))) << i;
   }
   EXPECT_EQ(spool.take(), nullptr);
   EXPECT_EQ(folder.entries(), 0);
