@@ -21,6 +21,8 @@ fs::path found_from(const fs::path& binary) {
   const ChildResult told = run_child({"env",
                                       "-u",
                                       "GTEST_TOTAL_SHARDS",
+                                      "-u",
+                                      "GTEST_SHARD_INDEX",
                                       std::string(kTell) + "=1",
                                       binary.string(),
                                       "--gtest_filter=ShippedFiles.*"},
