@@ -107,9 +107,10 @@ std::string map_script(
 
 std::string palette() {
   std::string text;
-  for (int v = 0; v < kRunOutcomes; ++v)
+  for (int v = 0; v < kRunOutcomes; ++v) {
     text += fmt::format(
         "{}{} '{}'", v == 0 ? "" : ", ", v, kOutcomeColors[static_cast<std::size_t>(v)]);
+  }
   return fmt::format(
       "set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\nunset colorbox\n",
       kRunOutcomes,

@@ -29,7 +29,7 @@ int frames_of_output(const Made& made) {
 
 std::string frames_of(const Made& made) {
   const int count = frames_of_output(made);
-  const std::string frames =
+  std::string frames =
       fmt::format("{} {}{}", count, made.is_picture ? "picture" : "frame", count == 1 ? "" : "s");
   if (made.parts > 0) {
     return fmt::format("{} of {} {}", frames, made.parts, made.parts == 1 ? "part" : "parts");

@@ -53,7 +53,7 @@ void report_fields(Visitor& v, Loop& s) {
   v.field("residual_rad", s.residual);
 }
 
-struct FilmRecord {
+struct FilmRecord {        // NOLINT(bugprone-exception-escape): JSON moves without throwing
   std::string output;      // as it was given
   std::string scene_file;  // as it was given
   std::string title;

@@ -233,11 +233,13 @@ void copy_images(LectureWork& work, const fs::path& folder) {
 std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
                     const std::string& printer) {
-  if (output == "slides" && !reveal)
+  if (output == "slides" && !reveal) {
     return "reveal.js is missing; install it (docs/install.md), or run tools/install-dependencies "
            "--for lecture";
-  if (output == "handout" && printer.empty())
+  }
+  if (output == "handout" && printer.empty()) {
     return "chromium is missing; install it, or run tools/install-dependencies --for lecture";
+  }
   return "";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/elements.h"
 #include "frame/elements/parts.h"
 
 namespace polhode {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "frame/elements.h"
 #include "frame/elements/parts.h"
 #include "math/so3.h"
 
