@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Tells the errors of a piece of work where they are.
+// Adds the place (file, line, key) to errors that are thrown by code that does not know it.
 #pragma once
 
 #include "base/error.h"
 
 namespace polhode {
 
-// Runs `work`; its errors get what is still unknown of their place. An interruption has none.
+// Runs `work` and rethrows its errors with the missing parts of their place filled in from `place`.
+// An interruption passes unchanged.
 template <class Work>
 decltype(auto) at_place(const Place& place, const Work& work) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes as text that fits into a data: address (RFC 4648, section 4).
+// Base64 encoding for data: URLs (RFC 4648, section 4).
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 namespace polhode {
 
+// Standard alphabet, padded with '=', without line breaks.
 std::string base64(std::string_view bytes);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Broken promises inside the program: CHECK always looks, ASSERT only in debug builds. Both abort.
-// They name the file without its folder: what users run does not depend on where it was built.
+// Assertions about the program itself: CHECK is active in every build, ASSERT in debug builds only.
+// Both print the condition and abort. The message names the file without its folder, so the binary
+// does not depend on where it was built.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours as scene files write them: in hexadecimal digits.
+// Parses the hexadecimal colours of scene files.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@ namespace polhode {
 // The value of one hexadecimal digit, -1 for any other character.
 int hex_digit(char c);
 
-// "#rrggbb" as its three bytes red, green, blue. Throws Error (input) for anything else.
+// The red, green and blue bytes (sRGB) of "#rrggbb". Throws Error (input), without a key, for
+// anything else.
 std::array<std::uint8_t, 3> parse_color(std::string_view text);
 
 }  // namespace polhode

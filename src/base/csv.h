@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Text as a field of a table of comma-separated values (RFC 4180).
+// Quotes text for a CSV file (RFC 4180).
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// As it is, or in quotes when it holds a comma, a quote or a line break.
+// The text itself, or the text in double quotes if it contains a comma, a quote or a line break.
 inline std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one exception of the program: what a user can mend, where it is, and the exit code it ends
-// in.
+// The program's only exception type: a message for the user, the place of the fault, and the exit
+// code.
 #pragma once
 
 #include <stdexcept>
@@ -13,20 +13,21 @@ namespace polhode {
 
 // Why a run cannot go on. The value is the exit code of the process.
 enum class Fault {
-  check_failed = 1,   // a check said no: pictures differ, a motion turned to NaN
+  check_failed = 1,   // a check failed: pictures differ, a motion became NaN
   input = 2,          // bad scene, bad option, bad usage
   environment = 3,    // no GL, no encoder, disk full
   interrupted = 130,  // SIGINT, SIGTERM or SIGHUP
 };
 
-// Where in the user's text the fault lies; every part may be missing.
+// Where in the user's input the fault is; any part may be missing.
 struct Place {
   std::string file;  // as the user named it
   int line = 0;      // from 1; 0 = unknown
   std::string key;   // dotted path such as "body.mass", or an option such as "--size"
 };
 
-// One line for the user: "file:line: key: message". Thrown anywhere, caught once, in main.
+// what() is one line for the user: "file:line: key: message". Caught in main, which returns the
+// fault as the exit code.
 class Error : public std::runtime_error {
  public:
   Error(Fault fault, const std::string& message, const Place& place = {});
@@ -35,7 +36,7 @@ class Error : public std::runtime_error {
   const Place& place() const { return place_; }
   // The message without its place.
   const std::string& message() const { return message_; }
-  // The same error with what is still unknown of its place filled in.
+  // A copy of the error in which the missing parts of its place are taken from `place`.
   Error at(const Place& place) const;
 
  private:
@@ -45,11 +46,13 @@ class Error : public std::runtime_error {
 };
 
 template <class... Args>
+// An Error (input) with a formatted message and no place yet.
 Error input_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::input, fmt::format(text, std::forward<Args>(args)...)};
 }
 
 template <class... Args>
+// An Error (environment) with a formatted message and no place yet.
 Error environment_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::environment, fmt::format(text, std::forward<Args>(args)...)};
 }

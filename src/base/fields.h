@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How a spec struct tells the world its keys. Each spec has one function
+// Describes the keys of a spec struct (a struct that a table of a scene file is read into). Each
+// spec has one function
 //
 //   template <class Visitor> void fields(Visitor& v, BodySpec& spec);
 //
 // that calls v.field(key, member, doc) or v.required(key, member, doc) for each key,
 // v.exactly_one_of({keys}) or v.at_most_one_of({keys}) for keys that exclude each other, and
-// v.merged(key, spec, spec,
-// doc) for two specs that share one table. Reading, printing, the JSON Schema and the errors for
-// unknown keys are visitors of that one list (scene/), so they cannot disagree.
+// v.merged(key, spec, spec, doc) for two specs that share one table. Reading, printing, the JSON
+// Schema and the errors for unknown keys are visitors of this one list (scene/), so they cannot
+// disagree.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,8 @@
 
 namespace polhode {
 
-// What every component of a numeric value must satisfy; NaN and infinity never do.
+// The allowed range of every component of a numeric value, in SI units. NaN and infinity are never
+// allowed.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -31,7 +33,7 @@ inline constexpr Range kAny{};
 inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range kNonNegative{0.0, std::numeric_limits<double>::infinity(), false};
 
-// The range cut down to the magnitudes of the unit.
+// The range restricted to the magnitudes allowed for the unit (magnitude_of in base/units.h).
 inline Range within_magnitude(const Range& range, Unit unit) {
   const Magnitude magnitude = magnitude_of(unit);
   Range cut = range;
@@ -44,12 +46,12 @@ inline Range within_magnitude(const Range& range, Unit unit) {
   return cut;
 }
 
-// The description of one key: what it means, its unit, what values it takes.
+// The description of one key: its meaning, unit and allowed values.
 struct Doc {
-  std::string text;                       // one phrase for a reader and for the schema
-  Unit unit = Unit::none;                 // which suffixes the key may carry
-  Range range = kAny;                     // for numbers
-  std::vector<std::string> choices = {};  // for names: the only ones allowed (empty: any text)
+  std::string text;                       // one phrase, shown in help and in the schema
+  Unit unit = Unit::none;                 // decides which unit suffixes the key may have
+  Range range = kAny;                     // for numbers, in SI units
+  std::vector<std::string> choices = {};  // for text: the allowed values (empty: any text)
   bool color = false;                     // for text: must be "#rrggbb"
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 128-bit content hashes (XXH3) as 32 hex digits; for equality, not for secrecy.
+// Content hashes: XXH3 with 128 bits, as 32 hexadecimal digits. They detect changes but are not
+// cryptographic.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +9,7 @@
 
 namespace polhode {
 
+// The hash of `size` bytes at `data`.
 std::string content_hash(const void* data, std::size_t size);
 inline std::string content_hash(std::string_view text) {
   return content_hash(text.data(), text.size());

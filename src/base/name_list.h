@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of names as options take them.
+// Splits and checks options that take a list of names, such as "--cases a,b".
 #pragma once
 
 #include <set>
@@ -9,11 +9,12 @@
 
 namespace polhode {
 
-// The names in "a,b"; none in "".
+// "a,b" as {"a", "b"}; "" as an empty list.
 std::vector<std::string> split_names(std::string_view list);
 
-// Those names once each. Throws Error (input) at the option, "no case is called 'x'" (what:
-// "case"), for one that is not known.
+// The set of names in `list`. Throws Error (input) that names `option` and suggests the nearest
+// name if one is not in `known`. `what` says in the message what the names stand for: "unknown case
+// 'x'".
 std::set<std::string> known_names(std::string_view list,
                                   const std::vector<std::string>& known,
                                   std::string_view what,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The valid name that a mistyped one most likely meant.
+// Finds the valid name closest to a mistyped one, for error messages.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 namespace polhode {
 
 // The candidate with the least Damerau-Levenshtein distance to `name` (optimal string alignment,
-// case ignored), or "" when even the best one needs more than half of the name changed.
+// case ignored), or "" if more than half of the name would have to change.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-// " (did you mean 'mass'?)", or the whole list when nothing is near, ready to end a message.
+// The end of an error message: " (did you mean 'mass'?)", or " (known: ...)" with all candidates if
+// none is close.
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers from text. All of the text must be the number; no locale, no white space around it.
+// Parses numbers. The whole text must be the number, without white space; the locale is ignored.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace polhode {
 
-// "12", "-3"; none for anything else, and for what does not fit an int.
+// Accepts "12" and "-3". Empty for any other text and for numbers that do not fit an int.
 std::optional<int> parse_integer(std::string_view text);
 
-// "2.5", "1e-3"; none for anything else, for infinities and NaN.
+// Accepts "2.5" and "1e-3". Empty for any other text, for infinities and for NaN.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace polhode

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The files that come with the program, found from where the program is: no path is built in.
+// Finds the files installed with the program. The search starts at the binary, so no path is
+// compiled in.
 #pragma once
 
 #include <filesystem>
 
 namespace polhode {
 
-// PREFIX/share/polhode of an installed PREFIX/bin/polhode, else share/polhode beside the binary,
-// as a build folder has it. The first of them is the answer when neither is there.
+// PREFIX/share/polhode for an installed PREFIX/bin/polhode, else share/polhode beside the binary
+// (build folder). If neither exists, the first path is returned.
 std::filesystem::path shipped_files();
 
 // The example scenes: the folder named by POLHODE_SCENES if that is set, else

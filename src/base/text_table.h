@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables for a terminal.
+// Formats tables for a terminal.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace polhode {
 
 using TextRow = std::vector<std::string>;
 
-// Columns padded to their widest cell, the last one free; a line per row.
+// One line per row. Every column but the last is padded to its widest cell (in bytes).
 std::string aligned(const std::vector<TextRow>& rows);
 
 }  // namespace polhode

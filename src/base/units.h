@@ -30,23 +30,24 @@ struct UnitSuffix {
   const char* symbol;  // for messages and the schema
 };
 
-// Every suffix a quantity of this unit may carry, the SI one first.
+// All suffixes allowed for a quantity of this unit, the SI one first.
 std::vector<UnitSuffix> suffixes_of(Unit unit);
 
-// Every suffix there is, "" left out.
+// The suffixes of all units, without "".
 std::vector<std::string> all_suffixes();
 
-// A value of the file in SI. Decimal prefixes divide by a whole number, so that 35 cm is 0.35 m to
-// the last bit.
+// Converts a value of the file to SI. Decimal prefixes are applied by dividing by a whole number,
+// so that 35 cm is exactly the double 0.35.
 double to_si(double value, const UnitSuffix& suffix);
 
-// The sizes, in SI, of the values of this unit that can be computed with: generous for anything
-// from a molecule to a star, and small enough that no product of a few of them overflows. What must
-// be positive must not be below `least`; for the rest, what is below is nothing.
+// The allowed magnitudes of values of a unit, in SI: wide enough for anything from a molecule to a
+// star, but narrow enough that no product of a few such values overflows. `least` bounds values
+// that must be positive; other values may be smaller.
 struct Magnitude {
   double least;
   double most;
 };
+// The allowed magnitudes of that unit.
 Magnitude magnitude_of(Unit unit);
 
 inline constexpr double kPi = 3.14159265358979323846;

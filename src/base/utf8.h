@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Characters in bytes.
+// Finds the boundaries of UTF-8 characters.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 
 namespace polhode {
 
-// Is byte i there, and not the first of a character?
+// Whether byte i exists and is a continuation byte.
 bool is_continuation(std::string_view text, std::size_t i);
 
-// How many bytes the UTF-8 character at i takes; 0 when it is none (Unicode 15, table 3-7).
+// The number of bytes of the UTF-8 character that begins at byte i; 0 if the bytes there are not
+// valid UTF-8 (Unicode 15, table 3-7).
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
 }  // namespace polhode

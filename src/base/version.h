@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The version of the program.
+// The version number of the program.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// "0.1.0": part of reports, and of what pictures are kept by.
+// Such as "0.1.0". It is part of reports and of the keys of cached lecture media.
 std::string program_version();
 
 }  // namespace polhode

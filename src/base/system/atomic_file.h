@@ -11,27 +11,29 @@
 namespace polhode {
 
 // Owns NAME.part beside NAME. commit() renames it; without commit the destructor removes it.
-// Invariant: NAME itself is either untouched or whole. NAME.part is locked, so that of two runs
-// with the same output the second is refused; one that a killed run left behind is taken over.
+// Invariant: NAME itself is either untouched or complete. NAME.part is locked, so the second of two
+// runs with the same output is refused. A NAME.part left behind by a killed run is reused.
 class AtomicFile {
  public:
-  // Throws Error (input) when the folder is missing or cannot be written, when NAME is a folder, a
-  // device or write-protected, and when another run is writing it. A symbolic link is followed.
+  // Throws Error (input), with the file as its place, if the folder is missing or cannot be
+  // written, if NAME is a folder, a device or write-protected, or if another run is writing it. If
+  // NAME is a symbolic link, its target is replaced.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  // Where to write until commit().
+  // The temporary file to write to until commit().
   const std::filesystem::path& part() const { return part_; }
+  // The final name.
   const std::filesystem::path& target() const { return target_; }
-  // Moves the finished file to its name. Throws Error (environment) when that fails.
+  // Renames the finished file to its final name. Throws Error (environment) if that fails.
   void commit();
-  // Writes the whole content to the temporary file. Throws Error (environment) when that fails.
+  // Writes the whole content to the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
-  // The same, then commits.
+  // write(), then commit().
   void commit_with(std::string_view content);
-  // Gives the lock up before the end: for thousands of files that one lock stands for.
+  // Releases the lock early. For numbered sequences, where one lock protects thousands of files.
   void unlock();
 
  private:
@@ -41,15 +43,16 @@ class AtomicFile {
   int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
 };
 
-// Opens a file as fopen does, writes to it and closes it: 0, or the errno of what failed.
+// Opens a file with fopen's `mode`, writes the bytes and closes it. Returns 0, or errno of the call
+// that failed.
 int failure_to_write(const std::filesystem::path& file, const char* mode, std::string_view bytes);
 
-// Writes a whole small file atomically. Throws Error as AtomicFile does, or (environment) when the
+// Writes a complete small file atomically. Throws Error as AtomicFile does, or (environment) if the
 // disk is full.
 void write_file(const std::filesystem::path& target, std::string_view content);
 
-// Reads a whole file. Throws Error (input) when it is missing, a folder, unreadable, no ordinary
-// file, or holds more than `most` bytes.
+// Reads a whole file. Throws Error (input), with the file as its place, if it is missing, a folder,
+// unreadable, not a regular file, or larger than `most` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another program, run to its end with text in and text out. No shell is between.
+// Runs another program to its end, without a shell, and collects its output.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 namespace polhode {
 
 struct ChildResult {
-  std::string out;  // what it wrote to standard output
-  std::string err;  // and to standard error
-  int status = 0;   // its exit code; 128 + n when signal n ended it
+  std::string out;  // its standard output
+  std::string err;  // its standard error
+  int status = 0;   // its exit code; 128 + n if signal n ended it
 };
 
-// Runs words[0], found on PATH, with the other words as its arguments; `input` is its standard
-// input. SIGPIPE must be ignored (base/system/interrupt.h). Returns when it has ended. Throws Error
-// (environment) when it cannot be started, (interrupted) when a signal asks us to stop; the program
-// is then ended too.
+// Runs words[0], found on PATH, with the other words as arguments and `input` as its standard
+// input, and waits for it to end. SIGPIPE must be ignored (base/system/interrupt.h). Throws Error
+// (environment) if the program cannot be started, (interrupted) after SIGINT, SIGTERM or SIGHUP;
+// the program is then killed.
 ChildResult run_child(const std::vector<std::string>& words, std::string_view input);
 
 }  // namespace polhode

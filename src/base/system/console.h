@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Standard output carries data and must not lose any; standard error carries words and never stops
-// the work.
+// Standard output carries data: a failed write is an error. Standard error carries messages: a
+// failed write is ignored.
 #pragma once
 
 #include <string_view>
 
 namespace polhode {
 
-// Fills closed standard streams with streams that refuse, so that no file opened later is mistaken
-// for one of them. Called once, by main, before anything is opened.
+// Replaces closed standard streams by ones that fail, so that no file opened later gets their
+// descriptor. main calls it once, before it opens any file.
 void guard_standard_streams();
 
-// Writes all of it. Throws Error (environment) when that fails, except that a reader who has closed
-// the pipe (`polhode schema | head`) wants no more, which is no error.
+// Writes the whole text to standard output. Throws Error (environment) if that fails. A reader that
+// has closed the pipe (`polhode schema | head`) is not an error.
 void print_out(std::string_view text);
 
-// Writes it if it can.
+// Writes the text to standard error; failures are ignored.
 void print_err(std::string_view text);
 
 }  // namespace polhode

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// SIGINT, SIGTERM and SIGHUP become a flag that long work looks at; clean-up is then ordinary
-// unwinding. A second signal, when the user asks again, ends the process at once.
+// SIGINT, SIGTERM and SIGHUP set a flag that long computations poll, so that destructors clean up.
+// A second signal ends the process at once.
 #pragma once
 
 #include <chrono>
 
 namespace polhode {
 
-// One key often arrives as two signals: from the terminal and from its shell.
+// One key press often arrives as two signals, one from the terminal and one from its shell. Signals
+// closer together than this count as one.
 inline constexpr std::chrono::milliseconds kSameKey{500};
 
-// Installs the handlers; ignores SIGPIPE and SIGXFSZ so that writes fail with an error code
-// instead. Signals within `same_key` of the first count as the first.
+// Installs the handlers. Ignores SIGPIPE and SIGXFSZ, so that writes fail with an error code
+// instead. Signals within `same_key` of the first one are ignored.
 void watch_for_interrupt(std::chrono::milliseconds same_key = kSameKey);
 
-// Throws Error (interrupted) once a signal has come.
+// Throws Error (interrupted) if a signal has arrived. May be called from any thread.
 void stop_if_interrupted();
 
 }  // namespace polhode

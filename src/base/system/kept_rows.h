@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results that a run which is stopped leaves behind for the next one, a line of text for each.
+// Keeps the finished results of a long run in a file, one line each, so that an interrupted run can
+// be continued.
 #pragma once
 
 #include <chrono>
@@ -9,17 +10,21 @@
 
 namespace polhode {
 
-// The file is written now and then while lines are added, whole each time. Not for several threads
-// at once. All throw Error (environment) when the file cannot be written.
+// While lines are added, the whole file is rewritten atomically, at most every two seconds. Not
+// thread-safe. add() and save() throw Error as write_file does.
 class KeptRows {
  public:
-  // `words`: one line that says what the run was asked for; rows of other words are not taken up.
+  // `words`: one line that describes the job. Rows kept by a run with other words are ignored.
   KeptRows(std::filesystem::path file, std::string words);
 
-  // Gives the lines of an earlier run to `take_up`, until it refuses one.
+  // Passes the lines of an earlier run to `take_up` until it returns false. Throws Error as
+  // read_file does.
   void load(const std::function<bool(const std::string& line)>& take_up);
+  // Appends a line, given without its line break.
   void add(const std::string& line);
+  // Writes the file now.
   void save() const;
+  // Deletes the file, after a complete run.
   void remove() const;
 
  private:

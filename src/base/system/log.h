@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The logger: spdlog's default one, on stderr, so that stdout stays free for data.
+// Sets up spdlog's default logger. It writes to stderr, because stdout is for data.
 #pragma once
 
 #include <spdlog/spdlog.h>
 
 namespace polhode {
 
-// Warnings and errors always, the rest with verbose; called once, by main.
+// Shows warnings and errors, and with `verbose` also information. main calls it once.
 void start_log(bool verbose);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of files that are made together.
+// A folder whose files are replaced together.
 #pragma once
 
 #include <filesystem>
@@ -11,23 +11,25 @@
 
 namespace polhode {
 
-// Made when it is missing. Its files keep their old content until commit(): a run that fails or is
-// interrupted changes none, and two runs on the same folder do not mix.
+// Invariant: the files keep their old content until commit(), so a run that fails or is interrupted
+// changes none of them. The files are locked, so two runs cannot write the same folder.
 class OutputFolder {
  public:
-  // Throws Error (input) as AtomicFile does, before any work is done.
-  // `option` is the one that named the folder, for messages.
+  // Creates the folder if needed and claims a file for each of `names`. Throws Error (input) as
+  // AtomicFile does, or naming `option` if the folder cannot be created.
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");
-  // One content per name, in their order.
+  // Writes one content per name, in the order of `names`. Throws Error (environment) as AtomicFile
+  // does.
   void commit(const std::vector<std::string>& contents);
 
  private:
   std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
-// The folder that is asked for, else output/SCENE_what.
+// `asked`, or output/SCENE_what if that is empty, where SCENE is the file name of `scene` without
+// its ending.
 std::filesystem::path folder_or_default(const std::string& asked,
                                         const std::filesystem::path& scene,
                                         const std::string& what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody's file is overwritten by a slip of the keyboard.
+// Protects input files from being overwritten by a mistyped output name.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-// Throws Error (input) when the file `written`, called `what` in the message, is the one that is
-// `needed`, or has the ending of scene files. An empty name is no file.
+// Throws Error (input), without a key, if the output `written` is the input file `needed` or ends
+// in .toml. `what` names the output in the message. An empty name is accepted.
 void refuse_same_file(const std::string& written,
                       const std::string& what,
                       const std::filesystem::path& needed);

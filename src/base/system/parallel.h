@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Independent pieces of work on all processors.
+// A parallel loop over independent pieces of work.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 
 namespace polhode {
 
-// Calls work(i) for i in [0, count), each once, on `jobs` threads (0: as many as processors), in no
-// order. The first exception stops the rest and is thrown again here. `work` is shared by threads.
+// Calls work(i) once for each i in [0, count), in no particular order, on `jobs` threads (0: one
+// per processor), of which the calling thread is one. After the first exception no further piece is
+// started, and the exception is rethrown here. `work` must be thread-safe.
 template <class Work>
 void parallel_for(long count, int jobs, const Work& work) {
   const long processors = std::max(1L, static_cast<long>(std::thread::hardware_concurrency()));

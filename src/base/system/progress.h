@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a long run tells how far it is, on stderr.
+// Shows the progress of a long run on stderr.
 #pragma once
 
 #include <chrono>
@@ -10,22 +10,25 @@ namespace polhode {
 
 enum class ProgressKind { automatic, bar, json, none };
 
-// "auto", "bar", "json", "none".
+// The values of --progress: "auto", "bar", "json", "none".
 const std::vector<std::string>& progress_names();
 
-// One of them. Throws Error (input).
+// The kind of that name. Throws Error (input), naming --progress, for any other text.
 ProgressKind parse_progress(const std::string& text);
 
-// Prints at most ten times a second; automatic means a bar on a terminal and nothing elsewhere.
+// Prints at most ten times a second. `automatic` shows a bar on a terminal and nothing elsewhere.
+// Not thread-safe.
 class Progress {
  public:
-  // total: how many there are of `things`, in the plural; `there` of them were done before.
+  // `total` counts all `things` (a plural noun for the output); `there` of them were finished by an
+  // earlier run.
   Progress(ProgressKind kind, int total, std::string things = "frames", int there = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // done: in this run. limit: the stage that the others wait for; empty: there is but one
+  // `done` counts the things finished in this run. `limit` names the slowest stage; empty: there is
+  // only one.
   void show(int done, const std::string& limit = "");
 
  private:

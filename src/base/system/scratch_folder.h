@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder for what only this run needs.
+// A temporary folder for one run.
 #pragma once
 
 #include <cstdlib>
@@ -10,10 +10,10 @@
 
 namespace polhode {
 
-// Made where the system keeps temporary files (TMPDIR, else /tmp), removed with everything in it.
+// Created in TMPDIR, or else in /tmp. The destructor removes it with everything in it.
 class ScratchFolder {
  public:
-  // Throws Error (environment) when it cannot be made.
+  // Throws Error (environment) if it cannot be created.
   ScratchFolder() {
     std::error_code failed;
     std::string name = (std::filesystem::temp_directory_path(failed) / "polhode-XXXXXX").string();
@@ -29,6 +29,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+  // The path of a file in the folder.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A library opened at run time.
+// Opens a shared library at run time.
 #pragma once
 
 #include <dlfcn.h>
@@ -10,10 +10,11 @@
 
 namespace polhode {
 
-// Invariant: holds an open library until it is destroyed.
+// Invariant: the library is open and stays mapped until the process ends.
 class SharedLibrary {
  public:
-  // Tries the names in order. Throws Error (environment) with the loader's own words.
+  // Opens the first of `names` that exists. Throws Error (environment) with the loader's message
+  // for the first name if there is none.
   explicit SharedLibrary(const std::vector<std::string>& names) {
     std::string reason;
     for (const std::string& name : names) {
@@ -23,12 +24,13 @@ class SharedLibrary {
     }
     throw environment_error("{}", reason);
   }
-  // Mesa keeps threads and thread-local data of its own: the library stays mapped.
+  // Does not unload the library: Mesa keeps threads and thread-local data.
   ~SharedLibrary() = default;
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  // The function `name`, typed as the header declares it. Throws Error (environment).
+  // The function `name`; `Function` is its type as declared in the library's header. Throws Error
+  // (environment) if the library does not have it.
   template <class Function>
   Function* function(const char* name) const {
     void* address = dlsym(handle_, name);

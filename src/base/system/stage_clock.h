@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wall and processor time of the stages of a run, for the report.
+// Measures wall time and processor time of the stages of a run, for the report.
 #pragma once
 
 #include <chrono>
@@ -9,13 +9,14 @@
 
 namespace polhode {
 
-// Time spent in one stage. cpu counts the thread that ran it, plus helper threads added later.
+// Time spent in one stage, in seconds. cpu_s covers the thread that ran the stage, plus helper
+// threads that are added later.
 struct StageTime {
   double wall_s = 0.0;
   double cpu_s = 0.0;
 };
 
-// Adds the time of its own scope to a StageTime.
+// Adds the time between its construction and destruction, on one thread, to a StageTime.
 class StageTimer {
  public:
   explicit StageTimer(StageTime& stage)
@@ -40,17 +41,17 @@ class StageTimer {
   double cpu_;
 };
 
-// The ids of the threads this process has now. What a library call starts (rasteriser, encoder) is
-// the difference of the sets before and after it.
+// The ids of the threads of this process. The difference between the sets before and after a
+// library call is the threads that it started (rasteriser, encoder).
 std::set<int> thread_ids();
 
-// The processor clocks of threads that may end before their last reading.
+// Processor time of threads that may end before the last reading.
 class ThreadClocks {
  public:
   explicit ThreadClocks(const std::set<int>& threads);
-  // Reads the clocks of those that still live.
+  // Reads the clocks of the threads that are still running.
   void read();
-  // Processor seconds, of each thread at its last reading.
+  // Processor seconds, summed over all threads, each at its last reading.
   double total() const;
 
  private:
