@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mean of several pictures, as an open shutter sees them.
+// Averages pictures in linear light, for motion blur.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,20 @@
 
 namespace polhode {
 
-// Sums light: colours are averaged as squares of their stored values, close to what a sensor does
-// with the light that sRGB stands for; alpha as it is, and colours by their alpha.
+// Averages the squares of the colour values, weighted by alpha: a gamma of 2, close to sRGB. Alpha
+// itself is averaged linearly. Not thread-safe.
 class AveragePicture {
  public:
+  // All pictures must have the same size.
   void add(const Image& image);
-  // What was added since the last mean(), at least one; begins anew.
+  // Stores the mean of the pictures added since the last call (at least one) in `image`, and starts
+  // a new average.
   void mean(Image& image);
 
  private:
   int width_ = 0, height_ = 0;
   std::uint32_t count_ = 0;
-  std::vector<std::uint64_t> light_;  // per value, squares times alpha; alpha itself in the fourth
+  std::vector<std::uint64_t> light_;  // four sums per pixel: squared colour times alpha, and alpha
 };
 
 }  // namespace polhode

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How far two pictures are apart, value by value.
+// Differences of two pictures, value by value.
 //
-// Which values: red, green and blue of opaque pictures. Where either picture is translucent
-// somewhere, colour premultiplied by alpha, and alpha as a fourth value: what cannot be seen cannot
-// differ, and a change of alpha alone is a change.
+// The values are red, green and blue if both pictures are opaque. Otherwise they are the colour
+// premultiplied by alpha, and alpha itself: invisible colour does not count as a difference, and a
+// change of alpha does.
 #pragma once
 
 #include "image/image.h"
@@ -16,34 +16,36 @@ struct Difference {
   int largest = 0;             // greatest absolute difference
   double mean = 0.0;           // mean absolute difference
   double rms = 0.0;            // root mean square difference
-  double fraction_over = 0.0;  // share of pixels with some value over the threshold
+  double fraction_over = 0.0;  // share (0..1) of pixels with a difference over the threshold
   int values = 3;              // per pixel: 3, or 4 with alpha
 };
 
-// Both pictures must have the same size; throws Error (input) otherwise.
+// `threshold` in levels; it decides fraction_over. Throws Error (input), without a key, if the
+// sizes differ.
 Difference compare(const Image& a, const Image& b, int threshold);
 
-// Peak signal-to-noise ratio of a root mean square difference, dB: 20 log10(255 / rms). Infinite
-// for equal pictures.
+// Peak signal-to-noise ratio in dB for a root mean square difference in levels: 20 log10(255 /
+// rms). Infinite for rms = 0.
 double psnr(double rms);
 
-// The gain of pictures of differences, where nothing else is asked for.
+// The default gain of difference_picture().
 inline constexpr int kDifferenceGain = 16;
 
-// |a - b| times gain, clipped, opaque; for a person to look at. A difference of alpha is white.
+// An opaque picture of |a - b| times gain, clipped at 255, for people to look at. A difference of
+// alpha alone appears grey to white. Throws Error (input) if the sizes differ.
 Image difference_picture(const Image& a, const Image& b, int gain);
 
-// Where the pictures differ most: the rectangle of this size (cut to the picture's) with the
-// greatest sum of differences, to within eight pixels.
+// The rectangle of width x height pixels (at most the picture) with the greatest sum of
+// differences, located to within eight pixels. Throws Error (input) if the sizes differ.
 PixelBox worst_region(const Image& a, const Image& b, int width, int height);
 
-// That part of a picture, which must hold it.
+// A copy of that part of the picture. `region` must lie inside the picture.
 Image cut_out(const Image& image, const PixelBox& region);
 
-// Has every pixel full alpha?
+// Whether every pixel has alpha 255.
 bool is_opaque(const Image& image);
 
-// The picture on an opaque background of one grey level.
+// The picture over an opaque background of that grey level (0..255).
 Image laid_on(const Image& image, std::uint8_t grey);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How different two pictures look when one is flipped to the other.
+// The image metric FLIP: how different two pictures look to an observer who switches between them.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-// Pixels in a degree of the observer's sight: a screen 0.7 m wide with 3840 pixels, seen from 0.7
-// m. The published default.
+// Pixels per degree of visual angle for a screen 0.7 m wide with 3840 pixels, seen from 0.7 m: the
+// default of the paper.
 inline constexpr double kPixelsPerDegree = 67.02064327658226;
 
 // The error of each pixel, 0 (none) to 1 (green against blue), row by row, and their mean.
@@ -22,17 +22,17 @@ struct FlipMap {
 
 // LDR-FLIP of Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem and Fairchild, FLIP: a
 // difference evaluator for alternating images, Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020,
-// with its constants: colour filtered by contrast sensitivity, compared as HyAB distance of
-// Hunt-adjusted L*a*b*, raised by differences of edges and points.
-// Translucent pictures are laid on black and on white; the map with the greater mean counts.
-// `jobs` threads, 0: one per processor; the values do not depend on their number. Throws Error
-// (input) for pictures of different sizes.
+// with the paper's constants: colours are filtered by contrast sensitivity and compared by the HyAB
+// distance in Hunt-adjusted L*a*b*; differences of edges and points increase the error. Translucent
+// pictures are compared over black and over white, and the map with the greater mean is returned.
+// `jobs` is the number of threads, 0 for one per processor; the values do not depend on it. Throws
+// Error (input), without a key, if the sizes differ.
 FlipMap flip(const Image& reference,
              const Image& test,
              double pixels_per_degree = kPixelsPerDegree,
              int jobs = 0);
 
-// The map in the colours of magma, from black (0) to pale yellow (1), as its authors show it.
+// The map in the magma colours used in the paper, from black (0) to pale yellow (1).
 Image heat_picture(const FlipMap& map);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture in memory.
+// The picture type that rendering produces and sinks and metrics read.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct Image {
   int width = 0;   // pixels
   int height = 0;  // pixels
   std::vector<std::uint8_t> pixels;
-  // What is known of the picture, so that nobody does work for pixels that are as they were: with a
-  // ground, every pixel outside the painted boxes has its colour; without one, nothing is known.
+  // Lets later stages skip unchanged pixels: if `ground` is set, every pixel outside the `painted`
+  // boxes has that colour. If not, nothing is known about the pixels.
   std::optional<std::array<std::uint8_t, 4>> ground;
   std::vector<PixelBox> painted;
 
@@ -30,7 +30,7 @@ struct Image {
         height(h),
         pixels(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
-  // The four bytes of the pixel in column x, row y.
+  // The four bytes (R, G, B, A) of the pixel in column x and row y.
   const std::uint8_t* at(int x, int y) const {
     return pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                 static_cast<std::size_t>(x));
@@ -39,13 +39,14 @@ struct Image {
     return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
   }
 
-  // Makes all of it one colour, and that its ground; but for `kept`, which will be painted over,
-  // every pixel of it, and may be left as it is.
+  // Sets the size to w x h, fills the picture with one colour, and makes that its ground. The boxes
+  // in `kept` may be left as they are: the caller will overwrite every pixel in them.
   void wipe(int w,
             int h,
             const std::array<std::uint8_t, 4>& color,
             const std::vector<PixelBox>& kept = {});
-  // One colour in a box within it; the ground stays.
+  // Fills a box, which must lie inside the picture, with one colour. Does not change ground or
+  // painted.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };
 

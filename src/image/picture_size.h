@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The size of a picture.
+// The size of a picture in pixels, shared by scenes, cameras and films.
 #pragma once
 
 namespace polhode {

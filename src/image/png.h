@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files to and from Images (libpng's simplified interface).
+// Reads and writes PNG files (with libpng's simplified interface).
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,25 @@ namespace polhode {
 
 class AtomicFile;
 
-// A file that claims more pixels than this is refused: 16384 x 16384, a gigabyte in memory.
+// Files with more pixels than this (16384 x 16384, a gigabyte in memory) are refused.
 inline constexpr std::size_t kMostPngPixels = std::size_t{1} << 28;
 
-// Writes 8-bit RGB, or RGBA when with_alpha; the file appears whole or not at all.
-// Throws Error (input) for an unwritable place, (environment) when writing fails.
+// Writes 8-bit RGB, or RGBA if with_alpha. The file appears complete or not at all. Throws Error
+// (input) as AtomicFile does, (environment) if writing fails.
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha);
 
-// The same into a file that the caller has claimed, and commits when it wants to.
+// Writes to a file that the caller has opened and will commit. Throws Error (environment) if
+// writing fails.
 void write_png(const AtomicFile& file, const Image& image, bool with_alpha);
 
-// The bytes of such a file.
+// The bytes of a PNG file. Throws Error (environment) if encoding fails.
 std::string encode_png(const Image& image, bool with_alpha);
 
-// The picture in the bytes of a file; `name` stands for it in messages.
+// Decodes the bytes of any PNG file to 8-bit RGBA. `name` is the file name for messages. Throws
+// Error (input) if it is not a PNG or too large.
 Image decode_png(const std::string& bytes, const std::string& name);
 
-// Reads any PNG as 8-bit RGBA. Throws Error (input) when it is missing, no PNG, or too large.
+// Reads any PNG file as 8-bit RGBA. Throws Error (input) if it is missing, not a PNG, or too large.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace polhode

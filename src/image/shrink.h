@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A smaller picture, each pixel the mean of a square of pixels.
+// Downsamples a picture by a whole factor.
 #pragma once
 
 #include "image/image.h"
 
 namespace polhode {
 
-// `factor` must divide both sides. Means of the stored values, as a driver resolves samples.
+// Each pixel is the mean of factor x factor pixels, taken over the stored (sRGB) values, as OpenGL
+// drivers resolve samples. `factor` must divide width and height.
 Image shrunk(const Image& image, int factor);
 
 }  // namespace polhode

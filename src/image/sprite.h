@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small pictures that are laid over others: text, plots.
+// Small pictures that are drawn over a frame: text and plots.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-// 8-bit RGBA with premultiplied alpha, rows from top to bottom, as compositing wants it.
+// 8-bit RGBA with premultiplied alpha, rows from top to bottom, without padding.
 struct Sprite {
   int width = 0;   // pixels
   int height = 0;  // pixels
@@ -26,21 +26,22 @@ struct Sprite {
 };
 using SpritePtr = std::shared_ptr<const Sprite>;
 
-// A sprite in its place.
+// A sprite at its position in a picture.
 struct Stamp {
   SpritePtr sprite;
-  int x = 0, y = 0;      // of its upper left pixel in the picture; may lie outside
+  int x = 0, y = 0;      // pixels: position of its upper left pixel; may lie outside the picture
   double opacity = 1.0;  // 0..1
-  int columns = -1;      // only so many from the left are shown; -1: all
+  int columns = -1;      // how many columns from the left are shown; -1: all
 };
 
-// Source over: lays the stamp over a picture of straight alpha; what lies outside is cut off.
+// Composites the stamp over a picture with straight alpha (Porter-Duff "over") and clips it at the
+// borders.
 void lay_over(Image& picture, const Stamp& stamp);
 
-// A picture as a sprite.
+// The picture as a sprite, with its alpha premultiplied.
 Sprite sprite_of(const Image& image);
 
-// A sprite of one colour.
+// A sprite of one sRGB colour and one opacity (0..1).
 Sprite filled_sprite(int width, int height, const std::array<std::uint8_t, 3>& rgb, double opacity);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structural similarity of two pictures.
+// The image metric SSIM: structural similarity of two pictures.
 #pragma once
 
 #include "image/image.h"
@@ -10,10 +10,10 @@ namespace polhode {
 // assessment: from error visibility to structural similarity, IEEE Trans. Image Process. 13(4),
 // 2004: eq. 13 in windows of 11x11 weighted by a Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03, L =
 // 255, averaged (eq. 17) over all windows that lie in the picture. Luma is 0.2126 R + 0.7152 G +
-// 0.0722 B of encoded values (BT.709), not rounded. Sides shorter than 11 are continued by their
-// last pixel. Translucent pictures are laid on black and on white; the lower value counts. `jobs`
-// threads, 0: one per processor; the value does not depend on their number. Throws Error (input)
-// for pictures of different sizes.
+// 0.0722 B of encoded values (BT.709), not rounded. Sides shorter than 11 pixels are extended by
+// repeating the last pixel. Translucent pictures are compared over black and over white, and the
+// lower value is returned. `jobs` is the number of threads, 0 for one per processor; the value does
+// not depend on it. Throws Error (input), without a key, if the sizes differ.
 double ssim(const Image& a, const Image& b, int jobs = 0);
 
 }  // namespace polhode

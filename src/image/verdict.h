@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are two pictures the same? Three numbers say so, and two more where they are asked.
+// Decides whether two pictures count as the same: by three thresholds on differences, and by SSIM
+// and FLIP if asked.
 #pragma once
 
 #include <optional>
@@ -11,15 +12,15 @@
 
 namespace polhode {
 
-// The rule. Drawing is the same everywhere but for low bits of square roots and interpolation on
-// other processors and versions of Mesa: up to 3 levels, and edge samples that fall to the other
-// side: a quarter of an edge pixel's contrast with four samples a pixel.
+// The thresholds. The defaults allow what differs between processors and versions of Mesa: low bits
+// of square roots and interpolation (up to 3 levels), and samples at edges, each a quarter of the
+// edge's contrast with four samples per pixel.
 struct Thresholds {
-  int max = 3;                      // levels of 255 by which any value may differ
+  int max = 3;                      // levels (0..255) by which any value may differ
   double fraction = 0.0005;         // share of pixels that may differ by more ...
   int limit = 70;                   // ... but no value by more than this
-  std::optional<double> ssim = {};  // least SSIM; absent: not asked
-  std::optional<double> flip = {};  // greatest mean FLIP; absent: not asked
+  std::optional<double> ssim = {};  // least SSIM; absent: not measured
+  std::optional<double> flip = {};  // greatest mean FLIP; absent: not measured
 };
 
 template <class Visitor>
@@ -40,34 +41,36 @@ void fields(Visitor& v, Thresholds& s) {
 }
 
 // Throws Error (input), naming the option (--max, --fraction, --limit, --ssim, --flip), for a
-// number out of its range: levels 0 to 255, shares and FLIP 0 to 1, SSIM -1 to 1.
+// number out of range: levels 0 to 255, shares and FLIP 0 to 1, SSIM -1 to 1.
 void check_thresholds(const Thresholds& thresholds);
 
-// What is measured beyond the values that a verdict needs.
+// Metrics to measure even if no threshold needs them.
 struct Measures {
   bool ssim = false;
   bool flip = false;
 };
 
+// The result of a comparison.
 struct Verdict {
-  Difference values;                // over thresholds.max
-  std::optional<double> ssim = {};  // where it was measured
+  Difference values;                // fraction_over counts pixels over thresholds.max
+  std::optional<double> ssim = {};  // if it was measured
   std::optional<FlipMap> flip = {};
-  std::string reason;  // why the pictures are different, "" when they are the same
+  std::string reason;  // why the pictures are different; empty if they are the same
 
   bool same() const { return reason.empty(); }
 };
 
-// `b` against the reference `a`. SSIM and FLIP are measured where `also` or a threshold asks.
-// `jobs` threads, 0: one per processor. Throws Error (input) for pictures of different sizes.
+// Compares `b` with the reference `a`. SSIM and FLIP are measured if `also` or a threshold asks for
+// them. `jobs` is the number of threads, 0 for one per processor. Throws Error (input), without a
+// key, if the sizes differ.
 Verdict judge(
     const Image& a, const Image& b, const Thresholds& thresholds, Measures also = {}, int jobs = 0);
 
-// How far over its thresholds a verdict is: at most 1 for the same, larger for worse. For choosing
-// the worst frame and the best reference.
+// A number to rank verdicts by, to find the worst frame or the best reference: at most 1 if the
+// pictures are the same, larger the further they exceed the thresholds.
 double badness(const Verdict& verdict, const Thresholds& thresholds);
 
-// 0.0123 as "1.23%", with three digits.
+// A share as text with three significant digits: 0.0123 as "1.23%".
 std::string percent(double share);
 
 }  // namespace polhode

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elliptic integrals and Jacobi's elliptic functions of a real argument, to round-off for every
-// parameter. The parameter is m = k^2 and always comes with m1 = 1 - m: near m = 1 all that matters
-// is in m1, and a subtraction would lose it.
+// parameter. The parameter is m = k^2 and always comes with m1 = 1 - m: near m = 1 the subtraction
+// would lose all digits of m1.
 #pragma once
 
 namespace polhode {
@@ -15,35 +15,38 @@ double carlson_rf(double x, double y, double z);
 double elliptic_k(double m1);
 
 // Incomplete integral F(phi | m) for the angle phi in [-pi, pi] of the point (c, s), which need not
-// be on the unit circle. Exact where atan2 is: no half of the digits is lost near phi = pi/2.
+// be on the unit circle. Taking the point instead of phi keeps all digits near phi = pi/2.
 double elliptic_f(double s, double c, double m, double m1);
 
+// Jacobi's sn, cn and dn of one argument.
 struct SnCnDn {
   double sn, cn, dn;
 };
 
-// One parameter, with all that does not depend on the argument.
+// One parameter m, with everything precomputed that does not depend on the argument. Immutable, so
+// any thread may use it.
 class EllipticParameter {
  public:
+  // Number of terms of the series, enough for round-off.
   static constexpr int kTerms = 5;
 
-  // 0 <= m, m1 <= 1, m + m1 = 1
+  // Requires 0 <= m, m1 <= 1 and m + m1 = 1.
   EllipticParameter(double m, double m1);
 
   double m() const { return m_; }
   double m1() const { return m1_; }
   double quarter_period() const { return K_; }         // K; infinite when m1 = 0
   double other_quarter_period() const { return K1_; }  // K' = K(m1); infinite when m = 0
-  // Whether series in the nome q = exp(-pi K'/K) converge fast; else those in the nome
-  // exp(-pi K/K') of Jacobi's imaginary transformation do. At most kTerms terms either way.
+  // True: the series use the nome q = exp(-pi K'/K). False: they use the nome exp(-pi K/K') of
+  // Jacobi's imaginary transformation, which converges faster for this m.
   bool direct() const { return direct_; }
-  // minus the logarithm of that one of the two nomes; infinite for the nome 0
+  // Minus the logarithm of the nome in use; infinite if it is 0.
   double log_nome() const { return log_nome_; }
 
-  // v less the nearest multiple 2 K j of half a period, |result| <= K; odd tells whether j is odd.
+  // v - 2 K j with the integer j for which |result| <= K. `odd` is set to whether j is odd.
   double reduced(double v, bool& odd) const;
 
-  // Quotients of theta functions (DLMF 22.2.4-6 and, for m near 1, 22.6.1).
+  // sn, cn and dn at v, as quotients of theta functions (DLMF 22.2.4-6 and, for m near 1, 22.6.1).
   SnCnDn at(double v) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // clang-format off
-// The conventions of the whole program, once.
+// The conventions for frames, quaternions and angles used everywhere in the program.
 //
 // Frames, all right-handed, named by a letter:
 //   S  space: inertial, axes XYZ; "up" is against gravity
@@ -18,7 +18,8 @@
 // Quaternions are Hamilton's, unit, written (w, x, y, z). Equations of motion (Hairer, Lubich,
 // Wanner, Geometric Numerical Integration, VII.5):
 //   dy/dt = y x w + torque_P,   dq/dt = q o (0, w_P) / 2
-// Euler angles are zxz: R_SB = Rz(phi) Rx(theta) Rz(psi); theta is the tilt of the body's third axis.
+// Euler angles are zxz: R_SB = Rz(phi) Rx(theta) Rz(psi); theta is the tilt of the body's third
+// axis.
 // clang-format on
 #pragma once
 

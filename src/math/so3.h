@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Rotations: exponential map, Euler angles, distance; angles between directions.
+// Rotations: exponential map, Euler angles, angular distances.
 #pragma once
 
 #include "math/notation.h"
 
 namespace polhode {
 
-// The rotation by |v| radians about v. Exact to round-off for every |v|, zero included.
+// The rotation by |v| radians about v. Accurate to round-off for every v, including zero.
 Quat exp_rotation(const Vec3& v);
 
-// Angle in radians, 0..pi, of the rotation that takes one attitude into the other. Keeps its digits
-// for tiny angles (uses the vector part, not acos of the scalar part).
+// Angle in radians, 0..pi, of the rotation from one attitude to the other. Accurate for tiny angles
+// too, because it uses the vector part and not acos of the scalar part.
 double rotation_angle_between(const Quat& a, const Quat& b);
 
-// Angle in radians, 0..pi, between two directions of any length. Keeps its digits near 0 and pi,
-// where acos of the scalar product has none left; 0 if either is zero.
+// Angle in radians, 0..pi, between two vectors of any length; 0 if either is zero. Accurate near 0
+// and pi too, where acos of the scalar product is not.
 double angle_between(const Vec3& a, const Vec3& b);
 
-// The least rotation that takes the direction of `from` into that of `to`, neither of them zero;
-// for opposite directions half a turn about an axis square to both. Eigen's, instantiated once: it
-// costs a compiler five seconds.
+// The smallest rotation that takes the direction of `from` to that of `to`; neither may be zero.
+// For opposite directions it is half a turn about an axis perpendicular to both. Wraps Eigen's
+// FromTwoVectors, whose template takes five seconds to compile, so that it is instantiated once.
 Quat turn_between(const Vec3& from, const Vec3& to);
 
-// zxz Euler angles (phi, theta, psi) in radians, 0 <= theta <= pi; at the poles psi = 0.
+// zxz Euler angles (phi, theta, psi) in radians, with 0 <= theta <= pi; psi = 0 where theta is 0 or
+// pi.
 Vec3 zxz_angles(const Quat& q);
+// The rotation Rz(phi) Rx(theta) Rz(psi), angles in radians.
 Quat from_zxz_angles(const Vec3& angles);
 
-// Angular velocity in body axes from the rates of the zxz angles
-// (Landau and Lifshitz, Mechanics, eq. 35.1, whose third line is the figure axis here too).
+// Angular velocity in body axes B (rad/s) from the zxz angles (rad) and their rates (rad/s): Landau
+// and Lifshitz, Mechanics, eq. 35.1.
 Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
 
 // R = Rz(c) Ry(b) Rx(a): turn about x, then y, then z of the fixed axes, radians.
@@ -40,7 +42,7 @@ inline Mat3 hat(const Vec3& v) {
   return m;
 }
 
-// q scaled to unit length; used after steps that leave the sphere.
+// q scaled to unit length, for steps that leave the unit sphere.
 Quat normalized(const Quat& q);
 
 }  // namespace polhode

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Theta functions of complex argument, as the attitude of a top needs them: their phases carry
-// Legendre's integrals of the third kind, without any quadrature (Jacobi; Klein and Sommerfeld,
-// Theorie des Kreisels, VI). All are smooth in v, and bounded: positive factors that depend on v
-// are left out where only the direction of the complex number counts.
+// Theta functions of a complex argument, for the attitude of a top. Their phases give Legendre's
+// elliptic integrals of the third kind without quadrature (Jacobi; Klein and Sommerfeld, Theorie
+// des Kreisels, VI). Only the phase is needed, so positive factors that depend on v are left out.
+// The results are smooth in v and bounded.
 #pragma once
 
 #include "math/elliptic.h"
 
 namespace polhode {
 
-// A complex number and its derivative along v, over one and the same positive factor.
+// A complex number and its derivative with respect to v, both divided by the same positive factor.
 struct ThetaValue {
   double re = 1.0, im = 0.0;
   double slope_re = 0.0, slope_im = 0.0;
 };
 
-// theta_4(pi (v + i eta) / 2K | nome q^2), 0 <= eta <= K', over a positive function of v.
+// theta_4(pi (v + i eta) / 2K | nome q^2), divided by a positive function of v. Requires 0 <= eta
+// <= K'. Immutable, so any thread may use it.
 class ThetaPhase {
  public:
   ThetaPhase(const EllipticParameter& parameter, double eta);
-  // the slopes of the result are filled by rate() only
+  // The value at v; its slopes are not set.
   ThetaValue at(double v) const;
-  // d arg / dv at v = 0
+  // d arg / dv at v = 0.
   double rate() const;
 
  private:
@@ -33,14 +34,16 @@ class ThetaPhase {
   double nome_;
 };
 
-// theta_1 and theta_2 (pi (v - i eta) / 2K | nome q), |eta| <= K', each with its own eta, both over
-// one positive function of v. first is 1 at v = K in modulus and second 1 at v = 0 if the parameter
-// is direct; else second is 1 at v = 0, and first is sin / cos of pi eta / 2K' there when q' = 0.
+// theta_1 and theta_2 of (pi (v - i eta) / 2K | nome q), each with its own eta, |eta| <= K', both
+// divided by the same positive function of v. Normalisation: if the parameter is direct, first is 1
+// at v = K and second is 1 at v = 0. Otherwise second is 1 at v = 0, and first there tends to
+// tan(pi eta / 2K') as the nome vanishes. Immutable, so any thread may use it.
 class ThetaPair {
  public:
   ThetaPair(const EllipticParameter& parameter, double eta_first, double eta_second);
+  // The values at v, with their slopes.
   void at(double v, ThetaValue& first, ThetaValue& second) const;
-  // d arg / dv of theta_1 at v = K, and of theta_2 at v = 0
+  // d arg / dv of theta_1 at v = K, and of theta_2 at v = 0.
   double rate_first() const { return rate(eta_first_); }
   double rate_second() const { return rate(eta_second_); }
 
