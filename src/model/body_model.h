@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The body as the equations of motion need it: principal moments about the reference point,
-// gravity, right-hand side and invariants. Frames and letters: math/notation.h.
+// The body as the equations of motion use it: principal moments about the reference point, gravity,
+// loads, right-hand side and invariants. Frames: math/notation.h.
 #pragma once
 
 #include <string>
@@ -13,108 +13,118 @@
 
 namespace polhode {
 
-// What kind of top the three moments make.
+// The kind of top, from the three principal moments.
 struct TopKind {
   enum class Shape { spherical, prolate, oblate, asymmetric };
   Shape shape = Shape::asymmetric;
-  int axis = 2;          // index (0..2 in P) of the symmetry axis; of prolate and oblate tops only
-  bool planar = false;   // the largest moment is the sum of the others
-  bool rotator = false;  // one moment is zero: all mass on a line
+  int axis = 2;          // index (0..2 in P) of the symmetry axis; for prolate and oblate tops only
+  bool planar = false;   // flat: the largest moment is the sum of the others
+  bool rotator = false;  // one moment is zero: all mass lies on a line
 
   bool symmetric() const { return shape == Shape::prolate || shape == Shape::oblate; }
-  // "spherical", "symmetric prolate", "symmetric oblate" or "asymmetric", then "planar" or
-  // "rotator"
+  // "spherical", "symmetric prolate", "symmetric oblate" or "asymmetric", followed by " planar" or
+  // " rotator" if that applies.
   std::string name() const;
 };
 
-// Two moments closer than this, relative to the largest, are equal.
+// Moments that differ by less than this, relative to the largest, count as equal.
 inline constexpr double kEqualMoments = 1e-12;
 
+// Made by make_model(); a value that is not changed afterwards, so any thread may read it.
 struct BodyModel {
   MassProperties body;                  // in B, tensor about the centre of mass
   bool on_pivot = false;                // one point of the body is fixed
   Vec3 pivot_B = Vec3::Zero();          // that point, m
   Vec3 gravity_S = Vec3::Zero();        // m/s^2
-  Mat3 R_BP = Mat3::Identity();         // principal axes as columns, in B; closest to the axes of B
+  Mat3 R_BP = Mat3::Identity();         // principal axes as columns, in B; ordered and signed to be
+                                        // closest to the axes of B
   Vec3 moments = Vec3::Ones();          // about the reference point, kg m^2, along P
-  Vec3 inverse_moments = Vec3::Ones();  // 1/moments; 0 where a rotator has none
+  Vec3 inverse_moments = Vec3::Ones();  // 1/moments, 1/(kg m^2); 0 for the zero moment of a rotator
   TopKind kind;
   Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity
-  Vec3 chi_P = Vec3::Zero();      // m |g| (centre of mass - pivot), J; 0 for a free body
-  Loads loads;                    // what acts besides gravity
-  bool with_translation = false;  // states carry place and momentum of the centre of mass too
+  Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
+  Loads loads;                    // torques and forces besides gravity
+  bool with_translation = false;  // six degrees of freedom, not three
 
-  // The fixed point, or the centre of mass, in B.
+  // The fixed point or, for a free body, the centre of mass; in B, m.
   const Vec3& reference_B() const { return on_pivot ? pivot_B : body.center; }
 };
 
-// Attitude and angular momentum about the reference point. q maps P to S, y is in P. With six
-// degrees of freedom (BodyModel::with_translation) also place and momentum of the centre of mass.
+// The state that steppers advance. Place and linear momentum are used with six degrees of freedom
+// only (BodyModel::with_translation).
 struct State {
-  Quat q = Quat::Identity();
-  Vec3 y = Vec3::Zero();
-  Vec3 place_S = Vec3::Zero();            // m
-  Vec3 linear_momentum_S = Vec3::Zero();  // momentum m v, kg m/s
+  Quat q = Quat::Identity();    // attitude: rotates P to S
+  Vec3 y = Vec3::Zero();        // angular momentum about the reference point, in P, kg m^2/s
+  Vec3 place_S = Vec3::Zero();  // centre of mass, m
+  Vec3 linear_momentum_S = Vec3::Zero();  // mass times velocity of the centre of mass, kg m/s
 };
 
-// Mass properties of a [body] table. Throws Error (input) with the key at fault.
+// Mass properties of a [body] table, in B. Throws Error (input) naming the key under body, for
+// example body.mass, body.about, body.tensor, or a dimension of body.solid or body.parts[i].
 MassProperties mass_properties(const BodySpec& spec);
 
-// Everything a motion needs to know of a body. Throws Error (input): moments that no body has,
-// a body without extent, and all that mass_properties refuses.
+// The model of a body in the given gravity (m/s^2). Throws Error (input) as mass_properties and
+// make_loads do, and naming the key that gives the mass distribution (body.moments, body.points,
+// ...) for moments that no body can have and for a body without extent.
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
                      const std::vector<LoadSpec>& loads = {});
 
-// The triangle inequality in all three permutations (a theorem: I1 + I2 - I3 = 2 sum m x3^2),
-// within round-off. Returns "" or what is wrong.
+// Checks the triangle inequality of the principal moments (kg m^2), which follows from I1 + I2 - I3
+// = 2 sum m x3^2, in all three permutations and within 1e-9. Returns "" or the reason why no body
+// has them.
 std::string impossible_moments(const Vec3& moments);
 
+// The kind of top that has these principal moments (kg m^2).
 TopKind classify(const Vec3& moments);
 
-// w_P = I^-1 y
+// w_P = I^-1 y, rad/s.
 inline Vec3 angular_velocity(const BodyModel& m, const Vec3& y) {
   return m.inverse_moments.cwiseProduct(y);
 }
 
-// A symmetric body whose centre of mass is on its axis through the reference point, or at it.
+// Whether the body is symmetric and its centre of mass lies on the symmetry axis through the
+// reference point.
 bool center_on_symmetry_axis(const BodyModel& model);
 
-// Up, seen from the body: gamma = Q^T up.
+// The unit vector against gravity in P: gamma = q^-1 up_S.
 inline Vec3 up_in_body(const BodyModel& m, const Quat& q) {
   return q.conjugate() * m.up_S;
 }
 
-// dy/dt = y x w + gamma x chi
+// dy/dt = y x w + gamma x chi in P, N m: Euler's equations with gravity, without loads.
 inline Vec3 momentum_rate(const BodyModel& m, const Vec3& y, const Vec3& gamma) {
   return y.cross(angular_velocity(m, y)) + gamma.cross(m.chi_P);
 }
 
-// dq/dt = q o (0, w) / 2
+// dq/dt = q o (0, w) / 2, 1/s.
 inline Quat attitude_rate(const Quat& q, const Vec3& w_P) {
   return Quat(0.5 * (q * Quat(0.0, w_P.x(), w_P.y(), w_P.z())).coeffs());
 }
 
-// Torque about the reference point in P at time t: that of the loads, and with gravity's.
+// Torque about the reference point in P at time t (s), N m: torque_of_loads() without gravity,
+// torque() with gravity.
 Vec3 torque_of_loads(const BodyModel& m, double t, const State& s);
 Vec3 torque(const BodyModel& m, double t, const State& s);
 
-// The force on the centre of mass in S at time t, N.
+// The total force on a free body in S at time t (s), N.
 Vec3 force(const BodyModel& m, double t, const State& s);
 
-// Energy of rotation plus potential about the reference point, J: y.w/2 + chi.gamma, and the
-// potential of loads. With six degrees of freedom also the energy of the centre of mass.
+// Kinetic energy of rotation plus potential energy, J: y.w/2 + chi.gamma + potential of the loads.
+// With six degrees of freedom also the kinetic and potential energy of the centre of mass.
 double energy(const BodyModel& m, const State& s);
 
-// Potential of gravity and of constant forces on the centre of mass of a free body, J.
+// Potential energy of gravity and of constant forces for a free body with its centre of mass at
+// center_S (m), J.
 double potential_of_place(const BodyModel& m, const Vec3& center_S);
 
-// Does the motion keep its energy, and its angular momentum (the vertical part on a pivot)?
+// Whether the motion conserves energy, and angular momentum (on a pivot with gravity its vertical
+// component).
 bool keeps_energy(const BodyModel& m);
 bool keeps_momentum(const BodyModel& m);
 
-// Angular momentum about the reference point in S, kg m^2/s.
+// Angular momentum about the reference point, in S, kg m^2/s.
 inline Vec3 momentum_in_space(const State& s) {
   return s.q * s.y;
 }

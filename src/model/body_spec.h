@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The [body] table of a scene: how mass is distributed, and what is drawn.
+// The [body] table of a scene: how mass is distributed, and what is drawn. Lengths are in body axes
+// B.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +15,8 @@
 
 namespace polhode {
 
-// A homogeneous solid in a place. Which of the dimensions a kind takes is in solid_kinds()
-// (model/solids.h); the others must stay empty.
+// A homogeneous solid and its position in the body. solid_kinds() (model/solids.h) says which
+// dimensions a kind takes; the others must stay empty.
 struct SolidSpec {
   std::string kind;                          // a name from solid_kinds()
   std::optional<double> mass;                // kg; this or density
@@ -29,7 +30,7 @@ struct SolidSpec {
   std::optional<double> tube;                // radius of the tube of a ring, m
   std::optional<std::string> file;           // mesh: an OBJ or STL file, relative to the scene file
   std::optional<double> scale;               // mesh: metres per unit of its file; 1 when absent
-  std::shared_ptr<const TriangleMesh> mesh;  // what the file holds; filled by load_meshes
+  std::shared_ptr<const TriangleMesh> mesh;  // the content of `file`; set by load_meshes()
   std::vector<Vec2> profile;                 // lathe: (radius, z) points, m
   bool smooth = false;               // lathe: a curve through them instead of straight lines
   Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
@@ -37,13 +38,15 @@ struct SolidSpec {
   std::optional<std::string> color;  // "#rrggbb" when drawn
 };
 
+// A point mass.
 struct PointSpec {
   double m = 0.0;          // kg
-  Vec3 at = Vec3::Zero();  // m
+  Vec3 at = Vec3::Zero();  // from the body origin, m
 };
 
+// The table itself.
 struct BodySpec {
-  // exactly one of these five says how mass is distributed
+  // exactly one of these five gives the mass distribution
   std::optional<Vec3> moments;  // principal moments, body axes = principal axes, kg m^2
   std::optional<Mat3> tensor;   // inertia tensor in body axes, kg m^2
   std::vector<PointSpec> points;
@@ -58,7 +61,7 @@ struct BodySpec {
   std::optional<SolidSpec> look;       // what is drawn, when it is not the mass itself
 };
 
-// Names of the solids, for docs and the schema; the table itself is solid_kinds().
+// The names in solid_kinds(), for help and the schema.
 std::vector<std::string> solid_names();
 
 template <class Visitor>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the keys that a scene gives to a kind of solid or load are the ones that the kind takes.
+// Checks the keys that a scene gives to a solid or a load against those that its kind takes.
 #pragma once
 
 #include <string>
@@ -7,15 +7,18 @@
 
 namespace polhode {
 
+// Whether `name` is in `names`.
 bool contains(const std::vector<std::string>& names, const std::string& name);
 
-// Throws Error (input) at `path`, the dotted key of the table, where one of `needed` is not given.
+// Throws Error (input) naming `path`, the dotted key of the table, if one of `needed` is missing
+// from `given`.
 void require_keys(const std::string& kind,
                   const std::vector<std::string>& needed,
                   const std::vector<std::string>& given,
                   const std::string& path);
 
-// Throws Error (input) at the first given key that is not among `known`, with a list of those.
+// Throws Error (input) naming `path`.KEY for the first given key that is not in `known`. The
+// message lists the known keys.
 void refuse_other_keys(const std::string& kind,
                        const std::vector<std::string>& known,
                        const std::vector<std::string>& given,

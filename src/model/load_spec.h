@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `torque` list of a [motion] table: what acts on a body besides gravity.
+// The `torque` list of a [motion] table: torques and forces that act besides gravity.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@
 
 namespace polhode {
 
-// One load. Which of the keys a kind takes is in load_kinds() (model/loads.h).
+// One load. load_kinds() (model/loads.h) says which of the keys a kind takes.
 struct LoadSpec {
   std::string kind;
   std::optional<Vec3> space;      // torque or force in space axes, N m or N
   std::optional<Vec3> body;       // the same in body axes
-  std::optional<Vec3> at;         // where the force acts, body coordinates, m
-  std::optional<Vec3> opposite;   // where the opposite force of a couple acts, m
-  std::optional<Vec3> to;         // the end of a spring that is fixed in space, m
-  std::optional<double> k;        // of a spring, N/m
-  std::optional<double> length;   // of a spring at rest, m
-  std::optional<double> c;        // of damping, see `of`
+  std::optional<Vec3> at;         // where the force acts, from the body origin in B, m
+  std::optional<Vec3> opposite;   // where the opposite force of a couple acts, in B, m
+  std::optional<Vec3> to;         // the end of a spring that is fixed in space, in S, m
+  std::optional<double> k;        // stiffness of a spring, N/m
+  std::optional<double> length;   // length of a spring at rest, m
+  std::optional<double> c;        // damping coefficient, see `of`
   std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s) or -c omega ("spin", N m s)
-  std::optional<double> rate;     // it changes as cos(rate t + phase), rad/s
+  std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s
   std::optional<double> phase;    // rad
 };
 
-// Names of the kinds, for docs and the schema.
+// The names in load_kinds(), for help and the schema.
 std::vector<std::string> load_names();
 
 template <class Visitor>

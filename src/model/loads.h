@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Torques and forces on a body, ready for the equations of motion:
+// Torques and forces on a body, in the form that the equations of motion use:
 //   dy/dt = y x omega + tau,   dP/dt = F   (notes, eqs. 19 to 22).
 #pragma once
 
@@ -11,75 +11,76 @@
 
 namespace polhode {
 
-// One row per kind: the keys that it needs and those that it may have.
+// A kind of load, with the keys that it needs and those that it may have.
 struct LoadKind {
   std::string name;
   std::string doc;
   std::vector<std::string> needs;
   std::vector<std::string> takes;
-  bool directed = false;  // needs one of space and body
+  bool directed = false;  // needs exactly one of `space` and `body`
 };
+// The table of all kinds.
 const std::vector<LoadKind>& load_kinds();
 
-// A load in principal axes P, about the reference point.
+// A load converted to principal axes P and to the reference point.
 struct Load {
   enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring };
   Kind kind = Kind::torque;
-  bool in_body = false;        // `vector` is in P, else in S
-  Vec3 vector = Vec3::Zero();  // torque, N m, or force, N
-  Vec3 arm_P =
-      Vec3::Zero();          // from the reference point, m; of a couple from one force to the other
-  Vec3 at_P = Vec3::Zero();  // where it acts, from the reference point, m
-  Vec3 anchor_S = Vec3::Zero();  // of a spring, m
-  double k = 0.0;                // N/m
-  double length = 0.0;           // m
-  double c = 0.0;                // 1/s or N m s
+  bool in_body = false;        // true: `vector` is in P; false: in S
+  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N)
+  Vec3 arm_P = Vec3::Zero();   // lever arm from the reference point, for a couple from the opposite
+                               // force to the force, m
+  Vec3 at_P = Vec3::Zero();    // point of action, from the reference point, m
+  Vec3 anchor_S = Vec3::Zero();  // fixed end of a spring, m
+  double k = 0.0;                // stiffness, N/m
+  double length = 0.0;           // length of the spring at rest, m
+  double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
   double rate = 0.0;             // rad/s
   double phase = 0.0;            // rad
 
-  // the force or torque does not change with time, nor turn with the body, nor damp: it has a
-  // potential
+  // Whether the load has a potential: a spring, or a force or couple that is constant in space.
   bool conservative() const;
 };
 
-// A force in space axes on the centre of mass, F cos(rate t + phase): its path is known in closed
-// form, whatever the body turns like.
+// A force on a free body that is given in space axes: force_S cos(rate t + phase). The path of the
+// centre of mass is then known in closed form, whatever the attitude.
 struct Push {
   Vec3 force_S = Vec3::Zero();  // N
   double rate = 0.0;            // rad/s
   double phase = 0.0;           // rad
 };
 
-// What a [motion] table's loads are for a body.
+// The loads of a [motion] table, sorted by their effect on the body.
 struct Loads {
-  std::vector<Load> turning;  // with a torque about the reference point, or a force that depends on
+  std::vector<Load> turning;  // have a torque about the reference point, or a force that depends on
                               // attitude or place
-  std::vector<Push> pushes;   // on a free body
-  std::vector<Load> listed;   // as the scene lists them, for pictures
-  // The path of the centre of mass depends on attitude or place: six degrees of freedom.
+  std::vector<Push> pushes;   // for free bodies
+  std::vector<Load> listed;   // all, in the order of the scene, for drawing
+  // The force depends on attitude or place, so six degrees of freedom must be integrated.
   bool need_place = false;
 
   bool empty() const { return turning.empty() && pushes.empty(); }
-  // nothing turns the body but -c L; c is the sum
+  // Whether the only torque is damping -c L; momentum_damping() is the sum of the c, in 1/s.
   bool only_damp_momentum() const;
   double momentum_damping() const;
 };
 
-// reference_B: the fixed point or the centre of mass; R_BP: principal axes as columns. Throws Error
-// (input) with key motion.torque[i].NAME.
+// center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
+// principal axes as columns. Throws Error (input) naming motion.torque[i].KEY.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,
                  const Vec3& reference_B,
                  const Mat3& R_BP);
 
-// Torque about the reference point in P, N m, and the force of attitude and place in S, N.
+// A torque and a force.
 struct Wrench {
-  Vec3 torque_P = Vec3::Zero();
+  Vec3 torque_P = Vec3::Zero();  // about the reference point, N m
   Vec3 force_S = Vec3::Zero();
 };
 
-// q maps P to S; y and w_P momentum and angular velocity in P; place_S: the reference point, m.
+// The sum of the loads. force_S leaves out what Loads::pushes contains. t in s; q rotates P to S;
+// y: angular momentum in P, kg m^2/s; w_P: angular velocity, rad/s; place_S: reference point, m.
 Wrench wrench_of(const std::vector<Load>& loads,
                  double t,
                  const Quat& q,
@@ -87,16 +88,18 @@ Wrench wrench_of(const std::vector<Load>& loads,
                  const Vec3& w_P,
                  const Vec3& place_S);
 
-// The force of one load on the point where it acts, S, N; zero for what is no force.
+// The force of one load at its point of action, in S, N. Zero for torques and damping.
 Vec3 point_force(const Load& load, double t, const Quat& q, const Vec3& place_S);
 
-// Potential of the conservative loads, J; that of a constant force is zero when its point is at the
+// Potential energy of the conservative loads, J. That of a constant force is zero if it acts at the
 // reference point.
 double potential_of(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
-// A size of it that does not vanish where the potential happens to, J.
+// A typical size of that potential energy, J, to scale energy errors with. Unlike the potential it
+// does not vanish by a particular attitude.
 double potential_scale(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
 
-// How far (m, per kg of mass) and how fast (m/s, per kg) a push has moved a body after t.
+// Mass times displacement (kg m) and mass times velocity (kg m/s) that a push gives to a body at
+// rest within the time t (s).
 Vec3 way_of(const Push& push, double t);
 Vec3 speed_of(const Push& push, double t);
 

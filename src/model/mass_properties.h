@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mass, centre of mass and inertia tensor, and how they compose.
+// Mass, centre of mass and inertia tensor, and how to move and combine them.
 #pragma once
 
 #include <vector>
@@ -8,29 +8,32 @@
 
 namespace polhode {
 
+// All components are in the axes of the caller, for a [body] table in B.
 struct MassProperties {
   double mass = 0.0;           // kg
   Vec3 center = Vec3::Zero();  // centre of mass, m
   Mat3 tensor = Mat3::Zero();  // about the centre of mass, kg m^2
 };
 
-// Sum of m (a^2 1 - a a^T): what the parallel-axis theorem adds for an offset a (notes eq. 12).
+// m (a^2 1 - a a^T) in kg m^2, the term of the parallel-axis theorem for the offset a in m (notes
+// eq. 12).
 Mat3 steiner_tensor(double mass, const Vec3& offset);
 
-// The tensor about the point `about` instead of the centre of mass.
+// The inertia tensor about the point `about` (m), kg m^2.
 Mat3 tensor_about(const MassProperties& body, const Vec3& about);
 
-// The body turned by R and moved by `shift`: a point r goes to R r + shift.
+// The body rotated by R and moved by `shift` (m): a point r goes to R r + shift.
 MassProperties moved(const MassProperties& body, const Mat3& R, const Vec3& shift);
 
-// Several bodies as one.
+// Several bodies combined to one rigid body.
 MassProperties composed(const std::vector<MassProperties>& parts);
 
-// Point masses (notes eqs. 6 and 8).
+// A point mass.
 struct PointMass {
   double mass;  // kg
   Vec3 at;      // m
 };
+// The mass properties of point masses (notes eqs. 6 and 8).
 MassProperties of_points(const std::vector<PointMass>& points);
 
 }  // namespace polhode

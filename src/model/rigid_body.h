@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinematics and energy of a rigid body about any origin: the formulas of the lecture notes as
-// functions, with what is misprinted there put right (docs/theory.md).
+// Kinematics and energy of a rigid body about any origin: the formulas of the lecture notes, with
+// misprints corrected (docs/theory.md). Vectors of one call are all in the same axes.
 #pragma once
 
 #include <vector>
@@ -21,17 +21,18 @@ Mat3 inertia_tensor(const std::vector<PointMass>& points, const Vec3& origin);
 // A tensor carried from origin O to O + a, where O need not be the centre of mass (notes eq. 11,
 // whose printed middle term has the wrong sign and lacks its transposed part):
 //   I - sum m (2 (r.a) 1 - r a^T - a r^T) + sum m (a^2 1 - a a^T).
-// first_moment is sum m r about O, kg m; it is zero at the centre of mass, and eq. 12 is left.
+// first_moment is sum m r about O, kg m. It is zero about the centre of mass, which leaves eq. 12.
 Mat3 tensor_with_origin_moved(const Mat3& tensor,
                               double mass,
                               const Vec3& first_moment,
                               const Vec3& a);
 
-// Angular momentum from the tensor about the same point, kg m^2/s (notes eq. 14): L = I Omega.
-// About a point that moves this is the spin part only; the centre of mass or a fixed point has all.
+// Angular momentum L = I Omega about the point of the tensor, kg m^2/s (notes eq. 14). It is the
+// whole angular momentum about a fixed point or the centre of mass, but only its spin part about a
+// moving point.
 Vec3 angular_momentum(const Mat3& tensor, const Vec3& Omega);
 
-// Kinetic energy in J, split as in notes eq. 4, with the factor 1/2 that is missing there.
+// Kinetic energy in J, split as in notes eq. 4, with the factor 1/2 that is missing in print.
 struct KineticEnergy {
   double translation = 0.0;  // M V^2 / 2
   double rotation = 0.0;     // Omega . I Omega / 2
@@ -40,8 +41,8 @@ struct KineticEnergy {
   double total() const { return translation + rotation + coupling; }
 };
 
-// Energy of a body whose point `origin` (m, axes of `body`) moves with V (m/s) while it turns with
-// Omega (rad/s); V and Omega in the axes of `body`.
+// Kinetic energy of a body whose point `origin` (m) moves with V (m/s) while the body turns with
+// Omega (rad/s); all in the axes of `body`.
 KineticEnergy kinetic_energy(const MassProperties& body,
                              const Vec3& origin,
                              const Vec3& V,

@@ -22,23 +22,28 @@ struct SolidKind {
   MassProperties (*per_mass)(const SolidSpec&);
 };
 
+// The table of all solids.
 const std::vector<SolidKind>& solid_kinds();
 
-// Throws Error (input) with key `path`.NAME when a dimension is missing, does not belong to the
-// kind, or is impossible (a lathe outline that crosses itself, say).
+// Throws Error (input) naming `path`.KEY if a dimension does not belong to the kind or is
+// impossible (for example a lathe outline that crosses itself), and naming `path` if one is
+// missing.
 void check_dimensions(const SolidSpec& solid, const std::string& path);
 
-// Reads the files of all mesh solids of a body, `file` relative to `folder`, and checks them.
-// Throws Error (input) with key `path`.file: what load_solid_mesh refuses.
+// Reads and checks the mesh files of all mesh solids of a body; `file` is relative to `folder`.
+// Throws Error (input) naming the key of the file, such as body.solid.file, as load_solid_mesh
+// does.
 void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 
 // Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error
-// (input) as check_dimensions does, and when not exactly one of mass and density is given.
+// (input) as check_dimensions does, and naming `path` or `path`.density unless exactly one of mass
+// and density is given and can be used.
 MassProperties mass_properties(const SolidSpec& solid, const std::string& path);
 
-// The outline that a lathe's solid has: its profile, or if it is smooth a centripetal Catmull-Rom
-// curve through it (Barry and Goldman, SIGGRAPH 1988; Yuksel and others, Computer-Aided Design 43
-// (2011) 747) in straight pieces. Mass and picture are made of the same.
+// The outline of a lathe solid as (radius, z) points, m: its profile or, if it is smooth, a
+// centripetal Catmull-Rom curve through it (Barry and Goldman, SIGGRAPH 1988; Yuksel and others,
+// Computer-Aided Design 43 (2011) 747) in straight pieces. Mass properties and the drawn mesh use
+// the same outline.
 std::vector<Vec2> lathe_outline(const SolidSpec& solid);
 inline constexpr std::size_t kMostSmooth = 200;
 
