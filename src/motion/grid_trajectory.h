@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trajectory found by stepping, once, over a grid of times that no frame rate knows of.
+// A trajectory that is integrated once, on a time grid that does not depend on the frame rate.
 #pragma once
 
 #include <memory>
@@ -11,37 +11,41 @@
 
 namespace polhode {
 
-// What an integration cost and how well it kept what is conserved.
+// What an integration cost, and how well it kept the conserved quantities.
 struct IntegrationRecord {
   long steps = 0;
-  long rejected = 0;     // steps that an adaptive method tried and gave up
+  long rejected = 0;     // steps of an adaptive method that were repeated with a shorter step
   long evaluations = 0;  // of the right-hand side
   Drift drift;
 };
 
+// A trajectory and its record.
 struct Integration {
   std::shared_ptr<const Trajectory> trajectory;
   IntegrationRecord record;
 };
 
-// The most steps of one integration; more is an input error that says so.
+// The greatest number of fixed steps of one integration. Adaptive methods, which keep every state,
+// may take an eighth of it.
 inline constexpr long kMostSteps = 50'000'000;
 
-// The least tolerance of an adaptive method: relative, the round-off of one step.
+// The least relative tolerance of an adaptive method: about the round-off of one step.
 inline constexpr double kLeastTolerance = 1e-16;
 
-// Fixed steps h from 0 to duration. Between grid times the answer is one partial step from the grid
-// time before: as exact as the method, and on the unit sphere. Memory is bounded: every k-th state
-// is kept and at() walks fewer than k steps. Throws Error (check failed) with the time when a step
-// has no solution or a state is not a number.
+// Fixed steps h (s) from 0 to duration (s). Between grid times, at() makes one partial step from
+// the preceding grid time, so it is as accurate as the method and returns unit quaternions. Memory
+// is bounded: every k-th state is kept, and at() repeats fewer than k steps. Throws Error (input),
+// without a key, for more than kMostSteps; (check_failed), with the time in the message, if a step
+// has no solution or a state is not finite; (interrupted).
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
                             double duration,
                             double h);
 
-// Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error). Throws
-// Error (input) for a tolerance below kLeastTolerance.
+// Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error).
+// Requires method.adaptive. Throws Error as integrate_fixed does, and (input), without a key, for a
+// tolerance below kLeastTolerance.
 Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,

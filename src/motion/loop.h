@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Where a motion comes back to its start, so that its film can repeat without a jump.
+// Finds a duration after which a motion is back at its start, so that a film can repeat without a
+// visible jump.
 #pragma once
 
 #include "motion/motion.h"
 
 namespace polhode {
 
-// A duration after which the motion is nearly as at its start.
+// A duration after which the motion is nearly back at its start.
 struct Loop {
   double duration = 0.0;  // s
-  double residual = 0.0;  // rad: how far attitude and angular velocity (in body axes, relative to
-                          // its size) are off there
+  // rad: difference from the start, in attitude and in w_B relative to its size
+  double residual = 0.0;
 };
 
-// The shortest duration up to `longest` (s) that closes spin, precession and nutation to within
-// `allowed` rad; if there is none, the one that closes best. Every turn of the body is looked at,
-// so nothing is assumed of the kind of motion.
+// The shortest duration up to `longest` (s) with a residual of at most `allowed` (rad), so that
+// spin, precession and nutation all close. If there is none, the duration with the smallest
+// residual. The search samples every turn of the body and assumes nothing about the kind of motion.
 Loop find_loop(const Motion& motion, double longest, double allowed);
 
 }  // namespace polhode

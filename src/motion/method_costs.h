@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What methods cost, as measured: how method = "auto" finds the cheapest for a scene.
+// Measured costs of the methods, from which method = "auto" chooses the cheapest for a scene.
 #pragma once
 
 #include <string>
@@ -9,30 +9,32 @@
 
 namespace polhode {
 
-// Motions on which methods rank alike.
+// Classes of motions on which methods rank alike.
 enum class ProblemKind {
-  free,    // nothing turns the body
-  top,     // symmetric, gravity on its axis
-  heavy,   // any other body that gravity turns
+  free,    // no torque
+  top,     // symmetric, centre of mass on the axis
+  heavy,   // any other body with a torque of gravity
   loaded,  // other torques
-  six,     // forces that depend on the place: six degrees of freedom
+  six,     // forces that depend on attitude or place: six degrees of freedom
 };
+// The class of the motions of this model.
 ProblemKind problem_kind(const BodyModel& model);
 
-// One measured cost: of finding the attitude within that error to the end of a motion, per radian
-// that the body turns or swings (motion/scales.h, typical_rate).
+// One measurement: the time to compute the attitude to the end of a motion within that error, per
+// radian of typical_rate (motion/scales.h) times duration.
 struct MethodCost {
   ProblemKind kind;
-  double accuracy_rad;
+  double accuracy_rad;  // attitude error at the end
   std::string method;
-  double ns_per_rad;
+  double ns_per_rad;  // processor time
 };
 
-// The whole table, written by tests/bench/method_costs.cpp.
+// All measurements. The table motion/method_costs.inc is written by tests/bench/method_costs.cpp.
 const std::vector<MethodCost>& method_costs();
 
-// The methods that can take the model and reach the accuracy, the cheapest first; of the splittings
-// only if asked. Beyond the finest accuracy measured, those that reach that one.
+// The methods that can integrate the model and reach the accuracy, cheapest first. With
+// splittings_only, symplectic methods only. For accuracies finer than all measured ones, the
+// methods that reached the finest.
 std::vector<MethodCost> cheapest_methods(const BodyModel& model,
                                          double accuracy_rad,
                                          bool splittings_only);

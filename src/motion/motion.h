@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A whole motion: rotation and place of the body at any time. What every picture is made from.
+// A complete motion: attitude and position of the body at any time. All pictures are made from it.
 #pragma once
 
 #include <memory>
@@ -9,58 +9,63 @@
 
 namespace polhode {
 
-// All quantities of one moment. Letters of frames: math/notation.h.
+// The quantities of one moment. Frames and letters: math/notation.h.
 struct Sample {
   double t = 0.0;                            // s
-  Quat q_SB = Quat::Identity();              // attitude, body to space
+  Quat q_SB = Quat::Identity();              // attitude, rotates B to S
   Vec3 w_B = Vec3::Zero();                   // angular velocity in body axes, rad/s
   Vec3 w_S = Vec3::Zero();                   // the same in space axes
   Vec3 L_S = Vec3::Zero();                   // angular momentum about the reference point, kg m^2/s
   Vec3 center_S = Vec3::Zero();              // centre of mass, m
   Vec3 reference_S = Vec3::Zero();           // fixed point or centre of mass, m
-  Vec3 reference_velocity_S = Vec3::Zero();  // of that point, m/s; zero on a pivot
+  Vec3 reference_velocity_S = Vec3::Zero();  // of the reference point, m/s; zero on a pivot
   double energy = 0.0;                       // kinetic (rotation and translation) + potential, J
 };
 
 // Immutable; at() may be called from any thread.
 class Motion {
  public:
+  // The trajectory gives the rotation (and with six degrees of freedom the path); position,
+  // velocity and duration come from `spec`.
   Motion(const BodyModel& model,
          std::shared_ptr<const Trajectory> trajectory,
          const MotionSpec& spec);
 
   Sample at(double t) const;
-  // The same moment as the trajectory knows it.
+  // The quantities at t (s), 0 <= t <= duration().
   State state_at(double t) const { return trajectory_->at(t); }
   const BodyModel& model() const { return model_; }
+  // In seconds.
   double duration() const { return duration_; }
 
  private:
   BodyModel model_;
   std::shared_ptr<const Trajectory> trajectory_;
   Quat q_PB_;
-  Vec3 position_;  // of the centre of mass at t = 0, free bodies, m
+  Vec3 position_;  // of the centre of mass at t = 0, in S, m; free bodies only
   Vec3 velocity_;  // m/s
   double duration_;
 };
 
-// How far the invariants are off at t (s) from where they began.
+// The drift of the conserved quantities between the start and t (s).
 Drift drift_at(const Motion& motion, double t);
 
-// Where the point r_B of the body (m, from the body origin) is in space, m.
+// Position in S (m) of the point r_B of the body (m, from the body origin).
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
-// Its velocity in space, m/s: V + Omega x r, r from the reference point (notes, section 0.1).
+// Velocity in S (m/s) of that point: V + Omega x r, with r from the reference point (notes eq. 2).
 Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
-// The model of a body held and loaded as a [motion] table says. Throws Error (input) as the other
-// make_model does.
+// The model of a body with the pivot, gravity and loads of a [motion] table. Throws Error (input)
+// as make_model in model/body_model.h does.
 BodyModel make_model(const BodySpec& body, const MotionSpec& motion);
 
-// Gravity of a [motion] table, defaults resolved: none for a free body, standard on a pivot.
+// Gravity of a [motion] table in S, m/s^2. The default is zero for a free body and standard gravity
+// on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);
 
-// Attitude and momentum at t = 0. Throws Error (input): a rotator spun about its own axis.
+// The state at t = 0. Throws Error (input), naming motion.spin, for a rotator that spins about its
+// own axis, and naming motion.position or motion.velocity if a body on a pivot has one.
 State start_state(const BodyModel& model, const MotionSpec& spec);
 
 }  // namespace polhode

@@ -12,13 +12,13 @@
 
 namespace polhode {
 
-// Attitude at t = 0; one of the two, or neither for R_SB = 1.
+// Attitude at t = 0: one of the two, or neither for R_SB = 1.
 struct AttitudeSpec {
   std::optional<Vec3> zxz;                    // Euler angles (phi, theta, psi), rad
-  std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), body to space; scaled to unit length
+  std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), rotates B to S; scaled to unit length
 };
 
-// Angular velocity at t = 0; one of these, or none for a body at rest.
+// Angular velocity at t = 0: one of these, or none for a body at rest.
 struct SpinSpec {
   std::optional<Vec3> body;           // rad/s in body axes
   std::optional<Vec3> space;          // rad/s in space axes
@@ -26,37 +26,40 @@ struct SpinSpec {
   std::optional<Vec3> rates;          // (phi', theta', psi') of the zxz angles, rad/s
 };
 
+// The [motion] table.
 struct MotionSpec {
   std::string hold = "free";    // "free", or "pivot": one point of the body is fixed
-  std::optional<Vec3> gravity;  // m/s^2 in space; absent: none when free, standard on a pivot
+  std::optional<Vec3> gravity;  // m/s^2 in S; absent: zero when free, standard on a pivot
   double duration = 10.0;       // s
   AttitudeSpec attitude;
   SpinSpec spin;
   Vec3 position = Vec3::Zero();  // of the centre of mass (free) at t = 0, m
   Vec3 velocity = Vec3::Zero();  // of the centre of mass (free) at t = 0, m/s
-  std::vector<LoadSpec> torque;  // what acts besides gravity
+  std::vector<LoadSpec> torque;  // torques and forces besides gravity
 };
 
-// How exact the attitude must be over the whole film: radians, or pixels of the finished picture.
+// The allowed attitude error over the whole film, in radians or in pixels of the finished picture.
 struct Accuracy {
   double value = 0.1;
-  bool pixels = true;
+  bool pixels = true;  // false: `value` is in radians
 };
 
-// "0.1px" or a number of radians. Throws Error (input).
+// Parses "0.1px" or a number of radians. Throws Error (input), without a key, for other text and
+// for values that are not positive.
 Accuracy parse_accuracy(const std::string& text);
 
+// The [numerics] table.
 struct NumericsSpec {
-  std::string model = "auto";       // a name from `list models`
-  std::string method = "auto";      // a name from `list methods`
-  std::optional<double> step;       // s, fixed-step methods
-  std::optional<double> tolerance;  // per step, adaptive methods
+  std::string model = "auto";       // one of model_names()
+  std::string method = "auto";      // one of method_names()
+  std::optional<double> step;       // s; for fixed-step methods
+  std::optional<double> tolerance;  // relative error per step; for adaptive methods
   Accuracy accuracy;
-  // methods that a film shows side by side, with the step or tolerance above where they take one
+  // methods that a film shows side by side; step and tolerance apply to them
   std::vector<std::string> compare;
 };
 
-// Names for docs, the schema and strict reading, "auto" first.
+// The allowed names, "auto" first, for help, the schema and the reader.
 std::vector<std::string> model_names();
 std::vector<std::string> method_names();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quantities of a motion over time, by name: what a plot can show.
+// The table of quantities over time that a plot can show.
 #pragma once
 
 #include <string>
@@ -9,17 +9,19 @@
 
 namespace polhode {
 
-// One name, one or more curves of the same unit.
+// A quantity with one or more curves in the same unit. To add one: a row in recorded_quantities().
 struct Recorded {
   std::string name;
   std::string title;                // for people
   std::string unit;                 // "rad/s"; "" for ratios
-  std::vector<std::string> curves;  // names of the curves, one by one
-  // their values at this moment, as many as there are curves
+  std::vector<std::string> curves;  // the name of each curve
+  // the value of each curve at this moment, in `unit`
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
 };
 
+// All quantities.
 const std::vector<Recorded>& recorded_quantities();
+// Their names, for show.plots and the schema.
 std::vector<std::string> recorded_names();
 
 }  // namespace polhode

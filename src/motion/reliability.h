@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a motion can be trusted: what is known against it, before it is found and after.
+// Decides whether a motion can be trusted, before and after it is computed. Each doubt is a
+// sentence for the user.
 #pragma once
 
 #include <optional>
@@ -11,31 +12,33 @@
 
 namespace polhode {
 
-// What stands against an integrated motion, in words; nothing when `doubts` is empty.
+// The doubts about an integrated motion; it is trusted if there are none.
 struct Reliability {
   std::vector<std::string> doubts;
-  std::optional<double> attitude_error_rad;  // against the closed form, where there is one
+  // largest error against the closed form, if there is one
+  std::optional<double> attitude_error_rad;
 };
 
-// Drift of energy or momentum, relative, beyond which a motion is not to be trusted.
+// Relative drift of energy or angular momentum beyond which a motion is not trusted.
 inline constexpr double kTrustedDrift = 1e-3;
 
-// Looks at what mechanics conserves, and at the closed form if the scene has one.
+// Checks the conserved quantities, and the error against the closed form, if there is one, with
+// accuracy_rad as its limit. duration in s.
 Reliability reliability_of(const BodyModel& model,
                            const State& start,
                            double duration,
                            double accuracy_rad,
                            const Integration& found);
 
-// Before anything runs: the step that the scene asks for is beyond the method's known limit on this
-// motion. In words; none if it is not.
+// Before integrating: a doubt if numerics.step exceeds the method's known step limit
+// (motion/step_limit.h) on this motion.
 std::optional<std::string> step_beyond_limit(const BodyModel& model,
                                              const State& start,
                                              const NumericsSpec& numerics);
 
-// A film sampled every `frame_s` of motion shows a mark on the body turning backwards when the body
-// turns by more than half a turn between frames. In words, with the time between frames that would
-// mend it; none if it does not.
+// A doubt if the body turns by more than half a turn between frames that are `frame_s` (s of
+// motion) apart, so that it seems to turn backwards. It names the time between frames that would
+// avoid this.
 std::optional<std::string> turns_backwards(double fastest_rad_per_s, double frame_s);
 
 }  // namespace polhode

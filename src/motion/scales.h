@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Typical sizes of a motion, from its start: what steps and errors are measured in.
+// Typical scales of a motion, estimated from its start, to choose steps and to normalise errors.
 #pragma once
 
 #include "model/body_model.h"
 
 namespace polhode {
 
-// How fast the motion changes: a sum of the rates that the start, gravity and the loads give,
-// rad/s.
+// How fast the attitude changes, rad/s: the sum of the rates due to the initial spin, gravity and
+// the loads.
 double typical_rate(const BodyModel& model, const State& start);
 
-// A typical size of the angular momentum, for error norms: kg m^2/s, never 0.
+// A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 
-// The first step that an adaptive method of that order tries: the larger, the less is asked of it.
+// The first step (s) to try with an adaptive method of that order; infinite for a body at rest that
+// nothing turns.
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);
 
-// How far two states of the body are apart: the angle between their attitudes, rad, or if larger
-// that between their places in radii of gyration. NaN if one of them is.
+// The distance of two states: the angle between their attitudes, rad, or, if larger, the distance
+// of their positions in radii of gyration. NaN if a state contains NaN.
 double deviation(const BodyModel& model, const State& a, const State& b);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a model and a start to a motion: picks the least that answers, and says why.
+// Computes the motion of a model: chooses the solution method and the integrator, and reports why.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,31 @@
 
 namespace polhode {
 
-// How a motion was found, for the report.
+// How a motion was computed, for the report.
 struct SimulationReport {
-  std::string model;
+  std::string model;  // name of the solution method
   std::string model_reason;
   std::string method;  // "exact" for a closed form
   std::string method_reason;
   std::optional<double> step;  // s
   std::optional<double> tolerance;
-  double accuracy_rad = 0.0;                 // what was asked for
-  std::optional<double> error_estimate_rad;  // attitude, against a finer run; absent: not estimated
+  double accuracy_rad = 0.0;                 // as requested
+  std::optional<double> error_estimate_rad;  // difference from a coarser run; absent: not estimated
   IntegrationRecord record;
-  Reliability reliability;  // nothing stands against a closed form
+  Reliability reliability;  // without doubts for a closed form
 };
 
+// A motion with its report.
 struct Simulation {
   Motion motion;
   SimulationReport report;
 };
 
-// accuracy_rad: attitude error allowed over the whole motion, used when the scene fixes neither
-// step nor tolerance: the method is then refined until two runs agree within it. Throws Error
-// (input): a model that cannot take the scene, a method that cannot reach the accuracy; (check
-// failed) when the motion turns to NaN or a step has no solution.
+// accuracy_rad: allowed attitude error over the whole motion. If the scene gives neither step nor
+// tolerance, the method is refined until two runs agree within it. Throws Error (input) naming
+// numerics.model or numerics.method if they cannot handle the scene, numerics.step or
+// numerics.tolerance if they do not suit the method, and numerics.accuracy if it cannot be reached;
+// (check_failed) if the motion becomes NaN or a step has no solution; (interrupted).
 Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,

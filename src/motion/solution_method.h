@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways to find a motion, from the least to the most, and the choice among them.
+// The table of solution methods ("models" in scene files: closed forms, splitting, ODE with three
+// or six degrees of freedom), and the choice among them.
 #pragma once
 
 #include <memory>
@@ -11,28 +12,31 @@
 
 namespace polhode {
 
-// A way to find the motion. To add one: a row in solution_methods(), ordered from least to most.
+// One solution method. To add one: a row in solution_methods(), which is ordered from the simplest
+// to the most general.
 struct SolutionMethod {
   std::string name;
   std::string doc;
   bool closed_form = false;
-  bool with_translation = false;  // integrates place and momentum of the centre of mass too
-  bool splits = false;  // into flows that are known exactly; takes symplectic methods only
-  // "" when it can take the scene, else the reason why not
+  bool with_translation = false;  // integrates the centre of mass too (six degrees of freedom)
+  bool splits = false;            // splits into exact flows; takes symplectic steppers only
+  // "" if it can handle the model, else the reason why not
   std::string (*why_not)(const BodyModel& model);
-  // closed forms only
+  // makes the trajectory; null unless closed_form
   std::unique_ptr<Trajectory> (*make)(const BodyModel& model, const State& start);
 };
 
+// All solution methods.
 const std::vector<SolutionMethod>& solution_methods();
 
-// The least model that takes the scene, or the one asked for, and in one phrase why. Throws Error
-// (input) when the one asked for cannot take the scene.
+// The method that numerics.model names or, for "auto", the first of the table that can handle the
+// model; `reason` is set to one phrase that says why. Throws Error (input), naming numerics.model
+// or numerics.method, if the requested one cannot handle the model.
 const SolutionMethod& choose_solution_method(const BodyModel& model,
                                              const NumericsSpec& numerics,
                                              std::string& reason);
 
-// The model with as many degrees of freedom as its loads need.
+// The model with with_translation set as its loads require.
 BodyModel with_needed_degrees(BodyModel model);
 
 }  // namespace polhode

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The longest step of a method on a motion, where theory knows one.
+// The longest stable step of a method on a motion, where theory gives one.
 #pragma once
 
 #include "motion/stepper_table.h"
 
 namespace polhode {
 
-// How fast the angular momentum goes round in the body, rad/s: about the axis of the least or of
-// the greatest moment, by Euler's equations linearised about it; 0 where it rests.
+// How fast the angular momentum circles in the body, rad/s, around the axis of the least or of the
+// greatest moment, from Euler's equations linearised about that axis. 0 if it does not circle.
 double oscillation_rate(const BodyModel& model, const State& start);
 
-// Beyond this step, in s, the method is unstable or has no solution; infinite where theory gives no
-// limit. From the rates of the start.
+// The step (s) beyond which the method is unstable or its step has no solution, from the rates at
+// the start. Infinite if theory gives no limit. The limits and their sources are in
+// motion/stepper_table.cpp.
 double step_limit(const StepperInfo& method, const BodyModel& model, const State& start);
 
 }  // namespace polhode

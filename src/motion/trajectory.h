@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rotation as a function of time: the interface that exact solutions and integrations share.
+// The interface that closed forms and integrations share: the state as a function of time.
 #pragma once
 
 #include <memory>
@@ -9,26 +9,28 @@
 
 namespace polhode {
 
-// Immutable; at() may be called from any thread, for any t in [0, duration], in any order.
+// Immutable. at() may be called from any thread, for any t in [0, duration] (s), in any order.
 class Trajectory {
  public:
   virtual ~Trajectory() = default;
   virtual State at(double t) const = 0;
 };
 
-// Largest deviations from the start of what mechanics conserves, relative; over the whole motion.
-// Absent where loads make it change.
+// Relative changes of the conserved quantities since the start: the largest over a motion, or those
+// of one state. Absent if the loads do not conserve them.
 struct Drift {
-  std::optional<double> energy;    // of |kinetic energy at the start| + |chi| + |potential|
-  std::optional<double> momentum;  // of |L|: the vector L (free) or its vertical part (pivot)
+  std::optional<double> energy;  // relative to kinetic energy at the start + |chi| + |potentials|
+  // of the vector L or, with a torque of gravity, of L.up; relative to |L|
+  std::optional<double> momentum;
 };
 
-// Keeps the largest drift of the states it is shown.
+// Records the largest drift of a sequence of states. Not thread-safe.
 class DriftWatch {
  public:
   DriftWatch(const BodyModel& model, const State& start);
+  // Takes one more state into account; NaN is kept as the largest drift.
   void look_at(const State& s);
-  // The drift of this state alone; that of energy with its sign.
+  // The drift of one state; that of energy is signed.
   Drift of(const State& s) const;
   const Drift& worst() const { return worst_; }
 

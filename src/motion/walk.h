@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The steps of an integration with nothing kept of them and nothing allocated: what trajectories,
-// charts and maps are made of.
+// The stepping loops that trajectories, charts and stability maps share. They store no states and
+// allocate no memory.
 #pragma once
 
 #include <algorithm>
@@ -10,20 +10,23 @@
 
 namespace polhode {
 
+// The cost of a walk.
 struct WalkRecord {
   long steps = 0;
-  long rejected = 0;  // steps that an adaptive method tried and gave up
+  long rejected = 0;  // steps of an adaptive method that were repeated with a shorter step
   Work work;
 };
 
-// Is every number of it finite?
+// Whether every number of the state is finite.
 bool is_finite(const State& s);
-// Error (check failed) with time and method when the state is not a number.
+// Throws Error (check_failed), with method and time t (s) in the message, if the state is not
+// finite.
 void refuse_nan(const State& s, const StepperInfo& method, double t);
-// Error (check failed): the step of an adaptive method fell to round-off.
+// Throws Error (check_failed): at t (s) the step of an adaptive method fell below round-off.
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
-// `steps` steps of h from time 0. visit(i, s) sees the state after step i = 1, 2, ...
+// Takes `steps` steps of h (s) from time 0. Calls visit(i, s) with the state after step i = 1, 2,
+// ... Throws what the stepper and `visit` throw.
 template <class Visit>
 WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Visit&& visit) {
   WalkRecord record;
@@ -35,9 +38,9 @@ WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Vi
   return record;
 }
 
-// From time 0 to duration in steps whose estimated local error stays below `tolerance`; the first
-// step tried is `first`. visit(t, s) sees the state after every step taken. Throws Error (check
-// failed) when the state is not a number or the step falls to round-off.
+// Steps from time 0 to duration (s) with estimated local errors below `tolerance`; `first` (s) is
+// the first step to try. Calls visit(t, s) with the state after every accepted step. Throws Error
+// (check_failed) if the state is not finite or the step falls below round-off.
 template <class Visit>
 WalkRecord walk_adaptive(const StepperInfo& method,
                          const Stepper& stepper,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The makers of every stepper, for the table in motion/stepper_table.cpp.
+// Declares the function that makes each stepper, for the table in motion/stepper_table.cpp.
+// momentum_scale: a typical |y| for the error norm, kg m^2/s. Sources and properties of the methods
+// are in that table.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state as a vector of numbers, for the Runge-Kutta methods: seven for a rotation, thirteen
-// when the centre of mass moves by forces that depend on it.
+// The state as a vector of numbers and its time derivative, for methods on vectors (Runge-Kutta,
+// Taylor, Gauss): seven numbers with three degrees of freedom, thirteen with six.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace polhode {
 
-// (q.x, q.y, q.z, q.w, y1, y2, y3), and place and momentum of the centre of mass
+// (q.x, q.y, q.z, q.w, y1, y2, y3), with six degrees of freedom followed by place_S and
+// linear_momentum_S. Units as in State.
 template <int N>
 using StateVector = Eigen::Matrix<double, N, 1>;
 inline constexpr int kThreeDegrees = 7;
@@ -30,7 +31,7 @@ StateVector<N> to_vector(const State& s) {
   return v;
 }
 
-// The attitude as it is, off the unit sphere inside a step.
+// The state of a vector. The quaternion is not normalised: inside a step it leaves the unit sphere.
 template <int N>
 State raw_state(const StateVector<N>& v) {
   State s;
@@ -43,7 +44,8 @@ State raw_state(const StateVector<N>& v) {
   return s;
 }
 
-// The attitude is scaled back to unit length; what the vector does not carry stays as it was.
+// Stores a vector in a state and normalises the quaternion. Members of the state that the vector
+// does not contain are not changed.
 template <int N>
 void set_state(const StateVector<N>& v, State& s) {
   s.q = normalized(Quat(Eigen::Vector4d(v.template head<4>())));
@@ -54,14 +56,15 @@ void set_state(const StateVector<N>& v, State& s) {
   }
 }
 
-// Up in the body for an attitude off the unit sphere, as a form of second degree in q. Its rate is
-// then gamma x w there too, and the field keeps its quadratic invariants in all of space.
+// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With it, d
+// gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic invariants there
+// too.
 inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
   return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
 }
 
-// The right-hand side. Stages leave the unit sphere by the order of the step; gravity is seen
-// through q as it is, so that the vector field is smooth and the order of the method is kept.
+// The right-hand side at time t (s). The stages of a step leave the unit sphere; q is not
+// normalised here, so that the vector field stays smooth and the method keeps its order.
 template <int N>
 StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v) {
   const Quat q(Eigen::Vector4d(v.template head<4>()));
@@ -79,10 +82,11 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
   return rate;
 }
 
-// How large a difference of two states is: the largest of its parts, each over its scale.
+// The norm of a difference of states: the largest of its parts, each divided by its scale.
+// Dimensionless.
 class ErrorNorm {
  public:
-  // momentum_scale: a typical |y|, kg m^2/s
+  // momentum_scale: a typical |y|, kg m^2/s.
   ErrorNorm(const BodyModel& model, double momentum_scale)
       : momentum_scale_(momentum_scale),
         length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
@@ -104,7 +108,7 @@ class ErrorNorm {
   double length_scale_;    // m
 };
 
-// A method on the vector with the least degrees of freedom that the model needs.
+// Makes a method on the vector with the number of degrees of freedom that the model needs.
 template <template <int> class Method, class... Arguments>
 std::unique_ptr<Stepper> make_on_vector(const BodyModel& model, Arguments... arguments) {
   if (model.with_translation) return std::make_unique<Method<kSixDegrees>>(model, arguments...);

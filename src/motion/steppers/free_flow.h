@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The motion of a free body over a time h, exact to round-off and cheap to start anew at every
-// step: what the kick methods are made of.
+// The motion of a free body over a time h, exact to round-off and cheap to restart at every step.
+// The kick methods are built from it.
 #pragma once
 
 #include "model/body_model.h"
 
 namespace polhode {
 
-// Spherical and symmetric bodies (rotators too) by their closed form. Asymmetric ones by the Taylor
-// series of Euler's equations, with the attitude from one more quadrature: in the rotation
-// q = q0 o p0^-1 o exp(psi e) o p, where p is the least turn that carries the momentum onto the
-// principal axis e with moment I closest to it,
+// Spherical and symmetric bodies (rotators too) use their closed form. Asymmetric ones use the
+// Taylor series of Euler's equations and get the attitude from one more quadrature: in q = q0 o
+// p0^-1 o exp(psi e) o p, where p is the smallest rotation that takes the momentum to the principal
+// axis e (moment I) closest to it,
 //   dpsi/dt = |y| / I + (2 T - |y|^2 / I) / (|y| + y.e),   T the kinetic energy,
 // (from w = dpsi/dt y/|y| + w_p; compare van Zon and Schofield, J. Comput. Phys. 225 (2007) 145,
-// section 2), or where h is many turns by their closed form. Gravity is not seen.
+// section 2). If h spans many turns, they use their closed form. Gravity is ignored. Immutable, so
+// any thread may use it.
 class FreeFlow {
  public:
   explicit FreeFlow(const BodyModel& model);
 
-  // Advances attitude and momentum by h, of either sign and any length.
+  // Advances attitude q (P to S) and momentum y (in P, kg m^2/s) by h (s), of any sign and length.
   void operator()(double h, Quat& q, Vec3& y) const {
     if (asymmetric_) {
       by_series_or_closed_form(h, q, y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an implicit step says when it finds no solution: never a number.
+// The error of an implicit step that has no solution.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-// Error (check failed) with time, step, how far the body turns in it, and the limit of the method.
+// An Error (check_failed) whose message has the time t (s), the step h (s), the angle by which the
+// body turns in it, and `limit`, the step limit of the method in words. y is in P.
 inline Error no_solution(const std::string& method,
                          double t,
                          double h,

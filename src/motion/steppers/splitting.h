@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splitting methods: kicks by gravity between motions of the free body, each exact or itself split.
+// Splitting methods: kicks by gravity alternate with flows of the free body, which are exact or
+// split themselves. Sources of the schemes: motion/steppers/splitting.cpp.
 #pragma once
 
 #include <array>
@@ -10,17 +11,19 @@
 
 namespace polhode {
 
-// Coefficients: kick b[0] h, flow a[0] h, kick b[1] h, ..., flow a[n-1] h, kick b[n] h. Symmetric.
+// The coefficients of a symmetric scheme: kick b[0] h, flow a[0] h, kick b[1] h, ..., flow a[n-1]
+// h, kick b[n] h.
 struct SplittingScheme {
   static constexpr std::size_t kMostFlows = 12;
   std::size_t flows = 0;
   std::array<double, kMostFlows> a = {};
   std::array<double, kMostFlows + 1> b = {};
-  // of the middle kick: minus h^3 times this is the weight of the gradient of |torque|^2
+  // the middle kick adds this times h^3 times the gradient of torque . I^-1 torque / 2
   double gradient = 0.0;
 };
 
-// Symmetric composition of (kick h/2, flow h, kick h/2) with these step fractions.
+// The composition of (kick h/2, flow h, kick h/2) with these fractions of the step, which must be
+// symmetric.
 template <std::size_t N>
 constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   SplittingScheme scheme;
@@ -33,9 +36,9 @@ constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   return scheme;
 }
 
-// Flow: constructed from a BodyModel; flow(h, q, y) is the motion of the free body, exact or to the
-// second order, and symmetric in time. A kick leaves L.up, a flow leaves L in space; both are
-// symplectic maps, so the whole is, if Flow is.
+// A stepper made of kicks and flows. Flow is constructed from a BodyModel; flow(h, q, y) is the
+// motion of the free body, exact or of second order, and symmetric in time. A kick keeps L.up and a
+// flow keeps L in space. Kicks are symplectic maps, so the method is symplectic if Flow is.
 template <class Flow>
 class Splitting final : public Stepper {
  public:
@@ -63,8 +66,8 @@ class Splitting final : public Stepper {
   bool heavy_;
   Vec3 up_S_, chi_P_, inverse_;
 
-  // dy/dt = gamma x chi with gamma at rest; the gradient kick is that of the potential
-  // V - gradient / (2 b) h^2 torque . I^-1 torque
+  // dy/dt = gamma x chi with constant gamma; the gradient kick is that of the potential V -
+  // gradient / (2 b) h^2 torque . I^-1 torque
   void kick(std::size_t i, double h, State& s) const {
     const Vec3 gamma = s.q.conjugate() * up_S_;
     const Vec3 torque = gamma.cross(chi_P_);

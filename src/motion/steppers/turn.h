@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Turns of a body that the splitting methods are made of, inline and without library calls for the
-// small angles of a step.
+// Rotations for the splitting methods, inline and without library calls for the small angles of a
+// step. Angles are in radians.
 #pragma once
 
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace polhode {
 
-// Cosine and sine of half an angle, and the sine over the half angle.
+// cos(x), sin(x) and sin(x)/x of half an angle x.
 struct HalfTurn {
   double cosine, sine, sinc;
 };
 
-// From the square of the half angle x: Taylor series to round-off for x^2 <= 1/4.
+// For a half angle x with x2 = x^2 <= 1/4: Taylor series, exact to round-off.
 inline HalfTurn small_half_turn(double x2, double x) {
   const double sinc =
       1.0 - x2 / 6.0 *
@@ -32,13 +32,14 @@ inline HalfTurn small_half_turn(double x2, double x) {
   return {cosine, x * sinc, sinc};
 }
 
+// For an angle of any size.
 inline HalfTurn half_turn(double angle) {
   const double x = 0.5 * angle;
   if (x * x <= 0.25) return small_half_turn(x * x, x);
   return {std::cos(x), std::sin(x), std::sin(x) / x};
 }
 
-// exp(v): the rotation by |v| radians about v
+// exp(v): the rotation by |v| radians about v.
 inline Quat turn_by(const Vec3& v) {
   const double x2 = 0.25 * v.squaredNorm();
   const double x = std::sqrt(x2);
@@ -48,8 +49,8 @@ inline Quat turn_by(const Vec3& v) {
   return {half.cosine, axis.x(), axis.y(), axis.z()};
 }
 
-// The body turns by `angle` about its axis k while its momentum rests in space:
-// q <- q o exp(angle e_k), y <- exp(-angle e_k) y.
+// Turns the body by `angle` about its principal axis k (0..2) while its momentum stays constant in
+// space: q <- q o exp(angle e_k), y <- exp(-angle e_k) y.
 inline void turn_about_axis(int k, double angle, Quat& q, Vec3& y) {
   const int i = k == 2 ? 0 : k + 1;
   const int j = k == 0 ? 2 : k - 1;
@@ -68,7 +69,7 @@ inline void turn_about_axis(int k, double angle, Quat& q, Vec3& y) {
   y[j] = yj - (yj * one_less_cosine + yi * sine);
 }
 
-// Scales a quaternion back whose length is 1 but for round-off.
+// Normalises a quaternion whose length differs from 1 by round-off only.
 inline void trim(Quat& q) {
   q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();
 }
