@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Runs gnuplot, which draws all charts.
+// Runs gnuplot, which draws all charts and plots.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// Text as a string of a gnuplot script, without its marks for superscripts and the like. Whatever
-// it is, it stays text: control characters and what gnuplot or its terminals read as more than a
-// character are replaced.
+// Text as a quoted string of a gnuplot script, without gnuplot's markup for superscripts. Control
+// characters and characters with a special meaning to gnuplot or its terminals are replaced, so any
+// text is safe.
 std::string gnuplot_text(const std::string& text);
 
-// A number as gnuplot reads it, 17 digits; NaN for what is not known.
+// A number for gnuplot, with 17 digits; "NaN" if it is not finite.
 std::string gnuplot_number(double value);
 
-// "gnuplot 5.4 patchlevel 4"; empty when there is none.
+// "gnuplot 5.4 patchlevel 4"; empty if gnuplot is not installed.
 std::string gnuplot_version();
 
-// Throws Error (environment) when there is none: before work, not after it.
+// Throws Error (environment), with what to install, if gnuplot is missing. To be called before long
+// work.
 void require_gnuplot();
 
-// overlay: a PNG without ground, in the font of the text in pictures
+// overlay: a PNG with a transparent background, in the font of the text in films.
 enum class PlotFormat { svg, png, pdf, overlay };
 
-// The picture that a script draws, as the bytes of a file; `width` and `height` in pixels. Nothing
-// of the user's own settings is read. Throws Error (environment) when gnuplot is missing or fails.
+// Runs a script and returns the picture file as bytes; width and height in pixels. The user's own
+// gnuplot settings are not read. Throws Error (environment) if gnuplot is missing or fails.
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height);
 
 }  // namespace polhode

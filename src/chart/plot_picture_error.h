@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts of what drawing settings cost and how far their pictures are from the best ones.
+// Draws charts of drawing settings: time per frame against the error of the picture.
 #pragma once
 
 #include <string>
@@ -9,25 +9,28 @@
 
 namespace polhode {
 
+// One measured drawing setting.
 struct PicturePoint {
   std::string setting;
-  int samples = 0;        // per drawn pixel; 0: one
-  int supersampling = 1;  // sides of the drawn picture over those of the finished one
-  double time_ms = 0.0;   // of a frame, drawn and averaged
-  double rmse_levels = 0.0;
-  int max_levels = 0;  // the largest difference of a channel
+  int samples = 0;           // OpenGL samples per drawn pixel; 0: one, without multisampling
+  int supersampling = 1;     // drawn width over finished width
+  double time_ms = 0.0;      // per frame, drawing and downsampling
+  double rmse_levels = 0.0;  // root mean square difference from the best picture, levels of 0..255
+  int max_levels = 0;        // largest difference of a channel
 };
 
+// The points of one scene.
 struct PicturePanel {
   std::string scene;
   std::string title;
   std::vector<PicturePoint> points;
 };
 
-// One panel per scene: error over time, every point named. The bytes of a file.
+// The bytes of a picture file with one panel per scene: error over time, every point labelled.
+// Throws Error (environment) as draw_with_gnuplot does.
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format);
 
-// The table behind it.
+// The points as CSV: scene,setting,samples,supersampling,time_ms,rmse_levels,max_levels.
 std::string picture_error_csv(const std::vector<PicturePanel>& panels);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of what methods cost and how wrong they are.
+// Draws work-precision diagrams: the error of methods against their cost.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace polhode {
 
-// A scene and its points, as the chart shows them: a row of two panels.
+// A scene and its points: one row of two panels.
 struct WorkPanel {
-  std::string scene;  // its short name, for the table
+  std::string scene;  // short name, for the CSV table
   std::string title;
-  std::string reference;      // how the reference solution is known
-  double accuracy_rad = 0.0;  // what the scene needs
-  std::string accuracy_why;   // "0.1 px of the picture"
+  std::string reference;      // ReferenceSolution::source()
+  double accuracy_rad = 0.0;  // attitude error that the scene allows
+  std::string accuracy_why;   // where that comes from, such as "0.1 px of the picture"
   std::vector<WorkPoint> points;
 };
 
-// Error over time and error over evaluations, log-log: a colour and a mark per method, the cheapest
-// at each accuracy named, what the scene needs as a line. The bytes of a file.
+// The bytes of a picture file: error over time and error over evaluations, log-log. Each method has
+// a colour and a symbol, the cheapest at each accuracy is labelled, and a line shows the allowed
+// error. Throws Error (environment) as draw_with_gnuplot does.
 std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat format);
 
-// The table behind it: scene,method,order,step,evaluations,time_us,error_rad,energy_drift,
+// The points as CSV: scene,method,order,step,evaluations,time_us,error_rad,energy_drift,
 // momentum_drift,status.
 std::string work_precision_csv(const std::vector<WorkPanel>& panels);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference solution that runs are compared with.
+// The reference solution that numerical runs are compared with.
 #pragma once
 
 #include <memory>
@@ -10,24 +10,27 @@
 
 namespace polhode {
 
-// Knows the motion at times spread over it: from the closed form, or where there is none from two
-// runs with methods of different kinds.
+// The states at times spread over a motion, from the closed form or, if there is none, from two
+// accurate runs with methods of different kinds. Immutable.
 class ReferenceSolution {
  public:
+  // duration in s. Throws Error (interrupted) only: if the runs fail, the uncertainty is infinite.
   ReferenceSolution(const BodyModel& model, const State& start, double duration);
 
-  // How it knows, for people: "closed form (asymmetric)", "dop853 and kick_srkn11 agree".
+  // Where it comes from, as text: "closed form (asymmetric)", "dop853 and kick_srkn11 agree".
   const std::string& source() const { return source_; }
-  // How far the reference itself may be off, rad; infinite when nobody knows it.
+  // The possible error of the reference itself, rad; infinite if the two runs disagree.
   double uncertainty() const { return uncertainty_; }
-  // Errors smaller than this cannot be told from those of the reference: ten times its uncertainty.
+  // Errors below this (rad) cannot be distinguished from that of the reference: ten times its
+  // uncertainty.
   double least_error() const { return 10.0 * uncertainty_; }
-  // The times over the motion, first and last included, and the states there.
+  // The times (s), from 0 to the duration, and the states at these times.
   const std::vector<double>& times() const { return times_; }
   const std::vector<State>& states() const { return states_; }
-  // The largest deviation (motion/scales.h) at the times of the reference; NaN if one is.
+  // The largest deviation() (motion/scales.h) of a run from the reference at these times, rad; NaN
+  // if one is NaN.
   double error_of(const Trajectory& run) const;
-  // The deviation of this state from the end of the motion.
+  // The deviation() of a state from the reference at the end, rad.
   double error_at_end(const State& end) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text as small pictures, through Pango and Cairo, which only this library includes.
+// Renders text to small pictures with Pango and Cairo, which only this library includes.
 #pragma once
 
 #include <array>
@@ -15,22 +15,23 @@ namespace polhode {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-// Sans is for words and numbers (digits of equal width), math for symbols.
+// sans is for words and numbers (digits of equal width), math for symbols.
 enum class Face { sans, math };
 
+// Font, colour and layout of a text.
 struct TextStyle {
   Face face = Face::sans;
-  double size = 20.0;  // of the font, pixels
+  double size = 20.0;  // font size, pixels
   Rgb color{255, 255, 255};
   bool bold = false;
-  double halo = 0.0;  // width of a rim around the letters, pixels; 0: none
+  double halo = 0.0;  // width of an outline around the letters, pixels; 0: none
   Rgb halo_color{0, 0, 0};
-  double width = 0.0;  // lines are broken at this width, pixels; 0: never
+  double width = 0.0;  // lines are wrapped at this width, pixels; 0: never
   bool centered = false;
 };
 
-// Sizes of a set text, pixels. The ink is where the letters are, rim not counted, from the upper
-// left corner of the text.
+// The extent of a text in pixels. ink_* bound the letters without their outline, measured from the
+// upper left corner of the text.
 struct TextBox {
   double width = 0.0;
   double height = 0.0;
@@ -40,15 +41,15 @@ struct TextBox {
   double ink_height() const { return ink_bottom - ink_top; }
 };
 
-// The libraries that set text, as found at run time: "Pango 1.50.12, Cairo 1.16.0".
+// The versions of the libraries found at run time: "Pango 1.50.12, Cairo 1.16.0".
 std::string text_libraries();
 
-// Plain text as markup: nothing in it is taken for a tag.
+// Escapes plain text for use as markup.
 std::string plain_text(std::string_view text);
 
-// Sets text. May be used from any thread; keeps what it has set. Markup is Pango's: <b>, <i>,
-// <span …>. The same text, style and place give the same pixels with the same fonts, whatever was
-// set before.
+// Lays out and renders text, and caches the results. Thread-safe. Markup is Pango's: <b>, <i>,
+// <span …>. With the same fonts, the same text, style and position always give the same pixels.
+// Throws Error (environment) if Cairo cannot render.
 class Typesetter {
  public:
   Typesetter();
@@ -56,8 +57,10 @@ class Typesetter {
   Typesetter(const Typesetter&) = delete;
   Typesetter& operator=(const Typesetter&) = delete;
 
+  // The extent of the text in this style.
   TextBox measure(const std::string& markup, const TextStyle& style) const;
-  // The text with its upper left corner at (x, y) of the picture, to a quarter of a pixel.
+  // The text as a stamp with its upper left corner at (x, y) in pixels of the picture, rounded to a
+  // quarter of a pixel.
   Stamp set(const std::string& markup, const TextStyle& style, double x, double y) const;
 
  private:
@@ -65,13 +68,14 @@ class Typesetter {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// A font that is wanted, and whether it is there.
+// A font that the program uses, and whether it is installed.
 struct FontFound {
   std::string wanted;   // family
-  std::string package;  // Debian's
-  std::string found;    // the family that serves instead when it differs from the wanted one
+  std::string package;  // Debian package that contains it
+  std::string found;    // family that is used; another one if `wanted` is missing
   bool there = false;
 };
+// All fonts that the program uses, for `doctor`.
 std::vector<FontFound> examine_fonts();
 
 }  // namespace polhode
