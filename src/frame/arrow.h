@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors as arrows whose tip is exactly at the end of the vector.
+// Draws vectors as arrows. The tip is exactly at the end of the vector.
 #pragma once
 
 #include <vector>
@@ -9,22 +9,23 @@
 
 namespace polhode {
 
-// The unit pieces that every arrow shares.
+// The unit meshes that all arrows share.
 struct ArrowMeshes {
   MeshPtr shaft;  // unit cylinder
   MeshPtr head;   // unit cone
 };
-// Pieces of a circle, around each.
+// The arguments are the numbers of pieces of a full circle.
 ArrowMeshes arrow_meshes(int around_shaft, int around_head);
 
-// Sizes in metres. A vector shorter than the head gets a smaller head, never a shifted tip.
+// Sizes in metres. A vector shorter than the head gets a smaller head.
 struct ArrowShape {
   double shaft_radius = 0.01;
   double head_radius = 0.03;
   double head_length = 0.09;
 };
 
-// Adds the arrow from `from` to `tip` (space, m); nothing for a vector of no length.
+// Adds the items of the arrow from `from` to `tip` (S, m) to `items`; nothing if its length is
+// zero.
 void add_arrow(std::vector<DrawItem>& items,
                const ArrowMeshes& meshes,
                const Vec3& from,
@@ -32,7 +33,7 @@ void add_arrow(std::vector<DrawItem>& items,
                const ArrowShape& shape,
                const Material& material);
 
-// Adds a tube with flat ends; nothing for one of no length.
+// Adds a tube with flat ends (S, m; radius in m); nothing if its length is zero.
 void add_tube(std::vector<DrawItem>& items,
               const ArrowMeshes& meshes,
               const Vec3& from,

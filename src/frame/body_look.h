@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body looks like: meshes in body coordinates, made once.
+// Makes the meshes of a body, in body axes B.
 #pragma once
 
 #include <vector>
@@ -11,34 +11,35 @@
 
 namespace polhode {
 
-// One rigid piece of the body.
+// One mesh of the body with one material.
 struct LookPart {
   MeshPtr mesh;
-  Placement body_from_mesh;  // m
+  Placement body_from_mesh;  // maps mesh coordinates to B, m
   Material material;
 };
 
-// The look of a [body] table: its own solids or points; of bare moments the homogeneous ellipsoid
-// that has them. segments: pieces of a full circle. Throws Error (input) for an impossible look.
+// The meshes of a [body] table: its look if there is one, else its solids or points, else (moments
+// or a tensor) the homogeneous ellipsoid that has them. segments: pieces of a full circle. Throws
+// Error (input) naming body.look or a key in it for a look that is impossible or has a mass.
 std::vector<LookPart> body_look(const BodySpec& spec,
                                 const BodyModel& model,
                                 const Theme& theme,
                                 int segments);
 
-// The mesh of one solid in its own frame.
+// The mesh of one solid in its own frame, m.
 Mesh solid_mesh(const SolidSpec& solid, int segments);
 
-// The longest vector of a film, in units of the body's radius.
+// The length of the longest vector of a film, in units of body_radius().
 inline constexpr double kReachOfVectors = 1.5;
 
-// The distance of the farthest drawn body point from the reference point, m.
+// The distance of the farthest vertex of the body from the reference point, m.
 double body_radius(const std::vector<LookPart>& look, const BodyModel& model);
 
-// Vertices of the look that are farthest in directions all around: for framing, as good as all of
-// them to a few ten-thousandths of the body.
+// The vertices (B, m) that are farthest in a set of directions. For framing they replace all
+// vertices, with an error of a few ten-thousandths of the body's size.
 std::vector<Vec3> hull_of(const std::vector<LookPart>& look);
 
-// Every vertex of the look, in body coordinates; for framing and scale.
+// All vertices (B, m), for framing and scale.
 std::vector<Vec3> points_of(const std::vector<LookPart>& look);
 
 }  // namespace polhode

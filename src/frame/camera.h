@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera: a pinhole with a vertical field of view, and the one that frames a set of points.
+// A pinhole camera, and the automatic camera that frames a set of points.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace polhode {
 
-// What is left free at the sides of a picture, as fractions of its width and height.
+// The margins of a picture, as fractions of its width and height.
 struct FrameMargins {
   double left = 0.045, right = 0.045;
   double top = 0.045, bottom = 0.045;
 };
 
-// Where drawing coordinates are in space: origin and unit near those of what is drawn, so that a
-// molecule, and a body far from the origin, keep their digits in single precision.
+// The coordinates of draw lists relative to space S. Origin and unit are chosen near what is drawn,
+// so that single precision is enough for a molecule and for a body far from the origin.
 struct DrawingFrame {
   Vec3 origin = Vec3::Zero();  // space, m
   double unit = 1.0;           // m
@@ -28,11 +28,11 @@ struct DrawingFrame {
   double length(double metres) const { return metres / unit; }
 };
 
-// Immutable. Space is z-up in pictures: the picture's upward direction is that of +Z.
+// Immutable. The upward direction of pictures is +Z of S.
 class Camera {
  public:
-  // eye and target in m, fov the vertical field of view in rad; near and far clip planes are set so
-  // that the ball (center, radius) is inside.
+  // eye, target, center and radius in S, m; fov: vertical field of view, rad. The clip planes are
+  // chosen to contain the ball (center, radius).
   Camera(const Vec3& eye,
          const Vec3& target,
          double fov,
@@ -40,21 +40,21 @@ class Camera {
          const Vec3& center,
          double radius);
 
-  // Pixel coordinates of a point in front of the camera: x to the right, y down, (0, 0) the upper
-  // left corner of the upper left pixel.
+  // Pixel coordinates of a point in front of the camera: x to the right, y down, with (0, 0) at the
+  // upper left corner of the upper left pixel.
   Vec2 project(const Vec3& point_S) const;
-  // Pixels per metre, across the line of sight, at the depth of the point.
+  // Pixels per metre perpendicular to the line of sight, at the depth of the point.
   double pixels_per_metre(const Vec3& point_S) const;
   const Vec3& eye() const { return eye_; }
-  // Is the point in front of the camera and inside the picture?
+  // Whether the point is in front of the camera and inside the picture.
   bool sees(const Vec3& point_S) const;
-  // The same camera, moved together with a rig: rig_from_space takes space to where the rig stands
-  // still.
+  // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at
+  // rest.
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
-  // On the way from a to b, part 0..1: directions turn at a constant rate, the distance to `focus`
-  // changes evenly. Both of the same picture size.
+  // The camera at the fraction `part` (0..1) of the way from a to b: directions turn at a constant
+  // rate, the distance to `focus` (S, m) changes linearly. a and b have the same picture size.
   static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
-  // Of a draw list in these coordinates.
+  // The view of a draw list in the coordinates of `frame`.
   View view(const DrawingFrame& frame = {}) const;
 
  private:
@@ -74,17 +74,19 @@ class Camera {
   Eigen::Matrix4d clip_from_world_;
 };
 
+// A ball in space.
 struct Ball {
   Vec3 center;  // space, m
   double radius;
 };
 
-// About the mean of the points, for the clip planes; a single point gets a radius of 1 m.
+// A ball around the mean of the points (S, m) that contains them, for the clip planes. For a single
+// point the radius is 1 m.
 Ball ball_around(const std::vector<Vec3>& points);
 
-// The nearest camera with this line of sight that keeps every point inside the frame less its
-// margins. direction: from the scene towards the camera; target: in
-// the middle of the picture, when there is one.
+// The nearest camera with the given line of sight for which all points (S, m) are inside the
+// picture less its margins. direction: from the scene towards the camera; target: the point in the
+// middle of the picture, if given; fov in rad.
 Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a motion to pictures: the draw list of any moment, made from exact quantities.
+// Composes the picture of a motion at any time: the draw list and the labels.
 #pragma once
 
 #include <map>
@@ -13,11 +13,11 @@
 
 namespace polhode {
 
-// A label where the camera sees it: pixels, x to the right, y down.
+// A label in the picture, in pixels, x to the right, y down.
 struct SeenLabel {
-  Vec2 from;  // where the vector that it names begins; `at` if it names a point
+  Vec2 from;  // foot of the vector that it names; `at` if it names a point
   Vec2 at;
-  Vec2 away;  // unit
+  Vec2 away;  // unit vector from `at` towards the label
   std::string markup;
   glm::vec3 color;
   float fade = 1.0f;
@@ -29,7 +29,7 @@ struct CameraView {
   std::vector<SeenLabel> labels;
 };
 
-// How a picture is taken: cameras, and the room that they leave at the sides.
+// How the motion is filmed: cameras, time and margins.
 struct Staging {
   CameraSpec camera;
   std::vector<ShotSpec> shots = {};
@@ -37,49 +37,51 @@ struct Staging {
   FrameMargins margins = {};
 };
 
-// Immutable; all of it are pure functions of time and may be called from any thread.
+// Immutable. All members are pure functions of time and may be called from any thread. Positions
+// are in S, m.
 class Composer {
  public:
-  // Throws Error (input) when [show] asks for what this motion does not have.
+  // Throws Error (input) naming the key: show.NAME for an element that this motion does not have,
+  // show.body_opacity, camera.*, shots[i].*, video.theme or body.look.
   Composer(const Motion& motion,
            const BodySpec& body,
            const Staging& staging,
            const ShowSpec& show,
            const ThemeSpec& theme,
            PictureSize size);
-  // With one camera, the film's clock that of the motion.
+  // With a single camera and without story, so that film time is motion time.
   Composer(const Motion& motion,
            const BodySpec& body,
            const CameraSpec& camera,
            const ShowSpec& show,
            const ThemeSpec& theme,
            PictureSize size);
-  // The same picture, with the same camera and scale, of another motion of the same body; its
-  // paths are those of that motion.
+  // Another motion of the same body with the same cameras and scales. The drawn paths are those of
+  // the new motion.
   Composer(const Composer& other, const Motion& motion);
 
-  // At a moment of the film; the motion stands still behind `end` (s of the motion).
+  // The view at the time `film` (s of film). The motion stops at `end` (s of motion).
   CameraView camera_view(double film, double end) const;
-  // At a moment of the motion.
+  // The draw list at the time t (s of motion).
   DrawList at(double t) const;
-  // What a viewer of this film may miss, with the key at fault: a camera of the scene's own that
-  // sees nothing or is inside the body, a body smaller than a pixel.
+  // Warnings with the key concerned: camera.eye for a camera that sees nothing or is inside the
+  // body, camera for a body smaller than a pixel.
   std::vector<Error> warnings() const;
 
-  // The camera at the start.
+  // The camera at the start of the film.
   Camera camera() const { return camera_at(0.0); }
-  // The camera at a moment of the film.
+  // The camera at the time `film` (s of film).
   Camera camera_at(double film) const;
   const Timeline& timeline() const { return staging_.timeline; }
   const Scenery& scenery() const { return scenery_; }
-  // Is the element of that name shown?
+  // Whether the element of that name is shown in this film.
   bool shows(const std::string& name) const { return shown_.at(name); }
-  // The geometry of this moment, as drawn; for tests and for at().
+  // The glyphs of a moment; `film` in s of film, by default the last time that shows the sample.
   Glyphs glyphs_at(const Sample& sample) const;
   Glyphs glyphs_at(const Sample& sample, double film) const;
 
  private:
-  // A camera of the scene: where it stands in its rig, and how the rig moves.
+  // A camera of the scene in its rig, and when it takes over.
   struct Rig {
     CameraSpec spec;
     double begins = 0.0;  // s of the film
@@ -87,12 +89,12 @@ class Composer {
     Camera camera;
   };
   std::vector<double> film_times() const;
-  // What is shown at a moment of the film; without one, all that is ever shown.
+  // The glyphs shown at that film time; without one, all that are ever shown.
   Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(PictureSize size) const;
-  // Radii in pixels, where things come nearest to their cameras.
+  // Radii in pixels where things are closest to their cameras.
   struct Largest {
     double body = 0.0;
     double cone = 0.0;  // of rims
@@ -110,9 +112,9 @@ class Composer {
   std::vector<Rig> rigs_;  // in the order in which they come
 };
 
-// How far the attitude may be off, in rad, so that no drawn point moves by more than this many
-// pixels. An upper bound that needs no motion: what is drawn reaches at most kReachOfVectors times
-// the body's radius (m, from the reference point).
+// The attitude error, rad, that moves no drawn point by more than `pixels`. It needs no motion,
+// because everything drawn is within kReachOfVectors times body_radius (m) of the reference point.
+// Throws Error (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Circular cones as translucent shells with a rim, in the order that blending needs.
+// Draws circular cones as translucent shells with a rim, in the order that blending needs.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,30 @@
 
 namespace polhode {
 
-// An open cone from its apex. half_angle in (0, pi/2) rad; slant: length of a generator, m.
+// An open cone. half_angle in (0, pi/2), rad; slant: length of a generator. Position and lengths
+// are in S (m) in glyphs, and in drawing coordinates in add_cones().
 struct Cone {
   Vec3 apex = Vec3::Zero();
-  Vec3 axis = Vec3::UnitZ();  // unit
+  Vec3 axis = Vec3::UnitZ();  // unit vector from the apex into the cone
   double half_angle = 0.5;
   double slant = 1.0;
-  double rim_radius = 0.005;  // of the tube drawn along the rim, m
+  double rim_radius = 0.005;  // of the tube drawn along the rim
   Material material;          // of the shell; the rim has the same colour, opaque
 };
 
+// The unit meshes that all cones share.
 struct ConeMeshes {
   MeshPtr shell;  // unit cone shell
-  MeshPtr rim;    // torus of radius 1 and tube kRimTube, scaled into place
+  MeshPtr rim;    // torus of radius 1 and tube radius kRimTube, to be scaled
 };
 inline constexpr double kRimTube = 0.01;
+// segments: pieces of a full circle.
 ConeMeshes cone_meshes(int segments);
 
-// Adds rims to `opaque` and shells to `translucent`, back to front for this eye. Exact for cones
-// with a common apex of which each pair is nested or separated, touching included: nested ones are
-// drawn outer back, inner, outer front; separated ones farther first, told by the plane between
-// them.
+// Adds rims to list.opaque and shells to list.translucent, back to front for this eye; eye and
+// cones are in drawing coordinates. The order is exact for cones with a common apex if each pair is
+// nested or separated (they may touch). Nested cones are drawn outer back, inner, outer front; of
+// separated cones the farther one, as seen from the plane between them, is drawn first.
 void add_cones(DrawList& list,
                const ConeMeshes& meshes,
                const std::vector<Cone>& cones,

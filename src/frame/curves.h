@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves: sampled as finely as pixels ask, and drawn as thin tubes.
+// Samples curves adaptively and draws them as thin tubes.
 #pragma once
 
 #include <functional>
@@ -10,30 +10,32 @@
 
 namespace polhode {
 
-// Points of a curve at ascending parameters.
+// Points of a curve at ascending parameters (for a path in time: s).
 struct Path {
   std::vector<double> parameters;
   std::vector<Vec3> points;
 };
 
-// The curve over [from, to], no straight piece further from it than `tolerance` (as seen at the
-// middle and the quarters of each piece). pieces: the least number, enough to show every turn.
+// Samples the curve over [from, to] so that no straight piece is farther from it than `tolerance`
+// (in the unit of the points; tested at the middle and the quarters of each piece). pieces: the
+// least number of pieces, which must resolve every turn.
 Path sampled(
     const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
 
-// A tube along points; `closed`: the last is joined to the first.
+// A tube along the points; `closed` joins the last to the first. Radius in the unit of the points;
+// sides: corners of the cross-section.
 Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed);
 
-// The path of a point in time, as meshes that are made once: a film that reveals it draws the
-// pieces up to now and one more.
+// The path of a point in time, as meshes that are made once. To draw part of it, a film draws the
+// complete pieces and makes new meshes for the cut ones. Immutable.
 class Trail {
  public:
   Trail() = default;
-  // Points and tube radius in m.
+  // Points (S or B) and tube radius in m. unit: metres per unit of the meshes.
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
-  // Meshes of the part between two parameters; `place` puts them into space.
+  // The meshes of the part between two parameters. place() maps them to the frame of the points.
   std::vector<MeshPtr> part(double from, double to) const;
   const Placement& place() const { return place_; }
   const Path& path() const { return path_; }
@@ -49,10 +51,10 @@ class Trail {
   std::vector<MeshPtr> pieces_;
 };
 
-// The curve that angular velocity draws in the body, on the energy ellipsoid, as a closed curve in
-// principal axes, rad/s: where y.w = twice the energy and |y|^2 keep their values. Parametrised on
-// the axis that it goes round (Landau and Lifshitz, Mechanics, section 37). Empty for a body at
-// rest and for spins about a principal axis. moments: kg m^2, all positive; w_P: a point of it.
+// The polhode: the closed curve of the angular velocity in principal axes P (rad/s) on which y.w
+// (twice the kinetic energy) and |y|^2 are constant, parametrised by the angle around the axis that
+// it encircles (Landau and Lifshitz, Mechanics, section 37). moments: kg m^2, all positive; w_P: a
+// point of the curve, rad/s. Empty for a body at rest and for a rotation about a principal axis.
 std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything one picture consists of, as a value: what render/ draws and nothing else. Its world is
-// space, moved and scaled so that single precision is enough (DrawingFrame in frame/camera.h).
+// The complete description of one picture, as a value: the input of render/. World coordinates are
+// space S, shifted and scaled for single precision (DrawingFrame in frame/camera.h).
 #pragma once
 
 #include <vector>
@@ -14,20 +14,20 @@
 
 namespace polhode {
 
-// How the surface of a body looks.
+// The procedural surface texture of a body.
 enum class Finish { plain, wood, metal, ceramic };
 
-// Colours are sRGB-encoded, 0..1.
+// The material of an item. Colours are sRGB-encoded, 0..1.
 struct Material {
   glm::vec3 color{0.8f};
-  float alpha = 1.0f;          // under 1: translucent, and listed in DrawList::translucent
+  float alpha = 1.0f;          // below 1: translucent, belongs in DrawList::translucent
   float gloss = 0.3f;          // strength of the highlight
-  glm::vec3 mark_color{0.0f};  // of the mark that shows the spin
-  float mark_width = 0.0f;     // half-width of the strip x > 0, |y| < width in mesh units; 0 = none
+  glm::vec3 mark_color{0.0f};  // of the strip that makes the spin visible
+  float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units; 0: none
   Finish finish = Finish::plain;
-  bool flat = false;  // the same colour and alpha from everywhere, without light
-  bool soft = false;  // of a flat disc: alpha falls to nothing at its rim
-  float fade = 1.0f;  // under 1: the whole thing comes or goes, whatever its alpha
+  bool flat = false;  // unlit: the same colour and alpha from every direction
+  bool soft = false;  // for a flat disc: alpha falls to 0 at the rim
+  float fade = 1.0f;  // multiplies alpha, while the item appears or disappears
 
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }
 };
@@ -35,6 +35,7 @@ struct Material {
 // Which faces are drawn.
 enum class Faces { front, back, both };
 
+// A mesh at its position.
 struct DrawItem {
   MeshPtr mesh;
   glm::mat4 world_from_mesh{1.0f};
@@ -42,12 +43,12 @@ struct DrawItem {
   Faces faces = Faces::front;
 };
 
-// Where it is seen from.
+// Camera and lights.
 struct View {
   glm::mat4 clip_from_world{1.0f};  // OpenGL clip space, y up
   glm::vec3 eye{0.0f};
   glm::vec3 key_light{0.0f};   // unit vector towards the main light
-  glm::vec3 fill_light{0.0f};  // unit vector towards the weaker one
+  glm::vec3 fill_light{0.0f};  // unit vector towards the weaker light
 };
 
 struct DrawList {
@@ -57,13 +58,13 @@ struct DrawList {
   std::vector<DrawItem> translucent;  // back to front, drawn after the opaque ones
 };
 
-// A part of the picture with a camera of its own.
+// A rectangle of the picture with its own camera.
 struct Panel {
   PixelBox place;
   DrawList list;
 };
 
-// A whole frame: panels that together cover it without overlap, and what is laid over them in this
+// A whole frame: panels that cover it without overlap, and stamps that are drawn over them in this
 // order.
 struct Picture {
   std::vector<Panel> panels;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The things that a picture can show, each a name in [show]: from the exact quantities of a moment
-// to glyphs. One table; reading, help, the schema and the tests iterate it.
+// The table of elements that a picture can show, each a key of [show]. An element turns the
+// quantities of a moment into glyphs. The reader, help, the schema and the tests use this table.
 #pragma once
 
 #include <string>
@@ -11,24 +11,26 @@
 
 namespace polhode {
 
+// To add one: a function in frame/elements/ and a row in frame/elements.cpp.
 struct Element {
   std::string name;
   std::string doc;
-  // is it shown when the scene does not say?
+  // whether it is shown if the scene does not say
   bool (*by_default)(const Scenery& scenery);
-  // "" when this motion has it, else the reason why not
+  // "" if this motion has it, else the reason why not
   std::string (*why_not)(const Scenery& scenery);
+  // adds its glyphs, in S, m
   void (*add)(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 };
 
-// Of two cones that touch, the first is listed first.
+// All elements. If two cones touch, the one listed first is drawn first.
 const std::vector<Element>& elements();
 
-// Adds the named points: balls, with r from the reference point, and from the origin of space when
-// the fixed frame is shown.
+// Adds the points of show.points as balls, with position vectors from the reference point and, if
+// from_origin, from the origin of space.
 void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs);
 
-// Adds the paths of the named points.
+// Adds the paths of show.trail_points.
 void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film as a function of time: its panels, and the text that is laid over them.
+// A film as a function of time: panels, plots and the text drawn over them.
 #pragma once
 
 #include <functional>
@@ -13,53 +13,54 @@
 
 namespace polhode {
 
-// Words about a moment, for a panel that is compared with others. Plain text.
+// The notes in a panel of a comparison, at one moment. Plain text.
 struct PanelNotes {
-  std::vector<std::string> lines;  // at the top
-  std::string stamp;               // under them, in an alarming colour; empty: none
+  std::vector<std::string> lines;  // at the top of the panel
+  std::string stamp;               // a warning below them; empty: none
 };
 
+// A panel shows one composer.
 struct FilmPanel {
   PixelBox place;
   std::shared_ptr<const Composer> composer;
-  double end = 0.0;  // s: the last moment that is known; the picture stands still behind it
+  double end = 0.0;  // s of motion: end of the known motion; the panel freezes there
   std::function<PanelNotes(double t)> notes = {};
 };
 
-// A plot that is drawn once and revealed from left to right.
+// A plot that is drawn once and revealed from left to right as time passes.
 struct FilmPlot {
   PixelBox place;
-  SpritePtr axes, curves;           // as large as the place
-  int first = 0, last = 0;          // columns of the place where time begins and ends
-  double begins = 0.0, ends = 0.0;  // those times, s of the motion
+  SpritePtr axes, curves;           // of the size of `place`
+  int first = 0, last = 0;          // columns of `place` where the time axis begins and ends
+  double begins = 0.0, ends = 0.0;  // the times there, s of motion
 };
 
-// Text of the whole frame. Plain text.
+// The text of the whole frame. Plain text.
 struct FilmText {
-  std::string title;      // empty: none
-  std::string caption;    // where the story has none; empty: none
-  bool captions = false;  // the story has some: room is kept for them
-  bool clock = true;
-  bool labels = true;
+  std::string title;        // empty: none
+  std::string caption;      // shown while the story has no caption; empty: none
+  bool captions = false;    // the story has captions: space is reserved for them
+  bool clock = true;        // show the time of the motion
+  bool labels = true;       // show the names of vectors
   double time_scale = 1.0;  // seconds of motion per second of film
-  double size = 1.0;        // all text is enlarged by this
+  double size = 1.0;        // scales all text
 };
 
-// The text that a scene's [show] asks for.
+// The text that [show] asks for. time_scale: seconds of motion per second of film.
 FilmText film_text(const ShowSpec& show, const std::string& title, double time_scale);
 
-// Equal panels side by side, or in rows where that leaves them less narrow. Together they cover the
-// frame.
+// The rectangles of `count` panels of equal size that cover the frame: side by side, or in rows if
+// that makes them less narrow.
 std::vector<PixelBox> panel_places(PictureSize size, int count);
 
-// The room that text needs at the sides of one panel: what an automatic camera leaves free.
-// note_lines: of PanelNotes.
+// The margins that text needs in one panel, for the automatic camera. note_lines: number of lines
+// of PanelNotes.
 FrameMargins text_margins(const FilmText& text,
                           const PixelBox& panel,
                           PictureSize size,
                           int note_lines);
 
-// Immutable; at() is a pure function of t and may be called from any thread.
+// Immutable. Pictures are pure functions of time and may be made from any thread.
 class Film {
  public:
   Film(std::vector<FilmPanel> panels,
@@ -67,12 +68,12 @@ class Film {
        PictureSize size,
        std::vector<FilmPlot> plots = {});
 
-  // At a moment of the film, s.
+  // The picture at the time `film` (s of film).
   Picture at(double film) const;
-  // The same panels with nothing laid over them: no text, plots or lines between panels.
+  // The same panels without text, plots and separator lines.
   Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
-  // Where text stands at this moment, labels last; for tests.
+  // The rectangles of all text at this moment, labels last; for tests.
   std::vector<TextRoom> text_rooms(double film) const;
 
  private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a picture shows at one moment, as geometry in metres of space: between the elements, which
-// know mechanics, and the draw list, which knows triangles. Camera and drawing are made from the
-// same glyphs, so what is shown is what is framed.
+// Glyphs: the geometry of one moment in space S, in metres, between elements (mechanics) and draw
+// list (triangles). The automatic camera frames the same glyphs that are drawn.
 #pragma once
 
 #include <string>
@@ -14,12 +13,14 @@
 
 namespace polhode {
 
+// An arrow.
 struct ArrowGlyph {
   Vec3 from, tip;
   ArrowShape shape;
   Material material;
 };
 
+// A mesh at its position.
 struct MeshGlyph {
   MeshPtr mesh;
   Placement space_from_mesh;
@@ -33,66 +34,69 @@ struct RodGlyph {
   Material material;
 };
 
-// The arc of a circle from one direction to another, as a thin tube.
+// The shorter arc of a circle from one direction to another, as a thin tube.
 struct ArcGlyph {
   Vec3 center;
-  Vec3 from, to;  // unit vectors, not parallel
+  Vec3 from, to;  // unit vectors from the centre, not parallel
   double radius;
   double tube_radius;
   Material material;
 };
 
-// The name of a thing, beside the point `at`.
+// A label beside the point `at`.
 struct LabelGlyph {
   Vec3 at;    // space, m
-  Vec3 away;  // the vector that it names, from its foot to `at`; zero: none, it stands above
+  Vec3 away;  // the vector that it names, from its foot to `at`; zero: a point, with the label
+              // above it
   std::string markup;  // see text/typesetter.h
   glm::vec3 color;
   float fade = 1.0f;
 };
 
-// A flat translucent thing and the plane that it lies in.
+// A flat translucent mesh and the plane that it lies in.
 struct SheetGlyph {
   MeshGlyph mesh;
   Vec3 point, normal;  // space, m
 };
 
+// All glyphs of one moment.
 struct Glyphs {
   std::vector<ArrowGlyph> arrows;
   std::vector<MeshGlyph> meshes;
   std::vector<RodGlyph> rods;
   std::vector<ArcGlyph> arcs;
   std::vector<Cone> cones;        // with a common apex
-  std::vector<MeshGlyph> shades;  // darker places of the floor, lowest first
+  std::vector<MeshGlyph> shades;  // shadows on the floor, lowest first
   std::vector<MeshGlyph> ghosts;  // translucent bodies, oldest first
   std::vector<MeshGlyph> shells;  // translucent convex surfaces around all cones, outermost first
   std::vector<SheetGlyph> sheets;
   Vec3 middle = Vec3::Zero();  // the reference point
-  std::vector<Vec3> reach;     // points that the meshes do not go beyond
+  std::vector<Vec3> reach;     // points whose convex hull contains the meshes, for framing
   std::vector<LabelGlyph> labels;
 };
 
-// Lets what was added to glyphs behind these sizes come or go: 1 is there, 0 is not.
+// The numbers of glyphs at one moment of their making, for fade_new().
 struct GlyphCounts {
   explicit GlyphCounts(const Glyphs& glyphs);
   std::size_t arrows, meshes, rods, arcs, cones, shades, ghosts, shells, sheets, labels;
 };
+// Fades the glyphs that were added since `before`. presence: 1 is fully visible, 0 invisible.
 void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence);
 
 // The point at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcGlyph& arc, double part);
 
-// Points that together reach as far as the glyphs do.
+// Appends points (S, m) whose convex hull contains the glyphs.
 void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points);
 
-// The meshes that arrows, arcs and cones are drawn with.
+// The shared unit meshes of arrows, arcs and cones.
 struct GlyphMeshes {
   ArrowMeshes arrows;
   ConeMeshes cones;
 };
 
-// The items of a draw list in the coordinates of `frame`; `eye` (space, m) orders what is
-// translucent.
+// Adds the glyphs to `list` in the coordinates of `frame`. Translucent items are ordered for `eye`
+// (S, m).
 void add_items(const Glyphs& glyphs,
                const GlyphMeshes& meshes,
                const DrawingFrame& frame,

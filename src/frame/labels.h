@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where labels go so that they can be read.
+// Places labels so that they do not overlap each other or other text.
 #pragma once
 
 #include <vector>
@@ -17,25 +17,26 @@ struct TextRoom {
   Vec2 center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
 };
 
-// A drawn vector that labels should not hide.
+// A drawn vector that labels should not cover, in pixels.
 struct TextShaft {
   Vec2 from, tip;
 };
 
+// Whether the rectangles have a common area.
 bool overlap(const TextRoom& a, const TextRoom& b);
 
-// A label that wants to stand beside `at`, on the side that `away` (unit) points to.
+// A label that should stand beside `at`, in the direction of the unit vector `away`; pixels.
 struct LabelWish {
   Vec2 at;
   Vec2 away;
-  double width = 0.0;  // of its ink
+  double width = 0.0;  // of its ink (TextBox)
   double height = 0.0;
 };
 
-// One room for each wish, inside `frame`, free of `taken` and of each other by at least `gap`
-// pixels where there is space enough, and off the shafts of vectors where that costs no more. A
-// function of its arguments alone, so that a film looks the same from whichever frame it is drawn;
-// labels that move slowly are moved slowly.
+// The rectangle of each wish, inside `frame`. Rectangles keep at least `gap` pixels from `taken`
+// and from each other if there is enough space, and avoid `shafts` where possible. A pure function,
+// so a frame looks the same whichever frame is drawn before it. Placed labels move continuously
+// with `at`.
 std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
                                    const std::vector<TextRoom>& taken,
                                    const std::vector<TextShaft>& shafts,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes and the pure functions that make them.
+// Triangle meshes for drawing, and the pure functions that make them.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 
 namespace polhode {
 
+// A corner of a triangle.
 struct Vertex {
   glm::vec3 position;  // mesh coordinates
   glm::vec3 normal;    // unit, outwards
@@ -26,36 +27,40 @@ struct Mesh {
 };
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-// How many straight pieces make a circle of this radius in pixels look round: none of it is more
-// than a quarter of a pixel from the circle. All round meshes stand halfway: their corners as far
-// outside of the true surface as the middles of their pieces lie inside.
+// The number of straight pieces that approximate a circle of this radius (pixels) to a quarter of a
+// pixel. In all round meshes the corners lie as far outside the true surface as the middles of the
+// pieces lie inside.
 int circle_segments(double radius_px);
 
-// The surface that an outline of (radius, z) points sweeps about z, in `segments` steps.
-// Neighbouring edges that meet at less than `crease` (rad) are shaded as one smooth surface. The
-// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside.
+// Edges that meet at a smaller angle than this are shaded as one smooth surface.
 inline constexpr double kCreaseAngle = 0.6;  // rad
+// The surface of revolution of an outline of (radius, z) points about z, in `segments` steps. The
+// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside. crease:
+// rad.
 Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kCreaseAngle);
 
-// Unit sphere, its circles of latitude with as many pieces as their size needs; cylinder of radius
-// 1 from z = 0 to 1 with caps; cone of base radius 1 at z = 0 with its apex at z = 1 and a base;
-// torus about z of radius 1 and the given tube.
+// The unit sphere about the origin. Circles of latitude have as many pieces as their size needs.
 Mesh unit_sphere(int segments);
-Mesh unit_sphere(int segments, int most_around);  // no more pieces around
+Mesh unit_sphere(int segments, int most_around);  // at most so many pieces per circle
+// A cylinder of radius 1 from z = 0 to z = 1, with caps.
 Mesh unit_cylinder(int segments);
+// A cone with its base (radius 1, closed) at z = 0 and its apex at z = 1.
 Mesh unit_cone(int segments);
-// The unit disc in the plane z = 0, seen from above.
+// The unit disc in the plane z = 0, facing +z.
 Mesh unit_disc(int segments);
+// A torus about z: distance of the tube's centre from the axis, and radius of the tube.
 Mesh torus(double radius, double tube, int segments);
-// The open surface r = z for z in 0..1, apex at the origin: half-angle 45 degrees before scaling.
+// The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be
+// scaled).
 Mesh unit_cone_shell(int segments);
+// A box about the origin with these edge lengths.
 Mesh box(const Vec3& size);
 
-// A surface as it stands: around each corner, faces that meet at less than kCreaseAngle are shaded
-// as one smooth surface.
+// A triangle mesh of the scene for drawing. At each corner, faces that meet at less than
+// kCreaseAngle are shaded as one smooth surface.
 Mesh faceted(const TriangleMesh& surface);
 
-// Every position multiplied component by component, normals kept at right angles.
+// The mesh scaled by a factor per axis, with correct normals.
 Mesh scaled(const Mesh& mesh, const Vec3& factors);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all moments of a film share: the body's look, scales, and the paths that are drawn.
+// What all moments of a film share: the body's meshes, the scales of vectors, and the drawn paths.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace polhode {
 
-// Lengths of what is drawn, in metres of the scene.
+// Scales of drawn quantities, in metres of space.
 struct Scale {
-  double body = 1.0;      // farthest drawn point of the body from the reference point
+  double body = 1.0;      // radius: farthest drawn point from the reference point, m
   double omega = 1.0;     // metres per rad/s
   double momentum = 1.0;  // metres per kg m^2/s
   double velocity = 1.0;  // metres per m/s
@@ -21,18 +21,20 @@ struct Scale {
   double torque = 1.0;    // metres per N m
 };
 
-// Curves of a whole film, made once; those that the scene asks for.
+// The curves of a film that the scene asks for, made once.
 struct Paths {
   Trail axis;                     // of the body's axis
   std::vector<Trail> points;      // of the points in ShowSpec::trail_points
   Trail herpolhode;               // of the tip of omega
   MeshPtr polhode, binet;         // in principal axes, in units of the body's radius
-  std::vector<MeshPtr> polhodes;  // the same
+  std::vector<MeshPtr> polhodes;  // family of polhodes, in the same coordinates
 };
 
-// Where the path of the body's axis is drawn, in units of the body's radius.
+// The radius of the sphere on which the path of the body's axis is drawn, in units of the body's
+// radius.
 inline constexpr double kTrailRadius = 1.25;
-// The longest force and torque of a film.
+// The length of the longest force and of the longest torque of a film, in units of the body's
+// radius.
 inline constexpr double kForceLength = 0.8;
 
 // What all moments of a film share.
@@ -41,43 +43,43 @@ struct Scenery {
   Theme theme;
   std::vector<LookPart> look = {};
   Scale scale = {};
-  std::vector<Vec3> hull_B = {};          // of the look, m
-  MeshPtr ball = {};                      // unit sphere, for small ones
-  MeshPtr sphere = {};                    // the same, for large ones
+  std::vector<Vec3> hull_B = {};          // hull_of(look), m
+  MeshPtr ball = {};                      // unit sphere, coarse, for points
+  MeshPtr sphere = {};                    // unit sphere, fine
   MeshPtr disc = {};                      // unit disc about z
-  MeshPtr ring = {};                      // a thin tube along its rim
-  MeshPtr stand = {};                     // unit cone, its apex under the pivot
-  ShowSpec options = {};                  // as the scene gives them
-  int segments = 96;                      // pieces of a circle as large as the frame
-  std::vector<Vec3> field_points_B = {};  // where the velocity field is drawn, m
+  MeshPtr ring = {};                      // a thin tube along the rim of the disc
+  MeshPtr stand = {};                     // unit cone, for the stand under the pivot
+  ShowSpec options = {};                  // the [show] table
+  int segments = 96;                      // pieces of a circle as large as the picture
+  std::vector<Vec3> field_points_B = {};  // points of the velocity field, m
   Paths paths = {};
 };
 
-// Scales are chosen over the whole film, so that vectors keep theirs. segments: pieces of a full
-// circle.
+// Makes the scenery. Scales are chosen for the whole film, so that they stay constant. segments:
+// pieces of a full circle. Throws Error (input) as body_look and make_theme do.
 Scenery make_scenery(const Motion& motion,
                      const BodySpec& body,
                      const ThemeSpec& theme,
                      const ShowSpec& show,
                      int segments);
 
-// Makes the look anew, with so many pieces of a circle as large as the body.
+// Replaces the body's meshes by ones with `segments` pieces of a full circle.
 void make_look(Scenery& scenery, const BodySpec& body, int segments);
 
-// The paths of the scenery's motion that its options ask for.
+// The paths of scenery.motion that scenery.options asks for.
 Paths make_paths(const Scenery& scenery);
 
-// A vector of that length, m, as long as it is drawn: one that a failing method has blown up still
-// fits single precision.
+// `length` (m), limited so that vectors of a diverging integration still fit into single precision.
 double drawn_length(const Scenery& scenery, double length);
-// Where a vector ends that is drawn so.
+// The tip of a vector from `from` to `end` (S, m) with its length limited in the same way.
 Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 
-// Where the tips of the two vectors are drawn, space, m.
+// The drawn tips of angular velocity and angular momentum, S, m.
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
-// Times that stand for the whole film, in order, the first 0 and the last its end.
+// Ascending times (s of motion), from 0 to the end, at which the automatic camera looks at the
+// motion.
 std::vector<double> framing_times(const Motion& motion);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours. Vectors keep theirs in every scene, so that a class learns them once.
+// Colour themes. A quantity has the same hue in every scene, so that viewers learn it once.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-// All colours sRGB-encoded, 0..1. The hues are those of Okabe and Ito's palette, which people with
-// the common colour-vision deficiencies can tell apart.
+// All colours are sRGB-encoded, 0..1. The hues are from the palette of Okabe and Ito, which people
+// with common colour-vision deficiencies can distinguish. To add a theme: a row in frame/theme.cpp.
 struct Theme {
   std::string name;
   glm::vec3 background;
@@ -27,8 +27,8 @@ struct Theme {
   glm::vec3 body_cone;
   glm::vec3 precession_cone;
   glm::vec3 stand;
-  glm::vec3 force;     // on points of the body
-  glm::vec3 velocity;  // of points of the body
+  glm::vec3 force;     // forces on points of the body
+  glm::vec3 velocity;  // velocities of points of the body
   glm::vec3 position;  // position vectors, points, angles
   glm::vec3 ellipsoid;
   glm::vec3 plane;
@@ -38,15 +38,17 @@ struct Theme {
   glm::vec3 floor;
 };
 
+// All themes.
 const std::vector<Theme>& themes();
 
-// How a body of that material looks; a name from material_names().
+// The finish for a name from material_names(); plain for any other name.
 Finish finish_named(const std::string& material);
 
-// The theme with the scene's own background, if it gives one. Throws Error (input).
+// The theme with the scene's own background, if it gives one. Throws Error (input), naming
+// video.theme, for an unknown theme.
 Theme make_theme(const ThemeSpec& spec);
 
-// "#rrggbb" as 0..1. Throws Error (input).
+// "#rrggbb" as components 0..1. Throws Error (input), without a key, for other text.
 glm::vec3 color_from_hex(const std::string& text);
 
 }  // namespace polhode

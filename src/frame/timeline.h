@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the time of a film to the time of the motion, and what has come and gone by then.
+// Converts between film time and motion time, and says what the story shows at a film time.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-// A moment of the story on the film's own clock.
+// A step of the story at which the motion stands still.
 struct Pause {
-  double begins = 0.0;  // s of the film
-  double ends = 0.0;
-  double at = 0.0;  // s of the motion
+  double begins = 0.0;  // s of film
+  double ends = 0.0;    // s of film
+  double at = 0.0;      // s of motion
   std::string caption;
 };
 
@@ -23,27 +23,29 @@ class Timeline {
  public:
   Timeline() = default;
   // The motion from 0 to `duration` (s) at `time_scale` seconds of motion per second of film.
-  // Throws Error (input) for a step of the story at a later time.
+  // Throws Error (input), naming story[i].at, for a step after the end.
   Timeline(const std::vector<StoryStep>& story, double duration, double time_scale);
 
-  // The same clock for another telling of the story.
+  // The timeline of the same motion with another story.
   Timeline retold(const std::vector<StoryStep>& story) const {
     return Timeline(story, duration_, time_scale_);
   }
 
-  // All in seconds. The film begins at 0.
+  // The length of the film, s. Film time begins at 0.
   double film_duration() const;
+  // The motion time that is shown at a film time.
   double motion_time(double film) const;
-  // The last moment of the film that shows this moment of the motion, and the first.
+  // The last and the first film time that show this motion time; they differ at a pause.
   double film_time(double motion) const;
   double first_film_time(double motion) const;
-  // 1: the element of that name is there as far as the story goes, 0: it is not, between: it comes
-  // or goes.
+  // How far the story lets the element of that name be visible: 1 fully, 0 not at all, in between
+  // while it fades.
   double presence(const std::string& element, double film) const;
-  // The story's words at this moment; none before its first.
+  // The story's caption at this film time; empty before the first.
   std::optional<std::string> caption(double film) const;
+  // All pauses, by time.
   const std::vector<Pause>& pauses() const { return pauses_; }
-  // The steps by time, and when each begins, s of the film.
+  // The steps sorted by time, and when each begins (s of film).
   const std::vector<StoryStep>& steps() const { return story_; }
   const std::vector<double>& starts() const { return starts_; }
 
@@ -59,7 +61,7 @@ class Timeline {
   double time_scale_ = 1.0;
 };
 
-// 0 at 0, 1 at 1, without a jerk at the ends.
+// Smoothstep: rises from 0 at 0 to 1 at 1 with zero slope at both ends.
 double eased(double part);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one place where physics (Eigen, double) becomes drawing (GLM, float).
+// Converts between the types of mechanics (Eigen, double) and of drawing (GLM, float).
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -9,9 +9,10 @@
 
 namespace polhode {
 
-// Maps mesh coordinates to space: p_S = linear * p_mesh + translation, in double until it is drawn.
+// An affine map from mesh coordinates, usually to space: p_S = linear * p_mesh + translation.
 using Placement = Eigen::Affine3d;
 
+// Rounds to single precision.
 inline glm::vec3 to_glm(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The [camera] and [show] tables of a scene, and the looks part of [video].
+// The [camera], [show], [[shots]] and [[story]] tables of a scene, and the colours in [video].
 #pragma once
 
 #include <map>
@@ -13,76 +13,80 @@
 
 namespace polhode {
 
-// Where the picture is taken from. Absent eye: the camera frames the whole film by itself.
+// A camera. Without eye, it frames the whole film automatically.
 struct CameraSpec {
-  std::optional<Vec3> eye;          // m, space axes
-  std::optional<Vec3> target;       // m, space axes; in the middle of the picture
+  std::optional<Vec3> eye;          // position in S, m
+  std::optional<Vec3> target;       // point in the middle of the picture, in S, m
   double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
-  std::optional<Vec3> direction;    // from the scene towards the automatic camera
+  std::optional<Vec3> direction;    // from the scene towards an automatic camera, in S
   double orbit = 0.0;               // about the vertical through the target, rad per s of film
-  std::string follow = "none";      // a name from follow_names(): what the camera moves with
+  std::string follow = "none";      // one of follow_names(): what the camera moves with
 };
 
-// "none", or what the camera goes along with: "center" the reference point, "body" every turn of
-// the body, "momentum" the direction of L, along which it looks.
+// What a camera can move with: "none"; "center", the reference point; "body", the attitude of the
+// body too; "momentum", the direction of L too.
 std::vector<std::string> follow_names();
 
-// A camera from some moment on.
+// A shot: the camera used from some time on.
 struct ShotSpec {
-  std::string name;   // for people
-  double at = 0.0;    // s of the motion
-  double move = 0.0;  // s of film in which the camera goes there; 0: a cut
+  std::string name;   // chapter title
+  double at = 0.0;    // s of motion
+  double move = 0.0;  // s of film in which the camera moves there; 0: a cut
   CameraSpec camera;
 };
 
-// A step of an explanation.
+// A step of the story.
 struct StoryStep {
-  double at = 0.0;                     // s of the motion
-  double hold = 0.0;                   // the motion stands still for so many s of film
-  double fade = 0.5;                   // s of film in which things come and go
-  std::vector<std::string> show;       // names of [show] that come now, and were not there before
-  std::vector<std::string> hide;       // that go
-  std::optional<std::string> caption;  // words from now on; "" for none
+  double at = 0.0;                     // s of motion
+  double hold = 0.0;                   // the motion stands still for this long, s of film
+  double fade = 0.5;                   // how long elements fade in and out, s of film
+  std::vector<std::string> show;       // elements that appear now and are hidden before
+  std::vector<std::string> hide;       // elements that disappear now
+  std::optional<std::string> caption;  // caption from now on; "": none
 };
 
-// Where an automatic camera stands when the scene does not say: in front, to the right, above.
+// The default direction towards an automatic camera: in front, to the right, above.
 inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
-// What is drawn: names of the table in frame/elements.h. Absent: the scene's kind decides.
+// What is drawn.
 struct ShowSpec {
+  // By name of the element (frame/elements.h); absent: Element::by_default decides.
   std::map<std::string, std::optional<bool>> asked;
-  std::vector<Vec3> points;   // of the body, drawn as balls with their vectors, m
-  double body_opacity = 1.0;  // under 1: what is inside the body is seen through it
-  bool labels = true;         // names beside vectors
-  bool title = false;         // the scene's title, above
-  bool clock = true;          // the time of the motion, and the scale of time if it is not 1
-  std::string caption;        // a line below; empty: none
-  double text_size = 1.0;     // all text is enlarged by this
-  std::vector<std::string> views = {"space"};  // side by side: "space", "body"
-  std::vector<std::string> plots;              // names from recorded_names(), beside the picture
-  std::string material = "plain";              // a name from material_names()
-  std::vector<Vec3> trail_points;              // of the body, whose paths are drawn, m
-  std::optional<double> trail_s;  // paths are drawn so far back; absent: from the start, s
-  int ghost_count = 5;            // how many former bodies are drawn
-  std::optional<double> ghost_s;  // so far apart in time; absent: a 40th of the motion, s
+  std::vector<Vec3> points;   // points drawn as balls with position vectors, in B, m
+  double body_opacity = 1.0;  // below 1: the body is translucent
+  bool labels = true;         // the names of vectors
+  bool title = false;         // the scene's title, at the top
+  bool clock = true;          // the time of the motion, and the time scale if it is not 1
+  std::string caption;        // a line at the bottom; empty: none
+  double text_size = 1.0;     // scales all text
+  std::vector<std::string> views = {"space"};  // panels: "space", "body"
+  std::vector<std::string> plots;              // names from recorded_names()
+  std::string material = "plain";              // one of material_names()
+  std::vector<Vec3> trail_points;              // points whose paths are drawn, in B, m
+  std::optional<double> trail_s;  // s of motion that paths cover; absent: from the start
+  int ghost_count = 5;            // how many earlier positions of the body are drawn
+  std::optional<double> ghost_s;  // s of motion between them; absent: a 40th of the motion
 
+  // Whether the scene asks for the element; absent: it does not say.
   std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
 
-// The table's names, for the scene's keys.
+// The name of an element and its description, for the keys of [show].
 struct ShowName {
   std::string name;
   std::string doc;
 };
+// From the table in frame/elements.cpp, in its order.
 std::vector<ShowName> show_names();
 std::vector<std::string> element_names();
 
-// Colours of the picture.
+// The colours of the picture.
 struct ThemeSpec {
-  std::string theme = "dark";             // a name from theme_names()
+  std::string theme = "dark";             // one of theme_names()
   std::optional<std::string> background;  // "#rrggbb"
 };
 
+// The names of the tables in frame/theme.cpp.
 std::vector<std::string> theme_names();
 std::vector<std::string> material_names();
 
