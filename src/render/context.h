@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenGL contexts without a window: OSMesa, and EGL on a surfaceless platform. Both are loaded at
-// run time, so the program starts where one is missing.
+// OpenGL contexts without a window: OSMesa, and EGL on the surfaceless platform. The libraries are
+// loaded at run time, so the program also starts if one is missing.
 #pragma once
 
 #include <memory>
@@ -9,33 +9,36 @@
 
 namespace polhode {
 
-// A current OpenGL 3.3 core context of the calling thread, for the life of the object; one at a
-// time in a thread.
+// An OpenGL 3.3 core context that is current on the thread that made it, as long as the object
+// lives. A thread may have one at a time.
 class Context {
  public:
   virtual ~Context() = default;
+  // Its name in backends(): "osmesa" or "egl".
   virtual std::string backend() const = 0;
-  // The address of an OpenGL function, or null.
+  // The address of an OpenGL function; null if there is none of that name.
   virtual void* function(const char* name) const = 0;
 };
 
+// A way to get a context. To add one: a row in render/context.cpp and its function.
 struct Backend {
   std::string name;
   std::string doc;
-  // Throws Error (environment) saying what is missing.
+  // throws Error (environment) that says what is missing
   std::unique_ptr<Context> (*open)();
 };
 
-// In the order in which "auto" tries them.
+// All back ends, in the order in which "auto" tries them.
 const std::vector<Backend>& backends();
 // "auto" and the names of all back ends.
 std::vector<std::string> backend_names();
 
-// Throws Error (input) for an unknown name, (environment) when no context can be had; with "auto"
-// the message tells what each back end said.
+// Opens the named back end. Throws Error (input), naming --backend, for an unknown name;
+// (environment) if there is no context or too little memory. With "auto" the message has the reason
+// of each back end.
 std::unique_ptr<Context> open_context(const std::string& backend);
 
-// The makers, for the table.
+// Opens one back end. Throws Error (environment) that says what is missing.
 std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The OpenGL functions that are used, loaded through a Context. Types come from Khronos' header;
-// one line here adds a function.
+// The OpenGL functions that the program uses, loaded through a Context. To add one: a line in the
+// list below. Types come from Khronos' header.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -68,13 +68,14 @@ namespace polhode {
   X(PFNGLVIEWPORTPROC, Viewport)
 // clang-format on
 
-// gl.Clear(...), gl.Enable(...): the functions of one context.
+// The functions of one context as members: gl.Clear(...), gl.Enable(...). Valid on the context's
+// thread only.
 struct Gl {
 #define POLHODE_GL_MEMBER(type, name) type name = nullptr;
   POLHODE_GL_FUNCTIONS(POLHODE_GL_MEMBER)
 #undef POLHODE_GL_MEMBER
 
-  // Throws Error (environment) when a function is missing.
+  // Throws Error (environment) if a function is missing.
   explicit Gl(const Context& context);
 };
 

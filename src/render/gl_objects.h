@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenGL objects that delete themselves.
+// OpenGL objects that are deleted by their destructors. Use them on the thread of the context,
+// which must outlive them.
 #pragma once
 
 #include <map>
@@ -11,13 +12,14 @@
 
 namespace polhode {
 
-// A vertex array with its two buffers, filled once from a mesh.
+// A mesh in GPU memory: a vertex array with vertex and index buffers.
 class GpuMesh {
  public:
   GpuMesh(const Gl& gl, const Mesh& mesh);
   ~GpuMesh();
   GpuMesh(const GpuMesh&) = delete;
   GpuMesh& operator=(const GpuMesh&) = delete;
+  // Draws all triangles with the current program.
   void draw() const;
 
  private:
@@ -28,11 +30,11 @@ class GpuMesh {
   GLsizei count_ = 0;
 };
 
-// A linked program from two files of shaders/.
+// A shader program, linked from two files of shaders/.
 class Program {
  public:
-  // `head` are lines that come after the #version of both. Throws Error (environment) with the
-  // compiler's words.
+  // `head` is inserted after the #version line of both files. Throws Error (environment) with the
+  // compiler's message.
   Program(const Gl& gl,
           const std::string& vertex_file,
           const std::string& fragment_file,
@@ -41,7 +43,7 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   void use() const { gl_.UseProgram(id_); }
-  // The location of a uniform; -1, which OpenGL ignores, when this program does without it.
+  // The location of a uniform; -1, which OpenGL ignores, if the program does not use it.
   GLint uniform(const std::string& name) const;
 
  private:
@@ -49,7 +51,8 @@ class Program {
   GLuint id_ = 0;
 };
 
-// A framebuffer with RGBA8 colour and, if asked, depth; samples 0 means single-sampled.
+// A framebuffer with RGBA8 colour and optional depth. Sizes in pixels; samples 0: without
+// multisampling. Throws Error (environment) if it is incomplete.
 class Framebuffer {
  public:
   Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth);
@@ -70,9 +73,9 @@ class Framebuffer {
   GLuint depth_ = 0;
 };
 
-// The text of a file of shaders/, embedded when the program was built.
+// The text of a file of shaders/, embedded at build time. `file` must exist.
 const std::string& shader_source(const std::string& file);
-// All of them: name to text; defined in a file that CMake writes.
+// All shader files by name; defined in a file that CMake generates.
 const std::map<std::string, std::string>& embedded_shaders();
 
 }  // namespace polhode

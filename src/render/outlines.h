@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Smooth outlines without extra samples: a picture with one sample per pixel jumps where the
-// outline of a mesh passes between two pixel centres; the geometry tells where it passes, so each
-// pixel that it crosses takes the share of its neighbour's colour that lies on the other side
-// (E. Persson, "Geometric post-process anti-aliasing", 2011; here with exact areas).
+// Antialiases outlines without multisampling. The position of an outline is known from the
+// geometry, so each pixel that it crosses is mixed with the neighbour on the other side, by the
+// area that lies there (E. Persson, "Geometric post-process anti-aliasing", 2011; here with exact
+// areas). Not thread-safe.
 #pragma once
 
 #include <array>
@@ -20,16 +20,17 @@
 
 namespace polhode {
 
-// The edges of a mesh between faces, found once.
+// The edges between the faces of a mesh, found once.
 class MeshEdges {
  public:
   explicit MeshEdges(const Mesh& mesh);
 
-  // How far the mesh reaches from its own origin along an axis.
+  // The largest absolute coordinate of the mesh.
   float reach() const { return reach_; }
 
-  // Calls seen(a, b) with the ends, mesh coordinates, of each edge that may be an outline from this
-  // eye: between a face that looks there and one that does not, at a crease, at a border.
+  // Calls seen(a, b) with the end points of each edge that may be an outline for this eye: an edge
+  // between a face towards the eye and one away from it, a crease, or a border. Eye and points are
+  // in mesh coordinates.
   template <class Seen>
   void each_seen(const glm::vec3& eye, const Seen& seen) const {
     std::vector<char>& towards = towards_;
@@ -54,37 +55,36 @@ class MeshEdges {
   };
   float reach_ = 0.0f;
   std::vector<glm::vec3> points_;  // corners, each once
-  std::vector<glm::vec4> planes_;  // of the faces: positive for eyes that see them
-  std::vector<Edge> smooth_;       // where shading goes on: outlines only against the eye
+  std::vector<glm::vec4> planes_;  // of the faces: positive for points in front of them
+  std::vector<Edge> smooth_;       // smoothly shaded: outlines only where faces turn away
   std::vector<Edge> sharp_;
   mutable std::vector<char> towards_;  // scratch
 };
 
-// Collects the outlines of one panel and smooths them.
+// Collects the outlines of one panel and antialiases them.
 class OutlineSmoother {
  public:
-  // Begins with a panel at `place`.
+  // Starts a panel at `place` (pixels of the picture).
   void begin(const View& view, const PixelBox& place);
-  // The outlines of a thing that is drawn there.
+  // Adds the outlines of an item of the panel.
   void add(const MeshEdges& edges, const DrawItem& item);
-  // Where the things added so far may have pixels, or neighbours of pixels: inside their outlines,
-  // so in each band of rows between the leftmost and the rightmost. Boxes that do not overlap; all
-  // things must be before the eye.
+  // Boxes, without overlap, that contain all pixels of the items added so far and the neighbours of
+  // these pixels. All items must be in front of the eye.
   std::vector<PixelBox> covered() const;
-  // Mixes across all outlines that nothing hides. `depth` is OpenGL's, 0 near to 1 far, of a box
-  // that holds all that is covered, rows from the top; the picture is premultiplied there, with one
-  // sample per pixel. The depths are used and left as they were.
+  // Antialiases all visible outlines in `image`, which has premultiplied alpha and one sample per
+  // pixel. `depth` holds OpenGL's depths (0 near, 1 far) of `box`, rows from the top; `box` must
+  // contain covered(). The depths are changed temporarily and restored.
   void smooth(const PixelBox& box, std::vector<float>& depth, Image& image);
 
  private:
-  // A straight piece of an outline: pixels of the picture; depths are a little nearer than the
-  // edge.
+  // A straight piece of an outline in pixels of the picture. Its depths are slightly nearer than
+  // the edge.
   struct EdgePart {
     glm::vec2 from, to;
     float depth_from, depth_to;
   };
-  // A pixel of the box that edges cross, and how much of it lies beyond them, where the neighbours
-  // to the right, to the left, below and above have the colour.
+  // A pixel crossed by edges. `shares` are the areas beyond them that get the colour of the right,
+  // left, lower and upper neighbour.
   struct Crossed {
     int x, y;
     float depth;
@@ -95,10 +95,10 @@ class OutlineSmoother {
 
   View view_;
   PixelBox place_;
-  PixelBox box_;                                    // that is being smoothed
+  PixelBox box_;                                    // being processed
   float depth_scale_ = 0.0f, depth_offset_ = 0.0f;  // z of clip space = scale * w + offset
   float pixel_ = 0.0f;                              // size of a pixel at w = 1, drawing units
-  std::vector<std::pair<const Mesh*, glm::mat4>> shells_;  // translucent things added so far
+  std::vector<std::pair<const Mesh*, glm::mat4>> shells_;  // translucent items added so far
   std::vector<EdgePart> pieces_;
   std::vector<Crossed> crossed_;
   std::vector<std::array<std::uint8_t, 4>> mixed_;  // their new colours

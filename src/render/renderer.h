@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a Picture into an Image.
+// Draws a Picture into an Image with OpenGL.
 #pragma once
 
 #include <memory>
@@ -12,51 +12,56 @@
 
 namespace polhode {
 
-// What draws, for reports.
+// What draws the pictures, for reports.
 struct RendererInfo {
-  std::string backend;      // "osmesa"
-  std::string gl_renderer;  // as OpenGL names it
-  std::string gl_version;
+  std::string backend;       // "osmesa"
+  std::string gl_renderer;   // GL_RENDERER
+  std::string gl_version;    // GL_VERSION
   int samples = 0;           // per pixel
-  bool by_outlines = false;  // edges are smoothed by their geometry
+  bool by_outlines = false;  // edges are antialiased by outlines
 };
 
+// Time spent in each stage of drawing.
 struct RenderTimes {
-  StageTime draw;       // until the samples are in the framebuffer
-  StageTime read_back;  // resolving samples and copying pixels
-  StageTime smooth;     // mixing across outlines
+  StageTime draw;       // rasterising
+  StageTime read_back;  // resolving samples and reading pixels
+  StageTime smooth;     // antialiasing outlines
 };
 
-// How edges become smooth. Outlines (render/outlines.h) cost less than half of four samples and are
-// nearer to the truth where things are several pixels wide, in pictures from kOutlinePixels on;
-// samples serve the smaller ones.
+// How edges are antialiased. Outlines (render/outlines.h) cost less than half as much as four
+// samples, and are more accurate where things are several pixels wide. by_size uses them for
+// pictures of at least kOutlinePixels, and samples for smaller ones.
 enum class Edges { by_size, samples, outlines };
+// width * height
 inline constexpr int kOutlinePixels = 960 * 540;
 
+// Settings that hold for all pictures of a renderer.
 struct RenderSettings {
   int width = 1920;          // pixels
   int height = 1080;         // pixels
-  int samples = 4;           // wanted per pixel; fewer where the driver has fewer
+  int samples = 4;           // per pixel; fewer if the driver supports fewer
   bool transparent = false;  // the background has alpha 0
   Edges edges = Edges::by_size;
 };
 
-// Owns a context's objects; used on the thread that opened the context, which must outlive it.
+// Owns the OpenGL objects of a context. Use it on the thread of the context, which must outlive it.
 class Renderer {
  public:
-  // Throws Error (environment) when OpenGL cannot do what is needed, (input) for a picture larger
-  // than it can draw.
+  // Throws Error (environment) if OpenGL lacks something, (input), without a key, if the picture is
+  // larger than it can draw.
   Renderer(const Context& context, const RenderSettings& settings);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Draws into `image`, which gets the right size. The same picture gives the same pixels.
+  // Draws into `image`, which is resized if needed. The same picture always gives the same pixels.
+  // Throws Error (environment) on an OpenGL error.
   void draw(const Picture& picture, Image& image);
-  // A picture of one panel.
+  // Draws a picture with a single panel.
   void draw(const DrawList& list, Image& image);
 
   const RendererInfo& info() const;
+  // Summed over all pictures drawn so far.
   const RenderTimes& times() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How surfaces are shaded: a program for each kind of material, made when it is first seen.
+// The shader programs of surfaces: one per kind of material, compiled when it is first used.
 #pragma once
 
 #include <map>
@@ -13,17 +13,19 @@
 
 namespace polhode {
 
+// Use it on the thread of the context, which must outlive it.
 class SurfacePrograms {
  public:
   explicit SurfacePrograms(const Gl& gl) : gl_(gl) {}
 
-  // What all items of a panel share; clip_from_world as it is drawn.
+  // Sets what all items of a panel share. clip_from_world replaces that of `view`.
   void begin(const View& view, const glm::mat4& clip_from_world);
-  // The next mesh is drawn with this material, here.
+  // Selects the program for the next mesh and sets its material and position. Throws Error
+  // (environment) as Program does.
   void use(const Material& material, Faces faces, const glm::mat4& world_from_mesh);
 
  private:
-  // What a program is made for: the constants of the shaders.
+  // The constants that a program is compiled with.
   struct Kind {
     Finish finish = Finish::plain;
     bool flat = false, soft = false, marked = false, shell = false, fading = false;
@@ -42,7 +44,7 @@ class SurfacePrograms {
     Made(const Gl& gl, const std::string& head);
     Program program;
     Uniforms u;
-    bool has_view = false;  // of the panel that is being drawn
+    bool has_view = false;  // its view uniforms are those of the current panel
   };
   Made& made(const Kind& kind);
 
