@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Captions of a story as WebVTT beside a film.
+// Writes the captions of a story to a WebVTT file beside a film.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace polhode {
 
-// A WebVTT file (W3C candidate recommendation, 2019): a cue for each caption, its times those of
-// its frames, its words escaped.
+// The text of a WebVTT file (W3C Candidate Recommendation, 2019): one cue per caption, from its
+// first frame to the one after its last, with its text escaped.
 std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps);
 
-// The file of captions beside a film of that name, NAME.vtt; empty where none is written.
+// The name of the caption file of an output, NAME.vtt; empty for formats without captions.
 std::string captions_beside(const std::string& output);
 
-// The same sink, which also writes captions_beside(job.output) when the film has captions. The two
-// files get their names together, the film first; without the film there are no captions.
+// Wraps a film sink so that it also writes captions_beside(job.output) if the film has captions.
+// The caption file gets its name right after the film. Throws Error as AtomicFile does.
 std::unique_ptr<FrameSink> with_captions(std::unique_ptr<FrameSink> film, const SinkJob& job);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tables of the films that can be written: containers by their ending, codecs, and libav's encoders
-// with what is asked of each. A new format is a row here.
+// The tables of film formats: containers by their file ending, and codecs with libav's encoders and
+// their options. To add a format: a row in film_formats(), and in film_encoders() for a new
+// encoder.
 #pragma once
 
 #include <array>
@@ -16,56 +17,59 @@ namespace polhode {
 
 class LibavOptions;
 
-// One way to compress a film: a codec by one of libav's encoders.
+// A codec as implemented by one of libav's encoders.
 struct FilmEncoder {
   std::string codec;            // as --codec takes it, "h264"
-  std::string title;            // for people, "H.264"
-  std::string name;             // libav's, "libx264"
-  std::string doc;              // one phrase: what for
-  bool alpha = false;           // can keep transparency
-  bool presets = false;         // takes --preset
-  int worst_crf = 0;            // --crf is 1 (best) to this; 0: it takes none
-  std::array<int, 3> crf = {};  // for draft, lecture, archive
-  // AVPixelFormat of frames with alpha or without, at the finest or as players like it
+  std::string title;            // for display, "H.264"
+  std::string name;             // libav's name, "libx264"
+  std::string doc;              // one phrase: its purpose
+  bool alpha = false;           // supports transparency
+  bool presets = false;         // accepts --preset
+  int worst_crf = 0;            // --crf is 1 (best) to this value; 0: it accepts none
+  std::array<int, 3> crf = {};  // defaults for Grade draft, lecture, archive
+  // the AVPixelFormat of its frames, with or without alpha, in the finest or the most compatible
+  // form
   int (*pixels)(bool alpha, bool finest) = nullptr;
-  // everything else it is told before it opens; size, rate and tags are there already
+  // sets encoder options before it opens; size, rate and colour tags are already set
   void (*configure)(const EncoderSettings&, AVCodecContext&, LibavOptions&) = nullptr;
 };
 
-// All of them; of several with the same codec the first that this FFmpeg has is taken.
+// All encoders. Of several with the same codec, the first that the installed FFmpeg has is used.
 const std::vector<FilmEncoder>& film_encoders();
 
-// A container, recognised by the ending of the output.
+// A container format, recognised by the ending of the output.
 struct FilmFormat {
-  std::string ending;                               // ".mp4"
-  std::string muxer;                                // libav's name
-  std::vector<std::string> codecs;                  // the first is the default
-  bool keeps_metadata = false;                      // keeps title, chapters; captions go beside
-  std::vector<std::array<std::string, 2>> options;  // of the muxer
+  std::string ending;               // ".mp4"
+  std::string muxer;                // libav's name of the container
+  std::vector<std::string> codecs;  // allowed codecs, the default first
+  bool keeps_metadata = false;  // stores title, comment and chapters; captions go into a .vtt file
+  std::vector<std::array<std::string, 2>> options;  // options of the muxer: name, value
 };
+// All film formats.
 const std::vector<FilmFormat>& film_formats();
 
-// The format of that output, by its ending, "-" as .y4m; null when it is no film.
+// The format of an output by its ending ("-" is .y4m); null if it is not a film.
 const FilmFormat* find_film_format(const std::string& output);
 
-// Is an encoder of that name in this FFmpeg?
+// Whether the installed FFmpeg has an encoder of that (libav's) name.
 bool has_encoder(const std::string& name);
 
-// The row for a codec of this format; "" is its default. Throws Error (input) for a codec that the
-// format does not take, (environment) when this FFmpeg has no encoder for it, with what to install.
+// The encoder for a codec of this format; "" is the default codec. Throws Error (input), naming
+// --codec, for a codec that the format does not allow; (environment), with what to install, if the
+// installed FFmpeg has no encoder for it.
 const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& codec);
 
-// What the user asked of the encoder; absent: what the grade says.
+// The user's encoder options; absent ones are decided by the grade.
 struct EncoderWish {
   Grade grade = Grade::lecture;
-  std::string preset = "veryfast";    // the grade's own
+  std::string preset = "veryfast";    // default of the quality
   std::optional<std::string> codec;   // --codec
   std::optional<std::string> forced;  // --preset
   std::optional<int> crf;             // --crf
 };
 
-// What that means for this output. Throws Error (input), with the option, for a codec, a preset or
-// a quality that the format does not take.
+// The settings for this output. Throws Error (input), naming --codec, --preset or --crf, for a
+// value that the format does not accept; (environment) as find_encoder does.
 EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wish);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films that follow each other become one, without being encoded again.
+// Joins films to one film without re-encoding.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace polhode {
 
-// Claims the name of a film, and later fills it from pieces.
+// Claims the name of a film, and later writes it from parts. Not thread-safe.
 class FilmJoiner {
  public:
-  // Throws Error (input) as AtomicFile does, and for an ending that is no film's.
+  // Throws Error (input) as AtomicFile does, and for an ending other than .mp4, .webm and .mov.
   explicit FilmJoiner(const std::string& output);
   ~FilmJoiner();
   FilmJoiner(const FilmJoiner&) = delete;
@@ -21,12 +21,12 @@ class FilmJoiner {
 
   struct Part {
     std::string file;
-    int frames = 0;  // that it must hold
+    int frames = 0;  // number of frames that it must contain
   };
-  // Copies the packets of all parts, in that order, each frame one step of the rate behind the one
-  // before; title, comment and chapters are those given. Then the film has its name, and its
-  // captions are beside it. Throws Error (input) when a part cannot be read, holds another number
-  // of frames, or was encoded otherwise than the first; (environment) when it cannot be written.
+  // Copies the packets of all parts in this order, with timestamps that increase by one frame each,
+  // and adds title, comment and chapters. Then gives the film its name and writes its caption file.
+  // Throws Error (input), with the part as place, if a part cannot be read, has another number of
+  // frames, or was encoded differently from the first; (environment) if the film cannot be written.
   void join(const std::vector<Part>& parts,
             const FrameRate& fps,
             const std::string& title,
@@ -38,8 +38,8 @@ class FilmJoiner {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// The comment in a film's metadata; empty if there is none. Throws Error (input) when the file is
-// missing or no film.
+// The comment in the metadata of a film; empty if there is none. Throws Error (input) if the file
+// is missing or not a film.
 std::string comment_of_film(const std::string& file);
 
 }  // namespace polhode

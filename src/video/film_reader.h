@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of a film file, one after another.
+// Reads the frames of a film file in order.
 #pragma once
 
 #include <memory>
@@ -10,24 +10,24 @@
 
 namespace polhode {
 
-// What the file says of its first film track.
+// What the file says about its first video track.
 struct FilmInfo {
   int width = 0;       // pixels
   int height = 0;      // pixels
-  int frames = 0;      // 0: the file does not say
-  FrameRate fps;       // average
-  bool alpha = false;  // has the film transparency?
+  int frames = 0;      // 0: unknown
+  FrameRate fps;       // average rate
+  bool alpha = false;  // whether it has transparency
   std::string codec;   // FFmpeg's name, "h264"
 };
 
-// Decodes in the order of display, on the calling thread and one of its own per processor.
-// Frames come out as 8-bit sRGB through the matrix and range that the film is tagged with; an
-// untagged film is taken for BT.709 from 720 rows on and BT.601 below, as players do. Colour that
-// is stored at half the resolution is not interpolated: each sample serves the pixels it covers.
+// Decodes frames in display order, with one decoder thread per processor. Frames are converted to
+// 8-bit sRGB with the matrix and range that the film is tagged with. Untagged films count as BT.709
+// from 720 rows on and as BT.601 below, as in players. Subsampled colour is not interpolated: each
+// sample is used for all pixels that it covers. Not thread-safe.
 class FilmReader {
  public:
-  // Throws Error (input) when the file is missing, no film, or larger than 2^28 pixels a frame;
-  // (environment) when this FFmpeg has no decoder for it.
+  // Throws Error (input), with the file as place, if it is missing, not a film, or has more than
+  // 2^28 pixels per frame; (environment) if FFmpeg has no decoder for it.
   explicit FilmReader(const std::string& file);
   ~FilmReader();
   FilmReader(const FilmReader&) = delete;
@@ -35,8 +35,9 @@ class FilmReader {
 
   const FilmInfo& info() const;
 
-  // The next frame and when it is shown, s after the first frame; false at the end. The buffer is
-  // used again. Throws Error (input) when the file is damaged or ends before its time.
+  // Gets the next frame and its time (s after the first frame); false at the end. Reuses the buffer
+  // of `frame`. Throws Error (input) if the file is damaged or truncated, or if the picture size
+  // changes.
   bool next(Image& frame, double& time);
 
  private:
@@ -44,7 +45,7 @@ class FilmReader {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// Does the name end as films do (.mp4, .mkv, .mov, .webm, .gif, .avi, .m4v, .apng)?
+// Whether the name has the ending of a film: .mp4, .mkv, .mov, .webm, .gif, .avi, .m4v or .apng.
 bool has_film_ending(const std::string& name);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where frames go: a film, a picture, a numbered sequence, a list of hashes, or nowhere.
+// The interface of all destinations of frames: films, pictures, numbered sequences, lists of
+// hashes, nothing.
 #pragma once
 
 #include <memory>
@@ -12,55 +13,58 @@
 
 namespace polhode {
 
-// What a sink must know before the first frame.
+// What a sink must know when it is opened.
 struct SinkJob {
-  std::string output;        // as the user gave it; "clip.mp4", "still.png", "f_%05d.png", "hash:F"
+  std::string output;        // as the user gave it: "clip.mp4", "still.png", "f_%05d.png", "hash:F"
   int width = 0;             // pixels
   int height = 0;            // pixels
   FrameRate fps;             // exact
   EncoderSettings encoder;   // for films
-  bool transparent = false;  // keep alpha; a sink that cannot refuses (Error, input)
-  bool still = false;        // exactly one frame will come
-  std::string title;         // container metadata
-  std::string comment;       // container metadata
-  bool segment = false;      // of a film: no captions beside it, and sealed (video/seal.h)
+  bool transparent = false;  // keep alpha; sinks without alpha throw Error (input)
+  bool still = false;        // exactly one frame will be pushed
+  std::string title;         // stored in the container
+  std::string comment;       // stored in the container
+  bool segment = false;      // part of a film: sealed (video/seal.h) and without caption file
 };
 
-// What is known of a film when its motion has been found. Frames count from 0.
+// What is known about a film once its motion is computed. Frames count from 0.
 struct FilmMetadata {
   struct Chapter {
     int start = 0;  // frame
     std::string title;
   };
   struct Caption {
-    int start = 0;  // first frame that has it
-    int end = 0;    // first frame that has it no more
+    int start = 0;  // first frame that shows it
+    int end = 0;    // first frame that does not show it any more
     std::string words;
   };
-  int frames = 0;                 // how many will come
-  std::vector<int> key_frames;    // where a player must be able to stop and begin, beside 0
-  std::vector<Chapter> chapters;  // by start, the first at 0; none: empty
-  std::vector<Caption> captions;  // by start; written beside films as NAME.vtt
-  std::string comment = {};       // for the container; empty: the job's
-  int first = 0;                  // number of the first in names and lists
+  int frames = 0;               // number of frames that will be pushed
+  std::vector<int> key_frames;  // frames, besides 0, at which players must be able to seek exactly
+  std::vector<Chapter> chapters;  // by start, the first at 0; may be empty
+  std::vector<Caption> captions;  // by start; written to NAME.vtt
+  std::string comment = {};       // for the container; empty: SinkJob::comment
+  int first = 0;                  // number of the first frame in file names and lists
 };
 
-// Times of the sink's own stages.
+// Time spent in the stages of the sink.
 struct SinkTimes {
   StageTime convert;  // RGBA to the encoder's pixel format
   StageTime encode;   // encoding, muxing, writing
 };
 
-// Takes frames in order. The output exists under its name only after finish(); a sink that is
-// destroyed without finish() leaves nothing behind. All throw Error.
+// Takes frames in order, on one thread. The output gets its name in finish(); a sink that is
+// destroyed without finish() leaves nothing behind. push() and finish() throw Error (environment)
+// if writing fails, and (interrupted).
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  // Called at most once, before the first frame; sinks that cannot use it do nothing.
+  // Called at most once, before the first frame. Sinks that cannot use it ignore it.
   virtual void describe(const FilmMetadata&) {}
+  // Takes the next frame, of the size of the job.
   virtual void push(const Image& frame) = 0;
+  // Completes the output. Called once, after the last frame.
   virtual void finish() = 0;
-  // Of the frames that are pushed the output has every n-th, from the first one on.
+  // The output contains every n-th of the pushed frames, beginning with the first.
   virtual int keeps_every() const { return 1; }
   virtual SinkTimes times() const = 0;
 };

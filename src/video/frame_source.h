@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where frames come from: a picture, a numbered sequence, a folder of pictures, a film.
+// The interface of all sources of frames: a picture, a numbered sequence, a folder of pictures, a
+// film.
 #pragma once
 
 #include <memory>
@@ -11,35 +12,37 @@
 
 namespace polhode {
 
+// Kinds of sources.
 enum class SourceKind { picture, numbered, folder, film };
 
+// A frame and what identifies it in its source.
 struct SourceFrame {
   Image image;
-  std::string label;  // number or file name in a sequence; "" in a film and of a single picture
-  double time = 0.0;  // s after the first frame of a film; 0 elsewhere
+  std::string label;  // number or file name in a sequence; "" for films and single pictures
+  double time = 0.0;  // s after the first frame, for films; else 0
 };
 
-// What is known before all has been read.
+// What is known before all frames have been read.
 struct SourceInfo {
   SourceKind kind = SourceKind::picture;
-  std::vector<std::string> labels;  // of all frames, except in a film
-  FrameRate fps;                    // of a film
-  int frames = 0;                   // about how many there will be; 0: not known
+  std::vector<std::string> labels;  // of all frames; empty for films
+  FrameRate fps;                    // for films
+  int frames = 0;                   // approximate number of frames; 0: unknown
 };
 
-// Gives frames in order.
+// Reads frames in order, on one thread.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   virtual const SourceInfo& info() const = 0;
-  // False at the end. The image's buffer is used again. Throws Error (input) for what cannot be
-  // read.
+  // Gets the next frame; false at the end. Reuses the buffer of the image. Throws Error (input),
+  // with the file as place, for what cannot be read.
   virtual bool next(SourceFrame& frame) = 0;
 };
 
-// "a.png", "f_%05d.png" (every number there is, in order), a folder (its .png files, numbers in
-// their names in order of size), "a.mp4" or another film. Throws Error (input) for anything else
-// and for what is not there.
+// Opens "a.png", "f_%05d.png" (all numbers that exist, in order), a folder (its .png files, with
+// numbers in their names sorted by value), or a film such as "a.mp4". Throws Error (input), with
+// `name` as place, for other names and for missing files.
 std::unique_ptr<FrameSource> open_frames(const std::string& name);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames are made on one thread and written on another.
+// Runs rendering and writing of frames on two threads.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,19 @@
 
 namespace polhode {
 
-// Fills `image` with frame `index`; the buffer is one that was used before, or empty.
+// Renders frame `index` into `image`, which is empty or holds an earlier frame.
 using Produce = std::function<void(int index, Image& image)>;
 
-// How far the work is.
+// Progress of the pipeline.
 struct PipelineStep {
-  int done = 0;              // frames made
-  bool writer_waits = true;  // of late the writer has waited for frames more than they for it
+  int done = 0;              // frames rendered
+  bool writer_waits = true;  // recently the writer waited for frames rather than frames for it
 };
 
-// Calls produce(0), produce(1), … on the calling thread and hands each frame to the sink on
-// another, at most four frames ahead; then sink.finish(). on_frame is called on the calling
-// thread. An error on either side stops the other and is thrown here; so is an interrupt.
+// Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a
+// second thread, at most four frames behind; then calls sink.finish(). on_frame is called on the
+// calling thread after each frame. An error on either thread stops the other and is thrown here.
+// Throws Error (interrupted).
 void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,

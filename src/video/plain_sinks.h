@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sinks for machines: hashes of frames, and nothing at all.
+// Sinks that write hashes of frames, or nothing.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,20 @@
 
 namespace polhode {
 
-// What stands before the file name when the ending is to be free: "hash:frames.txt".
+// The prefix that selects a list of hashes for any file name: "hash:frames.txt".
 inline constexpr std::string_view kHashPrefix = "hash:";
 
-// What stands for a frame in lists and reports: a hash of its pixels, straight RGBA.
+// The hash (content_hash) of the pixels of a frame, RGBA with straight alpha, for lists and
+// reports.
 std::string frame_hash(const Image& frame);
 
-// The same sink; the hash of each frame is added to the list, which must outlive it.
+// Wraps a sink so that the hash of each frame is appended to `hashes`, which must outlive it.
 std::unique_ptr<FrameSink> with_hashes(std::unique_ptr<FrameSink> sink,
                                        std::vector<std::string>& hashes);
 
+// A text file with one line per frame: number, size and hash. Throws Error as AtomicFile does.
 std::unique_ptr<FrameSink> make_hash_sink(const SinkJob& job);
+// Discards all frames, for benchmarks.
 std::unique_ptr<FrameSink> make_null_sink(const SinkJob& job);
 
 }  // namespace polhode

@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: MIT
-// PNG pictures: one, or a numbered sequence.
+// Writes PNG pictures: a single one, or a numbered sequence.
 #pragma once
 
 #include "video/frame_sink.h"
 
 namespace polhode {
 
+// A single picture. Throws Error as AtomicFile does, (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
-// NAME_%05d.png: one %d, with or without a zero-padded width of at most nine. No frame has
-// its name before finish(), so a failure leaves older frames as they were.
+// A sequence such as NAME_%05d.png: one %d, or %0Nd with N at most nine. The files get their names
+// in finish(), so a failure leaves older frames unchanged. Throws Error as AtomicFile and
+// parse_numbered_name do, (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 
-// A validated file-name pattern.
+// A parsed file-name pattern.
 struct NumberedName {
   std::string before;
   std::string after;
   int width = 0;  // digits, zero-padded
 
+  // The file name with that number.
   std::string of(int index) const;
 };
 
-// Is there a %d or %0Nd in it?
+// Whether the name contains a %d or %0Nd.
 bool has_frame_number(const std::string& pattern);
 
-// Throws Error (input) for anything but exactly one %d or %0Nd.
+// Parses a pattern. Throws Error (input), with the pattern as place, unless it has exactly one %d
+// or %0Nd.
 NumberedName parse_numbered_name(const std::string& pattern);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A seal at the end of a film file: text, and a hash by which any change of the file is seen. It
-// stands in an element that players skip ("free" of MP4 and MOV, Void of Matroska).
+// A seal at the end of a film file: a text and a hash that detects any change of the file. It is
+// stored in an element that players skip ("free" in MP4 and MOV, Void in Matroska).
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace polhode {
 
-// Appends it; the name's ending (before .part) tells the container. Throws Error (environment) when
-// the disk is full.
+// Appends a seal with that text. The ending of the name (before .part) says which container it is.
+// Throws Error (environment) if writing fails.
 void seal_file(const std::filesystem::path& file, std::string_view text);
 
-// The text of the seal; nothing where there is none, or where the file is not as it was sealed.
-// Throws Error (input) when the file cannot be read.
+// The text of the seal; empty if there is none or if the file has changed since. Throws Error
+// (input), with the file as place, if it cannot be read.
 std::optional<std::string> sealed_text(const std::filesystem::path& file);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of what can be written.
+// The table of output kinds, and the choice of a sink by the name of the output.
 #pragma once
 
 #include <memory>
@@ -10,25 +10,27 @@
 
 namespace polhode {
 
-// One row per kind of output: how it is recognised and made.
+// A kind of output. To add one: a row in sink_kinds().
 struct SinkKind {
   std::string name;                                      // "mp4"
-  std::string ending;                                    // ".mp4"; empty when recognised otherwise
+  std::string ending;                                    // ".mp4"; empty if `accepts` recognises it
   std::string doc;                                       // one phrase for `list formats`
-  bool alpha = false;                                    // can keep transparency
-  bool film = false;                                     // one file of many frames, for people
-  bool (*accepts)(const std::string& output) = nullptr;  // null: by the ending
-  std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;
+  bool alpha = false;                                    // supports transparency
+  bool film = false;                                     // a single file that players show
+  bool (*accepts)(const std::string& output) = nullptr;  // null: recognised by the ending
+  std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;  // opens the sink
 };
 
 // All kinds, in the order in which they are tried.
 const std::vector<SinkKind>& sink_kinds();
 
-// The kind of that output. Throws Error (input) for an unknown ending (naming the nearest).
+// The kind of an output. Throws Error (input), with the output as place, for an unknown ending; the
+// message suggests the nearest.
 const SinkKind& find_sink_kind(const std::string& output);
 
-// The sink for job.output. Throws Error (input) for an unknown ending (naming the nearest), odd
-// film sizes, a folder that cannot be written; (environment) for a missing encoder.
+// Opens the sink for job.output. Throws Error (input) as find_sink_kind and AtomicFile do, and for
+// a job that the kind cannot do: transparency, a still as a film, odd sizes, a wrong codec (naming
+// --codec); (environment) for a missing encoder.
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job);
 
 }  // namespace polhode

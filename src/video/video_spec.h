@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The [video] table of a scene, and how films are encoded.
+// The [video] table of a scene, and the settings of encoders.
 #pragma once
 
 #include <string>
@@ -19,35 +19,38 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
-// "60", "29.97" is refused in favour of "30000/1001". Throws Error (input).
+// Parses "60" or "30000/1001". Throws Error (input), without a key, for other text (also "29.97")
+// and for rates out of range.
 FrameRate parse_frame_rate(const std::string& text);
 
 inline constexpr int kSmallestSide = 16;    // pixels
-inline constexpr int kLargestSide = 16384;  // pixels; what GL and H.264 level limits leave
+inline constexpr int kLargestSide = 16384;  // pixels; limit of OpenGL and of H.264 levels
 
-// The largest picture: with four samples of colour and depth it takes what one buffer may hold.
+// The most pixels of a picture: with four samples of colour and depth, more would exceed the size
+// of one buffer.
 inline constexpr int kMostPixels = 8192 * 8192;
 
-// Throws Error (input) for a size out of bounds.
+// Throws Error (input), without a key, for a size outside these limits.
 void check_picture_size(const PictureSize& size);
 
-// "1920x1080". Throws Error (input) when it is not of that form or out of bounds.
+// Parses "1920x1080". Throws Error (input), without a key, for other text and as check_picture_size
+// does.
 PictureSize parse_picture_size(const std::string& text);
 
-// How good a film is to be.
+// The quality of a film.
 enum class Grade { draft, lecture, archive };
 
-// How a film is encoded. Threads are pinned because x264's output depends on their number.
+// How a film is encoded. The number of threads is fixed because x264's output depends on it.
 struct EncoderSettings {
-  std::string codec;                // "h264", …; empty: the first that the format takes
-  std::string preset = "veryfast";  // effort, one of encoder_presets(); empty: there is none
+  std::string codec;                // "h264", …; empty: the default of the format
+  std::string preset = "veryfast";  // effort, one of encoder_presets(); empty: the codec has none
   int crf = 18;                     // constant rate factor, 1 is best; 0: the codec has none
-  bool finest = false;              // 4:4:4 where players take it, and the best profile
+  bool finest = false;              // 4:4:4 colour where players support it, and the best profile
   int threads = 2;                  // encoder threads
 };
 
-// The efforts that may be asked for, fastest first: the presets of x264, which other encoders
-// follow in their own terms.
+// The values of --preset, fastest first: the presets of x264. Other encoders map them to their own
+// settings.
 const std::vector<std::string>& encoder_presets();
 
 // The [video] table.
@@ -55,9 +58,9 @@ struct VideoSpec {
   PictureSize size;
   FrameRate fps;
   double time_scale = 1.0;        // seconds of motion per second of film
-  bool loop = false;              // the film ends where it began
-  double loop_residual = 0.0349;  // rad: how exactly
-  double shutter = 0.0;           // part of a turn of the shutter that is open, rad; 0: an instant
+  bool loop = false;              // end the film where the motion is back at its start
+  double loop_residual = 0.0349;  // allowed Loop::residual, rad
+  double shutter = 0.0;  // shutter angle, rad: 2 pi exposes from frame to frame; 0: an instant
 };
 
 template <class Visitor>

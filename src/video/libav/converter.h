@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to the pixels that an encoder takes. Not for other libraries.
+// Converts pictures to the pixel format of an encoder. Private to video/.
 #pragma once
 
 #include <array>
@@ -13,14 +13,16 @@
 
 namespace polhode {
 
-// Full-range RGB to limited-range BT.709 where the format is YUV; alpha stays straight, and is
-// dropped where the format has none. Only what may differ from the picture before is converted.
+// Converts full-range sRGB; YUV formats get limited-range BT.709. Alpha stays straight, and is
+// dropped if the format has none. Only the parts that may differ from the previous picture are
+// converted. Not thread-safe.
 class Converter {
  public:
-  // Throws Error (environment) when swscale cannot.
+  // Sizes in pixels. Throws Error (environment) if swscale does not support the format.
   Converter(int width, int height, AVPixelFormat format);
 
-  // The frame is this object's own and holds until the next call; its time is the caller's to set.
+  // The converted frame, owned by this object and valid until the next call. The caller sets its
+  // pts.
   AVFrame* convert(const Image& image);
 
  private:
@@ -30,9 +32,9 @@ class Converter {
   void convert_part(const Image& image, const PixelBox& box);
 
   Owned<AVFrame> frame_;
-  Owned<AVFrame> part_;                                       // a piece of it with its surroundings
+  Owned<AVFrame> part_;                                       // a part of it with a border
   std::map<std::pair<int, int>, Owned<SwsContext>> scalers_;  // by width and height
-  // what frame_ shows outside these boxes
+  // the colour of frame_ outside the boxes
   std::optional<std::array<std::uint8_t, 4>> ground_;
   std::vector<PixelBox> painted_;
 };

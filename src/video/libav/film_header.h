@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands at the head of a film file: container, tags, chapters. Not for other libraries.
+// Opens the container of a film and writes its header: tags and chapters. Private to video/.
 #pragma once
 
 #include <string>
@@ -13,17 +13,18 @@
 
 namespace polhode {
 
-// The container of that format, which writes to that output. Throws Error (environment).
+// A muxer of that format that writes to `output`. Throws Error (environment).
 Owned<AVFormatContext> open_container(const FilmFormat& format, const FilmOutput& output);
 
-// Metadata; empty texts are left out.
+// Adds metadata, {key, text}; empty texts are left out.
 void add_notes(AVFormatContext& muxer,
                const std::vector<std::pair<const char*, std::string>>& notes);
 
-// A chapter from each start to the next. Frames become times by the rate.
+// Adds the chapters. Each lasts until the next one starts; fps converts frames to times. Throws
+// Error (environment) without memory.
 void add_chapters(AVFormatContext& muxer, const FilmMetadata& metadata, const FrameRate& fps);
 
-// Writes the header, with the format's own options.
+// Writes the header with the options of the format. Throws Error (environment).
 void begin_film(AVFormatContext& muxer, const FilmFormat& format);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the bytes of a film go: a file that appears when it is whole, or standard output.
+// The destination of a film's bytes: a file that appears when it is complete, or standard output.
+// Private to video/.
 #pragma once
 
 #include <optional>
@@ -11,25 +12,25 @@ struct AVIOContext;
 
 namespace polhode {
 
-// The name of standard output as an output.
+// The output name that stands for standard output.
 inline constexpr const char* kStandardOutput = "-";
 
-// Invariant: without finish() a file leaves nothing behind. Writes to a pipe that nobody reads
-// wait, but give up when the user interrupts.
+// Invariant: without finish(), no file remains. Writes block if nobody reads the pipe, until a
+// signal interrupts them.
 class FilmOutput {
  public:
-  // Throws Error as AtomicFile does, (input) when standard output is a terminal.
+  // Throws Error as AtomicFile does, and (input) if standard output is a terminal.
   explicit FilmOutput(const std::string& output);
   ~FilmOutput();
   FilmOutput(const FilmOutput&) = delete;
   FilmOutput& operator=(const FilmOutput&) = delete;
 
-  // What libav writes to, and its name; empty for standard output.
+  // The stream that libav writes to, and the URL of its file; url() is empty for standard output.
   AVIOContext* stream() const { return stream_; }
   const std::string& url() const { return url_; }
 
-  // All has been written: closes it, seals it with that text (video/seal.h), and gives it its name.
-  // Throws Error (environment).
+  // Closes the file, appends a seal with that text (video/seal.h) if given, and gives the file its
+  // name. Throws Error (environment).
   void finish(const std::optional<std::string>& seal = std::nullopt);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Encoder, container and output of one film. Not for other libraries.
+// Encodes and muxes one film. Private to video/.
 #pragma once
 
 #include <optional>
@@ -13,28 +13,30 @@
 
 namespace polhode {
 
-// Takes frames in the encoder's own pixels and writes a film of constant rate, with closed groups
-// of at most a second, tags, title and chapters. All throw Error with the name of the output.
+// Takes frames in the encoder's pixel format and writes a film of constant rate, with closed groups
+// of pictures of at most a second, tags, title and chapters. Not thread-safe. Errors have the
+// output as place; writing throws Error (environment) and (interrupted).
 class FilmWriter {
  public:
-  // Opens the output and the encoder. Throws Error (input) for odd sides where colour has half the
-  // resolution, as FilmOutput and find_encoder do, (environment) when the encoder does not open.
+  // Opens the output and the encoder. Throws Error as FilmOutput and find_encoder do, (input) if a
+  // side is odd and the format has subsampled colour, (environment) if the encoder does not open.
   explicit FilmWriter(const SinkJob& job);
 
+  // The encoder's pixel format.
   AVPixelFormat pixels() const { return encoder_->pix_fmt; }
 
-  // Chapters; before the first frame.
+  // Sets chapters and comment. To be called before the first frame.
   void describe(const FilmMetadata& metadata);
-  // A frame with its pts, in 1 / rate or what the encoder took. A key frame begins a group.
+  // Encodes a frame, whose pts is set in the encoder's time base. `key` makes it a key frame.
   void write(AVFrame& frame, bool key);
-  // An option that the muxer only needs at the end.
+  // Sets an option that the muxer reads when it writes the trailer.
   void set_at_end(const char* option, std::int64_t value);
-  // Text that the finished film is sealed with (video/seal.h).
+  // Sets the text of the seal (video/seal.h).
   void seal_with(const std::string& text) { seal_ = text; }
-  // The rest is encoded, the container closed, the film gets its name.
+  // Flushes the encoder, closes the container and gives the film its name.
   void finish();
 
-  // The threads that the encoder started; they live as long as this object.
+  // The ids of the encoder's threads, which live as long as this object.
   const std::set<int>& threads() const { return threads_; }
 
  private:

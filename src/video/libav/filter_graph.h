@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A chain of libavfilter's filters that frames are pushed through. Not for other libraries.
+// Runs frames through a graph of libavfilter. Private to video/.
 #pragma once
 
 #include <memory>
@@ -13,24 +13,24 @@ struct AVFilterGraph;
 
 namespace polhode {
 
-// What one input takes.
+// The format of one input.
 struct FilterInput {
-  std::string name;  // of its pad in the description
+  std::string name;  // of its pad in the graph description
   int width = 0;     // pixels
   int height = 0;    // pixels
   AVPixelFormat format = AV_PIX_FMT_NONE;
 };
 
-// Filters as libavfilter's text describes them; the output pad is called "out". Times are
-// hundredths of a second. libavfilter is opened when the first one is made: with the libraries it
-// brings it would double the time in which the program starts. All throw Error (environment).
+// A graph in libavfilter's text form, with an output pad "out". Times are hundredths of a second.
+// libavfilter is loaded when the first graph is made, because with its dependencies it would double
+// the start-up time of the program. Not thread-safe. All members throw Error (environment).
 class FilterGraph {
  public:
   FilterGraph(const std::string& description, const std::vector<FilterInput>& inputs);
 
-  // The frame stays the caller's; null: no more will come.
+  // Pushes a frame, which stays the caller's, to an input; null marks the end.
   void push(std::size_t input, AVFrame* frame);
-  // What has come out, which holds until the next call; null when there is nothing yet.
+  // The next output frame, valid until the next call; null if none is ready.
   AVFrame* pull();
 
  private:

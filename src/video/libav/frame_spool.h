@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames that wait on disk until the film is known. Not for other libraries.
+// Stores frames on disk until all are known. Private to video/.
 #pragma once
 
 #include <cstdio>
@@ -10,11 +10,12 @@
 
 namespace polhode {
 
-// Lossless (FFV1) in a file that has no name, so that it vanishes with the process however that
-// ends. First all frames are pushed, then all are taken, in order. All throw Error (environment).
+// Frames are stored losslessly (FFV1) in a file without a name, so that it disappears with the
+// process in any case. First all frames are pushed, then all are taken, in order. Not thread-safe.
+// All members throw Error (environment).
 class FrameSpool {
  public:
-  // In that folder; frames of bgra or bgr0.
+  // The file is in `folder`. Sizes in pixels; format: bgra or bgr0; threads: of the codec.
   FrameSpool(const std::filesystem::path& folder,
              int width,
              int height,
@@ -22,9 +23,9 @@ class FrameSpool {
              int threads);
 
   void push(const AVFrame& frame);
-  // No more will be pushed.
+  // Ends pushing; take() starts at the first frame.
   void rewind();
-  // The next frame, which holds until the next call; null after the last.
+  // The next frame, valid until the next call; null after the last.
   AVFrame* take();
 
  private:

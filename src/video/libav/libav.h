@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only includer of FFmpeg's libraries: objects that free themselves, options that must be
-// understood, calls that must succeed. Not for other libraries.
+// RAII types and error handling for FFmpeg's libraries. Private to video/, the only library that
+// includes them.
 #pragma once
 
 extern "C" {
@@ -19,7 +19,7 @@ extern "C" {
 
 namespace polhode {
 
-// Frees what libav made; the file of a muxer belongs to FilmOutput.
+// Deleters for libav's objects. The file of a muxer belongs to FilmOutput and is not closed.
 struct FreeLibav {
   void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
   void operator()(AVFormatContext* p) const { avformat_free_context(p); }
@@ -30,13 +30,13 @@ struct FreeLibav {
 template <class T>
 using Owned = std::unique_ptr<T, FreeLibav>;
 
-// A film that is read, with its file.
+// A film that is opened for reading, with its file.
 struct CloseInput {
   void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
 };
 using LibavInput = std::unique_ptr<AVFormatContext, CloseInput>;
 
-// Options for a libav call; entries that are left over were not understood.
+// Options for a libav call. The call removes the entries that it understands.
 class LibavOptions {
  public:
   LibavOptions() = default;
@@ -45,23 +45,25 @@ class LibavOptions {
   LibavOptions& operator=(const LibavOptions&) = delete;
 
   void set(const char* key, const std::string& value);
+  // For the libav call.
   AVDictionary** pass() { return &entries_; }
-  // Throws Error (environment) when an entry is left.
+  // Throws Error (environment), with `who` and the option in the message, if an entry is left.
   void refuse_leftovers(const std::string& who) const;
 
  private:
   AVDictionary* entries_ = nullptr;
 };
 
-// libav's own text for an error code.
+// libav's message for an error code.
 std::string libav_words(int code);
 
-// Every libav call that can fail through no fault of the user goes through here. Throws Error
-// (environment) with libav's words, (interrupted) when a signal ended the call.
+// Checks the result of a libav call that fails through no fault of the user, and returns it. `what`
+// is what was attempted, for the message. Throws Error (environment) with libav's message,
+// (interrupted) if a signal ended the call.
 int check_libav(int code, const std::string& what);
 
-// Hands a frame (null: no more) to an encoder, and every packet that comes out to `use`. Throws as
-// check_libav does.
+// Sends a frame (null: end of the film) to an encoder, and calls `use` whenever `packet` holds a
+// new packet. Throws as check_libav does.
 template <class Use>
 void encode_frame(AVCodecContext& encoder,
                   const AVFrame* frame,
@@ -77,14 +79,14 @@ void encode_frame(AVCodecContext& encoder,
   }
 }
 
-// libav's way to say that there was no memory. Throws Error (environment).
+// Checks the result of an allocation by libav. Throws Error (environment) if it is null.
 template <class T>
 T* made(T* object) {
   if (object == nullptr) throw environment_error("no memory for the film");
   return object;
 }
 
-// Sends libav's warnings and errors to the log (told with -v); its chatter goes nowhere.
+// Sends libav's warnings and errors to the log, where --verbose shows them, and drops the rest.
 void quieten_libav();
 
 }  // namespace polhode
