@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One process that draws frames for another, which reads them in order.
+// A child process that renders frames; the parent reads them in order through shared memory.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace polhode {
 
-// The parent's side. Invariant: the process ends with this object or with the parent, whichever is
-// first, and is reaped by this object.
+// The parent's side. Invariant: the process ends with this object or with the parent, whichever
+// ends first, and this object reaps it. Not thread-safe.
 class DrawingProcess {
  public:
-  // Forks; the child calls open(), draws all of `frames` in their order and ends. Throws Error
-  // (environment) without memory or processes.
+  // Forks. The child calls open(), renders `frames` in their order, and exits. Throws Error
+  // (environment) if memory or process cannot be created.
   DrawingProcess(PictureSize size,
                  const std::vector<int>& frames,
                  const std::function<std::unique_ptr<FrameRenderer>()>& open);
@@ -24,11 +24,12 @@ class DrawingProcess {
   DrawingProcess(const DrawingProcess&) = delete;
   DrawingProcess& operator=(const DrawingProcess&) = delete;
 
-  // What draws there; waits until it is known. Throws Error as next() does.
+  // The renderer of the child; waits until it is open. Throws Error as next() does.
   const RendererInfo& info();
-  // The next of its frames. Throws what the child could not do, Error (environment) when it has
-  // been killed, (interrupted) when a signal asks us to stop.
+  // Gets the next of `frames`. Throws the child's Error, Error (environment) if it was killed,
+  // (interrupted).
   void next(Image& image);
+  // The child's times, up to the last frame read.
   const DrawingTimes& times() const { return times_; }
 
  private:
@@ -45,10 +46,10 @@ class DrawingProcess {
 
   PictureSize size_;
   void* memory_ = nullptr;  // shared
-  int channel_ = -1;        // a socket: messages from the child, a byte for each slot given back
+  int channel_ = -1;        // socket: messages from the child; to the child, a byte per freed slot
   int process_ = -1;
   int taken_ = 0;       // frames
-  bool known_ = false;  // is info_?
+  bool known_ = false;  // whether info_ has arrived
   RendererInfo info_;
   DrawingTimes times_;
 };

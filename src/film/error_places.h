@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that know only a key get the place where its value was written.
+// Adds file and line to errors that only know the key of the scene.
 #pragma once
 
 #include "base/error.h"
@@ -7,10 +7,11 @@
 
 namespace polhode {
 
-// The error with the place of its key: file and line, or the option that the value came from.
+// The error with its key replaced by file and line, or by the option that has overridden the key.
+// Errors without a key or with a file are returned unchanged.
 Error placed(const Scene& scene, const Error& error);
 
-// Runs `work`; an Error without a file gets its place in the scene.
+// Runs `work` and rethrows its Errors as placed().
 template <class Work>
 auto with_place(const Scene& scene, const Work& work) {
   try {

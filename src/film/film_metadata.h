@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a story to what a player can use: where to stop, chapters, captions.
+// Turns a story into the metadata of a film: key frames, chapters, captions.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace polhode {
 
-// Key frames where a pause begins and ends and where a chapter starts; a chapter for each step of
-// the story that pauses or says something and for each shot with a name; a caption for each words
-// of the story. All of `frames`, counted from its first. `story` is the scene's, with its words.
+// Key frames at the begin and end of pauses and at chapters; a chapter for each story step with a
+// pause or a caption and for each named shot; one caption per story step that has one. Frame
+// numbers count from the first of `frames`. `story` is the scene's story with its captions.
 FilmMetadata film_metadata(const Scene& scene,
                            const std::vector<StoryStep>& story,
                            const FrameTimes& frames);

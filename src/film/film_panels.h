@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a solved scene to the panels of its film.
+// Makes the film of a solved scene: its panels, text and plots.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace polhode {
 
-// One panel; or one for each method that is compared, or for each of show.views. `comparison` must
-// outlive the film. Throws Error (input) for plots beside several panels.
+// The film has one panel, or one per compared method, or one per entry of show.views. `comparison`
+// may be null and must outlive the film. Throws Error (input) naming show.plots for plots beside
+// several panels, and as Composer does.
 Film make_film(const Solved& solved,
                const Timeline& timeline,
                const Comparison* comparison,

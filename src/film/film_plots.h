@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plots beside a picture, drawn once by gnuplot.
+// Draws the plots of show.plots beside the picture, once, with gnuplot.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace polhode {
 
-// The part of the frame's width that plots take on the right, 0 without plots.
+// The fraction of the picture's width that plots take on the right; 0 without plots.
 double width_of_plots(const ShowSpec& show);
 
-// Those of show.plots, one under the other. Throws Error (environment) when gnuplot is missing.
+// The plots of show.plots, one below the other. Throws Error (environment) if gnuplot is missing or
+// fails.
 std::vector<FilmPlot> make_plots(const Solved& solved);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The record of a film: what was asked, what was found, and what was made. The JSON report is
-// written and read by the one list of its fields.
+// The record of a film: what was requested, computed and made. `render` writes it as the JSON
+// report and `verify` reads it, both from one list of fields.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace polhode {
 
-// What the encoder was told; absent: the format has none.
+// The settings of the encoder; absent: the format has none.
 struct EncoderRecord {
   std::optional<std::string> codec, preset;
   std::optional<int> crf;
@@ -31,7 +31,7 @@ void report_fields(Visitor& v, EncoderRecord& s) {
   v.field("finest", s.finest);
 }
 
-// Times of the stages that make a film.
+// Time spent in each stage of a film.
 struct FilmTimes {
   StageTime simulate, compose, draw, read_back, smooth, convert, encode;
 };
@@ -53,9 +53,10 @@ void report_fields(Visitor& v, Loop& s) {
   v.field("residual_rad", s.residual);
 }
 
+// All fields of the report.
 struct FilmRecord {        // NOLINT(bugprone-exception-escape): JSON moves without throwing
-  std::string output;      // as it was given
-  std::string scene_file;  // as it was given
+  std::string output;      // as the user named it
+  std::string scene_file;  // as the user named it
   std::string title;
   std::string scene_hash;
   Json versions;
@@ -63,25 +64,27 @@ struct FilmRecord {        // NOLINT(bugprone-exception-escape): JSON moves with
   int samples = 0;    // per pixel
   std::string edges;  // "outlines" or "samples"
   SimulationReport motion;
-  int frames = 0;  // of this output
+  int frames = 0;  // in this output
   PictureSize size;
   FrameRate fps;
-  double from_s = 0.0, to_s = 0.0;  // of the motion
+  double from_s = 0.0, to_s = 0.0;  // s of motion
   bool transparent = false, text = true, still = false, resume = false;
   std::optional<std::string> shard;  // "K/N"; absent: the whole film
-  int first_frame = 0;               // of a shard
+  int first_frame = 0;               // number of the first frame, for shards
   int jobs = 1;
-  std::vector<std::optional<std::string>> captions;  // of the steps of the story
+  std::vector<std::optional<std::string>> captions;  // one per step of the story
   EncoderRecord encoder;
   FilmTimes stages;
-  StageTime total;  // cpu: of all processes
-  Json scene;       // in SI, every value
+  StageTime total;  // cpu_s: of all processes
+  Json scene;       // scene_to_json(): every value, in SI
+  // of all frames, see frame_hash()
   std::vector<std::string> frame_hashes;
-  std::optional<Json> compare;  // a row for each method that is compared
-  std::optional<Loop> loop;     // where a film closes
+  std::optional<Json> compare;  // one row per compared method
+  std::optional<Loop> loop;     // of a looping film
 };
 
-// Keys: docs/render.md. A new one is a line here and a member above.
+// The keys of the report; docs/render.md documents them. To add one: a line here and a member
+// above.
 template <class Visitor>
 void report_fields(Visitor& v, FilmRecord& s) {
   v.field("output", s.output);
@@ -118,7 +121,7 @@ void report_fields(Visitor& v, FilmRecord& s) {
   v.optional("loop", s.loop);
 }
 
-// The record of a film that `renderer` has drawn into `output`; all but the total time.
+// The record of a film that `renderer` has drawn into `output`, without the total time.
 FilmRecord film_record(const RenderPlan& plan,
                        const PreparedFilm& film,
                        const RenderOutput& output,

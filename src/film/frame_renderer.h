@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What renders the frames of a film, in this process or in others.
+// The interface of what renders the frames of a film, in this process or in worker processes.
 #pragma once
 
 #include "base/system/stage_clock.h"
@@ -8,19 +8,23 @@
 
 namespace polhode {
 
-// Time spent on drawing; of several processes, the sum.
+// Time spent on drawing, summed over processes.
 struct DrawingTimes {
-  StageTime compose;
+  StageTime compose;  // making draw lists
   RenderTimes render;
 };
 
-// Renders frames of a film; the same index gives the same pixels, wherever it is drawn.
+// Renders frames of a film. A frame has the same pixels wherever it is rendered. Use it on one
+// thread.
 class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
-  // `image` gets the right size; its buffer is used again. Throws Error.
+  // Renders frame `index` of the film into `image`, which is resized if needed. Throws Error
+  // (environment) and (interrupted).
   virtual void render(int index, Image& image) = 0;
+  // What draws.
   virtual const RendererInfo& info() const = 0;
+  // Time spent so far.
   virtual DrawingTimes times() const = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Renders the frames of one film in as many processes as are asked for.
+// Renders the frames of a film in one or more processes.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,17 @@
 
 namespace polhode {
 
-// A renderer whose render() is called with `frames`, in their order. `film` must outlive it.
+// Opens a renderer. Its render() must be called with exactly `frames`, in this order. `film` must
+// outlive it.
 //
-// One job: the calling thread draws. More: so many processes are forked here (OpenGL contexts of
-// one process wait for each other in llvmpipe), and each draws every jobs-th of `frames` with one
-// thread, into shared memory, at most three frames ahead. fork() copies only the calling thread, so
-// this comes before anything opens fonts or OpenGL. The processes end with the renderer, and with
-// this process, however that ends. Pixels do not depend on the number of jobs.
+// With one job, the calling thread renders. With more, that many processes are forked, because in
+// llvmpipe the OpenGL contexts of one process block each other. Each process renders every jobs-th
+// of `frames` on one thread, into shared memory, at most three frames ahead. fork() copies only the
+// calling thread, so this must be called before anything opens fonts or OpenGL. The processes end
+// with the renderer or with this process. Pixels do not depend on the number of jobs.
 //
-// Throws Error as open_local_renderer does; (environment) for a process that cannot be started, and
-// from render() for one that was killed. What fails in a process is thrown by render() here.
+// Throws Error as open_local_renderer does, and (environment) if a process cannot be started.
+// render() throws the Errors of the processes, and Error (environment) if one was killed.
 std::unique_ptr<FrameRenderer> open_frame_renderer(const PreparedFilm& film,
                                                    const RenderSetup& setup,
                                                    const std::vector<int>& frames);

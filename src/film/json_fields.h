@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON from and to structs that list their keys: one list serves writing and reading.
+// Writes structs to JSON and reads them back, from one list of fields per struct:
 //
 //   template <class Visitor> void report_fields(Visitor& v, Struct& s) {
 //     v.field("key", s.member);       // always there; absent optionals are null
@@ -33,7 +33,7 @@ concept ListsFields = requires(JsonWriter& v, T& s) {
 template <class T>
 Json json_of(T value);
 
-// Collects the fields of a struct as one JSON object, in the order of its list.
+// Visitor that collects the fields of a struct as a JSON object, in the order of its list.
 class JsonWriter {
  public:
   template <class T>
@@ -67,11 +67,11 @@ void read_json(const Json& json, std::optional<T>& value);
 template <class T>
 void read_json(const Json& json, std::vector<T>& value);
 
-// Sets the fields of a struct from a JSON object. Throws nlohmann's exception for a missing key or
-// a value of the wrong kind.
+// Visitor that sets the fields of a struct from a JSON object. Throws nlohmann::json::exception for
+// a missing key or a value of the wrong type, and Error (input) as parse_frame_rate does.
 class JsonReader {
  public:
-  // `json` must outlive it.
+  // `json` must outlive the reader.
   explicit JsonReader(const Json& json) : json_(json) {}
 
   template <class T>
@@ -114,7 +114,7 @@ Json json_value(T& value) {
   return writer.json();
 }
 
-// A struct, a list or a single value as JSON.
+// A struct with report_fields(), a list, an optional (absent: null) or a single value as JSON.
 template <class T>
 Json json_of(T value) {
   return json_value(value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Renders frames on the calling thread.
+// Renders frames in this process, on the calling thread.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-// Any frame in any order. `film` must outlive it. Throws Error as open_context and Renderer do.
+// Opens a renderer for any frames in any order. `film` must outlive it. Throws Error as
+// open_context and Renderer do.
 std::unique_ptr<FrameRenderer> open_local_renderer(const PreparedFilm& film,
                                                    const RenderSetup& setup);
 

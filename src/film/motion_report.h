@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a motion was found, and the versions of what pixels depend on: part of every report.
+// The part of a film's report about its motion, and the versions that pixels depend on.
 #pragma once
 
 #include "film/json_fields.h"
@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-// Keys: docs/render.md.
+// The keys; docs/render.md documents them.
 template <class Visitor>
 void report_fields(Visitor& v, SimulationReport& s) {
   v.field("model", s.model);
@@ -28,7 +28,7 @@ void report_fields(Visitor& v, SimulationReport& s) {
   v.field("doubts", s.reliability.doubts);
 }
 
-// Versions of the program and of the libraries that pixels and bytes depend on.
+// The versions of the program and of the libraries that pixels and encoded bytes depend on.
 Json versions();
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film of which everything is known but its pixels.
+// A film that is ready to be rendered: everything is known except the pixels.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,12 @@
 
 namespace polhode {
 
-// The motion, the frame times, and what each frame shows. Invariant: nothing here has opened OpenGL
-// or fonts, and no thread of it is running, so that a process can fork and draw from its copy.
+// The motion, the frame times, and what each frame shows. Immutable. Invariant: it has not opened
+// OpenGL or fonts and has no running threads, so a process may fork and render from its copy.
 class PreparedFilm {
  public:
-  // Finds the motion. Throws Error as solve, plan_frame_times and make_film do.
+  // Computes the motion. Throws Error as solve, plan_frame_times, Comparison, make_plots and
+  // make_film do.
   explicit PreparedFilm(const RenderPlan& plan);
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;
@@ -24,12 +25,14 @@ class PreparedFilm {
   const Solved& solved() const { return solved_; }
   const FrameTimes& frames() const { return frames_; }
   const Film& film() const { return *film_; }
-  const Comparison* comparison() const { return comparison_.get(); }  // null: nothing is compared
+  const Comparison* comparison() const { return comparison_.get(); }  // may be null
 
-  // Logs what is doubtful about the film. It looks for fonts, so it comes after any fork.
+  // Logs warnings about the film: missing fonts, open loops, camera, apparent backward rotation. It
+  // opens fonts, so call it after any fork.
   void warn() const;
 
-  // How long the shutter is open, s of film, and in how many pictures a frame averages over that.
+  // How long the shutter is open (s of film), and the number of pictures that a frame averages over
+  // that time.
   double shutter_s() const { return shutter_s_; }
   int moments() const { return moments_; }
 

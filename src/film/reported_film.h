@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a report back to the film that it tells of.
+// Reads a report back into the plan of its film, for `verify`.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 
 namespace polhode {
 
+// The content of a report.
 struct ReportedFilm {
-  RenderPlan plan;                    // with the output as it was given then
-  std::string gl_renderer;            // that drew it
-  std::vector<std::string> hashes;    // of all frames
-  std::optional<std::string> broken;  // what contradicts itself in the report
+  RenderPlan plan;                    // with the output as named in the report
+  std::string gl_renderer;            // GL_RENDERER that drew it
+  std::vector<std::string> hashes;    // frame_hash() of all frames
+  std::optional<std::string> broken;  // the contradiction in the report, if there is one
 };
 
-// Throws Error (input) when the file is missing, is no report, or tells of other versions of what
-// pixels depend on than these.
+// Throws Error (input), with the file as place, if it is missing, not a report, or was written with
+// other versions of the program or the libraries that pixels depend on.
 ReportedFilm read_report(const std::string& file);
 
 }  // namespace polhode

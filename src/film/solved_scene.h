@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene to its body and its motion.
+// Computes the body model and the motion of a scene.
 #pragma once
 
 #include "base/system/stage_clock.h"
@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-// A scene, checked, with its model and its motion.
+// A scene with its model and its motion.
 struct Solved {
   Scene scene;
   BodyModel model;
@@ -17,11 +17,12 @@ struct Solved {
   StageTime simulate_time;
 };
 
-// Finds the motion, and logs what makes it doubtful. Errors name the place in the scene file.
+// Computes the motion, and logs doubts about it as warnings. Throws Error as make_model,
+// start_state and simulate do, with file and line of the scene.
 Solved solve(const Scene& scene);
 
-// The attitude error that the scene allows, rad: given, or what moves nothing in the picture by
-// more than its pixels.
+// The attitude error that numerics.accuracy allows, rad. Pixels are converted by
+// attitude_tolerance().
 double accuracy_in_radians(const Scene& scene, const BodyModel& model);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The three destinations of a plan: one whole output, a shard of it, or segments that are joined.
+// Opens the destination of a plan: a whole output, a shard of it, or segments that are joined at
+// the end.
 #pragma once
 
 #include <functional>
@@ -12,16 +13,17 @@
 
 namespace polhode {
 
-// `plan` must outlive it. with_hashes: keep the hash of every frame. Throws Error as make_sink
-// does.
+// `plan` must outlive the output. with_hashes: keep the hash of every frame. Throws Error as
+// make_sink does.
 std::unique_ptr<RenderOutput> open_output(const RenderPlan& plan, bool with_hashes);
 
-// Renders all frames that the output wants, and finishes it. `on_frame` as in run_pipeline.
+// Renders all of output.frames() into its sink and finishes it. on_frame and errors as in
+// run_pipeline.
 void render_frames(RenderOutput& output,
                    FrameRenderer& renderer,
                    const std::function<void(const PipelineStep&)>& on_frame);
 
-// The stage that the others wait for, for a progress bar.
+// The name of the slowest stage at the moment, for the progress bar.
 std::string limiting_stage(const RenderPlan& plan, const PipelineStep& step);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the frames of a plan go.
+// The interface of the destinations of a plan's frames: whole output, shard, segments.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-// Claims its files when it is made, before any work is done.
+// Claims its files when it is constructed, before any work is done. Use it on one thread.
 class RenderOutput {
  public:
   RenderOutput() = default;
@@ -20,22 +20,24 @@ class RenderOutput {
   RenderOutput(const RenderOutput&) = delete;
   RenderOutput& operator=(const RenderOutput&) = delete;
 
-  // Once, when the film is known and before the first frame. Throws Error (input) for a shard of
-  // nothing, and for segments of another film.
+  // Called once, when the film is prepared and before the first frame. Throws Error (input) naming
+  // --shard for an empty shard, and --resume for segments of another film.
   virtual void begin(const PreparedFilm& film) = 0;
 
-  // Which frames of the film are to be pushed into the sink, in this order; after begin().
+  // The frames that must be pushed into the sink, in this order. Valid after begin().
   const std::vector<int>& frames() const { return frames_; }
-  // All frames that the output has when it is done; after begin().
+  // All frames of the finished output. Valid after begin().
   const FrameRange& range() const { return range_; }
-  // How many of them were there already.
+  // How many of them an earlier run has made.
   int already_there() const { return range_.count - static_cast<int>(frames_.size()); }
 
+  // Where to push the frames. Valid after begin().
   virtual FrameSink& sink() = 0;
+  // Time spent in the sink.
   virtual SinkTimes times() const = 0;
-  // Of all frames of the output, when the sink has finished; empty unless they were asked for.
+  // The hashes of all frames of the output, after sink().finish(); empty unless requested.
   virtual const std::vector<std::string>& hashes() const = 0;
-  // The error, with what an early end leaves behind for the next run.
+  // The error with a note about what an aborted run leaves behind for the next one.
   virtual Error explained(const Error& error) const { return error; }
 
  protected:

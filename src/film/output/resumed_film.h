@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film that is made in segments which a killed run leaves behind for the next one.
+// Makes a film in segments, so that a run that was killed can be resumed.
 #pragma once
 
 #include <memory>
@@ -12,21 +12,23 @@
 
 namespace polhode {
 
-// For film.mp4 the segments stand in .film.mp4.parts/, each some seconds long, named when it is
-// whole, and sealed. finish() joins them and removes the folder. Invariant: the folder holds
-// segments of this film only.
+// The segments of film.mp4 are in .film.mp4.parts/, each a few seconds long. A segment gets its
+// name when it is complete and sealed. finish() joins them and removes the folder. Invariant: the
+// folder contains segments of this film only.
 class ResumedFilm final : public RenderOutput, private FrameSink {
  public:
-  // Claims the output. Throws Error as make_sink does.
+  // Claims the output. `plan` must outlive this object. Throws Error as FilmJoiner and make_sink
+  // do.
   explicit ResumedFilm(const RenderPlan& plan);
   ~ResumedFilm() override;
 
-  // Looks for what remains of an earlier run. Throws Error (input) when it is of another film.
+  // Looks for segments of an earlier run. Throws Error (input), naming --resume, if they belong to
+  // another film or the folder cannot be created.
   void begin(const PreparedFilm& film) override;
   FrameSink& sink() override { return *this; }
   SinkTimes times() const override;
   const std::vector<std::string>& hashes() const override { return hashes_; }
-  // With the segments that are kept.
+  // Adds which segments are kept.
   Error explained(const Error& error) const override;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments of a film: which frames each has, and what it says of itself so that they can be joined.
+// The record that each segment or shard of a film carries, so that only matching ones are joined.
 #pragma once
 
 #include <map>
@@ -10,33 +10,35 @@
 
 namespace polhode {
 
-// What a segment says of itself.
+// What a segment says about itself.
 struct SegmentRecord {
   std::string version;  // of Polhode
-  std::string ffmpeg;   // that encoded it
-  std::string scene;    // hash
+  std::string ffmpeg;   // version that encoded it
+  std::string scene;    // scene_hash()
   std::string title;
-  std::map<std::string, std::string> settings;  // of the whole film: "crf" is "18"
+  std::map<std::string, std::string> settings;  // of the whole film, such as "crf": "18"
   Shard shard;
   FrameRange range;
-  FilmMetadata film;  // of the whole film; key frames are not told
+  FilmMetadata film;  // of the whole film, without key frames
 };
+// The record of one shard of a film.
 SegmentRecord record_of(const RenderPlan& plan,
                         const PreparedFilm& film,
                         const FilmMetadata& metadata,
                         const Shard& shard);
 
-// The record as the comment of a container, and back. Throws Error (input) for a file that is no
-// film, or no segment of one.
+// Stores the record as the comment of a container. Throws Error (input), without a key, if the
+// story is too long for it.
 std::string comment_with(const SegmentRecord& record);
+// Reads the record of a film file. Throws Error (input), with the file as place, if it is not a
+// film or not a segment.
 SegmentRecord record_in(const std::string& file);
 
-// In what two segments differ that cannot be of one film, such as "scenes differ"; empty if they
-// can.
+// Why two segments cannot belong to the same film, such as "scenes differ"; empty if they can.
 std::string difference_between(const SegmentRecord& a, const SegmentRecord& b);
 
-// What a segment has of a film's metadata: its key frames. Chapters and captions are the whole
-// film's.
+// The metadata of one segment: its key frames. Chapters and captions are added when the film is
+// joined.
 FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range);
 
 }  // namespace polhode
