@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene with everything resolved, as JSON: what reports embed and what the scene's hash is made
-// of.
+// The canonical form of a scene as JSON. Reports embed it, and the hash of the scene is made from
+// it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,12 +9,12 @@
 
 namespace polhode {
 
-// Every value in SI, in the order of the field lists, defaults included; absent options and the
-// file's name left out. Read as a scene again, it gives the same scene.
+// All values in SI, with defaults, in the order of the field lists; absent optional values and the
+// file name are left out. scene_from_json() gives the same scene back.
 nlohmann::ordered_json scene_to_json(const Scene& scene);
 
-// The scene of such a JSON; `name` stands for the file in messages, and files that the scene names
-// stand beside it. Throws Error (input) as load_scene does.
+// The scene of such JSON. `name` is the file name for messages; files that the scene names are
+// relative to its folder. Throws Error (input) as load_scene does.
 Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of a folder of golden pictures: cases.toml, and a sidecar beside every reference.
+// The file formats of a folder of golden pictures: cases.toml, and a sidecar file beside every
+// reference.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 
 namespace polhode {
 
-// A rule, and why it is as it is.
+// Thresholds and the reason for them.
 struct GoldenVerdict {
   Thresholds thresholds;
   std::string reason;
@@ -24,15 +25,15 @@ void fields(Visitor& v, GoldenVerdict& s) {
   v.field("reason", s.reason, Doc{"why these numbers"});
 }
 
-// One picture that must stay as it is.
+// A picture that must not change.
 struct GoldenCase {
   std::string name;    // NAME.png; letters, digits, _ and -
-  std::string scene;   // file, from the folder of the cases
-  std::string guards;  // what it is there for
-  double still = 0.0;  // s of the motion
+  std::string scene;   // file, relative to the folder of cases.toml
+  std::string guards;  // what it tests
+  double still = 0.0;  // s of motion
   PictureSize size{320, 180};
-  bool text = false;                          // labels, clock, title, caption
-  bool transparent = false;                   // no background
+  bool text = false;                          // with labels, clock, title and caption
+  bool transparent = false;                   // without background
   std::optional<GoldenVerdict> verdict = {};  // absent: the folder's
 };
 
@@ -48,7 +49,7 @@ void fields(Visitor& v, GoldenCase& s) {
   v.field("verdict", s.verdict, Doc{"this case's rule instead of the folder's"});
 }
 
-// cases.toml
+// The content of cases.toml.
 struct GoldenFile {
   int format = 1;
   GoldenVerdict verdict;
@@ -62,16 +63,16 @@ void fields(Visitor& v, GoldenFile& s) {
   v.required("case", s.cases, Doc{"the pictures"});
 }
 
-// Beside a reference: what drew it, and the rule for comparing with it.
+// The content of a sidecar: what drew the reference, and how to compare with it.
 struct GoldenSidecar {
   int format = 1;
-  std::string cause;       // why there is a second reference: "mesa-25"; "" for the first
+  std::string cause;       // why there is another reference: "mesa-25"; empty for the first
   std::string polhode;     // version
   std::string backend;     // "osmesa"
-  std::string renderer;    // as OpenGL names it
-  std::string opengl;      // version, with Mesa's
-  std::string llvm;        // version, where the renderer tells
-  std::string cpu_vendor;  // as the processor names it
+  std::string renderer;    // GL_RENDERER
+  std::string opengl;      // GL_VERSION, which includes Mesa's version
+  std::string llvm;        // version; empty if unknown
+  std::string cpu_vendor;  // as CPUID reports it
   int samples = 0;         // per pixel
   GoldenVerdict verdict;
 };
@@ -90,17 +91,17 @@ void fields(Visitor& v, GoldenSidecar& s) {
   v.field("verdict", s.verdict, Doc{"the rule for comparing with this reference"});
 }
 
-// Throws Error (input) with file, line and key; also for names that are no file names, and for two
-// cases of one name.
+// Reads cases.toml. Throws Error (input) with file, line and key, also for invalid or duplicate
+// names of cases.
 GoldenFile load_golden_file(const std::filesystem::path& file);
 
-// Throws Error (input) with file, line and key.
+// Reads a sidecar. Throws Error (input) with file, line and key.
 GoldenSidecar load_golden_sidecar(const std::filesystem::path& file);
 
-// The text of such a file.
+// The text of a sidecar file.
 std::string sidecar_text(const GoldenSidecar& sidecar);
 
-// Letters, digits, _ and - only.
+// Whether the name consists of letters, digits, _ and - only.
 bool is_plain_name(const std::string& name);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of a spec as data: what may stand in which table, in which spellings. Made by a visitor
-// of the field lists; the reader and the schema share it.
+// The keys of a spec as data: which keys a table may have, in which spellings. A visitor of the
+// field lists makes it; the reader and the schema use it.
 #pragma once
 
 #include <optional>
@@ -12,27 +12,27 @@
 
 namespace polhode {
 
-// One way to write a key: its name with the suffix of one unit.
+// A spelling of a key: its name with the suffix of a unit.
 struct Spelling {
   std::string text;
   UnitSuffix unit;
 };
 
-// All ways to write a key, the SI one first.
+// All spellings of a key, the SI one first.
 std::vector<Spelling> spellings_of(const std::string& name, const Doc& doc);
 
 // Keys that exclude each other.
 struct KeyGroup {
   std::vector<std::string> names;
-  bool one_needed = false;  // false: none of them is fine too
+  bool one_needed = false;  // true: exactly one must be given; false: at most one
 };
 
 struct Key;
 
-// The most tables in one list: parts, points.
+// The maximum number of tables in a list, such as body.parts.
 inline constexpr std::size_t kMostTables = 1000;
 
-// The most names in one list: methods that a film compares.
+// The maximum number of names in a list, such as numerics.compare.
 inline constexpr std::size_t kMostNames = 9;
 
 // The keys of one table.
@@ -40,19 +40,21 @@ struct KeyList {
   std::vector<Key> keys;
   std::vector<KeyGroup> groups;
 
-  const Key& find(const std::string& name) const;  // `name` must be there
+  const Key& find(const std::string& name) const;  // `name` must exist
   std::vector<std::string> all_spellings() const;
 };
 
+// One key.
 struct Key {
   std::string name;
   Doc doc;
   bool required = false;
-  bool many = false;              // a list of tables
-  std::optional<KeyList> inside;  // of a table or of each table in a list; absent for values
+  bool many = false;  // a list of tables
+  // keys of the table, or of each table in the list; absent for values
+  std::optional<KeyList> inside;
 };
 
-// What a member holds, without std::optional and std::vector around it.
+// The type of a member without std::optional and std::vector.
 template <class T>
 struct Held {
   using type = T;
@@ -67,13 +69,13 @@ struct Held<std::vector<T>> : Held<T> {
 
 class KeyLister;
 
-// A struct with a fields() list, which a scene writes as a table.
+// A struct with a fields() list; in a scene file it is a table.
 template <class T>
 concept IsSpec = requires(KeyLister& visitor, T& spec) {
   fields(visitor, spec);
 };
 
-// Gathers a KeyList.
+// The visitor that makes a KeyList.
 class KeyLister {
  public:
   template <class T>
@@ -122,15 +124,15 @@ KeyList make_key_list(Specs... specs) {
   return lister.list();
 }
 
-// The keys of a table that holds these specs; made once.
+// The keys of a table that is read into these specs; made once.
 template <class... Specs>
 const KeyList& keys_of() {
   static const KeyList list = make_key_list(Specs{}...);
   return list;
 }
 
-// The tables of a scene that have a key of this spelling, as a user names them: "[body]",
-// "body.parts[]".
+// The tables that have a key with this spelling, as users write them: "[body]", "body.parts[]". For
+// hints in error messages.
 std::vector<std::string> tables_with(const std::string& spelling, const KeyList& root);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The visitor that fills a spec from a TOML table. Strict: what no field list names is an error.
+// The visitor that fills a spec from a TOML table. Unknown keys are errors.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,24 @@
 
 namespace polhode {
 
-// Throws Error (input) for the first unknown key of the table, for two spellings of one key, for
-// keys that exclude each other, and for missing ones. `root` is the whole scene's list, for hints.
+// Checks the keys of a table. Throws Error (input), with file, line and key, for an unknown key,
+// two spellings of one key, keys that exclude each other, and missing keys. `root` is the list of
+// the whole scene, for hints.
 void check_keys(const toml::table& table,
                 const Place& place,
                 const KeyList& keys,
                 const KeyList& root);
 
-// The value of a key, in whichever unit it is spelled; nothing when the key is absent.
+// The value of a key in any of its spellings; empty if the key is absent.
 std::optional<Found> find_key(const toml::table& table,
                               const Place& place,
                               const std::string& name,
                               const Doc& doc);
 
-// Fills specs from one table whose keys were checked.
+// Fills specs from one table whose keys have been checked. Throws Error (input) as read_value does.
 class Reader {
  public:
-  // `place` is the table's own; the table and `root` must outlive the reader.
+  // `place` is the place of the table. The table and `root` must outlive the reader.
   Reader(const toml::table& table, const Place& place, const KeyList& root)
       : table_(table), place_(place), root_(root) {}
 
@@ -47,11 +48,11 @@ class Reader {
       read_tables(*found, a, b);
     }
   }
-  // check_keys has looked at these
+  // Already checked by check_keys().
   void exactly_one_of(const std::vector<std::string>&) {}
   void at_most_one_of(const std::vector<std::string>&) {}
 
-  // Reads one table into all of the specs, checking its keys against all of their lists.
+  // Checks the keys of a table against the lists of all specs, and reads it into them.
   template <class... Specs>
   void read_tables(const Found& found, Specs&... specs) {
     const toml::table* table = found.node.as_table();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene file as values: what every later stage starts from.
+// A scene file as values. All later stages start from it.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +17,7 @@
 
 namespace polhode {
 
+// All lengths, times and angles are in SI units and radians.
 struct Scene {
   int format = 1;  // version of the scene format; only 1 is known
   std::string title;
@@ -30,9 +31,9 @@ struct Scene {
   VideoSpec video;
   ThemeSpec theme;  // shares the [video] table
 
-  std::string file;                  // where it was read from, for messages
-  std::map<std::string, int> lines;  // of each key in it, by dotted path, unit suffixes left out
-  std::map<std::string, std::string> options;  // key -> the option that has replaced its value
+  std::string file;                  // the file it was read from, for messages
+  std::map<std::string, int> lines;  // line of each key in it, by dotted path without unit suffixes
+  std::map<std::string, std::string> options;  // key -> option that has overridden its value
 };
 
 template <class Visitor>
@@ -49,26 +50,30 @@ void fields(Visitor& v, Scene& s) {
   v.merged("video", s.video, s.theme, Doc{"size, rate and colours of the picture"});
 }
 
-// Reads a scene. Throws Error (input) with file, line and key for everything that is wrong in it.
+// Reads a scene and its mesh files. Throws Error (input) with file, line and key for any fault.
 // Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
-// Numbers to put in place of those in the file, by the path of the key as the file spells it:
+// Numbers that replace those in the file, by the path of the key as the file spells it:
 // "motion.spin.body[2]", "body.solid.radius_cm".
 using Replacements = std::vector<std::pair<std::string, double>>;
+// Reads a scene with these replacements. Also throws Error (input) if there is no number at a path.
 Scene load_scene(const std::filesystem::path& file, const Replacements& numbers);
-// The number that stands at such a path; none if the file has none there.
+// The number at such a path; empty if the file has none there. Throws Error (input) as load_scene
+// does for files that are not TOML.
 std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
-// A scene from text in memory; `name` stands for the file in messages.
+// A scene from a text in memory; `name` is the file name for messages. Throws Error as load_scene
+// does.
 Scene parse_scene(std::string_view text, const std::string& name);
-// The mesh files that a scene names, as it spells them; none of them is opened.
+// The mesh files that a scene names, as spelled there, without opening them. Throws Error (input)
+// as parse_toml and read_file do.
 std::vector<std::string> mesh_files(const std::filesystem::path& file);
 
-// The line of a key such as "body.parts[1].radius", or of the nearest table around it that is in
-// the file; 0 if there is none. For errors that are found after reading.
+// The line of a key such as "body.parts[1].radius", or else of the innermost enclosing table that
+// is in the file; 0 if there is none. For errors found after reading.
 int line_of(const Scene& scene, const std::string& key);
 
-// Hash of the scene's meaning: comments, order and units do not matter, every value does, and
-// what its mesh files hold.
+// The hash of the scene's values and of the content of its mesh files. Comments, order and units do
+// not change it.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace polhode

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A JSON Schema of the scene file, made from the same field lists that read it.
+// The JSON Schema of the scene file, made from the field lists that also read it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace polhode {
 
-// Draft 2020-12. Every key, every unit suffix, allowed names, ranges, which keys exclude each
-// other.
+// JSON Schema draft 2020-12, with all keys, unit suffixes, allowed names and ranges, and with keys
+// that exclude each other.
 nlohmann::ordered_json scene_schema();
 
 }  // namespace polhode

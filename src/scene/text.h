@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From bytes to a TOML tree, with everything refused that is not a small, sane text.
+// Parses TOML, and refuses text that is too large, not UTF-8 or too deeply nested.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 namespace polhode {
 
 inline constexpr std::size_t kLargestScene = 16'000'000;  // bytes
-inline constexpr int kDeepestNesting = 32;  // brackets in brackets, or dots in one key
+inline constexpr int kDeepestNesting = 32;                // nested brackets, or dots in one key
 
-// Throws Error (input) with file and line for empty text, bytes that are not UTF-8, nesting that
-// could exhaust the stack, and every fault of TOML's grammar. `name` stands for the file in
-// messages.
+// Parses a TOML text; `name` is the file name for messages. Throws Error (input) with file and line
+// for empty or too large text, bytes that are not UTF-8, nesting deeper than kDeepestNesting, and
+// syntax errors.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
-// At most `most` bytes of the user's text, for messages; never cuts a UTF-8 character in two.
+// At most the first `most` bytes of a user's text, for messages. Never splits a UTF-8 character.
 std::string cut(std::string_view text, std::size_t most = 40);
 
 }  // namespace polhode

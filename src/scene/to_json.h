@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single values as JSON, in the form that a scene file takes too; numbers in SI.
+// Converts single values to JSON, in SI units and in the form that scene files accept.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-// minus zero means zero, and must hash like it
+// Minus zero becomes zero, so that both have the same hash.
 inline nlohmann::ordered_json to_json_value(double value) {
   return value == 0.0 ? 0.0 : value;
 }
@@ -27,7 +27,7 @@ inline nlohmann::ordered_json to_json_value(const std::string& value) {
   return value;
 }
 
-// vectors as lists of numbers
+// Vectors become lists of numbers.
 template <int N>
 nlohmann::ordered_json to_json_value(const Eigen::Matrix<double, N, 1>& value) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -36,7 +36,7 @@ nlohmann::ordered_json to_json_value(const Eigen::Matrix<double, N, 1>& value) {
   return list;
 }
 
-// matrices as lists of rows
+// Matrices become lists of rows.
 inline nlohmann::ordered_json to_json_value(const Mat3& value) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (int i = 0; i < 3; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single values out of a TOML tree: every type that a spec may hold, except tables.
+// Reads single values from a TOML tree: every type that a member of a spec may have, except tables.
 #pragma once
 
 #include <string>
@@ -15,27 +15,29 @@
 
 namespace polhode {
 
-// A value of the file: what was written, where, and in which unit.
+// A value in the file, with its place and its unit.
 struct Found {
   const toml::node& node;
   Place place;
   UnitSuffix unit;
 };
 
-// Throws the error at the value's place.
+// Throws Error (input) with the place (file, line, key) of the value.
 [[noreturn]] void refuse(const Found& found, const std::string& message);
 
-// "must be a number, such as 1.5; found the text "abc"", thrown.
+// Throws Error (input) such as: must be a number, such as 1.5; found the text "abc". `wanted` is
+// the part after "must be".
 [[noreturn]] void refuse_type(const Found& found, const std::string& wanted);
 
-// An array of the given length (0: any, but not empty), else refuse_type.
+// The value as an array of the given length (0: any length but 0); else calls refuse_type().
 const toml::array& array_of(const Found& found, std::size_t length, const std::string& wanted);
 
-// One element of an array, as a value of its own: "moments[2]".
+// Element i of an array as a value with its own key: "moments[2]".
 Found element_of(const Found& found, const toml::array& array, std::size_t i);
 
-// Each stores the value in SI, or throws Error (input): wrong type, wrong length, not finite, out
-// of doc.range, not one of doc.choices.
+// Each stores the value in SI units. Throws Error (input), with the value's place, for a wrong type
+// or length, a number that is not finite or outside doc.range, and a text that is not in
+// doc.choices.
 void read_value(const Found& found, const Doc& doc, bool& value);
 void read_value(const Found& found, const Doc& doc, int& value);
 void read_value(const Found& found, const Doc& doc, double& value);
