@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Plain text as the content of an HTML page.
+// Escapes text for HTML pages.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// Text for HTML: markup becomes characters, bytes that are no UTF-8 become replacement characters.
+// Plain text as HTML, for content and attribute values. Bytes that are not UTF-8 become replacement
+// characters.
 std::string escaped(const std::string& text);
 
 }  // namespace polhode

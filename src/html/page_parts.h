@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The styles and the scripts of the pages, files of src/html/pages/ that are embedded at build.
+// The styles and scripts of HTML pages: the files of src/html/pages/, embedded at build time.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// Of reports of differences.
+// For the pages of `diff` and `golden`.
 const std::string& report_css();
 const std::string& report_js();
 
-// Of lectures: the page, the slides around reveal.js, what is printed.
+// For lectures: the page, the slides with reveal.js, the printed handout.
 const std::string& lecture_css();
 const std::string& lecture_js();
 const std::string& slides_css();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a colleague needs to make a lecture again: motions as tables, scenes, a manifest.
+// Writes the data folder of a lecture, which lets others reproduce it: scenes, motions as tables, a
+// manifest.
 #pragma once
 
 #include <memory>
@@ -11,24 +12,25 @@
 
 namespace polhode {
 
+// What the folder is made from.
 struct LectureData {
   struct SceneData {
     std::shared_ptr<DeckScene> scene;
-    std::string csv;  // in media/; empty: the motion could not be found
+    std::string csv;  // file in media/; empty: the motion could not be computed
   };
   const Deck* deck = nullptr;
   std::string deck_text;
   std::string licence;
   std::vector<std::string> outputs;
   std::string reveal_version;
-  bool formula_font = false;  // inside the pages
+  bool formula_font = false;  // the pages contain the formula font
   std::vector<SceneData> scenes;
-  std::vector<std::pair<std::string, Json>> products;  // stem, facts
+  std::vector<std::pair<std::string, Json>> products;  // stem and facts of each
 };
 
-// Writes FOLDER/data: source/ (the deck, its scenes, their meshes and pictures, where they stood),
-// motions/NAME.csv, manifest.json last. Files of earlier versions that the old manifest lists go.
-// Throws Error (environment).
+// Writes FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative
+// paths), motions/NAME.csv, and manifest.json last. Files that only the old manifest lists are
+// deleted. Throws Error (environment), and (input) as write_file does.
 void write_data(const LectureData& data, const std::filesystem::path& folder);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A deck, read: its text as pandoc's syntax tree, with the pictures that name scenes taken out.
+// Reads a deck: its text becomes pandoc's syntax tree, with pictures that name scenes taken out.
 #pragma once
 
 #include <functional>
@@ -17,54 +17,59 @@ namespace polhode {
 
 using Json = nlohmann::ordered_json;
 
+// What is made of a scene.
 enum class PictureKind { film, loop, still, compare, chart, stability, inspect };
 
+// A setting that a picture may have in the deck.
 struct PictureSetting {
   std::string name;
   std::string doc;
 };
 
-// What a picture's class makes of a scene; the table of docs/lecture.md.
+// A class of pictures: what it makes of a scene and which settings it accepts. To add one: see
+// ARCHITECTURE.md.
 struct PictureClass {
   PictureKind kind;
   std::string name;
   std::string doc;
   std::vector<PictureSetting> settings;
 };
+// All classes; docs/lecture.md documents them.
 const std::vector<PictureClass>& picture_classes();
 
 // A picture that names a scene.
 struct DeckPicture {
   PictureKind kind = PictureKind::film;
-  std::string name;  // unique in the deck, for links: letters, digits, - and _
-  std::vector<std::string>
-      scenes;  // as the deck names them; more than one where films are compared
+  std::string name;                 // unique in the deck, for links; letters, digits, - and _
+  std::vector<std::string> scenes;  // as the deck names them; several for a comparison
   std::map<std::string, std::string> settings;
-  Json caption = Json::array();  // inlines
+  Json caption = Json::array();  // inlines of pandoc's tree
   int line = 0;                  // of the deck, from 1; 0: unknown
 };
 
-// The type of the tree's own node that stands for picture number "c" of the deck.
+// The type of the node that stands for picture number "c" of the deck in the tree.
 inline constexpr const char* kPictureNode = "PolhodePicture";
 
+// A deck that has been read.
 struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
-  Json api_version = {1, 22};  // of the tree, pandoc's own
-  Json meta = Json::object();  // title, subtitle, author, date, lang, description, licence alone
+  Json api_version = {1, 22};  // pandoc's version of the tree format
+  Json meta = Json::object();  // only title, subtitle, author, date, lang, description, licence
   Json blocks = Json::array();
   std::vector<DeckPicture> pictures;
-  std::vector<std::string> images;  // ordinary pictures, files in the deck's folder
-  std::vector<Error> problems;      // what was left out, with the deck's lines
+  std::vector<std::string> images;  // ordinary pictures: files in the deck's folder
+  std::vector<Error> problems;      // what was left out, with lines of the deck
 
-  Json tree(const Json& with_blocks) const;  // a whole document for pandoc
+  Json tree(const Json& with_blocks) const;  // a complete document for pandoc
 };
 
-// Finds the line of what the tree says, in order: the tree itself has no lines.
+// Finds the line numbers of texts, which pandoc's tree does not contain.
 class LineFinder {
  public:
   explicit LineFinder(std::string text) : text_(std::move(text)) {}
-  // Of the next place at which `words` stand, counted for each words by itself; 0 if there is none.
+  // The line of the next occurrence of `words` since the last call with the same words; 0 if there
+  // is none.
   int next(const std::string& words);
 
  private:
@@ -72,24 +77,25 @@ class LineFinder {
   std::map<std::string, std::size_t> seen_;  // words -> behind the last place
 };
 
-// Throws Error (input) when the file cannot be read as a deck at all; what is wrong in single
-// places is left out and told in `problems`.
+// Reads a deck. Faults in single places are left out and reported in Deck::problems. allow_outside:
+// see DeckRoot. Throws Error (input), with the file as place, if it cannot be read as a deck;
+// (environment) without pandoc.
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
-// The same for text in memory.
+// The same for a text in memory; `name` is the file name for messages.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
 
-// Calls `visit` for every node of the tree that has a type, the outer before the inner.
+// Calls `visit` for every node of the tree that has a type, parents before children.
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
 
-// The blocks with other blocks in place of each picture.
+// The blocks with each picture replaced by the blocks that `make` returns.
 Json with_pictures(const Json& blocks,
                    const std::function<Json(const DeckPicture&)>& make,
                    const Deck& deck);
 
-// The words of inlines, without marks.
+// The text of inlines without formatting.
 std::string plain_text(const Json& inlines);
 
-// Parts of trees.
+// Nodes of pandoc's tree.
 Json string_inlines(const std::string& text);
 Json raw_html(const std::string& html);
 Json paragraph(const Json& inlines);

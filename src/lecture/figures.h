@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture of the deck as each kind of document shows it.
+// Turns a picture of the deck into the blocks of each kind of document.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace polhode {
 
-// A picture with what was made of it; no facts at all when that failed.
+// A picture with its products.
 struct Figure {
   const DeckPicture* picture = nullptr;
-  std::vector<Json> facts;  // of its products, one per film that is compared
-  std::string failure;      // why there are none
+  std::vector<Json> facts;  // of its products, one per compared film; empty if one failed
+  std::string failure;      // why there are no facts
 };
 
-// Blocks for pandoc. Files are named as seen from the folder of the documents: media/FILE.
+// Blocks of pandoc's tree. File names are relative to the folder of the documents: media/FILE.
 Json page_blocks(const Figure& figure);     // index.html
 Json slide_blocks(const Figure& figure);    // slides.html
-Json handout_blocks(const Figure& figure);  // what is printed
-Json office_blocks(const Figure& figure);   // .pptx: a poster that links to its film
+Json handout_blocks(const Figure& figure);  // handout.pdf
+Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 
-// The table of the numbers of inspect; only `keys` (with spaces between) unless that is empty.
-// Throws Error (input) for an unknown key.
+// A table of the values of inspection(): those in `keys` (separated by spaces), or all if that is
+// empty. Throws Error (input), without a key, for an unknown one.
 Json number_table(const Json& inspection, const std::string& keys);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `lecture`: from a deck to everything that a lecture needs.
+// The command `lecture`: makes the documents of a lecture from a deck.
 #pragma once
 
 #include <filesystem>
@@ -12,34 +12,40 @@
 
 namespace polhode {
 
-// A kind of document that can come out.
+// A kind of document. To add one: a row in lecture_outputs() and a function in
+// lecture/documents.cpp.
 struct LectureOutput {
-  std::string name;  // of --to
-  std::string file;  // in the folder
+  std::string name;  // value of --to
+  std::string file;  // file name in the output folder
   std::string doc;
 };
+// All kinds of documents.
 const std::vector<LectureOutput>& lecture_outputs();
 
+// The options of `lecture`.
 struct LectureJob {
   std::filesystem::path deck;
-  std::string output;  // folder, made when it is missing; empty: output/DECK_lecture
-  std::string to;  // names of outputs with commas between; empty: all that this machine can make
-  bool allow_outside = false;
+  std::string output;          // folder, created if needed; empty: output/DECK_lecture
+  std::string to;              // comma-separated names; empty: all that this machine can make
+  bool allow_outside = false;  // see DeckRoot
   LectureSettings settings;
-  int jobs = 2;  // films that are made at the same time
+  int jobs = 2;  // products made at the same time
   ProgressKind progress = ProgressKind::automatic;
 };
 
+// The result.
 struct LectureResult {
-  std::string summary;          // what was made, for people
-  std::vector<Error> problems;  // what was left out: the rest is there
+  std::string summary;          // what was made, for display
+  std::vector<Error> problems;  // what was left out; everything else was made
 };
 
-// Documents appear together when all are ready; what is rendered is kept in DIR/media and used
-// again as long as it is right. Throws Error when nothing can be made at all.
+// Makes all documents; they appear together when all are ready. Rendered media are kept in
+// DIR/media and reused while they are valid. Throws Error (input) as read_deck does, and naming
+// --to for an unknown output; (environment) naming --to for one that this machine cannot make, and
+// without pandoc; (interrupted).
 LectureResult lecture(const LectureJob& job);
 
-// What each output needs that is missing here, for `doctor`.
+// The state of the programs that the outputs need, for `doctor`.
 std::vector<ExternalNeed> lecture_needs();
 
 }  // namespace polhode

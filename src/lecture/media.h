@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has been rendered for a deck, kept by content: a file's name holds the hash of all that it
-// depends on, so that it is made once and never shown for something else.
+// The cache of what has been rendered for a deck. A file name contains the hash of everything that
+// the file depends on, so it is made once and never used for anything else.
 #pragma once
 
 #include <filesystem>
@@ -13,50 +13,50 @@
 
 namespace polhode {
 
-// One thing to make.
+// A thing to make and cache.
 struct Product {
-  std::string name;  // for people: "free_top-film"
+  std::string name;  // for display: "free_top-film"
   std::string key;   // everything that it depends on, as text
-  // Writes files whose names begin with `stem` into the folder and returns what is to be known of
-  // them; called by any thread. Throws Error.
+  // writes files whose names begin with `stem` into the folder and returns facts about them; called
+  // on any thread; may throw Error
   std::function<nlohmann::ordered_json(const std::filesystem::path& folder,
                                        const std::string& stem)>
       make;
 };
 
-// The folder of products. Products appear whole: first their files, last STEM.json, which lists the
-// files with their sizes and hashes; without it, or when a file is not as listed, a product is made
-// again. Safe to use from several threads for different products.
+// The folder of products. The last file of a product is STEM.json, which lists the others with
+// sizes and hashes; if it is missing or a file is not as listed, the product is made again.
+// Different products may be used from different threads at the same time.
 class Media {
  public:
-  // Throws Error (input) when the folder cannot be made.
+  // Throws Error (input), with the folder as place, if it cannot be created or written.
   explicit Media(std::filesystem::path folder);
   ~Media();
   Media(const Media&) = delete;
   Media& operator=(const Media&) = delete;
 
-  // NAME-HASH, what the files of the product begin with.
+  // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
-  // The facts of a product, from before or made now, with "files" (a list of name, bytes, hash).
-  // Throws what `make` throws, and Error (environment) when the folder takes no files.
+  // The facts of a product, cached or made now, with "files" (a list of name, bytes, hash). Throws
+  // what `make` throws, and Error (environment) if a file cannot be written.
   nlohmann::ordered_json obtain(const Product& product);
-  // How many were made, not found.
+  // The number of products that were made, not found in the cache.
   int made() const { return made_; }
-  // Removes products that nobody has obtained from this object: those of earlier versions.
+  // Deletes the products that have not been obtained from this object.
   void forget_the_rest();
 
  private:
   bool is_whole(const nlohmann::ordered_json& facts) const;
 
   std::filesystem::path folder_;
-  std::filesystem::path work_;  // for what is not whole yet
+  std::filesystem::path work_;  // for incomplete products
   std::mutex lock_;
   std::set<std::string> used_;  // stems
   int made_ = 0;
 };
 
-// A hash of the program itself and the versions of what it draws and encodes with: part of every
-// key.
+// A hash of the binary and the versions of the libraries that it draws and encodes with. Part of
+// every key.
 std::string program_identity();
 
 }  // namespace polhode

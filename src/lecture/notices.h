@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copyright notices of what the documents of a lecture contain.
+// Makes the copyright notices for third-party parts of a lecture's documents.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace polhode {
 
-// The file of a lecture's folder that holds them.
+// The file name of the notices in the lecture's folder.
 inline constexpr const char* kNoticesFile = "LICENCES.txt";
 
-// Is any of these outputs a page, which has styles, scripts or fonts of others inside?
+// Whether any of these outputs is an HTML page, which contains styles, scripts or fonts of others.
 bool has_pages(const std::vector<std::string>& outputs);
 
-// The notices of these outputs. reveal: what slides were made with; formula_font: pages have it
-// inside.
+// The notices for these outputs. reveal: used for the slides; formula_font: whether pages contain
+// it.
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
                     bool formula_font);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole pages around what pandoc makes of a deck: its style and its scripts are in them.
+// Wraps pandoc's HTML into complete pages with embedded styles and scripts, and prints them.
 #pragma once
 
 #include <optional>
@@ -9,37 +9,41 @@
 
 namespace polhode {
 
-// reveal.js as it was found on this machine (MIT licence).
+// reveal.js as found on this machine (MIT licence).
 struct Reveal {
   std::string version;
   std::string css;
   std::string js;
-  std::string licence;  // its LICENSE file, with the copyright notice; empty if there is none
+  std::string licence;  // its LICENSE file with the copyright notice; empty if missing
 };
-// Where install-dependencies puts it, or POLHODE_REVEAL; none if it is in neither.
+// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in the data folders of the user
+// and of the system. Empty if there is none.
 std::optional<Reveal> find_reveal();
 
-// The font of formulas, as a style sheet with the font inside it; empty when it is not installed,
-// and browsers take their own.
+// A style sheet that contains the font for formulas; empty if it is not installed. Browsers then
+// use their own.
 std::string formula_font_css();
 
-// The words that head a deck.
+// The texts at the head of a deck.
 struct DeckWords {
   std::string title, subtitle, author, date, description, licence, lang = "en";
 };
+// From the deck's metadata.
 DeckWords words_of(const Deck& deck);
 
-// Bodies are pandoc's HTML. The pages load nothing from elsewhere and run no script but their own.
+// Complete HTML pages. body and contents are pandoc's HTML. The pages load nothing from the network
+// and run only their own scripts.
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
                          const std::string& contents);
 std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal);
 std::string handout_page(const DeckWords& words, const std::string& body);
 
-// The program that prints the handout: chromium, or what POLHODE_CHROMIUM names; empty if there is
-// none.
+// The program that prints the handout: the one named by POLHODE_CHROMIUM, or chromium; empty if
+// there is none.
 std::string find_printer();
-// The bytes of a PDF of an HTML file. Throws Error (environment).
+// Prints an HTML file and returns the bytes of the PDF. Throws Error (environment) if that fails,
+// (interrupted).
 std::string print_page(const std::string& printer, const std::filesystem::path& html);
 
 }  // namespace polhode

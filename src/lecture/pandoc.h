@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs pandoc, which reads the deck and writes the documents. Nothing in a deck reaches it
-// as more than text: raw HTML, raw TeX and macros are off, and it runs in its sandbox.
+// Runs pandoc, which reads the deck and writes the documents. Decks are untrusted: raw HTML, raw
+// TeX and macros are disabled, and pandoc runs with --sandbox.
 #pragma once
 
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace polhode {
 
-// "pandoc 2.17.1.1"; empty when there is none.
+// "pandoc 2.17.1.1"; empty if it is not installed.
 std::string pandoc_version();
 
-// Throws Error (environment) that says what to install when there is none.
+// Throws Error (environment), with what to install, if pandoc is missing.
 void require_pandoc();
 
-// The syntax tree of Markdown text. Throws Error (input) for what pandoc cannot read, (environment)
-// when it is missing.
+// The syntax tree of a Markdown text. Throws Error (input), without a place, if pandoc cannot read
+// it; (environment) if pandoc is missing.
 nlohmann::ordered_json read_markdown(const std::string& text);
 
+// A document written by pandoc.
 struct Written {
-  std::string text;                       // or bytes
-  std::vector<std::string> bad_formulas;  // that pandoc could not read
+  std::string text;                       // or bytes, for binary formats
+  std::vector<std::string> bad_formulas;  // formulas that pandoc could not convert
 };
 
-// A document from a syntax tree; `words` are further options. A format that needs files (pictures)
-// is written without the sandbox: the tree must name only files of our own. Throws Error
-// (environment).
+// Writes a document from a syntax tree. `words` are further options of pandoc. Formats that embed
+// pictures need sandbox = false; the tree must then name only files made by Polhode. Throws Error
+// (environment) if pandoc fails.
 Written write_document(const nlohmann::ordered_json& tree,
                        const std::vector<std::string>& words,
                        bool sandbox = true);

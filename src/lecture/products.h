@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must be rendered and computed for a deck, as products with their keys.
+// Describes what must be rendered and computed for a deck, as products for the media cache.
 #pragma once
 
 #include <optional>
@@ -12,38 +12,39 @@
 
 namespace polhode {
 
-// What holds for all films of a deck.
+// Settings for all films of a deck.
 struct LectureSettings {
-  std::optional<std::string> size;  // of every picture; a picture's own setting goes first
-  std::optional<std::string> fps;
+  std::optional<std::string> size;  // "1280x720", of every picture that has no setting of its own
+  std::optional<std::string> fps;   // "60" or "30000/1001"
   std::string quality = "lecture";
   std::string backend = "auto";
 };
 
-// A scene of the deck, read and trusted.
+// A scene of the deck, checked by trusted_scene() and loaded.
 struct DeckScene {
   std::string name;  // as the deck names it
   std::filesystem::path file;
   Scene scene;
-  std::string hash;
+  std::string hash;  // scene_hash()
 };
 
-// A film (also a loop, and one of several that are compared). Facts: "film", "poster", "poster_at",
+// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s),
 // "stills" (a list of "file", "at", "caption"), "vtt" (the text, if any), "pauses" (a list of
-// [begins, ends], s of film), "frames", "fps", "width", "height", "duration", "title".
+// [begins, ends], s of film), "frames", "fps", "width", "height", "duration" (s), "title". These
+// functions throw Error (input), without a place, for a setting that is not valid.
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
-// One picture. Facts: "poster", "poster_at", "width", "height".
+// A single picture. Facts: "poster", "poster_at" (s), "width", "height".
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings);
-// Facts: "svg", "png", "csv", "summary".
+// A chart or stability maps. Facts: "svg", "png", "csv", "summary".
 Product chart_product(const DeckPicture& picture, const DeckScene& scene);
 Product stability_product(const DeckPicture& picture, const DeckScene& scene);
-// Facts: "inspection".
+// The output of inspect. Facts: "inspection".
 Product inspect_product(const DeckScene& scene);
-// The motion as a table. Facts: "csv".
+// The motion as a CSV table. Facts: "csv".
 Product motion_product(const DeckScene& scene);
 
 }  // namespace polhode

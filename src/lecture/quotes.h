@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers in the text of a deck: {inspect:scene.toml#key} becomes what `polhode inspect` says.
+// Replaces quotes in a deck, such as {inspect:scene.toml#key}, by the number that `polhode inspect`
+// gives.
 #pragma once
 
 #include <functional>
@@ -9,38 +10,39 @@
 
 namespace polhode {
 
-// {inspect:SCENE#KEY|%.3f,UNIT}; the part from | on may be missing.
+// A quote: {inspect:SCENE#KEY|%.3f,UNIT}. The part from | on is optional.
 struct Quote {
   std::string scene;
-  std::string key;     // dotted path in the answer of inspect; units and "derived." may be left out
-  std::string format;  // "%.4g" and the like; empty: %.4g
-  std::string unit;    // in place of the key's own: deg, rpm, ms, cm, g …; "none" for no unit
+  std::string key;     // dotted path in inspection(); units and "derived." may be omitted
+  std::string format;  // such as "%.3f"; empty: "%.4g"
+  // unit to convert to: deg, rpm, ms, cm, g …; "none": no unit; empty: the key's own
+  std::string unit;
 };
 
-// Throws Error (input) for what is between the braces.
+// Parses the text between the braces. Throws Error (input), without a place, if it is not a quote.
 Quote parse_quote(const std::string& words);
 
-// A number and its unit as a reader wants them.
+// A number with its unit, formatted.
 struct Quoted {
   std::string text;  // "1.26 rad/s", "4.2 × 10⁻³ kg m²"
-  std::string tex;   // the same within a formula
+  std::string tex;   // the same for formulas
 };
 
-// The value of the quote's key in the answer of inspect. Throws Error (input) for an unknown key,
-// with the nearest one, and for a unit that the key cannot be told in.
+// The formatted value of the quote's key. Throws Error (input), without a place, for an unknown key
+// (suggesting the nearest) and for a unit that it cannot be converted to.
 Quoted quoted(const Json& inspection, const Quote& quote);
 
-// The unit that ends a key of inspect, as text, and the key without it: "flip_time_s" to
-// {"flip_time", "s"}.
+// Splits a key of inspect into name and unit: "flip_time_s" into {"flip_time", "s"}.
 std::pair<std::string, std::string> split_unit(const std::string& key);
 
-// Puts numbers in place of all quotes of the deck, captions included. `inspect` answers for a scene
-// or throws. What cannot be quoted becomes "[?]" and a problem with the deck's line.
+// Replaces all quotes of the deck, also in captions. `inspect` returns inspection() of a scene or
+// throws. A quote that fails becomes "[?]" and an entry of deck.problems with its line. Throws
+// Error (interrupted).
 void fill_quotes(Deck& deck,
                  const std::string& deck_text,
                  const std::function<const Json&(const std::string& scene)>& inspect);
 
-// The scenes that quotes of the deck name.
+// The names of the scenes in all quotes of the deck.
 std::set<std::string> quoted_scenes(const Deck& deck);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A deck is somebody else's text. What it may reach and what it may say is decided here.
+// Decides which files, links and formulas a deck may use. Decks are untrusted text.
 #pragma once
 
 #include <filesystem>
@@ -7,32 +7,33 @@
 
 namespace polhode {
 
-// The folder that a deck may read from.
+// The folder that a deck may read files from.
 struct DeckRoot {
-  std::filesystem::path folder;  // of the deck
-  bool allow_outside = false;    // the user trusts the deck
+  std::filesystem::path folder;  // the deck's own folder
+  bool allow_outside = false;    // the user trusts the deck: files anywhere are allowed
 };
 
-// The ordinary file that a deck or one of its scenes names, as folder / name; `from` is the folder
-// that the name counts from. Throws Error (input) for a name that leaves the deck's folder
-// (absolute, with "..", by a symbolic link), has control characters, or names no ordinary file.
+// The path of a file that a deck or one of its scenes names, relative to the folder `from`. Throws
+// Error (input), without a place, for a name that leaves the deck's folder (absolute, with "..", or
+// by a symbolic link), has control characters, or is not a regular file.
 std::filesystem::path trusted_file(const DeckRoot& root,
                                    const std::filesystem::path& from,
                                    const std::string& name);
 
-// The scene of that name; the mesh files that it names are held to the same rule before any is
-// opened. Throws Error (input).
+// The path of a scene of the deck. The mesh files that it names are checked in the same way. Throws
+// Error (input) as trusted_file does.
 std::filesystem::path trusted_scene(const DeckRoot& root, const std::string& name);
 
-// Throws Error (input) for a link that is none of http, https, mailto and #place.
+// Throws Error (input), without a place, unless the link is http:, https:, mailto: or #place.
 void check_link(const std::string& target);
 
-// Throws Error (input) for TeX that is no mathematics: what reads, writes, defines or runs.
+// Throws Error (input), without a place, for TeX that is not mathematics: commands that read,
+// write, define or run something.
 void check_formula(const std::string& tex);
 
-// "a%20b" to "a b"; what is no escape stays.
+// "a%20b" as "a b"; text that is not an escape is not changed.
 std::string percent_decoded(const std::string& text);
-// For an address in a page: everything but letters, digits and "-_./" as %XX.
+// Text as part of a URL: all bytes except letters, digits and "-_./" become %XX.
 std::string percent_encoded(const std::string& text);
 
 }  // namespace polhode
