@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What `polhode --version` prints.
+// The text of `polhode --version`.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// The program with its commit ("": unknown), and the libraries that it was compiled with and those
-// that it has found now, a line each.
+// One line each for the program (with its commit, "": unknown), the libraries that it was compiled
+// with, and the libraries found at run time.
 std::string version_text(const std::string& commit);
 
 }  // namespace polhode

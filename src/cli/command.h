@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of commands. Each is one file that turns options into a job and runs it.
+// The table of commands. Each has a file in cli/commands/ that turns options into a job and runs
+// it.
 #pragma once
 
 #include <functional>
@@ -10,19 +11,22 @@
 
 namespace polhode {
 
-// What a command does once the line is parsed; returns the exit code.
+// Runs a command after its options have been parsed; returns the exit code. Throws Error.
 using Action = std::function<int()>;
 
+// To add one: see ARCHITECTURE.md.
 struct Command {
   const char* name;
   const char* doc;
-  const char* example;  // the shortest that is of use
-  // Adds the options to the subcommand and returns what to run after parsing.
+  const char* example;  // the shortest useful example
+  // adds the options to the subcommand and returns what to run after parsing
   Action (*define)(CLI::App& command);
 };
 
+// All commands, in the order of --help.
 const std::vector<Command>& commands();
 
+// The `define` functions of the table.
 Action define_render(CLI::App& command);
 Action define_join(CLI::App& command);
 Action define_verify(CLI::App& command);
@@ -40,7 +44,7 @@ Action define_doctor(CLI::App& command);
 Action define_manual(CLI::App& command);
 Action define_completion(CLI::App& command);
 
-// What `golden` can do.
+// The actions of `golden`: run, update, show.
 std::vector<std::string> golden_actions();
 
 }  // namespace polhode

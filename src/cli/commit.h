@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The commit that this program was built from.
+// The commit that the program was built from.
 #pragma once
 
 namespace polhode {
 
-// Twelve digits, with "-modified" behind them when the sources differed from it; "" where the
-// sources were no git checkout. Written by write_commit.cmake in every build.
+// Twelve digits, with "-modified" appended if the sources differed from the commit; "" if they were
+// not a git checkout. write_commit.cmake writes it in every build.
 const char* program_commit();
 
-// Its day, "2026-01-31"; of an archive, that of its changelog.
+// The date of the commit, such as "2026-01-31"; for an archive the date of its changelog.
 const char* program_date();
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completions for shells, from the same commands and options as --help.
+// Makes completion scripts for shells from the commands and options that --help shows.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-// Scripts that the shell reads. `program` has all its commands.
+// The script for a shell. `program` must have all its commands.
 std::string bash_completion(const CLI::App& program);
 std::string zsh_completion(const CLI::App& program);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Manual pages, from the same commands and options as --help.
+// Makes manual pages from the commands and options that --help shows.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-// polhode(1) in the man(7) macros. `program` has all its commands.
+// polhode(1) in man(7) macros. `program` must have all its commands.
 std::string program_man_page(const CLI::App& program);
 
 // polhode-COMMAND(1).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words that options of the command line take, out of the tables that know them.
+// The allowed values of options, taken from the tables that define them, for help and completions.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How options become values, and the options that several commands take. Values are read here and
-// not by the parser of the line, so that a wrong one is told as a wrong value of a scene is.
+// Options that several commands share, and the conversion of option values. Values are converted
+// here and not by CLI11, so that errors look like those of scene files.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,10 @@
 
 namespace polhode {
 
-// `names` as CLI11 wants them, "-o,--output"; the last one names the option in errors. `target`
-// must outlive the parse; it is left alone when the option is absent, and the last of several
-// holds. Throw Error (input) for text that is no finite number, and for empty text.
+// Add an option. `names` is in CLI11's form, "-o,--output"; errors use the last name. `target` must
+// outlive parsing; it is not changed if the option is absent, and the last of several values
+// counts. Parsing throws Error (input), naming the option, for text that is not a finite number,
+// and for empty text.
 CLI::Option* add_number(CLI::App& command,
                         const std::string& names,
                         std::optional<double>& target,
@@ -35,34 +36,37 @@ CLI::Option* add_text(CLI::App& command,
                       std::optional<std::string>& target,
                       const std::string& doc);
 
-// The scene file, which every command on a scene needs.
+// The positional argument for a scene file.
 void add_scene(CLI::App& command, std::filesystem::path& scene);
 
-// One or more of them.
+// The positional arguments for one or more scene files.
 void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes);
 
-// --progress and --quiet, as they were given
+// The values of --progress and --quiet.
 struct ProgressOptions {
   std::string progress = "auto";
   bool quiet = false;
 };
+// Adds --progress and --quiet.
 void add_progress(CLI::App& command, ProgressOptions& options);
-// --quiet alone, for commands that end with a line but show no progress
+// Adds only --quiet, for commands with a closing line but without progress.
 void add_quiet(CLI::App& command, ProgressOptions& options);
-// Throws Error (input).
+// The kind of progress to show. Throws Error (input), naming --progress.
 ProgressKind progress_of(const ProgressOptions& options);
 
-// --method, --step, --tolerance, --accuracy
+// Adds --method, --step, --tolerance and --accuracy.
 void add_numerics_options(CLI::App& command, Overrides& overrides);
 
-// --max, --fraction, --limit, --ssim, --flip, as they were given
+// The values of --max, --fraction, --limit, --ssim and --flip.
 struct ThresholdOptions {
   std::optional<int> max, limit;  // levels of 255
   std::optional<double> fraction, ssim, flip;
 };
+// Adds these options.
 void add_thresholds(CLI::App& command, ThresholdOptions& given);
 
-// The defaults with what was given in their place. Throws Error (input) for a number out of range.
+// The default thresholds with the given values in their place. Throws Error as check_thresholds
+// does.
 Thresholds thresholds_of(const ThresholdOptions& given);
 
 }  // namespace polhode

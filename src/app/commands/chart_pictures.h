@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Speed against accuracy of pictures: what each drawing setting costs, and how far its pictures are
-// from heavily supersampled ones.
+// The command `chart --pictures`: the time of each drawing setting against the difference of its
+// pictures from heavily supersampled ones.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace polhode {
 
-// chart.csv with the columns scene,setting,samples,supersampling,time_ms,rmse_levels,
-// max_levels, and the pictures of it. Throws Error.
+// Writes chart.csv, with the columns of picture_error_csv(), and its charts into the folder.
+// Returns a summary. Throws Error (input) naming --size for pictures that are too large, and as
+// chart() and open_context() do.
 std::string chart_pictures(const ChartJob& job);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `doctor`: what works on this machine and what is missing.
+// The command `doctor`: checks what works on this machine and what is missing.
 #pragma once
 
 #include <string>
@@ -7,19 +7,20 @@
 
 namespace polhode {
 
-// Something that the program uses if it is installed, and "ok" or what to install.
+// An optional program or file, with "ok" or what to install.
 struct ExternalNeed {
   std::string name;
   std::string state;
 };
 
-// `healthy` is false when no film can be made.
+// The result of the checks.
 struct Diagnosis {
   std::string text;
-  bool healthy = true;
+  bool healthy = true;  // false: no film can be made
 };
 
-// Opens every back end, and looks for fonts, encoders and programs; `needs` are listed too.
+// Opens every back end and looks for fonts, encoders and programs. `needs` are added to the list.
+// Throws Error (interrupted) only.
 Diagnosis examine(const std::vector<ExternalNeed>& needs);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The use case `inspect`: what a scene's body is, how its motion is found, and what theory says.
+// The command `inspect`: the mass properties of a body, how its motion is computed, and what theory
+// says about it.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +13,19 @@
 
 namespace polhode {
 
+// The options of `inspect`.
 struct InspectJob {
   std::filesystem::path scene;
   Overrides overrides;
   bool json = false;
 };
 
-// Keys carry their units. Vectors in body axes, moments ascending about `reference`.
+// The values as JSON. Keys have their unit as suffix. Vectors are in body axes B; principal moments
+// are in ascending order, about the point `reference`.
 nlohmann::ordered_json inspection(const Solved& solved);
 
-// The whole answer: aligned columns, or indented JSON.
+// The output of the command: aligned columns, or indented JSON. Throws Error as load_with_overrides
+// and solve do.
 std::string inspect(const InspectJob& job);
 
 }  // namespace polhode

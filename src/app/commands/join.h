@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `join`: from the pieces of a film to the film.
+// The command `join`: joins the shards of a film without re-encoding.
 #pragma once
 
 #include <string>
@@ -9,14 +9,16 @@
 
 namespace polhode {
 
+// The options of `join`.
 struct JoinJob {
   std::vector<std::string> parts;  // in any order
   std::string output;
 };
 
-// The film has exactly the frames of its pieces, with title, chapters and captions of the whole.
-// Throws Error (input) for pieces of different films (naming two of them and what differs), for
-// missing ones (all are named), for one that is there twice or is damaged.
+// Writes the film with exactly the frames of its shards, and with title, chapters and captions of
+// the whole film. Throws Error (input), with the file as place, for shards of different films (the
+// message says what differs), for duplicate or damaged shards, and for an output with another
+// ending; without a place if shards are missing (the message lists them).
 Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

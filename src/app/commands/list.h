@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `list`: the tables of what the program knows, as text.
+// The command `list`: prints the tables of the program (methods, solids, formats, ...).
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace polhode {
 
-// What can be listed.
+// The names of the tables.
 std::vector<std::string> list_names();
 
-// The table of that name. Throws Error (input).
+// The table of that name, as aligned columns. Throws Error (input), without a key, for an unknown
+// name or if the shipped scenes are missing.
 std::string list_table(const std::string& name);
 
 }  // namespace polhode

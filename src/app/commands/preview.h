@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `preview`: a film at a glance.
+// The command `preview`: a contact sheet of a film.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,7 @@
 
 namespace polhode {
 
+// The options of `preview`.
 struct PreviewJob {
   std::filesystem::path scene;
   std::string output;  // empty: output/SCENE_preview.png
@@ -17,8 +18,9 @@ struct PreviewJob {
   std::string backend = "auto";
 };
 
-// A sheet of twelve small pictures, from the first frame of the film to its last, each with its
-// time. Throws Error as render_film does.
+// Writes a PNG with twelve small pictures, from the first frame of the film to the last, each with
+// its time. Throws Error as render_film does, and (input), with the output as place, unless it is a
+// .png.
 Made write_preview(const PreviewJob& job);
 
 }  // namespace polhode

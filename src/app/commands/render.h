@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `render`: from a scene file to a film or a picture.
+// The command `render`: makes a film or a picture from a scene file.
 #pragma once
 
 #include "app/made.h"
@@ -7,7 +7,9 @@
 
 namespace polhode {
 
-// Throws Error; nothing half-written stays behind.
+// Makes the output, and the report if job.report names one. No partial files remain after an error,
+// except the segments of --resume. Throws Error (input) as plan_render, PreparedFilm and make_sink
+// do, and naming --report; (environment); (check_failed) as simulate does; (interrupted).
 Made render_film(const RenderJob& job);
 
 }  // namespace polhode

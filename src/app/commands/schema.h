@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The command `schema`: the JSON Schema of the scene file.
+// The command `schema`: prints the JSON Schema of the scene file.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// Indented.
+// scene_schema() as indented JSON.
 std::string schema_text();
 
 }  // namespace polhode

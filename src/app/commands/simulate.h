@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `simulate`: the motion as a table.
+// The command `simulate`: writes the motion as a CSV table.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,7 @@
 
 namespace polhode {
 
+// The options of `simulate`.
 struct SimulateJob {
   std::filesystem::path scene;
   std::string output;  // a file, or "-" for standard output
@@ -16,9 +17,11 @@ struct SimulateJob {
   std::optional<double> rate;  // rows per second; absent: the scene's frame rate
 };
 
-// Columns t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy, 17 digits: q body to space, omega in body
-// axes, L in space axes about the fixed point or else the centre of mass, the centre of mass,
-// total energy. Rows at k/rate while that is within the motion. Throws Error.
+// Columns, in SI units with 17 digits: t, qw,qx,qy,qz (attitude, rotates B to S), wx,wy,wz (angular
+// velocity in B), Lx,Ly,Lz (angular momentum in S about the fixed point, or else the centre of
+// mass), x,y,z (centre of mass in S), energy (total). Rows are at t = k/rate within the motion.
+// Throws Error as load_with_overrides and solve do, (input) naming --rate, and as AtomicFile and
+// print_out do.
 void write_csv(const SimulateJob& job);
 
 }  // namespace polhode

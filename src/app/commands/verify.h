@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `verify`: is a film still what its report says?
+// The command `verify`: checks that a film is what its report says.
 #pragma once
 
 #include <string>
@@ -8,21 +8,23 @@
 
 namespace polhode {
 
+// The options of `verify`.
 struct VerifyJob {
   std::string output;
-  std::string report;  // empty: the output's name with the ending .json
+  std::string report;  // empty: the name of the output with the ending .json
   ProgressKind progress = ProgressKind::automatic;
 };
 
+// The result.
 struct Verified {
   bool same = false;
-  std::string text;  // one line: what was found, with the first frame that differs and its time
+  std::string text;  // one line: the result, with the first frame that differs and its time
 };
 
-// Makes all frames again from the report alone, holds their hashes against the report's, encodes
-// them with the same settings, and compares what is decoded from both, value by value. Throws Error
-// (input) when there is nothing to compare with: no output, no report, other versions of what the
-// pixels depend on.
+// Renders all frames again from the report alone, compares their hashes with those of the report,
+// encodes them with the same settings, and compares the decoded frames of both films value by
+// value. Throws Error (input), with the file as place, if output or report is missing, or if the
+// report was written with other versions of what pixels depend on; (environment); (interrupted).
 Verified verify(const VerifyJob& job);
 
 }  // namespace polhode

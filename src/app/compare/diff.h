@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The use case `diff`: are two pictures, sequences, films or scenes the same to the eye?
+// The command `diff`: compares two pictures, sequences, films or scenes.
 #pragma once
 
 #include <optional>
@@ -12,28 +12,31 @@
 
 namespace polhode {
 
+// The options of `diff`.
 struct DiffJob {
-  std::string actual;     // A: what was made
-  std::string reference;  // B: what it should look like
+  std::string actual;     // A: the one to check
+  std::string reference;  // B: the expected one
   Thresholds thresholds;
   bool json = false;
-  std::string html;  // folder for the page; empty: none
+  std::string html;  // folder for the HTML page; empty: none
 
-  // how scenes are drawn
-  Overrides overrides;          // size, fps; absent: those of the other side
-  std::optional<double> still;  // s; absent: 0 against a picture, the whole film otherwise
-  bool text = true;
+  // how sides that are scenes are rendered
+  Overrides overrides;          // size and fps; absent: those of the other side
+  std::optional<double> still;  // s of motion; absent: 0 against a picture, else the whole film
+  bool text = true;             // with labels, clock, title and caption
   std::string backend = "auto";
   ProgressKind progress = ProgressKind::automatic;
 };
 
+// The result.
 struct DiffResult {
   bool same = true;
-  std::string text;  // for standard output: words, or JSON
+  std::string text;  // for standard output: a summary, or JSON
 };
 
-// Throws Error (input) when the two cannot be compared: a missing file, other sizes, frames
-// without partner.
+// Throws Error (input) if the two cannot be compared, with the file as place: missing files,
+// different sizes, frames without a partner; and naming the option for --still and others that do
+// not apply. Throws Error as check_thresholds and, for scenes, as render_film do.
 DiffResult diff(const DiffJob& job);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages on which a person judges differences: one file of HTML with everything inside, for reading
-// from a disk without a network.
+// HTML pages that show differences of pictures to a person. Each is a single file that works
+// without a network.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-// A pair of frames to be shown.
+// A pair of frames to show.
 struct ShownFrame {
   FrameScore score;
   Image reference, actual;
@@ -20,28 +20,30 @@ struct ShownFrame {
   std::string title;  // plain text; may be empty
 };
 
-// The page of one comparison. Texts are plain; they are escaped here.
+// The content of the page of one comparison. Texts are plain; diff_page() escapes them.
 struct DiffPage {
-  std::string actual, reference;  // names
-  bool same = true;
-  std::string reason;
+  std::string actual, reference;  // names of the two sides
+  bool same = true;               // the overall result
+  std::string reason;             // why they differ
   Thresholds thresholds;
   DiffSummary summary;
-  const std::vector<FrameScore>& scores;
-  const std::vector<ShownFrame>& shown;
-  bool film = false;
+  const std::vector<FrameScore>& scores;  // of all frames
+  const std::vector<ShownFrame>& shown;   // frames shown as pictures
+  bool film = false;                      // frames have times
 };
+// The page as HTML.
 std::string diff_page(const DiffPage& page);
 
-// One case of a folder of golden pictures.
+// One case of golden pictures on a page.
 struct GoldenSection {
   std::string name;
   std::string outcome;  // "same", "different", "no reference", …
-  bool good = true;
-  std::string note;  // which reference, why it failed
+  bool good = true;     // whether the case passes
+  std::string note;     // which reference was used, why it failed
   Thresholds thresholds;
-  std::vector<ShownFrame> shown;  // none, or one
+  std::vector<ShownFrame> shown;  // empty, or one pair
 };
+// The page of several cases as HTML.
 std::string golden_page(const std::string& title, const std::vector<GoldenSection>& sections);
 
 }  // namespace polhode

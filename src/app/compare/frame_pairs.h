@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of two sources, side by side.
+// Reads the frames of two sources in matching pairs.
 #pragma once
 
 #include <memory>
@@ -8,13 +8,13 @@
 
 namespace polhode {
 
-// Reads both sources on threads of their own, a few frames ahead. Frames belong together by the
-// time they are shown at in two films, by number in two sequences, by name in two folders, by
-// their order otherwise.
+// Reads each source on a thread of its own, a few frames ahead. Frames match by their time in two
+// films, by number in two sequences, by name in two folders, and by order otherwise. Use it on one
+// thread.
 class FramePairs {
  public:
-  // `by_order`: pair by order whatever the kinds are. Throws Error (input) when it is known now
-  // that a frame has no partner, naming it.
+  // `by_order`: match by order for all kinds. name_a and name_b are for messages. Throws Error
+  // (input), with the source as place, if a frame is already known to have no partner.
   FramePairs(const std::string& name_a,
              std::unique_ptr<FrameSource> a,
              const std::string& name_b,
@@ -24,11 +24,12 @@ class FramePairs {
   FramePairs(const FramePairs&) = delete;
   FramePairs& operator=(const FramePairs&) = delete;
 
-  // About how many pairs there will be; 0: not known.
+  // The approximate number of pairs; 0: unknown.
   int count() const { return count_; }
 
-  // False at the end of both. The buffers are used again. Throws Error (input) for a frame without
-  // partner, frames of different sizes, and what cannot be read.
+  // Gets the next pair; false at the end of both. Reuses the buffers. Throws Error (input), with
+  // the source as place, for a frame without a partner, frames of different sizes, and unreadable
+  // files.
   bool next(SourceFrame& a, SourceFrame& b);
 
  private:
@@ -38,7 +39,7 @@ class FramePairs {
   std::string name_a_, name_b_;
   int count_ = 0;
   int given_ = 0;
-  double apart_ = 0.0;  // s: how far times may be apart; 0: they do not count
+  double apart_ = 0.0;  // s: largest difference of matching times; 0: times are ignored
   std::unique_ptr<Prefetcher> a_, b_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart the frames of two sources are, one by one and together.
+// The measured differences of frames, one by one and summarised.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace polhode {
 
-// One pair of frames, measured.
+// The differences of one pair of frames.
 struct FrameScore {
   int index = 0;      // from 0
-  std::string label;  // number or file name; "" where there is none
-  double time = 0.0;  // s, in films
+  std::string label;  // number or file name; may be empty
+  double time = 0.0;  // s, for films
   Difference values;
   std::optional<double> ssim, flip;
-  std::string reason;    // why it is different; "" when it is the same
-  double badness = 0.0;  // over 1: different
+  std::string reason;    // why it is different; empty if it is the same
+  double badness = 0.0;  // see badness(); over 1: different
 };
 
-// What the frames of two films come to: largest value, mean of means, rms of all values, mean
+// The differences of all frames: largest difference, mean of means, rms over all values, mean
 // share; least SSIM, greatest FLIP.
 struct DiffSummary {
   Difference values;
   std::optional<double> ssim, flip;
-  int different = 0;      // frames
+  int different = 0;      // number of frames
   std::size_t worst = 0;  // index into the scores
 };
 
-// There must be a score.
+// Summarises at least one score.
 DiffSummary summarise(const std::vector<FrameScore>& scores);
 
 // "frame 12 (0.2000 s)", "picture 'a.png'", "" for a single picture.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of golden pictures as values, and how a case of it is drawn.
+// Loads a folder of golden pictures, and renders its cases.
 #pragma once
 
 #include <filesystem>
@@ -12,39 +12,41 @@
 
 namespace polhode {
 
-// A picture that a case may look like.
+// An accepted picture of a case.
 struct Reference {
-  std::string cause;           // "" for the first
+  std::string cause;           // empty for the first reference
   std::filesystem::path file;  // NAME.png or NAME.CAUSE.png
   bool has_sidecar = false;
-  GoldenSidecar sidecar;  // its verdict is the rule; without a sidecar, the case's
+  GoldenSidecar sidecar;  // its verdict is the rule; without a sidecar, that of the case
 };
 
+// A case with its references.
 struct LoadedCase {
   GoldenCase spec;
-  GoldenVerdict verdict;              // its own or the folder's
+  GoldenVerdict verdict;              // the case's own or the folder's
   std::vector<Reference> references;  // the one without a cause first; may be empty
 };
 
-// The cases of DIR/cases.toml with their references; `names` with commas between chooses some of
-// them. Throws Error (input) for a missing folder, a wrong file, an unknown name.
+// The cases of DIR/cases.toml with their references. `names` (comma-separated) selects cases;
+// empty: all. Throws Error (input) with the folder as place if it or its cases.toml is missing,
+// with file, line and key for faults in the files, and naming --cases for an unknown name.
 std::vector<LoadedCase> load_cases(const std::filesystem::path& folder, const std::string& names);
 
-// DIR/NAME.png or DIR/NAME.CAUSE.png
+// DIR/NAME.png or DIR/NAME.CAUSE.png.
 std::filesystem::path reference_file(const std::filesystem::path& folder,
                                      const std::string& name,
                                      const std::string& cause);
 
-// The picture's own name with .toml behind it, which no scene has.
+// The name of the picture with .toml appended: NAME.png.toml.
 std::filesystem::path sidecar_file(const std::filesystem::path& reference);
 
-// A case as this machine draws it.
+// A case as rendered on this machine.
 struct DrawnCase {
   Image image;
   GoldenSidecar sidecar;  // all but cause and verdict
 };
 
-// Throws Error. Files of its own go into the scratch folder. May run on several threads at once.
+// Renders a case. Temporary files go into `scratch`. Thread-safe. Throws Error as render_film does.
 DrawnCase draw_case(const std::filesystem::path& folder,
                     const GoldenCase& one,
                     const std::string& backend,

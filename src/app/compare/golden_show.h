@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The command `golden show`: which cases and references there are.
+// The command `golden show`: lists cases and references.
 #pragma once
 
 #include "app/compare/golden_job.h"
 
 namespace polhode {
 
-// Lists cases, references and what the sidecars say. Draws nothing.
+// Lists the cases, their references and the content of the sidecars, without rendering. Throws
+// Error as load_cases does.
 GoldenResult golden_show(const GoldenJob& job);
 
 }  // namespace polhode

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The command `golden update`: accepts what scenes look like now.
+// The command `golden update`: makes the present pictures the references.
 #pragma once
 
 #include "app/compare/golden_job.h"
 
 namespace polhode {
 
-// Draws every case and writes the references that are missing or no longer match, all together and
-// after all could be drawn. Throws Error (input) when the folder's git tree holds changes, unless
-// allowed.
+// Renders every case and writes the references that are missing or do not match, together and only
+// if all cases could be rendered. Throws Error as load_cases and draw_cases do, (input) naming
+// --cause for an invalid name, and (input) if the git tree of the folder has changes, unless
+// job.allow_dirty.
 GoldenResult golden_update(const GoldenJob& job);
 
 }  // namespace polhode
