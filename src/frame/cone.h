@@ -32,7 +32,7 @@ ConeMeshes cone_meshes(int segments);
 // Adds rims to list.opaque and shells to list.translucent, back to front for this eye; eye and
 // cones are in drawing coordinates. The order is exact for cones with a common apex if each pair is
 // nested or separated (they may touch). Nested cones are drawn outer back, inner, outer front; of
-// separated cones the farther one, as seen from the plane between them, is drawn first.
+// separated cones, the one on the other side of the plane between them is drawn first.
 void add_cones(DrawList& list,
                const ConeMeshes& meshes,
                const std::vector<Cone>& cones,

@@ -33,7 +33,7 @@ struct LectureJob {
   ProgressKind progress = ProgressKind::automatic;
 };
 
-// The result.
+// What the command prints.
 struct LectureResult {
   std::string summary;          // what was made, for display
   std::vector<Error> problems;  // what was left out; everything else was made

@@ -72,7 +72,7 @@ struct GoldenSidecar {
   std::string renderer;    // GL_RENDERER
   std::string opengl;      // GL_VERSION, which includes Mesa's version
   std::string llvm;        // version; empty if unknown
-  std::string cpu_vendor;  // as CPUID reports it
+  std::string cpu_vendor;  // as in /proc/cpuinfo
   int samples = 0;         // per pixel
   GoldenVerdict verdict;
 };

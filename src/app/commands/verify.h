@@ -15,7 +15,7 @@ struct VerifyJob {
   ProgressKind progress = ProgressKind::automatic;
 };
 
-// The result.
+// Whether the film is the same, and what the command prints.
 struct Verified {
   bool same = false;
   std::string text;  // one line: the result, with the first frame that differs and its time

@@ -28,7 +28,7 @@ struct DiffJob {
   ProgressKind progress = ProgressKind::automatic;
 };
 
-// The result.
+// What the command prints, and whether the two are the same.
 struct DiffResult {
   bool same = true;
   std::string text;  // for standard output: a summary, or JSON

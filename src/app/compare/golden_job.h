@@ -30,7 +30,7 @@ struct GoldenJob {
   bool allow_dirty = false;  // update although the git tree has changes
 };
 
-// The result.
+// What the command prints, and its exit code.
 struct GoldenResult {
   // 0; 1: a picture is different or has no reference; 2: a case cannot be rendered
   int exit_code = 0;
