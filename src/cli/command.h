@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of commands. Each has a file in cli/commands/ that turns options into a job and runs
-// it.
+// The table of commands. A file in cli/commands/ turns the options of each into a job and runs it.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stepping loops that trajectories, charts and stability maps share. They store no states and
-// allocate no memory.
+// The stepping loops that trajectories and charts share. They store no states and allocate no
+// memory.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The destination of a film's bytes: a file that appears when it is complete, or standard output.
-// Private to video/.
 #pragma once
 
 #include <optional>
