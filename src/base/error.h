@@ -45,14 +45,14 @@ class Error : public std::runtime_error {
   Place place_;
 };
 
-template <class... Args>
 // An Error (input) with a formatted message and no place yet.
+template <class... Args>
 Error input_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::input, fmt::format(text, std::forward<Args>(args)...)};
 }
 
-template <class... Args>
 // An Error (environment) with a formatted message and no place yet.
+template <class... Args>
 Error environment_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::environment, fmt::format(text, std::forward<Args>(args)...)};
 }
