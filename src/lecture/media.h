@@ -29,7 +29,7 @@ struct Product {
 // Different products may be used from different threads at the same time.
 class Media {
  public:
-  // Throws Error (input), with the folder as place, if it cannot be created or written.
+  // Throws Error (input), naming --output, if the folder cannot be created or written.
   explicit Media(std::filesystem::path folder);
   ~Media();
   Media(const Media&) = delete;
