@@ -21,7 +21,7 @@ Action define_chart(CLI::App& command) {
       ->type_name("DIR");
   add_text(command, "--methods", job->methods, "only these, separated by commas")
       ->type_name("METHODS");
-  command.add_flag("--pictures", *pictures, "compare compare drawing settings instead of methods");
+  command.add_flag("--pictures", *pictures, "compare drawing settings instead of methods");
   add_text(command,
            "--size",
            job->overrides.size,
