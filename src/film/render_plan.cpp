@@ -8,7 +8,7 @@
 #include "base/version.h"
 #include "film/overrides.h"
 #include "video/encoders.h"
-#include "video/libav/film_output.h"
+#include "video/frame_sink.h"
 #include "video/plain_sinks.h"
 #include "video/sink_kinds.h"
 

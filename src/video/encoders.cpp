@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
-#include "video/libav/film_output.h"
+#include "video/frame_sink.h"
 #include "video/libav/libav.h"
 #include "video/plain_sinks.h"
 

@@ -13,6 +13,9 @@
 
 namespace polhode {
 
+// The output name that stands for standard output.
+inline constexpr const char* kStandardOutput = "-";
+
 // What a sink must know when it is opened.
 struct SinkJob {
   std::string output;        // as the user gave it: "clip.mp4", "still.png", "f_%05d.png", "hash:F"

@@ -6,8 +6,8 @@
 #include "video/captions.h"
 #include "video/encoders.h"
 #include "video/film_sink.h"
+#include "video/frame_sink.h"
 #include "video/gif_sink.h"
-#include "video/libav/film_output.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
 

@@ -13,7 +13,7 @@
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
 #include "video/captions.h"
-#include "video/libav/film_output.h"
+#include "video/frame_sink.h"
 
 namespace polhode {
 namespace {

@@ -12,7 +12,7 @@
 #include "image/png.h"
 #include "video/captions.h"
 #include "video/film_reader.h"
-#include "video/libav/film_output.h"
+#include "video/frame_sink.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
 #include "video/sink_kinds.h"

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/system/interrupt.h"
+#include "video/frame_sink.h"
 #include "video/libav/libav.h"
 #include "video/seal.h"
 

@@ -11,9 +11,6 @@ struct AVIOContext;
 
 namespace polhode {
 
-// The output name that stands for standard output.
-inline constexpr const char* kStandardOutput = "-";
-
 // Invariant: without finish(), no file remains. Writes block if nobody reads the pipe, until a
 // signal interrupts them.
 class FilmOutput {
