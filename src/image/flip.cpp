@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Longer than most: one published metric, in the order of its paper.
 // Section and equation numbers are those of the paper named in the header.
 #include "image/flip.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Longer than most: one walk over the tree of pandoc, each kind of block in a short function.
 #include "lecture/deck.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Longer than most: the steps of one command from a deck to a finished folder, in their order.
 #include "lecture/lecture.h"
 
 #include <algorithm>

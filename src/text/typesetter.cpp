@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Longer than most: all that calls Pango and Cairo is one implementation, so that no other file sees them.
 #include "text/typesetter.h"
 
 #include <algorithm>

@@ -207,6 +207,10 @@ bool has_encoder(const std::string& name) {
   return avcodec_find_encoder_by_name(name.c_str()) != nullptr;
 }
 
+std::string codec_package() {
+  return fmt::format("libavcodec{}", LIBAVCODEC_VERSION_MAJOR);
+}
+
 const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& codec) {
   const std::string& wanted = codec.empty() ? format.codecs.front() : codec;
   if (std::find(format.codecs.begin(), format.codecs.end(), wanted) == format.codecs.end()) {
@@ -219,9 +223,9 @@ const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& cod
     tried.push_back(encoder.name);
   }
   throw environment_error(
-      "this FFmpeg lacks {}; install one that has it (Debian: libavcodec59), or "
-      "choose another format",
-      fmt::join(tried, " and "));
+      "this FFmpeg lacks {}; install one that has it (Debian: {}), or choose another format",
+      fmt::join(tried, " and "),
+      codec_package());
 }
 
 EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wish) {

@@ -54,6 +54,9 @@ const FilmFormat* find_film_format(const std::string& output);
 // Whether the installed FFmpeg has an encoder of that (libav's) name.
 bool has_encoder(const std::string& name);
 
+// The Debian package of the codec library that this program is linked with: "libavcodec61".
+std::string codec_package();
+
 // The encoder for a codec of this format; "" is the default codec. Throws Error (input), naming
 // --codec, for a codec that the format does not allow; (environment), with what to install, if the
 // installed FFmpeg has no encoder for it.

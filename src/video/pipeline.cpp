@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "video/pipeline.h"
 
-#include <chrono>
-#include <condition_variable>
-#include <deque>
 #include <exception>
-#include <mutex>
 #include <thread>
 #include <utility>
 
+#include "base/system/bounded_queue.h"
 #include "base/system/interrupt.h"
 
 namespace polhode {
@@ -16,74 +13,22 @@ namespace {
 
 constexpr std::size_t kFramesAhead = 4;
 
-// A bounded queue of frames, with the used buffers on their way back.
-class FrameQueue {
+using FrameQueue = BoundedQueue<Image>;
+
+// Which thread keeps the other waiting; what is long ago counts less.
+class Waits {
  public:
-  // A buffer to draw into; waits while the queue is full. False when the writer has stopped.
-  bool take_buffer(Image& buffer) {
-    std::unique_lock lock(mutex_);
-    const Clock::time_point start = Clock::now();
-    changed_.wait(lock, [&] { return full_.size() < kFramesAhead || stopped_; });
-    maker_waited_ += Clock::now() - start;
-    if (stopped_) return false;
-    if (!used_.empty()) {
-      buffer = std::move(used_.back());
-      used_.pop_back();
-    }
-    return true;
-  }
-  void push(Image&& frame) {
-    const std::lock_guard lock(mutex_);
-    full_.push_back(std::move(frame));
-    changed_.notify_all();
-  }
-  // The next frame; false when there will be none.
-  bool pop(Image& frame) {
-    std::unique_lock lock(mutex_);
-    const Clock::time_point start = Clock::now();
-    changed_.wait(lock, [&] { return !full_.empty() || ended_ || stopped_; });
-    writer_waited_ += Clock::now() - start;
-    if (full_.empty() || stopped_) return false;
-    frame = std::move(full_.front());
-    full_.pop_front();
-    changed_.notify_all();
-    return true;
-  }
-  void give_back(Image&& buffer) {
-    const std::lock_guard lock(mutex_);
-    used_.push_back(std::move(buffer));
-  }
-  // Has the writer waited more than the maker? What is long ago counts less.
-  bool writer_waits() {
-    constexpr double kFading = 0.95;  // a frame
-    const std::lock_guard lock(mutex_);
-    const bool longer = writer_waited_ >= maker_waited_;
-    writer_waited_ *= kFading;
-    maker_waited_ *= kFading;
-    return longer;
-  }
-  // No more frames will come; the rest is still written.
-  void end() {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-    changed_.notify_all();
-  }
-  // Neither side goes on.
-  void stop() {
-    const std::lock_guard lock(mutex_);
-    stopped_ = true;
-    changed_.notify_all();
+  // Has the writer waited at least as long as the maker?
+  bool writer_waits(FrameQueue& queue) {
+    constexpr double kFading = 0.95;  // per frame
+    const auto [maker, writer] = queue.take_waits();
+    maker_ = maker_ * kFading + maker;
+    writer_ = writer_ * kFading + writer;
+    return writer_ >= maker_;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Image> full_;
-  std::deque<Image> used_;
-  bool ended_ = false;
-  bool stopped_ = false;
-  std::chrono::duration<double> maker_waited_{}, writer_waited_{};
+  FrameQueue::Duration maker_{}, writer_{};
 };
 
 // the writing thread; joined on every way out
@@ -130,15 +75,16 @@ void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,
                   const std::function<void(const PipelineStep&)>& on_frame) {
-  FrameQueue queue;
+  FrameQueue queue(kFramesAhead);
+  Waits waits;
   Writer writer(queue, sink);
   for (int index = 0; index < frames; ++index) {
     stop_if_interrupted();
     Image image;
-    if (!queue.take_buffer(image)) break;
+    if (!queue.wait_for_place(image)) break;
     produce(index, image);
     queue.push(std::move(image));
-    on_frame({index + 1, queue.writer_waits()});
+    on_frame({index + 1, waits.writer_waits(queue)});
   }
   queue.end();
   writer.join();

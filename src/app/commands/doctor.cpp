@@ -16,18 +16,23 @@
 namespace polhode {
 namespace {
 
-// one line about a back end, from really opening it and its framebuffers
-std::string examine_backend(const Backend& backend, bool& works) {
+struct BackendState {
+  bool works = false;
+  std::string line;
+};
+
+// what comes of really opening a back end and its framebuffers
+BackendState examine_backend(const Backend& backend) {
   try {
     const std::unique_ptr<Context> context = backend.open();
     const Renderer renderer(*context, {64, 64, 4, false, Edges::samples});
-    works = true;
-    return fmt::format("ok, {}, OpenGL {}, {} samples",
-                       renderer.info().gl_renderer,
-                       renderer.info().gl_version,
-                       renderer.info().samples);
+    return {true,
+            fmt::format("ok, {}, OpenGL {}, {} samples",
+                        renderer.info().gl_renderer,
+                        renderer.info().gl_version,
+                        renderer.info().samples)};
   } catch (const Error& error) {
-    return fmt::format("missing: {}", error.what());
+    return {false, fmt::format("missing: {}", error.what())};
   }
 }
 
@@ -41,7 +46,9 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
     rows.push_back({key, value.get<std::string>()});
   }
   for (const Backend& backend : backends()) {
-    rows.push_back({"back end " + backend.name, examine_backend(backend, draws)});
+    const BackendState state = examine_backend(backend);
+    rows.push_back({"back end " + backend.name, state.line});
+    draws = draws || state.works;
   }
   const std::string gnuplot = gnuplot_version();
   rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
@@ -55,14 +62,14 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
                                              font.package)});
   }
   for (const FilmEncoder& encoder : film_encoders()) {
-    rows.push_back(
-        {"encoder " + encoder.name,
-         fmt::format("{}, {}: {}",
-                     has_encoder(encoder.name)
-                         ? "ok"
-                         : "missing: install an FFmpeg that has it (Debian: libavcodec59)",
-                     encoder.title,
-                     encoder.doc)});
+    rows.push_back({"encoder " + encoder.name,
+                    fmt::format("{}, {}: {}",
+                                has_encoder(encoder.name)
+                                    ? "ok"
+                                    : "missing: install an FFmpeg that has it (Debian: " +
+                                          codec_package() + ")",
+                                encoder.title,
+                                encoder.doc)});
   }
   const bool encodes = has_encoder("libx264");
   rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});

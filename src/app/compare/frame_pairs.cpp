@@ -3,97 +3,51 @@
 
 #include <algorithm>
 #include <cmath>
-#include <condition_variable>
-#include <deque>
 #include <exception>
-#include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "base/error.h"
+#include "base/system/bounded_queue.h"
 #include "base/system/interrupt.h"
 
 namespace polhode {
 
-// Invariant: at most kAhead frames are ready; an error waits behind the frames before it.
+// Reads the frames of a source in a thread of its own, a few ahead.
 class FramePairs::Prefetcher {
  public:
   explicit Prefetcher(std::unique_ptr<FrameSource> source)
       : source_(std::move(source)), thread_([this] { read_all(); }) {}
-  ~Prefetcher() {
-    {
-      const std::lock_guard lock(mutex_);
-      stopped_ = true;
-    }
-    changed_.notify_all();
-  }
+  ~Prefetcher() { queue_.stop(); }
   Prefetcher(const Prefetcher&) = delete;
   Prefetcher& operator=(const Prefetcher&) = delete;
 
+  // The next frame; false after the last. The memory of the one before is used again.
   bool next(SourceFrame& frame) {
-    std::unique_lock lock(mutex_);
-    // an interrupt must not wait for a slow source
-    while (!changed_.wait_for(lock, kPatience, [&] { return !ready_.empty() || ended_; }))
-      stop_if_interrupted();
-    if (ready_.empty()) {
-      if (error_) std::rethrow_exception(error_);
-      return false;
-    }
-    spare_.push_back(std::move(frame));
-    frame = std::move(ready_.front());
-    ready_.pop_front();
-    lock.unlock();
-    changed_.notify_all();
+    SourceFrame next;
+    if (!queue_.pop(next)) return false;
+    queue_.give_back(std::exchange(frame, std::move(next)));
     return true;
   }
 
  private:
   static constexpr std::size_t kAhead = 3;
-  static constexpr std::chrono::milliseconds kPatience{100};
 
   void read_all() {
     try {
-      while (read_one()) {
-      }
+      SourceFrame frame;
+      while (queue_.wait_for_place(frame) && source_->next(frame))
+        queue_.push(std::move(frame));
+      queue_.end();
     } catch (...) {
-      const std::lock_guard lock(mutex_);
-      error_ = std::current_exception();
+      queue_.end(std::current_exception());
     }
-    {
-      const std::lock_guard lock(mutex_);
-      ended_ = true;
-    }
-    changed_.notify_all();
-  }
-
-  bool read_one() {
-    SourceFrame frame;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return ready_.size() < kAhead || stopped_; });
-      if (stopped_) return false;
-      if (!spare_.empty()) {
-        frame = std::move(spare_.back());
-        spare_.pop_back();
-      }
-    }
-    if (!source_->next(frame)) return false;
-    {
-      const std::lock_guard lock(mutex_);
-      ready_.push_back(std::move(frame));
-    }
-    changed_.notify_all();
-    return true;
   }
 
   std::unique_ptr<FrameSource> source_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<SourceFrame> ready_;
-  std::vector<SourceFrame> spare_;  // buffers to be used again
-  std::exception_ptr error_;
-  bool ended_ = false, stopped_ = false;
-  std::jthread thread_;
+  BoundedQueue<SourceFrame> queue_{kAhead};
+  std::jthread thread_;  // last, so that it starts when all else is there
 };
 
 namespace {

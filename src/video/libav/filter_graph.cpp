@@ -20,9 +20,10 @@ SharedLibrary open_library() {
     return SharedLibrary({name});
   } catch (const Error& error) {
     throw environment_error(
-        "a GIF needs libavfilter ({}); install it (Debian: libavfilter8), or "
-        "choose another format",
-        error.message());
+        "a GIF needs libavfilter ({}); install it (Debian: libavfilter{}), or choose another "
+        "format",
+        error.message(),
+        LIBAVFILTER_VERSION_MAJOR);
   }
 }
 
