@@ -44,16 +44,43 @@ std::vector<const toml::key*> written_spellings(const toml::table& table, const 
   return written;
 }
 
+// whether the texts differ in one letter only
+bool is_one_letter_off(std::string_view a, std::string_view b) {
+  if (a.size() != b.size() || a.size() < 2) return false;
+  int different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    different += a[i] != b[i] ? 1 : 0;
+  return different == 1;
+}
+
+// How a key can be written, if `name` is that key with a unit that it does not have; else "". A
+// unit of its own that is misspelt by a letter is left to the nearest name.
+std::string units_instead(const std::string& name, const KeyList& keys) {
+  for (const Key& key : keys.keys) {
+    if (key.doc.unit == Unit::none || !name.starts_with(key.name + "_")) continue;
+    std::vector<std::string> ways;
+    for (const Spelling& spelling : spellings_of(key.name, key.doc)) {
+      if (is_one_letter_off(spelling.text, name) && name.size() > key.name.size() + 2) return "";
+      ways.push_back(fmt::format("{} ({})", spelling.text, spelling.unit.symbol));
+    }
+    return fmt::format("; write {}", fmt::join(ways, ", "));
+  }
+  return "";
+}
+
 void refuse_unknown(const Place& place,
                     const std::string& name,
                     const KeyList& keys,
                     const KeyList& root) {
   const std::string near = nearest_name(name, keys.all_spellings());
   const std::vector<std::string> elsewhere = tables_with(name, root);
+  const std::string other_units = units_instead(name, keys);
   std::string message = "unknown key";
   if (!elsewhere.empty()) {
     message += fmt::format(" here; '{}' is a key of {}", name, fmt::join(elsewhere, " and "));
     if (!near.empty()) message += fmt::format(" (or did you mean '{}'?)", near);
+  } else if (!other_units.empty()) {
+    message += other_units;
   } else if (!near.empty()) {
     message += fmt::format(" (did you mean '{}'?)", near);
   } else {
