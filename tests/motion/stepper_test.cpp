@@ -266,11 +266,6 @@ TEST_P(EveryStepper, NeverFormsTheInverseOfARotatorsMissingMoment) {
   EXPECT_LE((s.y - p.start.y).norm(), 3e-14);  // no torque, and y x w = 0
 }
 
-TEST(StepperTable, FindsByNameAndSuggestsTheNearest) {
-  EXPECT_EQ(find_stepper("rk4").order, 4);
-  expect_input_error([] { find_stepper("rk44"); }, "", "rk4");
-}
-
 // the estimate of an adaptive method bounds what the step really did wrong, and is not wild
 TEST(AdaptiveSteppers, EstimateTheirLocalError) {
   const Problem p = heavy_asymmetric();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which name becomes which kind of output.
-#include "video/frame_sink.h"
+#include "video/sink_kinds.h"
 
 #include <set>
 #include <utility>
@@ -10,7 +10,6 @@
 #include "base/error.h"
 #include "support/expect_error.h"
 #include "support/run.h"
-#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {
@@ -25,7 +24,7 @@ SinkJob plain_job(const std::string& output) {
   return job;
 }
 
-TEST(FrameSink, TheNameTellsTheKind) {
+TEST(SinkKinds, TheNameTellsTheKind) {
   const std::pair<const char*, const char*> table[] = {{"a.mp4", "mp4"},
                                                        {"dir.png/a.webm", "webm"},
                                                        {"a.mov", "mov"},
@@ -47,14 +46,14 @@ TEST(FrameSink, TheNameTellsTheKind) {
   EXPECT_EQ(named.size(), sink_kinds().size()) << "a kind without its name here";
 }
 
-TEST(FrameSink, AnUnknownEndingNamesTheNearest) {
+TEST(SinkKinds, AnUnknownEndingNamesTheNearest) {
   test::expect_input_error([] { find_sink_kind("a.mp5"); }, "", "'.mp4'");
   test::expect_input_error([] { find_sink_kind("a.mp4/film"); }, "", "ending ''");
   test::expect_input_error([] { find_sink_kind("nul"); }, "", "no format has the ending");
 }
 
 // ".mp4" would be a hidden file without a name, "%d.mp4" one file of a sequence that is none
-TEST(FrameSink, NamesThatCannotBeMeantAreRefused) {
+TEST(SinkKinds, NamesThatCannotBeMeantAreRefused) {
   const TemporaryFolder folder;
   const auto make = [&](const char* name) {
     return [&, name] {
@@ -68,7 +67,7 @@ TEST(FrameSink, NamesThatCannotBeMeantAreRefused) {
 }
 
 // those that keep no alpha refuse a transparent picture; the others make one
-TEST(FrameSink, AlphaIsKeptOrRefused) {
+TEST(SinkKinds, AlphaIsKeptOrRefused) {
   for (const SinkKind& kind : sink_kinds()) {
     if (!kind.film || kind.ending.empty()) continue;
     const TemporaryFolder folder;
@@ -82,7 +81,24 @@ TEST(FrameSink, AlphaIsKeptOrRefused) {
   }
 }
 
-TEST(FrameSink, WhatItCannotDoIsSaid) {
+// names, endings and phrases are what `list formats` and the documentation show
+TEST(SinkKinds, EveryRowIsWhole) {
+  std::set<std::string> names;
+  for (const SinkKind& kind : sink_kinds()) {
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+    EXPECT_FALSE(kind.doc.empty()) << kind.name;
+    EXPECT_NE(kind.make, nullptr) << kind.name;
+    if (kind.accepts == nullptr) {
+      EXPECT_EQ(kind.ending.rfind('.', 0), 0U) << kind.name;
+    }
+    if (kind.film && !kind.ending.empty()) {
+      EXPECT_EQ(find_sink_kind("a.b" + kind.ending).name, kind.name);
+      EXPECT_FALSE(find_sink_kind("hash:a" + kind.ending).film) << kind.name;
+    }
+  }
+}
+
+TEST(SinkKinds, WhatItCannotDoIsSaid) {
   const TemporaryFolder folder;
   const auto message = [](const SinkJob& job) -> std::string {
     try {

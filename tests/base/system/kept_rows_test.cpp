@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/kept_rows.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::TemporaryFolder;
+using Lines = std::vector<std::string>;
+
+// what a run that was asked for `words` takes up, if it takes up to `most` rows
+Lines taken_up(KeptRows& rows, std::size_t most = 100) {
+  Lines lines;
+  rows.load([&](const std::string& line) {
+    if (lines.size() == most) return false;
+    lines.push_back(line);
+    return true;
+  });
+  return lines;
+}
+
+TEST(KeptRows, AreTakenUpByTheNextRunOfTheSameWords) {
+  const TemporaryFolder folder;
+  KeptRows first(folder / "rows", "map 64x64");
+  first.add("1,2");
+  first.add("3,4");
+  first.save();
+  KeptRows next(folder / "rows", "map 64x64");
+  EXPECT_EQ(taken_up(next), (Lines{"1,2", "3,4"}));
+}
+
+TEST(KeptRows, OfOtherWordsAreLeftAlone) {
+  const TemporaryFolder folder;
+  KeptRows first(folder / "rows", "map 64x64");
+  first.add("1,2");
+  first.save();
+  KeptRows other(folder / "rows", "map 64x6");
+  EXPECT_EQ(taken_up(other), Lines{});
+  EXPECT_NE(test::read_text(folder / "rows").find("1,2"), std::string::npos);
+}
+
+TEST(KeptRows, WithoutAFileThereAreNone) {
+  const TemporaryFolder folder;
+  KeptRows rows(folder / "rows", "words");
+  EXPECT_EQ(taken_up(rows), Lines{});
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+// rows that were taken up are saved again with the new ones; a refused one and what follows are not
+TEST(KeptRows, AddedOnesStandBehindThoseTakenUp) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "rows", "words\na\nb\nbroken\nc\n");
+  KeptRows rows(folder / "rows", "words");
+  EXPECT_EQ(taken_up(rows, 2), (Lines{"a", "b"}));
+  rows.add("d");
+  rows.save();
+  EXPECT_EQ(test::read_text(folder / "rows"), "words\na\nb\nd\n");
+}
+
+TEST(KeptRows, AreRemovedWithTheirFile) {
+  const TemporaryFolder folder;
+  KeptRows rows(folder / "rows", "words");
+  rows.add("a");
+  rows.save();
+  EXPECT_EQ(folder.entries(), 1);
+  rows.remove();
+  EXPECT_EQ(folder.entries(), 0);
+  EXPECT_NO_THROW(rows.remove());
+}
+
+TEST(KeptRows, AFolderThatIsMissingIsAnError) {
+  const TemporaryFolder folder;
+  const KeptRows rows(folder / "nowhere/rows", "words");
+  EXPECT_THROW(rows.save(), Error);
+}
+
+}  // namespace
+}  // namespace polhode

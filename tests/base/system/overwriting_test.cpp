@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/overwriting.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::TemporaryFolder;
+
+void expect_refused(const std::string& written,
+                    const std::filesystem::path& needed,
+                    const std::string& words) {
+  SCOPED_TRACE(written);
+  test::expect_input_error([&] { refuse_same_file(written, "--report", needed); }, "", words);
+}
+
+TEST(RefuseSameFile, OneFileHasManyNames) {
+  const TemporaryFolder folder;
+  const std::string film = folder / "film.mp4";
+  test::write_text(film, "film");
+  std::filesystem::create_symlink("film.mp4", folder / "link");
+  std::filesystem::create_hard_link(film, folder / "hard");
+  std::filesystem::create_directory(folder / "in");
+  const std::string words = "--report would overwrite " + film;
+  for (const char* name : {"film.mp4", "./film.mp4", "in/../film.mp4", "link", "hard"})
+    expect_refused(folder / name, film, words);
+}
+
+// what is not written yet has only its name
+TEST(RefuseSameFile, FilesThatAreNotThereYetAreComparedByName) {
+  expect_refused("no/such/film.mp4", "no/such/../such/film.mp4", "would overwrite");
+  EXPECT_NO_THROW(refuse_same_file("no/such/film.mp4", "--report", "no/such/film.mkv"));
+}
+
+TEST(RefuseSameFile, SceneFilesAreNeverWritten) {
+  expect_refused("other.toml", "film.mp4", "'other.toml' has the ending of scene files");
+}
+
+TEST(RefuseSameFile, OtherFilesAndNoFileAreFine) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "a.json", "same");
+  test::write_text(folder / "b.json", "same");
+  EXPECT_NO_THROW(refuse_same_file(folder / "a.json", "--report", folder / "b.json"));
+  EXPECT_NO_THROW(refuse_same_file("", "--report", ""));
+}
+
+}  // namespace
+}  // namespace polhode
