@@ -5,6 +5,7 @@
 
 #include "film/drawn_frames.h"
 #include "film/small_films.h"
+#include "support/logged.h"
 #include "video/film_reader.h"
 #include "video/plain_sinks.h"
 
@@ -107,10 +108,11 @@ TEST_F(FilmInSegments, MakesADamagedOrMisplacedSegmentAgain) {
   bytes[bytes.size() / 2] ^= 1;
   write_text(piece(3), read_text(piece(2)));
   write_text(piece(1), bytes);
-  ::testing::internal::CaptureStderr();
   ResumedFilm output(plan_);
-  output.begin(film_);
+  ::testing::internal::CaptureStderr();
+  const std::string said = test::logged_by([&] { output.begin(film_); });
   ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("00001.mp4: is damaged and made again"), std::string::npos) << said;
   ASSERT_EQ(output.frames().size(), 80U);
   EXPECT_EQ(output.frames()[0], 0);
   EXPECT_EQ(output.frames()[39], 39);

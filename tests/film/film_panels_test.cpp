@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "film/film_panels.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "film/film_plots.h"
+#include "film/frame_times.h"
+#include "film/small_films.h"
+#include "support/expect_error.h"
+#include "support/scenes.h"
+
+namespace polhode {
+namespace {
+
+using test::scene_names;
+using test::scene_path;
+using test::small_scene;
+
+struct Panels {
+  explicit Panels(const Scene& scene, bool with_text = true) : solved(solve(scene)) {
+    if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
+    film = std::make_unique<Film>(make_film(solved,
+                                            plan_frame_times(solved, {}).timeline,
+                                            comparison.get(),
+                                            make_plots(solved),
+                                            with_text));
+  }
+  const std::vector<FilmPanel>& all() const { return film->panels(); }
+
+  Solved solved;
+  std::unique_ptr<Comparison> comparison;
+  std::unique_ptr<Film> film;
+};
+
+// where a panel shows a point of the body at a moment of the film, pixels
+Vec2 seen_in(const FilmPanel& panel, const Solved& solved, double t, const Vec3& r_B) {
+  const Sample now = solved.simulation.motion.at(t);
+  return panel.composer->camera_at(t).project(point_position(solved.model, now, r_B));
+}
+
+TEST(FilmPanels, OneViewIsOnePanelWithoutAHeading) {
+  const Panels panels(small_scene());
+  ASSERT_EQ(panels.all().size(), 1U);
+  EXPECT_EQ(panels.all()[0].place, (PixelBox{0, 0, 64, 48}));
+  EXPECT_EQ(panels.all()[0].end, 1.0);
+  EXPECT_FALSE(panels.all()[0].notes);
+}
+
+// the second camera goes along with the body, which stands still before it
+TEST(FilmPanels, TheBodysViewGoesAlongWithTheBody) {
+  const std::string shots = "[[shots]]\nat = 0.6\ndirection = [1, 0, 1]\n";
+  for (const std::string& more : {std::string(), shots}) {
+    const Panels panels(small_scene("[show]\nviews = [\"space\", \"body\"]\n" + more));
+    ASSERT_EQ(panels.all().size(), 2U);
+    EXPECT_EQ(panels.all()[0].notes(0.3).lines, std::vector<std::string>{"In space"});
+    EXPECT_EQ(panels.all()[1].notes(0.3).lines, std::vector<std::string>{"In body axes"});
+    const Vec3 point(0.02, 0.05, 0.15);
+    for (const double t : {0.0, 0.7}) {
+      const double later = t + 0.29;
+      const auto goes = [&](std::size_t i) {
+        const FilmPanel& panel = panels.all()[i];
+        return (seen_in(panel, panels.solved, later, point) -
+                seen_in(panel, panels.solved, t, point))
+            .norm();
+      };
+      EXPECT_GT(goes(0), 0.5) << t;
+      EXPECT_LT(goes(1), 1e-9) << t;
+    }
+  }
+}
+
+TEST(FilmPanels, ComparedMethodsHaveAPanelEach) {
+  const Panels panels(small_scene("[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n"));
+  ASSERT_EQ(panels.all().size(), 2U);
+  int across = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Contender& one = panels.comparison->contenders()[i];
+    const FilmPanel& panel = panels.all()[i];
+    EXPECT_EQ(panel.end, one.end);
+    EXPECT_EQ(panel.notes(0.5).lines, panels.comparison->notes(one, 0.5).lines);
+    EXPECT_EQ(panel.composer->scenery().motion.at(0.9).q_SB.coeffs(),
+              one.motion.at(0.9).q_SB.coeffs());
+    across += panel.place.width;
+  }
+  EXPECT_EQ(across, 64) << "side by side";
+  // what is compared is seen from one place
+  EXPECT_EQ(panels.all()[0].composer->camera().eye(), panels.all()[1].composer->camera().eye());
+}
+
+TEST(FilmPanels, WithoutTextThereAreNoNotes) {
+  for (const char* more : {"[show]\nviews = [\"space\", \"body\"]\n",
+                           "[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n"}) {
+    const Panels panels(small_scene(more), false);
+    for (const FilmPanel& panel : panels.all())
+      EXPECT_FALSE(panel.notes);
+  }
+}
+
+TEST(FilmPanels, PlotsStandBesideASinglePanel) {
+  Scene scene = small_scene("[show]\nplots = [\"tilt\"]\nviews = [\"space\", \"body\"]\n");
+  const Solved solved = solve(scene);
+  test::expect_input_error(
+      [&] { make_film(solved, plan_frame_times(solved, {}).timeline, nullptr, {}, true); },
+      "show.plots",
+      "single panel");
+}
+
+// an automatic camera leaves room for what is laid over the picture
+TEST(FilmPanels, TheBodyMakesRoomForPlotsAndCaptions) {
+  const auto centre = [](const std::string& more, bool with_text = true) {
+    Scene scene = small_scene(more);
+    scene.video.size = {640, 360};
+    const Panels panels(scene, with_text);
+    return panels.all()[0].composer->camera().project(Vec3::Zero());
+  };
+  const Vec2 alone = centre("");
+  const Vec2 plotted = centre("[show]\nplots = [\"tilt\"]\n");
+  EXPECT_LT(plotted.x(), alone.x() - 0.1 * 640);
+  const std::string story = "[[story]]\nat = 0.5\ncaption = \"words\"\n";
+  EXPECT_LT(centre(story).y(), alone.y() - 3.0) << "words are at the bottom";
+  EXPECT_NEAR(centre(story, false).y(), alone.y(), 1e-9);
+}
+
+class WholeFilm : public ::testing::TestWithParam<std::string> {};
+
+// at every moment of every film no text runs over another, and none leaves the frame
+TEST_P(WholeFilm, TextNeverRunsOverText) {
+  Scene scene = load_scene(scene_path(GetParam()));
+  scene.video.size = {640, 360};
+  const Solved solved = solve(scene);
+  const FrameTimes frames = plan_frame_times(solved, {});
+  std::unique_ptr<Comparison> comparison;
+  if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
+  const Film film = make_film(solved, frames.timeline, comparison.get(), make_plots(solved), true);
+  const double duration = frames.timeline.film_duration();
+  constexpr int kLooks = 120;
+  for (int i = 0; i <= kLooks; ++i) {
+    const double now = duration * i / kLooks;
+    const std::vector<TextRoom> rooms = film.text_rooms(now);
+    for (std::size_t a = 0; a < rooms.size(); ++a) {
+      EXPECT_GE(rooms[a].left, -1.0) << now;
+      EXPECT_GE(rooms[a].top, -1.0) << now;
+      EXPECT_LE(rooms[a].right, 641.0) << now;
+      EXPECT_LE(rooms[a].bottom, 361.0) << now;
+      for (std::size_t b = a + 1; b < rooms.size(); ++b)
+        EXPECT_FALSE(overlap(rooms[a], rooms[b])) << now << ": " << a << " and " << b;
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Scenes,
+                         WholeFilm,
+                         ::testing::ValuesIn(scene_names()),
+                         [](const auto& row) { return row.param; });
+
+}  // namespace
+}  // namespace polhode

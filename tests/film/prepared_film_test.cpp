@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "film/prepared_film.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "film/small_films.h"
+#include "support/logged.h"
+
+namespace polhode {
+namespace {
+
+using test::plan_of;
+using test::small_scene;
+
+// what a film logs before it is drawn
+std::string warnings_of(const Scene& scene) {
+  const PreparedFilm film(plan_of(scene));
+  return test::logged_by([&] { film.warn(); });
+}
+
+TEST(PreparedFilm, KnowsMotionTimesAndPanels) {
+  const PreparedFilm film(plan_of(small_scene()));
+  EXPECT_EQ(film.solved().simulation.report.method, "exact");
+  EXPECT_EQ(film.frames().count, 10);
+  EXPECT_EQ(film.film().panels().size(), 1U);
+  EXPECT_EQ(film.comparison(), nullptr);
+  EXPECT_EQ(film.shutter_s(), 0.0);
+  EXPECT_EQ(film.moments(), 1);
+}
+
+TEST(PreparedFilm, ShowsTheRangeThatIsAskedFor) {
+  RenderPlan plan = plan_of(small_scene());
+  plan.range.from = 0.3;
+  EXPECT_EQ(PreparedFilm(plan).frames().count, 7);
+}
+
+TEST(PreparedFilm, ComparesTheMethodsThatAreAskedForFrameByFrame) {
+  const Scene scene =
+      small_scene("[numerics]\ncompare = [\"explicit_euler\", \"exact\"]\nstep = 0.05\n");
+  const PreparedFilm film(plan_of(scene));
+  ASSERT_NE(film.comparison(), nullptr);
+  EXPECT_EQ(film.film().panels().size(), 2U);
+  // found at the times of frames
+  const Contender& euler = film.comparison()->contenders()[0];
+  ASSERT_TRUE(euler.untrusted_from);
+  const double frames = *euler.untrusted_from * 10.0;
+  EXPECT_NEAR(frames, std::round(frames), 1e-9);
+}
+
+// from one picture to the next the body turns by at most 3.4 degrees
+TEST(PreparedFilm, AnOpenShutterHasAsManyMomentsAsTheTurnNeeds) {
+  Scene scene = small_scene("shutter_deg = 180\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);
+  const PreparedFilm film(plan_of(scene));
+  EXPECT_DOUBLE_EQ(film.shutter_s(), 0.05) << "half of a tenth of a second";
+  EXPECT_EQ(film.moments(), 9) << "half a radian in steps of 0.06";
+  scene.video.time_scale = 10.0;
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 48) << "the most";
+  scene.motion.spin.body = Vec3(0.0, 0.0, 0.001);
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 4) << "the least";
+}
+
+// the wheels of coaches: more than half a turn from frame to frame
+TEST(PreparedFilm, WarnsOfABodyThatSeemsToTurnBackwards) {
+  Scene scene = small_scene();
+  EXPECT_EQ(warnings_of(scene), "");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 40.0);
+  const std::string words = warnings_of(scene);
+  EXPECT_NE(words.find("scene.toml:11: video.fps: "), std::string::npos) << words;
+  EXPECT_NE(words.find("video.shutter_deg = 360"), std::string::npos) << words;
+  scene.video.shutter = 2.0 * kPi;
+  EXPECT_EQ(warnings_of(scene), "") << "what is blurred has no direction";
+}
+
+TEST(PreparedFilm, WarnsOfALoopThatDoesNotClose) {
+  Scene scene = small_scene("loop = true\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);
+  EXPECT_EQ(warnings_of(scene), "");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 1.0);
+  EXPECT_NE(warnings_of(scene).find("returns to its start only to within"), std::string::npos);
+}
+
+TEST(PreparedFilm, BadStoriesAndShotsAreOneLineWithTheirPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"[[story]]\nat = 9\n", "story[0].at"},
+      {"[[story]]\nat = 1\nshow = [\"omga\"]\n", "did you mean 'omega'?"},
+      {"[[shots]]\nat = 1\nfollow = \"me\"\n", "follow"},
+      {"[[shots]]\nmove = 1\n", "at"},
+      {"[show]\nplots = [\"tlt\"]\n", "did you mean 'tilt'?"},
+      {"[show]\nviews = [\"space\", \"body\"]\nplots = [\"tilt\"]\n", "with a single panel"},
+      {"[video]\nshutter_deg = 400\n", "shutter"},
+      {"[numerics]\ncompare = [\"rk44\"]\n", "did you mean 'rk4'?"},
+      {"[numerics]\ncompare = []\n", "compare"},
+  };
+  const std::string body =
+      "[body]\nmoments = [1, 2, 2.5]\n[motion]\nduration = 2\nspin = { body = [1, 0, 1] }\n";
+  for (const auto& [text, words] : cases) {
+    SCOPED_TRACE(text);
+    try {
+      const Scene scene = parse_scene(body + text, "scene.toml");
+      const PreparedFilm film(plan_of(scene));
+      FAIL() << "was taken";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("scene.toml:"), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode

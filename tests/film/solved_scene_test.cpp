@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "film/solved_scene.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "film/small_films.h"
+#include "math/so3.h"
+#include "support/logged.h"
+
+namespace polhode {
+namespace {
+
+using test::small_scene;
+
+// a free symmetric top: L/I1 about L, Omega_3 (1 - I3/I1) about its own axis
+TEST(SolvedScene, TheMotionIsThatOfTheScene) {
+  const Scene scene = small_scene();
+  const Solved solved = solve(scene);
+  EXPECT_EQ(solved.scene.title, "test");
+  EXPECT_EQ(solved.simulation.report.method, "exact");
+  const double I1 = 0.2 * (0.01 + 0.04), I3 = 0.2 * 0.02;
+  EXPECT_NEAR(solved.model.moments.x(), I1, 1e-15);
+  EXPECT_NEAR(solved.model.moments.z(), I3, 1e-15);
+  const Quat start(Eigen::AngleAxisd(40.0 * kPi / 180.0, Vec3::UnitX()));
+  const Vec3 L = start * Vec3(I1 * 1.0, 0.0, I3 * 3.0);
+  const double t = 0.77;
+  const Quat expected = Quat(Eigen::AngleAxisd(L.norm() / I1 * t, L.normalized())) * start *
+                        Quat(Eigen::AngleAxisd(3.0 * (1.0 - I3 / I1) * t, Vec3::UnitZ()));
+  EXPECT_LT(rotation_angle_between(solved.simulation.motion.at(t).q_SB, expected), 1e-13);
+  EXPECT_GT(solved.simulate_time.wall_s, 0.0);
+}
+
+TEST(SolvedScene, ErrorsOfTheBodyNameTheirLine) {
+  const Scene scene = parse_scene(
+      "[body]\nmoments = [1, 1, 5]\n[motion]\nspin = { body = [1, 0, 3] }\n", "scene.toml");
+  const std::string message = test::message_of([&] { solve(scene); });
+  EXPECT_EQ(message.rfind("scene.toml:2: body.moments: ", 0), 0U) << message;
+}
+
+// the truth that methods are held against is not one of their steps
+TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfTheTruth) {
+  const Scene scene =
+      small_scene("[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\ntolerance = 0.1\n");
+  const SimulationReport& report = solve(scene).simulation.report;
+  EXPECT_EQ(report.method, "exact");
+  EXPECT_FALSE(report.step);
+  EXPECT_FALSE(report.tolerance);
+}
+
+TEST(SolvedScene, DoubtsAreLoggedWithTheLineOfTheMethod) {
+  const Scene scene = small_scene("[numerics]\nmethod = \"explicit_euler\"\nstep = 0.1\n");
+  const std::string said = test::logged_by(
+      [&] { EXPECT_FALSE(solve(scene).simulation.report.reliability.doubts.empty()); });
+  EXPECT_NE(said.find("scene.toml:13: numerics.method: the motion cannot be trusted: "),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(test::logged_by([] { solve(small_scene()); }), "");
+}
+
+// beyond the limit that theory knows, whatever comes of it; here from the command line
+TEST(SolvedScene, AStepBeyondItsMethodIsWarnedOf) {
+  Scene scene = small_scene("[numerics]\nmethod = \"rk4\"\n");
+  scene.numerics.step = 5.0;
+  scene.motion.duration = 10.0;
+  scene.options["numerics.step"] = "--step";
+  const std::string said = test::logged_by([&] { solve(scene); });
+  EXPECT_NE(said.find("--step: a step of 5 s is beyond "), std::string::npos) << said;
+}
+
+TEST(AccuracyInRadians, IsWhatTheSceneSays) {
+  Scene scene = small_scene("[numerics]\naccuracy = 0.02\n");
+  EXPECT_EQ(accuracy_in_radians(scene, solve(scene).model), 0.02);
+}
+
+// pixels are angles: of twice as many rows half the angle, of a nearer camera less
+TEST(AccuracyInRadians, PixelsDependOnThePicture) {
+  Scene scene = small_scene("[numerics]\naccuracy = \"0.5px\"\n");
+  const BodyModel model = solve(scene).model;
+  const double coarse = accuracy_in_radians(scene, model);
+  scene.video.size = {128, 96};
+  EXPECT_NEAR(accuracy_in_radians(scene, model), coarse / 2.0, 1e-9 * coarse);
+  scene.numerics.accuracy.value = 1.0;
+  EXPECT_NEAR(accuracy_in_radians(scene, model), coarse, 1e-9 * coarse);
+  scene.camera.eye = Vec3(0.0, -3.0, 0.0);
+  const double far = accuracy_in_radians(scene, model);
+  scene.camera.eye = Vec3(0.0, -2.0, 0.0);
+  EXPECT_LT(accuracy_in_radians(scene, model), far);
+}
+
+// a turn by the accuracy moves no point of the body by more than the pixels that are allowed
+TEST(AccuracyInRadians, MovesNothingByMoreThanItsPixels) {
+  Scene scene = small_scene("[numerics]\naccuracy = \"0.5px\"\n");
+  scene.camera.eye = Vec3(0.0, -3.0, 0.0);
+  scene.camera.target = Vec3::Zero();
+  const Solved solved = solve(scene);
+  const double angle = accuracy_in_radians(scene, solved.model);
+  // the ellipsoid's tip, across the line of sight
+  const double pixels_per_metre = 24.0 / (3.0 * std::tan(0.5 * scene.camera.fov));
+  EXPECT_LE(0.2 * angle * pixels_per_metre, 0.5);
+  EXPECT_GT(0.2 * angle * pixels_per_metre, 0.05) << "nor is it ten times too strict";
+}
+
+}  // namespace
+}  // namespace polhode
