@@ -64,7 +64,7 @@ std::string picture_error_csv(const std::vector<PicturePanel>& panels) {
     for (const PicturePoint& p : panel.points) {
       text += fmt::format("{},{},{},{},{:.6g},{:.6g},{}\n",
                           csv_field(panel.scene),
-                          p.setting,
+                          csv_field(p.setting),
                           p.samples,
                           p.supersampling,
                           p.time_ms,

@@ -64,5 +64,12 @@ TEST(PlotPictureError, TheTableHasARowForEachPoint) {
             "top,plain,0,1,1.5,3.8,200\ntop,four samples,4,1,5,1.4,90\n");
 }
 
+// settings and scenes are words of people, and a row must keep its seven fields
+TEST(PlotPictureError, NamesWithCommasAreOneField) {
+  const PicturePanel panel = {"top, heavy", "A title", {{"two, three", 0, 1, 1.0, 2.0, 3}}};
+  const std::string csv = picture_error_csv({panel});
+  EXPECT_EQ(csv.substr(csv.find('\n') + 1), "\"top, heavy\",\"two, three\",0,1,1,2,3\n");
+}
+
 }  // namespace
 }  // namespace polhode::test
