@@ -6,22 +6,15 @@
 #include "base/base64.h"
 #include "image/png.h"
 #include "support/flat_image.h"
+#include "support/words.h"
 
 namespace polhode {
 namespace {
 
+using test::count_of;
+using test::has;
+
 constexpr int kWide = 40, kHigh = 30;
-
-std::size_t count_of(const std::string& text, const std::string& words) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
-    ++count;
-  return count;
-}
-
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 // a grey picture of which one pixel is brighter by so much
 ShownFrame shown_frame(int brighter) {

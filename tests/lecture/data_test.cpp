@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/data.h"
+
+#include <gtest/gtest.h>
+
+#include "base/hash.h"
+#include "lecture/deck_scenes.h"
+
+namespace polhode {
+namespace {
+
+using test::read_text;
+using test::TemporaryFolder;
+using test::write_text;
+
+// A deck with a scene in a folder beside it, and the folder of its lecture.
+class DataOfALecture : public ::testing::Test {
+ protected:
+  DataOfALecture() {
+    std::filesystem::create_directories(folder_ / "deck/in");
+    std::filesystem::create_directories(folder_ / "out/media");
+    write_text(folder_ / "deck/in/top.toml", test::kSmallScene);
+    write_text(folder_ / "deck/photo.png", "a photo");
+    write_text(folder_ / "out/media/motion.csv", "t,qw\n");
+    deck_.file = folder_ / "deck/talk.md";
+    deck_.root = {folder_ / "deck", false};
+    deck_.images = {"photo.png"};
+    data_.deck = &deck_;
+    data_.deck_text = "# The deck\n";
+    data_.outputs = {"html", "data"};
+    data_.scenes = {{scene("in/top.toml"), "motion.csv"}};
+    data_.products = {{"top-film-1", {{"kind", "film"}, {"files", {"a.mp4"}}}}};
+  }
+  std::shared_ptr<DeckScene> scene(const std::string& name) const {
+    auto made = std::make_shared<DeckScene>();
+    made->name = name;
+    made->file = folder_ / ("deck/" + name);
+    made->scene = load_scene(made->file);
+    made->hash = scene_hash(made->scene);
+    return made;
+  }
+  Json manifest() const {
+    write_data(data_, folder_ / "out");
+    return Json::parse(read_text(folder_ / "out/data/manifest.json"));
+  }
+  bool has(const std::string& name) const {
+    return std::filesystem::exists(folder_ / ("out/data/" + name));
+  }
+
+  TemporaryFolder folder_;
+  Deck deck_;
+  LectureData data_;
+};
+
+// so that the deck finds them where it names them
+TEST_F(DataOfALecture, FilesStandWhereTheyStood) {
+  const Json json = manifest();
+  EXPECT_EQ(read_text(folder_ / "out/data/source/talk.md"), "# The deck\n");
+  EXPECT_EQ(read_text(folder_ / "out/data/source/in/top.toml"), test::kSmallScene);
+  EXPECT_EQ(read_text(folder_ / "out/data/source/photo.png"), "a photo");
+  EXPECT_EQ(read_text(folder_ / "out/data/motions/top.csv"), "t,qw\n");
+  ASSERT_EQ(json.at("files").size(), 4U);
+  for (const Json& file : json.at("files")) {
+    const std::string bytes =
+        read_text(folder_ / ("out/data/" + file.at("name").get<std::string>()));
+    EXPECT_EQ(file.at("bytes"), bytes.size());
+    EXPECT_EQ(file.at("hash"), content_hash(bytes));
+  }
+}
+
+TEST_F(DataOfALecture, TheManifestTellsHowToMakeItAgain) {
+  const Json json = manifest();
+  EXPECT_EQ(json.at("deck"), "source/talk.md");
+  EXPECT_EQ(json.at("deck_hash"), content_hash("# The deck\n"));
+  EXPECT_EQ(json.at("rebuild"),
+            "cd data/source && polhode lecture 'talk.md' -o ../../again --to html,data");
+  EXPECT_EQ(json.at("scenes").at(0).at("scene"), "source/in/top.toml");
+  EXPECT_EQ(json.at("scenes").at(0).at("title"), "test");
+  EXPECT_EQ(json.at("scenes").at(0).at("scene_hash"), data_.scenes[0].scene->hash);
+  EXPECT_EQ(json.at("scenes").at(0).at("motion"), "motions/top.csv");
+  EXPECT_EQ(json.at("pictures").at(0).at("name"), "top-film-1");
+  EXPECT_EQ(json.at("pictures").at(0).at("kind"), "film");
+  EXPECT_EQ(json.at("pictures").at(0).at("files"), Json::array({"a.mp4"}));
+}
+
+TEST_F(DataOfALecture, TheManifestTellsTheLicences) {
+  const auto licences = [&] {
+    return manifest().at("licences").dump();
+  };
+  EXPECT_NE(licences().find("not told by the deck"), std::string::npos);
+  EXPECT_EQ(licences().find("reveal.js"), std::string::npos);
+  EXPECT_EQ(licences().find("GUST"), std::string::npos);
+  data_.licence = "CC0";
+  data_.reveal_version = "4.6.1";
+  data_.formula_font = true;
+  EXPECT_NE(licences().find("\"CC0\""), std::string::npos);
+  EXPECT_NE(licences().find("reveal.js 4.6.1"), std::string::npos);
+  EXPECT_NE(licences().find("GUST Font License"), std::string::npos);
+}
+
+TEST_F(DataOfALecture, ASceneWithoutAMotionIsStillThere) {
+  data_.scenes[0].csv = "";
+  EXPECT_FALSE(manifest().at("scenes").at(0).contains("motion"));
+  EXPECT_TRUE(has("source/in/top.toml"));
+}
+
+// two scenes of one name have motions of two names
+TEST_F(DataOfALecture, MotionsHaveNamesOfTheirOwn) {
+  write_text(folder_ / "deck/top.toml", test::kSmallScene);
+  data_.scenes.push_back({scene("top.toml"), "motion.csv"});
+  const Json json = manifest();
+  EXPECT_EQ(json.at("scenes").at(1).at("motion"), "motions/top_.csv");
+  EXPECT_TRUE(has("motions/top_.csv"));
+}
+
+// what a trusted deck takes from elsewhere is kept by its name
+TEST_F(DataOfALecture, FilesFromElsewhereStandBesideTheDeck) {
+  write_text(folder_ / "elsewhere.png", "far");
+  deck_.root.allow_outside = true;
+  deck_.images = {"../elsewhere.png", folder_ / "elsewhere.png"};
+  manifest();
+  EXPECT_EQ(read_text(folder_ / "out/data/source/elsewhere.png"), "far");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/data/elsewhere.png"));
+}
+
+// the old manifest says what was ours; what is not, or is not listed, stays
+TEST_F(DataOfALecture, FilesOfAnEarlierVersionGo) {
+  manifest();
+  write_text(folder_ / "out/data/source/mine.txt", "mine");
+  write_text(folder_ / "out/keep.txt", "keep");
+  deck_.images.clear();
+  manifest();
+  EXPECT_FALSE(has("source/photo.png"));
+  EXPECT_TRUE(has("source/mine.txt"));
+  write_text(folder_ / "out/data/manifest.json",
+             R"({"files": [{"name": "source/../../keep.txt"}, {"name": "../keep.txt"}, 7]})");
+  manifest();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/keep.txt"));
+  write_text(folder_ / "out/data/manifest.json", "no JSON");
+  EXPECT_EQ(manifest().at("deck"), "source/talk.md");
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/deck.h"
+
+#include <gtest/gtest.h>
+
+#include "lecture/decks.h"
+
+namespace polhode {
+namespace {
+
+using test::deck_of;
+using test::problem_of;
+
+TEST(Deck, PicturesOfScenesAreFound) {
+  const Deck deck = deck_of(
+      "---\ntitle: T\n---\n\n# One\n\n![The *space* cone](a%20b.toml){.film from=0 to=8}\n\n"
+      "![](c.toml){.compare with=\"d.toml e.toml\"}\n\n![x](c.toml){.still at=2.5}\n");
+  ASSERT_TRUE(deck.problems.empty()) << deck.problems.front().what();
+  ASSERT_EQ(deck.pictures.size(), 3U);
+  EXPECT_EQ(deck.pictures[0].kind, PictureKind::film);
+  EXPECT_EQ(deck.pictures[0].scenes, std::vector<std::string>{"a b.toml"});
+  EXPECT_EQ(deck.pictures[0].settings.at("to"), "8");
+  EXPECT_EQ(plain_text(deck.pictures[0].caption), "The space cone");
+  EXPECT_EQ(deck.pictures[1].scenes, (std::vector<std::string>{"c.toml", "d.toml", "e.toml"}));
+  EXPECT_EQ(deck.pictures[1].line, 9);
+  EXPECT_EQ(deck.pictures[2].line, 11);
+  EXPECT_EQ(deck.pictures[2].name, "c-2");
+}
+
+TEST(Deck, WrongWordsGetTheirLineAndTheNearestOne) {
+  EXPECT_EQ(problem_of("# One\n\n![](a.toml){.filn}\n"),
+            "deck.md:3: unknown kind of picture '.filn' (did you mean 'film'?)");
+  EXPECT_EQ(problem_of("\n\n![](a.toml){.film form=2}\n"),
+            "deck.md:3: a .film has no 'form' (did you mean 'from'?)");
+  EXPECT_NE(problem_of("![](a.toml){.film .loop}\n").find("either"), std::string::npos);
+  EXPECT_NE(problem_of("![](a.toml)\n").find("say what to make"), std::string::npos);
+  EXPECT_NE(problem_of("x ![](a.toml){.film}\n").find("paragraph of its own"), std::string::npos);
+  EXPECT_NE(problem_of("![](a.toml){.compare}\n").find("second scene"), std::string::npos);
+  EXPECT_NE(problem_of("---\nheader-includes: x\n---\n").find("header-includes"),
+            std::string::npos);
+  EXPECT_NE(problem_of("---\nlang: '\"><script>'\n---\n").find("lang"), std::string::npos);
+}
+
+TEST(Deck, TextOfOthersStaysText) {
+  for (const char* text : {"<script>alert(1)</script>\n",
+                           "a <img src=x onerror=alert(1)> b\n",
+                           "`<b>`{=html}\n",
+                           "```{=latex}\n\\input{/etc/passwd}\n```\n",
+                           "\\input{/etc/passwd}\n"}) {
+    Deck deck = deck_of(text);
+    for_each_node(deck.blocks, [](const Json& node) {
+      EXPECT_NE(node["t"], "RawBlock");
+      EXPECT_NE(node["t"], "RawInline");
+    });
+  }
+  EXPECT_NE(problem_of("# A {onclick=\"alert(1)\"}\n").find("onclick"), std::string::npos);
+  EXPECT_NE(problem_of("[a](b){style=\"x\"}\n"), "none");
+  EXPECT_NE(problem_of("[x](javascript:alert(1))\n").find("link"), std::string::npos);
+  EXPECT_NE(problem_of("[x](file:///etc/passwd)\n").find("link"), std::string::npos);
+  EXPECT_EQ(problem_of("[x](https://example.org) [y](#film=a&t=2)\n"), "none");
+  EXPECT_NE(problem_of("![x](http://example.org/a.png)\n"), "none");
+  EXPECT_NE(problem_of("$\\input{/etc/passwd}$\n").find("\\input"), std::string::npos);
+  EXPECT_NE(problem_of("$\\mbox{\\write18{ls}}$\n").find("\\write"), std::string::npos);
+  EXPECT_NE(problem_of("$a^^5cb$\n").find("^^"), std::string::npos);
+  EXPECT_EQ(problem_of("$\\left(\\frac{a}{b}\\right)\\letter$\n"), "none");
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/documents.h"
+
+#include <gtest/gtest.h>
+
+#include "image/png.h"
+#include "lecture/decks.h"
+#include "support/flat_image.h"
+#include "support/run.h"
+#include "support/words.h"
+
+namespace polhode {
+namespace {
+
+using test::deck_of;
+using test::has;
+
+constexpr const char* kText =
+    "---\ntitle: The title\n---\n\n# Part\n\n## One\n\nSome words and $x = \\frac{1}{2}$.\n\n"
+    "![A caption](s.toml){.film}\n\n::: notes\nSay this.\n:::\n\n## Two\n\nThe ω is 3 × 10⁻⁷.\n";
+
+// what was made of the one film of a deck
+Figure figure_of(const DeckPicture& picture) {
+  const Json facts = {{"film", "film.mp4"},
+                      {"poster", "poster.png"},
+                      {"poster_at", 0.5},
+                      {"stills", Json::array()},
+                      {"vtt", ""},
+                      {"pauses", Json::array()},
+                      {"frames", 10},
+                      {"fps", 10.0},
+                      {"width", 64},
+                      {"height", 36},
+                      {"title", "Top"}};
+  return {&picture, {facts}, ""};
+}
+
+TEST(Documents, ThePageHasTextFilmsNotesAndContents) {
+  const std::string page = make_page(deck_of(kText), figure_of);
+  EXPECT_TRUE(has(page, "<h1>The title</h1>"));
+  EXPECT_TRUE(has(page, "<h2>Part</h2>")) << "the deck's first level stands below the title";
+  EXPECT_TRUE(has(page, "<h3>One</h3>"));
+  EXPECT_TRUE(has(page, "<mfrac>"));
+  EXPECT_TRUE(has(page, "<source src=\"media/film.mp4\""));
+  EXPECT_TRUE(has(page, "A caption"));
+  EXPECT_TRUE(has(page, "Say this.")) << "a student reads what the speaker says";
+  EXPECT_FALSE(has(page, "class=\"notes\""));
+  const std::string contents =
+      page.substr(page.find("<nav class=\"contents\""), page.find("<main") - page.find("<nav"));
+  for (const char* link : {"href=\"#part\"", "href=\"#one\"", "href=\"#two\""})
+    EXPECT_TRUE(has(contents, link)) << contents;
+}
+
+TEST(Documents, SlidesHaveTheNotesForTheSpeaker) {
+  const std::string slides = make_slides(deck_of(kText), figure_of, {"4", "css", "js", ""});
+  EXPECT_TRUE(has(slides, "<aside class=\"notes\">"));
+  EXPECT_TRUE(has(slides, "data-film=\"s\""));
+  EXPECT_FALSE(has(slides, " controls ")) << "the speaker's keys play the film";
+}
+
+TEST(Documents, TheHandoutHasPicturesInPlaceOfFilms) {
+  const std::string handout = make_handout_html(deck_of(kText), figure_of);
+  EXPECT_TRUE(has(handout, "<img src=\"media/poster.png\""));
+  EXPECT_TRUE(has(handout, "t = 0.5 s"));
+  EXPECT_FALSE(has(handout, "<video"));
+  EXPECT_TRUE(has(handout, "Say this."));
+}
+
+// fonts of TeX lack raised digits and Greek letters
+TEST(Documents, BeamerHasPostersAndCharactersThatTexHas) {
+  const std::string tex = make_beamer(deck_of(kText), figure_of);
+  EXPECT_TRUE(has(tex, "\\documentclass"));
+  EXPECT_TRUE(has(tex, "media/poster.png"));
+  EXPECT_FALSE(has(tex, "film.mp4"));
+  EXPECT_TRUE(has(tex, "\\frac{1}{2}"));
+  EXPECT_TRUE(has(tex, "\\(\\omega\\)")) << tex.substr(tex.find("frame"));
+  EXPECT_TRUE(has(tex, "^{-7}"));
+  EXPECT_FALSE(has(tex, "⁻"));
+  EXPECT_FALSE(has(tex, "ω"));
+}
+
+// words and one picture stand side by side
+TEST(Documents, SlidesThatPlaceThingsThemselvesHaveColumns) {
+  const std::string tex = make_beamer(deck_of(kText), figure_of);
+  EXPECT_TRUE(has(tex, "\\begin{columns}"));
+  const Deck alone = deck_of("# Part\n\n![A caption](s.toml){.film}\n");
+  EXPECT_FALSE(has(make_beamer(alone, figure_of), "\\begin{columns}"));
+}
+
+// a .pptx is a ZIP archive with the posters inside
+TEST(Documents, PowerPointHasThePosters) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "media");
+  write_png(folder / "media/poster.png", test::flat_image(64, 36, 1, 2, 3), false);
+  const std::string pptx = make_pptx(deck_of(kText), figure_of, folder.path());
+  EXPECT_EQ(pptx.substr(0, 2), "PK");
+  EXPECT_TRUE(has(pptx, "ppt/media/image1.png"));
+  EXPECT_TRUE(has(pptx, "ppt/slides/slide1.xml"));
+}
+
+// what has failed says so in its place
+TEST(Documents, APictureThatCouldNotBeMadeIsWords) {
+  const auto failed = [](const DeckPicture& picture) {
+    return Figure{&picture, {}, "no <such> scene"};
+  };
+  const std::string page = make_page(deck_of(kText), failed);
+  EXPECT_TRUE(has(page, "[s.toml could not be made: no &lt;such&gt;"));
+  EXPECT_FALSE(has(page, "<video"));
+}
+
+// brackets that need not grow keep their width; those of \left and matrices grow
+TEST(Documents, BracketsGrowOnlyWhereTheyAreAskedTo) {
+  const std::string plain = make_handout_html(deck_of("$(a)$\n"), figure_of);
+  EXPECT_FALSE(has(plain, "stretchy=\"true\""));
+  const std::string tall = make_handout_html(deck_of("$\\left(\\frac{a}{b}\\right)$\n"), figure_of);
+  EXPECT_FALSE(has(tall, "stretchy=\"false\""));
+  const std::string text = make_handout_html(deck_of("`stretchy=\"true\"` and $(a)$\n"), figure_of);
+  EXPECT_TRUE(has(text, "<code>stretchy=\"true\"</code>")) << "words about it stay";
+}
+
+TEST(Documents, FormulasThatNobodyCanReadAreTakenOut) {
+  const std::string text = "Fine: $x^2$\n\nBad: $\\frac{1}$\n\n![c $\\frac{2}$](s.toml){.film}\n";
+  Deck deck = deck_of(text);
+  ASSERT_TRUE(deck.problems.empty());
+  drop_bad_formulas(deck, text);
+  ASSERT_EQ(deck.problems.size(), 2U);
+  EXPECT_STREQ(deck.problems[0].what(), "deck.md:3: pandoc cannot read the formula '\\frac{1}'");
+  EXPECT_EQ(deck.problems[1].place().line, 5);
+  EXPECT_EQ(plain_text(deck.blocks[0]["c"]), "Fine: x^2");
+  EXPECT_EQ(plain_text(deck.blocks[1]["c"]), "Bad: [a formula that cannot be read]");
+  EXPECT_EQ(plain_text(deck.pictures[0].caption), "c [a formula that cannot be read]");
+  Deck good = deck_of("$x^2$\n");
+  drop_bad_formulas(good, "$x^2$\n");
+  EXPECT_TRUE(good.problems.empty());
+}
+
+}  // namespace
+}  // namespace polhode

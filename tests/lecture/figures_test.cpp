@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/figures.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+TEST(Figures, HostileWordsAreEscaped) {
+  DeckPicture picture;
+  picture.kind = PictureKind::film;
+  picture.name = "n";
+  picture.scenes = {"s.toml"};
+  picture.settings["alt"] = "\"><script>alert(1)</script>";
+  const Json facts = {{"film", "a\"b.mp4"},
+                      {"poster", "p<.png"},
+                      {"poster_at", 0.0},
+                      {"stills", Json::array()},
+                      {"vtt", "WEBVTT\n\n<script>"},
+                      {"pauses", Json::array()},
+                      {"frames", 10},
+                      {"fps", 30.0},
+                      {"width", 64},
+                      {"height", 36},
+                      {"title", "</p><script>x</script>"}};
+  const Figure figure{&picture, {facts, facts}, ""};
+  for (const Json& blocks : {page_blocks(figure), slide_blocks(figure), handout_blocks(figure)}) {
+    const std::string text = blocks.dump();
+    EXPECT_EQ(text.find("<script"), std::string::npos) << text;
+    EXPECT_EQ(text.find("p<.png"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/media.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::TemporaryFolder;
+using test::write_text;
+
+using Json = nlohmann::ordered_json;
+
+TEST(Media, KeepsWhatIsWholeAndMakesTheRest) {
+  const TemporaryFolder folder;
+  int made = 0;
+  const auto product = [&](const std::string& key) {
+    return Product{"one", key, [&](const std::filesystem::path& where, const std::string& stem) {
+                     ++made;
+                     write_text((where / (stem + ".txt")).string(), "content");
+                     return Json{{"text", stem + ".txt"}};
+                   }};
+  };
+  const auto obtain = [&](const std::string& key) {
+    Media media(folder.path());
+    return media.obtain(product(key))["text"].get<std::string>();
+  };
+  const std::string file = obtain("a");
+  obtain("a");
+  EXPECT_EQ(made, 1);
+  EXPECT_NE(obtain("b"), file);
+  EXPECT_EQ(made, 2);
+  // cut short, changed, gone: made again
+  write_text(folder / file, "conten");
+  obtain("a");
+  EXPECT_EQ(made, 3);
+  std::filesystem::remove(folder / file);
+  obtain("a");
+  EXPECT_EQ(made, 4);
+  // what nobody asked for goes, what is not ours stays
+  write_text(folder / "mine.json", "{}");
+  write_text(folder / "evil.json", R"({"files":[{"name":"mine.json"}]})");
+  Media media(folder.path());
+  media.obtain(product("a"));
+  media.forget_the_rest();
+  EXPECT_TRUE(std::filesystem::exists(folder / file));
+  EXPECT_TRUE(std::filesystem::exists(folder / "mine.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / (Media::stem_of(product("b")) + ".txt")));
+}
+
+// a product of one file
+Product text_product(const std::string& name, const std::string& key, const std::string& content) {
+  return {name, key, [content](const std::filesystem::path& where, const std::string& stem) {
+            write_text((where / (stem + ".txt")).string(), content);
+            return Json{{"text", stem + ".txt"}};
+          }};
+}
+
+TEST(Media, FactsListTheFilesWithTheirSizes) {
+  const TemporaryFolder folder;
+  Media media(folder.path());
+  const Product product = text_product("one", "a", "12345");
+  const Json facts = media.obtain(product);
+  const std::string file = Media::stem_of(product) + ".txt";
+  EXPECT_EQ(facts.at("text"), file);
+  ASSERT_EQ(facts.at("files").size(), 1U);
+  EXPECT_EQ(facts.at("files").at(0).at("name"), file);
+  EXPECT_EQ(facts.at("files").at(0).at("bytes"), 5);
+  EXPECT_EQ(test::read_text(folder / file), "12345");
+  EXPECT_EQ(media.made(), 1);
+  EXPECT_EQ(media.obtain(product), facts) << "found again as it was made";
+  EXPECT_EQ(media.made(), 1);
+}
+
+// nothing of it is there, and the next run makes it
+TEST(Media, AProductThatFailsLeavesNothing) {
+  const TemporaryFolder folder;
+  {
+    Media media(folder.path());
+    const Product broken{
+        "one", "a", [](const std::filesystem::path& where, const std::string& stem) -> Json {
+          write_text((where / stem).string(), "half");
+          throw input_error("no such scene");
+        }};
+    test::expect_input_error([&] { media.obtain(broken); }, "", "no such scene");
+    EXPECT_EQ(media.made(), 0);
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Media, StemsTellTheNameAndTheKey) {
+  const Product one = text_product("one", "a", "");
+  EXPECT_EQ(Media::stem_of(one).rfind("one-", 0), 0U);
+  EXPECT_EQ(Media::stem_of(one).size(), 4U + 16U);
+  EXPECT_NE(Media::stem_of(one), Media::stem_of(text_product("one", "b", "")));
+  EXPECT_EQ(Media::stem_of(one), Media::stem_of(text_product("one", "a", "other")));
+}
+
+TEST(Media, AFolderThatCannotBeMadeIsTheUsersError) {
+  const TemporaryFolder folder;
+  write_text(folder / "file", "");
+  test::expect_input_error([&] { Media media(folder / "file/in"); }, "--output", "cannot write");
+}
+
+TEST(Media, TheProgramsIdentityIsTheSameAllTheTime) {
+  EXPECT_EQ(program_identity(), program_identity());
+  EXPECT_GT(program_identity().size(), 40U);
+}
+
+}  // namespace
+}  // namespace polhode

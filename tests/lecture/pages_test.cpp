@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/pages.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "lecture/decks.h"
+#include "support/in_child.h"
+#include "support/run.h"
+#include "support/words.h"
+
+namespace polhode {
+namespace {
+
+using test::count_of;
+using test::has;
+using test::TemporaryFolder;
+using test::write_text;
+
+// what stands between two words
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + before.size();
+  return text.substr(from, text.find(after, from) - from);
+}
+
+DeckWords hostile_words() {
+  DeckWords words;
+  words.title = "T <script>alert(1)</script>";
+  words.subtitle = "\"quoted\"";
+  words.author = "A & B";
+  words.date = "today";
+  words.description = "\"><script>";
+  words.licence = "CC <0>";
+  words.lang = "de";
+  return words;
+}
+
+TEST(WordsOf, AreThoseOfTheDecksHead) {
+  const DeckWords words = words_of(test::deck_of(
+      "---\ntitle: The *title*\nauthor: [One, Two]\ndate: 2026\nlicence: CC0\nlang: de\n---\n"));
+  EXPECT_EQ(words.title, "The title");
+  EXPECT_EQ(words.author, "One, Two");
+  EXPECT_EQ(words.date, "2026");
+  EXPECT_EQ(words.licence, "CC0");
+  EXPECT_EQ(words.lang, "de");
+  EXPECT_EQ(words.subtitle, "");
+  const DeckWords none = words_of(test::deck_of("words\n"));
+  EXPECT_EQ(none.title, "deck") << "its file's name";
+  EXPECT_EQ(none.lang, "en");
+}
+
+// the page's own script has a word that depends on the page, and nothing else runs or is fetched
+TEST(Pages, RunTheirOwnScriptsAlone) {
+  const Reveal reveal{"4", "/* reveal */", "reveal()", ""};
+  const std::string body = "<p>body</p>\n";
+  for (const std::string& page : {lecture_page(hostile_words(), body, "<ul></ul>"),
+                                  slides_page(hostile_words(), body, reveal),
+                                  handout_page(hostile_words(), body)}) {
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    EXPECT_EQ(policy.rfind("default-src 'none'; ", 0), 0U) << policy;
+    EXPECT_FALSE(has(policy, "http"));
+    const std::string nonce = between(policy, "'nonce-", "'");
+    EXPECT_GE(nonce.size(), 16U);
+    EXPECT_EQ(count_of(page, "<script nonce=\"" + nonce + "\">"), count_of(page, "<script"));
+    EXPECT_TRUE(has(page, body));
+    EXPECT_TRUE(has(page, "<html lang=\"de\">"));
+    EXPECT_TRUE(has(page, "<h1>T &lt;script&gt;alert(1)&lt;/script&gt;</h1>"));
+    EXPECT_TRUE(has(page, "<p class=\"subtitle\">&quot;quoted&quot;</p>"));
+    EXPECT_TRUE(has(page, "<p class=\"by\">A &amp; B · today</p>"));
+    EXPECT_TRUE(has(page, "name=\"description\" content=\"&quot;&gt;&lt;script&gt;\""));
+  }
+  const std::string one = lecture_page({}, "one", ""), other = lecture_page({}, "other", "");
+  EXPECT_NE(between(one, "'nonce-", "'"), between(other, "'nonce-", "'"));
+}
+
+TEST(Pages, HaveWhatTheirReadersNeed) {
+  const std::string page = lecture_page(hostile_words(), "<p>b</p>", "<ul>contents</ul>");
+  EXPECT_LT(page.find("<ul>contents</ul>"), page.find("<main id=\"main\">"));
+  EXPECT_TRUE(has(page, "href=\"#main\""));
+  EXPECT_TRUE(has(page, "CC &lt;0&gt; · polhode "));
+  EXPECT_FALSE(has(handout_page({}, "b"), "<script")) << "paper runs nothing";
+  const std::string slides = slides_page({}, "b", {"4", "/* reveal */", "reveal()", ""});
+  EXPECT_LT(slides.find("/* reveal */"), slides.find("</style>"));
+  EXPECT_LT(slides.find("reveal()"), slides.rfind("<script nonce")) << "ours comes behind it";
+}
+
+// a child has its own environment: is reveal.js found, and is it this one?
+int found_reveal(const std::string& own, const std::string& data, const std::string& version) {
+  return test::exit_code_in_child([&] {
+    setenv("HOME", "/nowhere", 1);
+    setenv("POLHODE_REVEAL", own.c_str(), 1);
+    setenv("XDG_DATA_HOME", data.c_str(), 1);
+    const std::optional<Reveal> reveal = find_reveal();
+    if (!reveal) return 1;
+    return reveal->version == version && reveal->css == "css" && !has(reveal->js, "</script") ? 0
+                                                                                              : 2;
+  });
+}
+
+TEST(FindReveal, LooksWhereTheUserSaysThenWhereItIsInstalled) {
+  const TemporaryFolder folder;
+  const auto install = [&](const std::string& where, const std::string& package) {
+    std::filesystem::create_directories(folder / (where + "/dist"));
+    write_text(folder / (where + "/dist/reveal.js"), "a = '</script>';");
+    write_text(folder / (where + "/dist/reveal.css"), "css");
+    if (!package.empty()) write_text(folder / (where + "/package.json"), package);
+  };
+  install("own", "{\"version\": \"4.6.1\"}");
+  install("data/polhode/reveal.js", "");
+  EXPECT_EQ(found_reveal(folder / "own", folder / "data", "4.6.1"), 0);
+  EXPECT_EQ(found_reveal("", folder / "data", "of unknown version"), 0);
+  EXPECT_EQ(found_reveal(folder / "none", folder / "data", "of unknown version"), 0);
+  install("data/polhode/reveal.js", "no JSON");
+  EXPECT_EQ(found_reveal("", folder / "data", "of unknown version"), 0);
+  std::filesystem::remove(folder / "own/dist/reveal.css");
+  if (!std::filesystem::exists("/usr/share/polhode/reveal.js") &&
+      !std::filesystem::exists("/usr/local/share/polhode/reveal.js")) {
+    EXPECT_EQ(found_reveal(folder / "own", "", ""), 1) << "half of it is none";
+  }
+}
+
+TEST(FindPrinter, IsTheOneThatTheUserNamesIfItRuns) {
+  const TemporaryFolder folder;
+  write_text(folder / "print", "#!/bin/sh\nexit 0\n");
+  std::filesystem::permissions(folder / "print", std::filesystem::perms::owner_all);
+  EXPECT_EQ(test::exit_code_in_child([&] {
+              setenv("POLHODE_CHROMIUM", (folder / "print").c_str(), 1);
+              return find_printer() == folder / "print" ? 0 : 1;
+            }),
+            0);
+  EXPECT_EQ(test::exit_code_in_child([&] {
+              setenv("POLHODE_CHROMIUM", (folder / "none").c_str(), 1);
+              setenv("PATH", "/nowhere", 1);
+              return find_printer().empty() ? 0 : 1;
+            }),
+            0);
+}
+
+// a printer that copies the address of the page into the PDF, and one that fails
+TEST(PrintPage, GivesTheBytesThatThePrinterMakes) {
+  const TemporaryFolder folder;
+  write_text(folder / "print",
+             "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; esac; "
+             "last=$word; done\nprintf 'PDF of %s' \"$last\" >\"$pdf\"\n");
+  write_text(folder / "fail", "#!/bin/sh\necho 'no screen' >&2\necho more >&2\nexit 1\n");
+  for (const char* name : {"print", "fail"})
+    std::filesystem::permissions(folder / name, std::filesystem::perms::owner_all);
+  const std::string pdf = print_page(folder / "print", folder / "a b.html");
+  EXPECT_EQ(pdf.rfind("PDF of file:///", 0), 0U) << pdf;
+  EXPECT_TRUE(pdf.ends_with("/a%20b.html")) << pdf;
+  try {
+    print_page(folder / "fail", folder / "a.html");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::environment);
+    EXPECT_TRUE(error.message().ends_with("could not print the handout: no screen"))
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/pandoc.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "support/in_child.h"
+
+namespace polhode {
+namespace {
+
+using Tree = nlohmann::ordered_json;
+
+TEST(Pandoc, IsNamedWithItsVersionOrIsToBeInstalled) {
+  EXPECT_EQ(pandoc_version().rfind("pandoc ", 0), 0U) << pandoc_version();
+  EXPECT_NO_THROW(require_pandoc());
+  EXPECT_EQ(test::exit_code_in_child([] {
+              setenv("PATH", "/nowhere", 1);
+              if (!pandoc_version().empty()) return 1;
+              try {
+                require_pandoc();
+              } catch (const Error& error) {
+                return error.fault() == Fault::environment ? 0 : 2;
+              }
+              return 3;
+            }),
+            0);
+}
+
+// pages, TeX and macros of others are words
+TEST(Pandoc, ReadsMarkdownWithoutRawParts) {
+  const Tree tree = read_markdown("# A head\n\n<b>bold</b> \\newcommand{\\a}{b} 'quoted' [@key]\n");
+  EXPECT_EQ(tree.at("blocks").at(0).at("t"), "Header");
+  const std::string text = tree.dump();
+  for (const char* type : {"RawInline", "RawBlock", "Quoted", "\"Cite\""})
+    EXPECT_EQ(text.find(type), std::string::npos) << type;
+  EXPECT_NE(text.find("<b>bold</b>"), std::string::npos);
+}
+
+TEST(Pandoc, WritesDocumentsAndTellsFormulasThatItCannotRead) {
+  const Tree tree = read_markdown("$x^2$, $\\frac{1}$ and $\\foo{a}{b}$\n");
+  const Written written = write_document(tree, {"-t", "html5", "--mathml"});
+  EXPECT_NE(written.text.find("<msup>"), std::string::npos);
+  ASSERT_FALSE(written.bad_formulas.empty());
+  EXPECT_EQ(written.bad_formulas[0].rfind("\\frac{1}", 0), 0U) << written.bad_formulas[0];
+  const Tree good = read_markdown("$x^2$\n");
+  EXPECT_TRUE(write_document(good, {"-t", "html5", "--mathml"}).bad_formulas.empty());
+}
+
+TEST(Pandoc, WhatItRefusesIsAnErrorOfTheEnvironment) {
+  try {
+    write_document(read_markdown("a\n"), {"-t", "nothing"});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::environment) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/quotes.h"
+
+#include <gtest/gtest.h>
+
+#include "lecture/decks.h"
+
+namespace polhode {
+namespace {
+
+using test::deck_of;
+
+const Json kAnswer = {{"kind", "symmetric"},
+                      {"principal_moments_kg_m2", {0.25, 1e-5, 3.0}},
+                      {"derived",
+                       {{"precession_rate_rad_per_s", 1.2566370614359172},
+                        {"flip_time_s", -2.44228e-4},
+                        {"stable", true}}}};
+
+std::string told(const std::string& words) {
+  return quoted(kAnswer, parse_quote("{inspect:s.toml#" + words + "}")).text;
+}
+
+TEST(Quotes, NumbersAsReadersWantThem) {
+  EXPECT_EQ(told("precession_rate"), "1.257\u00A0rad/s");
+  EXPECT_EQ(told("derived.precession_rate_rad_per_s|%.2f"), "1.26\u00A0rad/s");
+  EXPECT_EQ(told("precession_rate|%.4g,deg_per_s"), "72°/s");
+  EXPECT_EQ(told("precession_rate|,none"), "1.257");
+  EXPECT_EQ(told("flip_time"), "−0.0002442\u00A0s");
+  EXPECT_EQ(told("flip_time|%.2e,us"), "−2.44 × 10²\u00A0µs");
+  EXPECT_EQ(told("principal_moments.1"), "1 × 10⁻⁵\u00A0kg m²");
+  EXPECT_EQ(told("principal_moments_kg_m2"), "(0.25, 1 × 10⁻⁵, 3)\u00A0kg m²");
+  EXPECT_EQ(told("stable"), "yes");
+  EXPECT_EQ(quoted(kAnswer, parse_quote("{inspect:s.toml#precession_rate}")).tex,
+            "1.257\\;\\text{rad/s}");
+}
+
+TEST(Quotes, WrongOnesSayWhy) {
+  const auto why = [](const std::string& words) -> std::string {
+    try {
+      return told(words);
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(why("precesion_rate").find("did you mean 'precession_rate"), std::string::npos);
+  EXPECT_NE(why("flip_time|%s").find("not a number format"), std::string::npos);
+  EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
+  EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
+  EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);
+}
+
+TEST(Quotes, StandInTextFormulasAndCaptions) {
+  Deck deck = deck_of(
+      "A ({inspect:s.toml#flip_time|%.1e}), $x = {inspect:s.toml#flip_time|%.1e}$\n\n"
+      "![c {inspect:s.toml#stable}](s.toml){.film}\n\n{inspect:s.toml#nothing}\n");
+  fill_quotes(deck, "\n\n\n{inspect:s.toml#nothing}", [](const std::string&) -> const Json& {
+    return kAnswer;
+  });
+  EXPECT_EQ(plain_text(deck.blocks[0]["c"]),
+            "A (−2.4 × 10⁻⁴\u00A0s), x = -2.4\\times 10^{-4}\\;\\text{s}");
+  EXPECT_EQ(plain_text(deck.pictures[0].caption), "c yes");
+  ASSERT_EQ(deck.problems.size(), 1U);
+  EXPECT_EQ(deck.problems[0].place().line, 4);
+  EXPECT_EQ(quoted_scenes(deck_of("{inspect:s.toml#a} {inspect:t.toml#b}")).size(), 2U);
+}
+
+}  // namespace
+}  // namespace polhode
