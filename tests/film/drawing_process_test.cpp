@@ -18,7 +18,7 @@ namespace {
 using test::number_of;
 using test::NumberedFrames;
 
-constexpr PictureSize kPaper{16, 12};
+constexpr PictureSize kPaper{32, 24};
 
 std::unique_ptr<FrameRenderer> open_paper() {
   return std::make_unique<NumberedFrames>(kPaper);
@@ -52,8 +52,8 @@ TEST(DrawingProcess, GivesItsFramesInTheirOrder) {
   Image image;
   for (const int frame : frames) {
     process.next(image);
-    EXPECT_EQ(image.width, 16);
-    EXPECT_EQ(image.height, 12);
+    EXPECT_EQ(image.width, 32);
+    EXPECT_EQ(image.height, 24);
     EXPECT_EQ(number_of(image), frame);
   }
 }
@@ -81,7 +81,7 @@ TEST(DrawingProcess, PicturesArriveWithTheirGroundAndBoxes) {
     image.fill(box, {9, static_cast<std::uint8_t>(index), 7, 6});
     image.painted = {box};
     if (index == 2) {
-      image.fill({0, 0, 16, 12}, {1, 2, 3, 4});
+      image.fill({0, 0, 32, 24}, {1, 2, 3, 4});
       image.ground.reset();
       image.painted.clear();
     }
@@ -104,13 +104,13 @@ TEST(DrawingProcess, PicturesOfManyBoxesArriveWhole) {
   for (const int boxes : {2, 300}) {
     DrawingProcess process = process_that({5}, [=](int, Image& image) {
       image.painted.assign(static_cast<std::size_t>(boxes),
-                           boxes == 2 ? PixelBox{0, 0, 16, 12} : PixelBox{1, 1, 1, 1});
+                           boxes == 2 ? PixelBox{0, 0, 32, 24} : PixelBox{1, 1, 1, 1});
       image.at(1, 1)[0] = 77;
     });
     Image image;
     process.next(image);
     EXPECT_EQ(image.at(1, 1)[0], 77) << boxes;
-    EXPECT_EQ(image.at(15, 11)[0], 5) << boxes;
+    EXPECT_EQ(image.at(31, 23)[0], 5) << boxes;
   }
 }
 

@@ -89,6 +89,13 @@ TEST(FilmPanels, ComparedMethodsHaveAPanelEach) {
   EXPECT_EQ(panels.all()[0].composer->camera().eye(), panels.all()[1].composer->camera().eye());
 }
 
+// steps of five seconds have no solution, so that the first panel shows the start alone
+TEST(FilmPanels, AMethodThatFailsEndsItsOwnPanel) {
+  const Panels panels(small_scene("[numerics]\ncompare = [\"dmv2\", \"exact\"]\nstep = 5.0\n"));
+  EXPECT_EQ(panels.all()[0].end, 0.0);
+  EXPECT_EQ(panels.all()[1].end, 1.0);
+}
+
 TEST(FilmPanels, WithoutTextThereAreNoNotes) {
   for (const char* more : {"[show]\nviews = [\"space\", \"body\"]\n",
                            "[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n"}) {

@@ -79,6 +79,11 @@ TEST_F(OverridesOfAScene, AnotherMethodLeavesTheScenesStepBehind) {
   scene = with(same);
   EXPECT_EQ(scene.numerics.step, 0.01);
   EXPECT_TRUE(scene.numerics.compare.empty());
+  test::write_text(
+      folder_ / "scene.toml",
+      std::string(test::kSmallScene) + "[numerics]\nmethod = \"dopri5\"\ntolerance = 1e-6\n");
+  EXPECT_FALSE(with(same).numerics.tolerance);
+  EXPECT_EQ(with({}).numerics.tolerance, 1e-6);
   for (const char* word : {"auto", "exact"}) {
     Overrides by_word;
     by_word.method = word;

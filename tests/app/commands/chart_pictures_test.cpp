@@ -68,6 +68,8 @@ TEST_F(ChartOfPictures, FinerSettingsAreNearerToTheTruth) {
     EXPECT_GE(std::stod(cells.at(5)), finest) << setting;
   }
   EXPECT_LT(finest, 0.3 * none);
+  EXPECT_LT(std::stoi(found.at("4x4 pictures of 4 samples").at(6)),
+            std::stoi(found.at("no anti-aliasing").at(6)));
   EXPECT_LT(error("2x2 pictures of 4 samples"), error("2x2 pictures"));
   for (const char* name : {"chart.svg", "chart.png", "chart.pdf"})
     EXPECT_GT(std::filesystem::file_size(folder_ / (std::string("out/") + name)), 1000U) << name;

@@ -38,6 +38,14 @@ TEST(Inspect, MomentsAscendAndTheirAxesAreRightHanded) {
   EXPECT_NEAR(std::abs(third.x()), 1.0, 1e-15);
   EXPECT_LT((first.cross(second) - third).norm(), 1e-15);
   EXPECT_NEAR(facts.at("tensor_kg_m2").at(0).at(0), ascending.z(), 1e-15);
+  // y, z, x are right-handed as they are
+  const Json cyclic = facts_of(
+      "[body]\nsolid = { kind = \"box\", size = [0.1, 0.3, 0.2], mass = 2 }\n"
+      "[motion]\nspin = { body = [0, 1, 0.1] }\n");
+  const Json& turned = cyclic.at("principal_axes");
+  EXPECT_LT(
+      (vector_of(turned.at(0)).cross(vector_of(turned.at(1))) - vector_of(turned.at(2))).norm(),
+      1e-15);
 }
 
 // a rod of length 0.4 m that hangs from its end: 2 pi sqrt(2 L / (3 g))

@@ -51,6 +51,8 @@ TEST(List, MethodsSayWhatTheyKeepAndTake) {
   EXPECT_NE(rk4.find("h |Omega| < 2 sqrt 2"), std::string::npos) << rk4;
   const std::string dmv = line_of("methods", "dmv2");
   EXPECT_NE(dmv.find("energy |L| L symplectic reversible  free  "), std::string::npos) << dmv;
+  const std::string gauss = line_of("methods", "gauss6");
+  EXPECT_NE(gauss.find("energy |L| reversible  "), std::string::npos) << gauss;
   EXPECT_NE(line_of("methods", "dop853").find("adaptive"), std::string::npos);
 }
 
