@@ -122,6 +122,27 @@ TEST(FindReveal, LooksWhereTheUserSaysThenWhereItIsInstalled) {
   }
 }
 
+// what fontconfig finds in its place is not the font
+TEST(FormulaFontCss, HoldsTheFontOnlyWhereItIsInstalled) {
+  const TemporaryFolder folder;
+  write_text(folder / "font.otf", "font");
+  const auto css_is = [&](const std::string& family, const std::string& inside) {
+    write_text(folder / "fc-match",
+               "#!/bin/sh\nprintf '" + family + "\\n" + (folder / "font.otf") + "'\n");
+    std::filesystem::permissions(folder / "fc-match", std::filesystem::perms::owner_all);
+    return test::exit_code_in_child([&] {
+      setenv("PATH", folder.path().c_str(), 1);
+      const std::string css = formula_font_css();
+      return inside.empty() ? !css.empty() : !has(css, inside);
+    });
+  };
+  EXPECT_EQ(css_is("Latin Modern Math", ";base64,Zm9udA=="), 0);
+  EXPECT_EQ(css_is("DejaVu\\n/nowhere/Latin Modern Math", ""), 0) << "a folder of that name";
+  EXPECT_EQ(css_is("DejaVu", ""), 0);
+  std::filesystem::remove(folder / "font.otf");
+  EXPECT_EQ(css_is("Latin Modern Math", ""), 0);
+}
+
 TEST(FindPrinter, IsTheOneThatTheUserNamesIfItRuns) {
   const TemporaryFolder folder;
   write_text(folder / "print", "#!/bin/sh\nexit 0\n");

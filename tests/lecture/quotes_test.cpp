@@ -35,6 +35,42 @@ TEST(Quotes, NumbersAsReadersWantThem) {
             "1.257\\;\\text{rad/s}");
 }
 
+// 1 of each key's unit in every other unit that it can be told in
+TEST(Quotes, UnitsAreConvertedAsTheyAre) {
+  const struct {
+    const char* key;
+    const char* unit;
+    const char* text;
+  } rows[] = {{"angle_rad", "deg", "57.3°"},
+              {"rate_rad_per_s", "deg_per_s", "57.3°/s"},
+              {"rate_rad_per_s", "rpm", "9.55\u00A0rpm"},
+              {"rate_rad_per_s", "hz", "0.159\u00A0Hz"},
+              {"time_s", "ms", "1 × 10³\u00A0ms"},
+              {"time_s", "us", "1 × 10⁶\u00A0µs"},
+              {"time_s", "min", "0.0167\u00A0min"},
+              {"time_s", "h", "0.000278\u00A0h"},
+              {"time_s", "d", "1.16 × 10⁻⁵\u00A0d"},
+              {"length_m", "cm", "100\u00A0cm"},
+              {"length_m", "mm", "1 × 10³\u00A0mm"},
+              {"mass_kg", "g", "1 × 10³\u00A0g"},
+              {"moment_kg_m2", "g_cm2", "1 × 10⁷\u00A0g cm²"},
+              {"moment_kg_m2", "kg_cm2", "1 × 10⁴\u00A0kg cm²"},
+              {"energy_J", "mJ", "1 × 10³\u00A0mJ"},
+              {"energy_J", "kJ", "0.001\u00A0kJ"},
+              {"growth_per_s", "per_min", "60\u00A01/min"}};
+  for (const auto& row : rows) {
+    const Json answer = {{row.key, 1.0}};
+    EXPECT_EQ(quoted(answer, {"s.toml", row.key, "%.3g", row.unit}).text, row.text) << row.unit;
+  }
+}
+
+TEST(Quotes, AKeyIsMoreThanItsUnit) {
+  EXPECT_EQ(split_unit("flip_time_s"), (std::pair<std::string, std::string>{"flip_time", "s"}));
+  EXPECT_EQ(split_unit("L_kg_m2_per_s"), (std::pair<std::string, std::string>{"L", "kg m²/s"}));
+  EXPECT_EQ(split_unit("_s"), (std::pair<std::string, std::string>{"_s", ""}));
+  EXPECT_EQ(split_unit("kind"), (std::pair<std::string, std::string>{"kind", ""}));
+}
+
 TEST(Quotes, WrongOnesSayWhy) {
   const auto why = [](const std::string& words) -> std::string {
     try {
