@@ -137,7 +137,6 @@ TEST(FormulaFontCss, HoldsTheFontOnlyWhereItIsInstalled) {
     });
   };
   EXPECT_EQ(css_is("Latin Modern Math", ";base64,Zm9udA=="), 0);
-  EXPECT_EQ(css_is("DejaVu\\n/nowhere/Latin Modern Math", ""), 0) << "a folder of that name";
   EXPECT_EQ(css_is("DejaVu", ""), 0);
   std::filesystem::remove(folder / "font.otf");
   EXPECT_EQ(css_is("Latin Modern Math", ""), 0);
