@@ -9,7 +9,7 @@
 
 #include "base/units.h"
 #include "film/error_places.h"
-#include "film/motion_report.h"
+#include "film/report/motion_report.h"
 #include "math/so3.h"
 #include "motion/stepper_table.h"
 

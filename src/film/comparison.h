@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "film/json_fields.h"
+#include "film/report/json_fields.h"
 #include "film/solved_scene.h"
 #include "frame/film.h"
 

@@ -6,7 +6,7 @@
 
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
-#include "motion/loop.h"
+#include "motion/closed_loop.h"
 
 namespace polhode {
 

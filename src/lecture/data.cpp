@@ -7,7 +7,7 @@
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
 #include "base/version.h"
-#include "film/motion_report.h"
+#include "film/report/motion_report.h"
 
 namespace polhode {
 namespace {

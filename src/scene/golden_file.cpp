@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/system/atomic_file.h"
 #include "scene/reader.h"
-#include "scene/text.h"
+#include "scene/toml_text.h"
 
 namespace polhode {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/nearest.h"
-#include "scene/text.h"
+#include "scene/toml_text.h"
 
 namespace polhode {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/system/atomic_file.h"
 #include "model/solids.h"
 #include "scene/reader.h"
-#include "scene/text.h"
+#include "scene/toml_text.h"
 
 namespace polhode {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/color.h"
 #include "base/nearest.h"
 #include "scene/keys.h"
-#include "scene/text.h"
+#include "scene/toml_text.h"
 
 namespace polhode {
 namespace {

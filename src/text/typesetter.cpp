@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Longer than most: all that calls Pango and Cairo is one implementation, so that no other file sees them.
+// Longer than most: all that calls Pango and Cairo is one implementation, so that no other file
+// sees them.
 #include "text/typesetter.h"
 
 #include <algorithm>

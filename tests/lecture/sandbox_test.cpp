@@ -105,7 +105,7 @@ TEST(Sandbox, FormulasAreMathematics) {
     SCOPED_TRACE(tex);
     test::expect_input_error([&] { check_formula(tex); }, "", "is not allowed in a formula");
   }
-  for (const std::string tex : {std::string("^^5c"), std::string("a\0b", 3), std::string("\x1B")})
+  for (const std::string& tex : {std::string("^^5c"), std::string("a\0b", 3), std::string("\x1B")})
     test::expect_input_error([&] { check_formula(tex); }, "", "control characters");
 }
 

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/text_table.h"
 #include "chart/gnuplot.h"
-#include "film/motion_report.h"
+#include "film/report/motion_report.h"
 #include "render/context.h"
 #include "render/renderer.h"
 #include "text/typesetter.h"

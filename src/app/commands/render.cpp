@@ -9,9 +9,9 @@
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
 #include "base/system/overwriting.h"
-#include "film/film_record.h"
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
+#include "film/report/film_report.h"
 #include "video/captions.h"
 #include "video/frame_sink.h"
 
@@ -77,7 +77,7 @@ Made render_film(const RenderJob& job) {
   made.from_earlier = output->already_there();
   made.is_picture = plan.sink.still;
   if (!reported) return made;
-  FilmRecord record = film_record(plan, film, *output, *renderer);
+  FilmReport record = film_report(plan, film, *output, *renderer);
   renderer.reset();  // its processes are reaped, and their time is counted
   record.total.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

@@ -8,7 +8,7 @@
 #include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
-#include "film/reported_film.h"
+#include "film/report/reported_film.h"
 #include "image/png.h"
 #include "video/captions.h"
 #include "video/film_reader.h"

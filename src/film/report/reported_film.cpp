@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "film/reported_film.h"
+#include "film/report/reported_film.h"
 
 #include "base/system/atomic_file.h"
-#include "film/film_record.h"
+#include "film/report/film_report.h"
 #include "scene/canonical.h"
 #include "video/encoders.h"
 
@@ -38,7 +38,7 @@ EncoderSettings encoder_from(const std::string& output, const EncoderRecord& rec
   return encoder;
 }
 
-RenderPlan plan_from(const FilmRecord& record) {
+RenderPlan plan_from(const FilmReport& record) {
   RenderPlan plan;
   plan.scene = scene_from_json(record.scene, record.scene_file);
   plan.story = plan.scene.story;
@@ -66,7 +66,7 @@ RenderPlan plan_from(const FilmRecord& record) {
   return plan;
 }
 
-std::optional<std::string> contradiction(const FilmRecord& record, const ReportedFilm& film) {
+std::optional<std::string> contradiction(const FilmReport& record, const ReportedFilm& film) {
   const std::string hash = scene_hash(film.plan.scene);
   if (record.scene_hash != hash) {
     return fmt::format("its scene, or a file that the scene names, has the hash {} and not {}",
@@ -88,7 +88,7 @@ ReportedFilm read_report(const std::string& file) {
   try {
     const Json report = Json::parse(text);
     refuse_other_versions(report.at("versions"));
-    FilmRecord record;
+    FilmReport record;
     read_json(report, record);
     ReportedFilm film{plan_from(record), record.gl_renderer, std::move(record.frame_hashes), {}};
     film.broken = contradiction(record, film);

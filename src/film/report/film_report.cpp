@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/film_record.h"
+#include "film/report/film_report.h"
 
 #include "scene/canonical.h"
 
@@ -28,13 +28,13 @@ FilmTimes times_of(const PreparedFilm& film, const SinkTimes& sink, const Drawin
 
 }  // namespace
 
-FilmRecord film_record(const RenderPlan& plan,
+FilmReport film_report(const RenderPlan& plan,
                        const PreparedFilm& film,
                        const RenderOutput& output,
                        const FrameRenderer& renderer) {
   const Scene& scene = film.solved().scene;
   const RendererInfo& drawn_by = renderer.info();
-  FilmRecord record;
+  FilmReport record;
   record.output = plan.sink.output;
   record.scene_file = scene.file;
   record.title = scene.title;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/motion_report.h"
+#include "film/report/motion_report.h"
 
 #include <gtest/gtest.h>
 

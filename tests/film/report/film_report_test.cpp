@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/film_record.h"
+#include "film/report/film_report.h"
 
 #include <gtest/gtest.h>
 
@@ -17,18 +17,18 @@ using test::plan_of;
 using test::small_scene;
 
 // a film that has been drawn by hand
-FilmRecord record_of_film(const RenderPlan& plan) {
+FilmReport record_of_film(const RenderPlan& plan) {
   const PreparedFilm film(plan);
   const std::unique_ptr<RenderOutput> output = open_output(plan, true);
   output->begin(film);
   NumberedFrames renderer({64, 48});
   render_frames(*output, renderer, [](const PipelineStep&) {});
-  return film_record(plan, film, *output, renderer);
+  return film_report(plan, film, *output, renderer);
 }
 
-TEST(FilmRecord, TellsWhatWasAskedForAndWhatWasMade) {
+TEST(FilmReport, TellsWhatWasAskedForAndWhatWasMade) {
   const RenderPlan plan = plan_of(small_scene());
-  const FilmRecord record = record_of_film(plan);
+  const FilmReport record = record_of_film(plan);
   EXPECT_EQ(record.output, "null");
   EXPECT_EQ(record.scene_file, "scene.toml");
   EXPECT_EQ(record.title, "test");
@@ -53,8 +53,8 @@ TEST(FilmRecord, TellsWhatWasAskedForAndWhatWasMade) {
   EXPECT_EQ(record.frame_hashes[7], frame_hash(seventh));
 }
 
-TEST(FilmRecord, TellsWhatDrewItAndHowLongThatTook) {
-  const FilmRecord record = record_of_film(plan_of(small_scene()));
+TEST(FilmReport, TellsWhatDrewItAndHowLongThatTook) {
+  const FilmReport record = record_of_film(plan_of(small_scene()));
   EXPECT_EQ(record.backend, "paper");
   EXPECT_EQ(record.gl_renderer, "by hand");
   EXPECT_EQ(record.gl_version, "0.1");
@@ -67,7 +67,7 @@ TEST(FilmRecord, TellsWhatDrewItAndHowLongThatTook) {
   EXPECT_GT(record.stages.simulate.wall_s, 0.0);
 }
 
-TEST(FilmRecord, HasWhatIsSpecialAboutAFilm) {
+TEST(FilmReport, HasWhatIsSpecialAboutAFilm) {
   RenderPlan plan =
       plan_of(small_scene("loop = true\n[[story]]\nat = 0\ncaption = \"one\"\n[[story]]\nat = 0.5\n"
                           "[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.01\n"));
@@ -76,7 +76,7 @@ TEST(FilmRecord, HasWhatIsSpecialAboutAFilm) {
   plan.setup.jobs = 3;
   plan.sink.encoder.codec = "h264";
   plan.sink.encoder.crf = 0;
-  const FilmRecord record = record_of_film(plan);
+  const FilmReport record = record_of_film(plan);
   EXPECT_EQ(record.shard, "2/4");
   EXPECT_EQ(record.first_frame, 2);
   EXPECT_EQ(record.frames, 2);
@@ -93,10 +93,10 @@ TEST(FilmRecord, HasWhatIsSpecialAboutAFilm) {
 }
 
 // the report is read by the list of fields that has written it
-TEST(FilmRecord, IsReadBackAsItWasWritten) {
+TEST(FilmReport, IsReadBackAsItWasWritten) {
   RenderPlan plan = plan_of(small_scene("[[story]]\nat = 0\ncaption = \"one\"\n"));
   plan.sink.fps = plan.scene.video.fps = {30000, 1001};
-  const FilmRecord record = record_of_film(plan);
+  const FilmReport record = record_of_film(plan);
   const Json json = json_of(record);
   EXPECT_EQ(json.at("fps"), "30000/1001");
   EXPECT_EQ(json.at("width"), 64);
@@ -104,7 +104,7 @@ TEST(FilmRecord, IsReadBackAsItWasWritten) {
   EXPECT_FALSE(json.contains("loop"));
   EXPECT_EQ(json.at("method"), "exact") << "the motion's keys stand beside the film's";
   EXPECT_EQ(json.at("stages").at("draw").at("wall_s"), record.stages.draw.wall_s);
-  FilmRecord read;
+  FilmReport read;
   read_json(Json::parse(json.dump()), read);
   EXPECT_EQ(json_of(read), json);
   EXPECT_EQ(read.fps, record.fps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/loop.h"
+#include "motion/closed_loop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // The part of a film's report about its motion, and the versions that pixels depend on.
 #pragma once
 
-#include "film/json_fields.h"
+#include "film/report/json_fields.h"
 #include "motion/simulate.h"
 
 namespace polhode {

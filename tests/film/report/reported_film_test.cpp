@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "film/reported_film.h"
+#include "film/report/reported_film.h"
 
 #include <gtest/gtest.h>
 
 #include "film/drawn_frames.h"
-#include "film/film_record.h"
 #include "film/output/open_output.h"
+#include "film/report/film_report.h"
 #include "film/small_films.h"
 #include "video/encoders.h"
 
@@ -28,7 +28,7 @@ class ReportOfAFilm : public ::testing::Test {
     output->begin(film);
     NumberedFrames renderer({64, 48});
     render_frames(*output, renderer, [](const PipelineStep&) {});
-    json_ = json_of(film_record(plan_, film, *output, renderer));
+    json_ = json_of(film_report(plan_, film, *output, renderer));
   }
   ReportedFilm read(const Json& json) const {
     test::write_text(folder_ / "r.json", json.dump());

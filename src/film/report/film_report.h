@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "film/frame_renderer.h"
-#include "film/motion_report.h"
 #include "film/output/render_output.h"
 #include "film/prepared_film.h"
+#include "film/report/motion_report.h"
 
 namespace polhode {
 
@@ -54,7 +54,7 @@ void report_fields(Visitor& v, Loop& s) {
 }
 
 // All fields of the report.
-struct FilmRecord {        // NOLINT(bugprone-exception-escape): JSON moves without throwing
+struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves without throwing
   std::string output;      // as the user named it
   std::string scene_file;  // as the user named it
   std::string title;
@@ -86,7 +86,7 @@ struct FilmRecord {        // NOLINT(bugprone-exception-escape): JSON moves with
 // The keys of the report; docs/render.md documents them. To add one: a line here and a member
 // above.
 template <class Visitor>
-void report_fields(Visitor& v, FilmRecord& s) {
+void report_fields(Visitor& v, FilmReport& s) {
   v.field("output", s.output);
   v.field("scene_file", s.scene_file);
   v.field("title", s.title);
@@ -122,7 +122,7 @@ void report_fields(Visitor& v, FilmRecord& s) {
 }
 
 // The record of a film that `renderer` has drawn into `output`, without the total time.
-FilmRecord film_record(const RenderPlan& plan,
+FilmReport film_report(const RenderPlan& plan,
                        const PreparedFilm& film,
                        const RenderOutput& output,
                        const FrameRenderer& renderer);

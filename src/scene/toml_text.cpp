@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/text.h"
+#include "scene/toml_text.h"
 
 #include <algorithm>
 
