@@ -3,6 +3,7 @@
 
 namespace polhode {
 
+// Long, because it is one table: a row for each.
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
       {"render",

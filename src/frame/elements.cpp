@@ -26,6 +26,7 @@ std::string needs_weight(const Scenery& scenery) {
 
 }  // namespace
 
+// Long, because it is one table: a row for each.
 const std::vector<Element>& elements() {
   static const std::vector<Element> table = {
       {"body", "the body", always, nothing_against, add_body},

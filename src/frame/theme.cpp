@@ -14,6 +14,7 @@ glm::vec3 color_from_hex(const std::string& text) {
   return glm::vec3(bytes[0], bytes[1], bytes[2]) / 255.0f;
 }
 
+// Long, because it is one table: a row for each.
 const std::vector<Theme>& themes() {
   const auto hex = color_from_hex;
   static const std::vector<Theme> table = {

@@ -162,6 +162,7 @@ const SolidKind& kind_of(const SolidSpec& solid, const std::string& path) {
 
 }  // namespace
 
+// Long, because it is one table: a row for each.
 const std::vector<SolidKind>& solid_kinds() {
   static const std::vector<SolidKind> kinds = {
       {"box",

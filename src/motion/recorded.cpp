@@ -22,6 +22,7 @@ Vec3 axis_S(const Motion& motion, const Sample& sample) {
 
 }  // namespace
 
+// Long, because it is one table: a row for each.
 const std::vector<Recorded>& recorded_quantities() {
   static const std::vector<Recorded> table = {
       {"omega",

@@ -27,6 +27,7 @@ std::string obstacle(const StepperInfo& method, const BodyModel& model) {
 
 }  // namespace
 
+// Long, because it is one table: a row for each.
 const std::vector<StepperInfo>& stepper_table() {
   // clang-format off
   static const std::vector<StepperInfo> table = {

@@ -56,6 +56,7 @@ Error unknown_ending(const std::string& output) {
 
 }  // namespace
 
+// Long, because it is one table: a row for each.
 const std::vector<SinkKind>& sink_kinds() {
   static const std::vector<SinkKind> kinds = {
       {"mp4",

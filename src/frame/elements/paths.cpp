@@ -81,22 +81,17 @@ std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
   return family;
 }
 
-}  // namespace
+// the number of segments around a tube: pieces of a circle that look round grow as the root of its
+// radius
+int sides_of(const Scenery& scenery) {
+  return std::max(8, static_cast<int>(std::ceil(scenery.segments * std::sqrt(kRimRadius))));
+}
 
-Paths make_paths(const Scenery& scenery) {
-  const ShowSpec& show = scenery.options;
-  const int segments = scenery.segments;
-  // a quarter of a pixel where the body is as high as the frame; the pieces of a circle that look
-  // round grow as the root of its radius
-  const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / segments));
-  const int sides = std::max(8, static_cast<int>(std::ceil(segments * std::sqrt(kRimRadius))));
-  const auto wanted = [&](const char* name) {
-    return is_asked(show, name);
-  };
-  Paths paths;
+// paths of points in space, which grow with the motion
+void make_trails(const Scenery& scenery, Paths& paths) {
   const Motion& motion = scenery.motion;
-  const BodyModel& model = motion.model();
-  const double tube = kRimRadius * scenery.scale.body;
+  // a quarter of a pixel where the body is as high as the frame
+  const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
   const int pieces = pieces_of_trail(motion);
   const auto trail = [&](const auto& point) {
     return Trail(sampled([&](double t) { return Vec3(point(motion.at(t))); },
@@ -104,44 +99,50 @@ Paths make_paths(const Scenery& scenery) {
                          motion.duration(),
                          pieces,
                          tolerance),
-                 tube,
+                 kRimRadius * scenery.scale.body,
                  scenery.scale.body,
-                 sides);
+                 sides_of(scenery));
   };
-  if (wanted("trail")) {
+  if (is_asked(scenery.options, "trail")) {
     const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
     paths.axis = trail([&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }
-  for (const Vec3& point_B : show.trail_points) {
+  for (const Vec3& point_B : scenery.options.trail_points) {
     paths.points.push_back(
-        trail([&](const Sample& now) { return point_position(model, now, point_B); }));
+        trail([&](const Sample& now) { return point_position(motion.model(), now, point_B); }));
   }
-  if (wanted("herpolhode"))
+  if (is_asked(scenery.options, "herpolhode"))
     paths.herpolhode = trail([&](const Sample& now) { return omega_tip(scenery, now); });
+}
 
-  // curves of the body, closed, in units of its radius
-  const Vec3 w_P = principal_rate(model, motion.at(0.0));
-  const int pieces_of_curve = 8 * segments;
-  const auto tube_of = [&](const std::vector<Vec3>& points, const Vec3& factor) -> MeshPtr {
+// closed curves of the body, in units of its radius
+void make_body_curves(const Scenery& scenery, Paths& paths) {
+  const BodyModel& model = scenery.motion.model();
+  const Vec3 w_P = principal_rate(model, scenery.motion.at(0.0));
+  const int pieces = 8 * scenery.segments;
+  const auto curve = [&](const Vec3& w, const Vec3& factor) -> MeshPtr {
+    std::vector<Vec3> points = polhode(model.moments, w, pieces);
     if (points.empty()) return nullptr;
-    std::vector<Vec3> drawn;
-    drawn.reserve(points.size());
-    for (const Vec3& w : points)
-      drawn.emplace_back(w.cwiseProduct(factor) / scenery.scale.body);
-    return std::make_shared<const Mesh>(tube_along(drawn, kRimRadius, sides, true));
+    for (Vec3& point : points)
+      point = point.cwiseProduct(factor) / scenery.scale.body;
+    return std::make_shared<const Mesh>(tube_along(points, kRimRadius, sides_of(scenery), true));
   };
   const Vec3 as_omega = Vec3::Constant(scenery.scale.omega);
-  if (wanted("polhode"))
-    paths.polhode = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_omega);
-  const Vec3 as_momentum = scenery.scale.momentum * model.moments;
-  if (wanted("binet"))
-    paths.binet = tube_of(polhode(model.moments, w_P, pieces_of_curve), as_momentum);
-  if (wanted("polhodes")) {
-    for (const Vec3& w : family_of(model, w_P)) {
-      if (const MeshPtr mesh = tube_of(polhode(model.moments, w, pieces_of_curve), as_omega))
-        paths.polhodes.push_back(mesh);
-    }
+  if (is_asked(scenery.options, "polhode")) paths.polhode = curve(w_P, as_omega);
+  if (is_asked(scenery.options, "binet"))
+    paths.binet = curve(w_P, scenery.scale.momentum * model.moments);
+  if (!is_asked(scenery.options, "polhodes")) return;
+  for (const Vec3& w : family_of(model, w_P)) {
+    if (const MeshPtr mesh = curve(w, as_omega)) paths.polhodes.push_back(mesh);
   }
+}
+
+}  // namespace
+
+Paths make_paths(const Scenery& scenery) {
+  Paths paths;
+  make_trails(scenery, paths);
+  make_body_curves(scenery, paths);
   return paths;
 }
 
