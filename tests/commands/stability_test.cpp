@@ -55,9 +55,9 @@ TEST_F(Stability, TakesAnyTwoKeys) {
 
 // the same table for any number of threads, and from a run that was stopped and taken up again
 TEST_F(Stability, GoesOnWhereItWasStopped) {
-  const std::string options = "--methods rk4,gauss6 --cells 48x48 --turns 80";
+  const std::string options = "--methods rk4,gauss6 --cells 24x24 --turns 12";
   ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
-  // stopped when some rows are finished
+  // stopped when a row is finished
   std::vector<std::string> arguments = {
       "stability", folder_ / "scene.toml", "-o", folder_ / "out", "--jobs", "1"};
   for (const std::string& word : test::words_of(options))
@@ -65,7 +65,7 @@ TEST_F(Stability, GoesOnWhereItWasStopped) {
   test::Background run(arguments);
   EXPECT_TRUE(test::becomes([&] {
     const std::string kept = read_text(folder_ / "out/stability.resume");
-    return std::count(kept.begin(), kept.end(), '\n') > 2;
+    return std::count(kept.begin(), kept.end(), '\n') > 1;
   }));
   const Ran stopped = run.end(SIGINT);
   ASSERT_EQ(stopped.code, 130) << stopped.err;

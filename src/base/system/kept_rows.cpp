@@ -25,7 +25,7 @@ void KeptRows::add(const std::string& line) {
   lines_.append(line).push_back('\n');
   constexpr auto kBetween = std::chrono::seconds(2);
   const Clock::time_point now = Clock::now();
-  if (now - saved_ <= kBetween) return;
+  if (saved_ && now - *saved_ <= kBetween) return;
   save();
   saved_ = now;
 }

@@ -6,12 +6,13 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace polhode {
 
-// While lines are added, the whole file is rewritten atomically, at most every two seconds. Not
-// thread-safe. add() and save() throw Error as write_file does.
+// While lines are added, the whole file is rewritten atomically: with the first line, then at most
+// every two seconds. Not thread-safe. add() and save() throw Error as write_file does.
 class KeptRows {
  public:
   // `words`: one line that describes the job. Rows kept by a run with other words are ignored.
@@ -32,7 +33,7 @@ class KeptRows {
   std::filesystem::path file_;
   std::string words_;
   std::string lines_;
-  Clock::time_point saved_ = Clock::now();
+  std::optional<Clock::time_point> saved_;
 };
 
 }  // namespace polhode

@@ -74,6 +74,13 @@ TEST(KeptRows, AreRemovedWithTheirFile) {
   EXPECT_NO_THROW(rows.remove());
 }
 
+TEST(KeptRows, TheFirstIsWrittenAtOnce) {
+  const TemporaryFolder folder;
+  KeptRows rows(folder / "rows", "words");
+  rows.add("a");
+  EXPECT_EQ(test::read_text(folder / "rows"), "words\na\n");
+}
+
 TEST(KeptRows, AFolderThatIsMissingIsAnError) {
   const TemporaryFolder folder;
   const KeptRows rows(folder / "nowhere/rows", "words");
