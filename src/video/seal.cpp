@@ -24,6 +24,8 @@ constexpr std::size_t kHashDigits = 32;
 constexpr std::size_t kLengthDigits = 10;
 constexpr std::size_t kFooter = kHashDigits + kLengthDigits + kMark.size();
 
+constexpr std::string_view kMatroskaBegins = "\x1a\x45\xdf\xa3";  // EBML, RFC 8794
+
 // A file in memory, to be read only.
 class MappedFile {
  public:
@@ -73,7 +75,7 @@ void append(const std::filesystem::path& file, std::string_view bytes) {
 }  // namespace
 
 void seal_file(const std::filesystem::path& file, std::string_view text) {
-  const bool matroska = file.string().find(".webm") != std::string::npos;
+  const bool matroska = MappedFile(file).text().starts_with(kMatroskaBegins);
   append(file, fmt::format("{}{}", element_head(matroska, text.size() + kFooter), text));
   const std::string hash = content_hash(MappedFile(file).text());
   append(file, fmt::format("{}{:0{}d}{}", hash, text.size(), kLengthDigits, kMark));

@@ -23,14 +23,15 @@ class BoundedQueue {
 
   explicit BoundedQueue(std::size_t most) : most_(most) {}
 
-  // For the producer: waits for a free place, and moves an item that was given back into `item` if
-  // there is one. False: the queue was stopped.
+  // For the producer: waits for a free place, and makes `item` one that was given back, or a new
+  // one if there is none. False: the queue was stopped.
   bool wait_for_place(T& item) {
     std::unique_lock lock(mutex_);
     const Clock::time_point start = Clock::now();
     changed_.wait(lock, [&] { return ready_.size() < most_ || stopped_; });
     producer_waited_ += Clock::now() - start;
     if (stopped_) return false;
+    item = T{};
     if (!spare_.empty()) {
       item = std::move(spare_.back());
       spare_.pop_back();

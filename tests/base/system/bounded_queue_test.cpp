@@ -57,6 +57,13 @@ TEST(BoundedQueue, WhatIsGivenBackIsUsedAgain) {
   EXPECT_EQ(item.get(), address);
 }
 
+TEST(BoundedQueue, WhatWasPushedIsNotGivenAgain) {
+  BoundedQueue<int> queue(2);
+  int item = 7;
+  ASSERT_TRUE(queue.wait_for_place(item));
+  EXPECT_EQ(item, 0) << "a new one, not what is left of the last";
+}
+
 TEST(BoundedQueue, AnErrorWaitsBehindTheItemsBeforeIt) {
   BoundedQueue<int> queue(2);
   queue.push(1);
