@@ -61,9 +61,9 @@ std::string units_instead(const std::string& name, const KeyList& keys) {
     std::vector<std::string> ways;
     for (const Spelling& spelling : spellings_of(key.name, key.doc)) {
       if (is_one_letter_off(spelling.text, name) && name.size() > key.name.size() + 2) return "";
-      ways.push_back(fmt::format("{} ({})", spelling.text, spelling.unit.symbol));
+      ways.push_back(fmt::format("'{}' in {}", spelling.text, spelling.unit.symbol));
     }
-    return fmt::format("; write {}", fmt::join(ways, ", "));
+    return fmt::format(" (did you mean {}?)", fmt::join(ways, ", "));
   }
   return "";
 }
