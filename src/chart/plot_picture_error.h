@@ -26,8 +26,8 @@ struct PicturePanel {
   std::vector<PicturePoint> points;
 };
 
-// The bytes of a picture file with one panel per scene: error over time, every point labelled.
-// Throws Error (environment) as draw_with_gnuplot does.
+// The bytes of a picture file with one panel per scene: error against time per frame, every point
+// labelled. Throws Error (environment) as draw_with_gnuplot does.
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format);
 
 // The points as CSV: scene,setting,samples,supersampling,time_ms,rmse_levels,max_levels.

@@ -20,9 +20,9 @@ struct WorkPanel {
   std::vector<WorkPoint> points;
 };
 
-// The bytes of a picture file: error over time and error over evaluations, log-log. Each method has
-// a colour and a symbol, the cheapest at each accuracy is labelled, and a line shows the allowed
-// error. Throws Error (environment) as draw_with_gnuplot does.
+// The bytes of a picture file: error against computing time and error over evaluations, log-log.
+// Each method has a colour and a symbol, the cheapest at each accuracy is labelled, and a line
+// shows the allowed error. Throws Error (environment) as draw_with_gnuplot does.
 std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat format);
 
 // The points as CSV: scene,method,order,step,evaluations,time_us,error_rad,energy_drift,

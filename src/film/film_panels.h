@@ -10,9 +10,10 @@
 
 namespace polhode {
 
-// The film has one panel, or one per compared method, or one per entry of show.views. `comparison`
-// may be null and must outlive the film. Throws Error (input) naming show.plots for plots beside
-// several panels, and as Composer does.
+// The film has one panel, or one per compared method, or one per entry of show.views. `comparison`:
+// null if nothing is compared; must outlive the film. `plots`: those of show.plots. `with_text`:
+// with title, captions, clock and the notes of panels. Throws Error (input) naming show.plots if
+// there are plots and several panels, and as Composer does.
 Film make_film(const Solved& solved,
                const Timeline& timeline,
                const Comparison* comparison,

@@ -13,14 +13,14 @@
 
 namespace polhode {
 
-// A label in the picture, in pixels, x to the right, y down.
+// A label in the picture. Positions are in pixels, x to the right, y down.
 struct SeenLabel {
   Vec2 from;  // foot of the vector that it names; `at` if it names a point
   Vec2 at;
   Vec2 away;  // unit vector from `at` towards the label
   std::string markup;
   glm::vec3 color;
-  float fade = 1.0f;
+  float fade = 1.0f;  // multiplies the opacity
 };
 
 // What a camera sees at one moment.
@@ -37,8 +37,8 @@ struct Staging {
   FrameMargins margins = {};
 };
 
-// Immutable. All members are pure functions of time and may be called from any thread. Positions
-// are in S, m.
+// Immutable. All members are pure functions of time and may be called from any thread. Glyphs
+// and cameras are in S, m; draw lists in the units of their drawing frame.
 class Composer {
  public:
   // Throws Error (input) naming the key: show.NAME for an element that this motion does not have,
@@ -49,7 +49,7 @@ class Composer {
            const ShowSpec& show,
            const ThemeSpec& theme,
            PictureSize size);
-  // With a single camera and without story, so that film time is motion time.
+  // With a single camera and without a story: film time is motion time.
   Composer(const Motion& motion,
            const BodySpec& body,
            const CameraSpec& camera,
@@ -74,9 +74,10 @@ class Composer {
   Camera camera_at(double film) const;
   const Timeline& timeline() const { return staging_.timeline; }
   const Scenery& scenery() const { return scenery_; }
-  // Whether the element of that name is shown in this film.
+  // Whether the element is shown in this film; `name` is one of elements().
   bool shows(const std::string& name) const { return shown_.at(name); }
-  // The glyphs of a moment; `film` in s of film, by default the last time that shows the sample.
+  // The glyphs of a moment; `film` in s of film, by default the last film time that shows the
+  // sample.
   Glyphs glyphs_at(const Sample& sample) const;
   Glyphs glyphs_at(const Sample& sample, double film) const;
 

@@ -18,19 +18,21 @@ struct LectureData {
     std::shared_ptr<DeckScene> scene;
     std::string csv;  // file in media/; empty: the motion could not be computed
   };
-  const Deck* deck = nullptr;
-  std::string deck_text;
-  std::string licence;
-  std::vector<std::string> outputs;
-  std::string reveal_version;
-  bool formula_font = false;  // the pages contain the formula font
+  const Deck* deck = nullptr;        // not owned
+  std::string deck_text;             // contents of the file
+  std::string licence;               // of the deck; empty: unknown
+  std::vector<std::string> outputs;  // as given to --to
+  std::string reveal_version;        // empty: no slides
+  bool formula_font = false;         // the pages contain the formula font
   std::vector<SceneData> scenes;
   std::vector<std::pair<std::string, Json>> products;  // stem and facts of each
 };
 
 // Writes FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative
-// paths), motions/NAME.csv, and manifest.json last. Files that only the old manifest lists are
-// deleted. Throws Error (environment), and (input) as write_file does.
+// paths; files from outside the deck's folder under their names), motions/NAME.csv, and
+// manifest.json last. Files of source/ and motions/ that only the old manifest lists are deleted.
+// Throws Error (input) as trusted_file(), read_file() and write_file() do, (environment) if a
+// folder cannot be made or the disk is full.
 void write_data(const LectureData& data, const std::filesystem::path& folder);
 
 }  // namespace polhode

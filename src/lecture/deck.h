@@ -47,7 +47,8 @@ struct DeckPicture {
   int line = 0;                  // of the deck, from 1; 0: unknown
 };
 
-// The type of the node that stands for picture number "c" of the deck in the tree.
+// The type of the node that stands for a picture in the tree; its "c" is the index in
+// Deck::pictures.
 inline constexpr const char* kPictureNode = "PolhodePicture";
 
 // A deck that has been read.
@@ -58,7 +59,7 @@ struct Deck {
   Json meta = Json::object();  // only title, subtitle, author, date, lang, description, licence
   Json blocks = Json::array();
   std::vector<DeckPicture> pictures;
-  std::vector<std::string> images;  // ordinary pictures: files in the deck's folder
+  std::vector<std::string> images;  // ordinary pictures: files, relative to the deck's folder
   std::vector<Error> problems;      // what was left out, with lines of the deck
 
   Json tree(const Json& with_blocks) const;  // a complete document for pandoc
@@ -68,8 +69,8 @@ struct Deck {
 class LineFinder {
  public:
   explicit LineFinder(std::string text) : text_(std::move(text)) {}
-  // The line of the next occurrence of `words` since the last call with the same words; 0 if there
-  // is none.
+  // The line (from 1) of the first occurrence of `words` after the one that the previous call with
+  // the same words found; 0 if there is none.
   int next(const std::string& words);
 
  private:
@@ -77,11 +78,11 @@ class LineFinder {
   std::map<std::string, std::size_t> seen_;  // words -> behind the last place
 };
 
-// Reads a deck. Faults in single places are left out and reported in Deck::problems. allow_outside:
+// Reads a deck. Faulty parts are left out and reported in Deck::problems. allow_outside:
 // see DeckRoot. Throws Error (input), with the file as place, if it cannot be read as a deck;
 // (environment) without pandoc.
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
-// The same for a text in memory; `name` is the file name for messages.
+// The same, with the same errors, for a text in memory; `name` is the file name for messages.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
 
 // Calls `visit` for every node of the tree that has a type, parents before children.

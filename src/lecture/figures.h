@@ -9,22 +9,24 @@
 
 namespace polhode {
 
-// A picture with its products.
+// A picture of the deck with the facts of its products, or the reason why there are none.
 struct Figure {
-  const DeckPicture* picture = nullptr;
+  const DeckPicture* picture = nullptr;  // not owned, never null
   std::vector<Json> facts;  // of its products, one per compared film; empty if one failed
   std::string failure;      // why there are no facts
 };
 
-// Blocks of pandoc's tree. File names are relative to the folder of the documents: media/FILE.
+// Lists of blocks of pandoc's tree, a function for each document. File names are relative to the
+// folder of the documents: media/FILE.
 Json page_blocks(const Figure& figure);     // index.html
 Json slide_blocks(const Figure& figure);    // slides.html
 Json handout_blocks(const Figure& figure);  // handout.pdf
 Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 
-// A table of the values of inspection(): those in `keys` (separated by spaces), or all if that is
-// empty. Throws Error (input), without a key, for an unknown one.
+// A table of values of inspection(): those in `keys` (separated by spaces); if `keys` is empty, the
+// kind, the mass, the principal moments and all derived values. Throws Error (input), without a
+// place, for an unknown key.
 Json number_table(const Json& inspection, const std::string& keys);
 
 }  // namespace polhode

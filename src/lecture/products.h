@@ -28,10 +28,12 @@ struct DeckScene {
   std::string hash;  // scene_hash()
 };
 
+// All these throw Error (input), without a place, for a setting that is not valid. Files are names
+// in media/.
+
 // A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s),
 // "stills" (a list of "file", "at", "caption"), "vtt" (the text, if any), "pauses" (a list of
-// [begins, ends], s of film), "frames", "fps", "width", "height", "duration" (s), "title". These
-// functions throw Error (input), without a place, for a setting that is not valid.
+// [begin, end], s of film), "frames", "fps", "width", "height", "duration" (s of film), "title".
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);

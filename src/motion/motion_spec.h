@@ -28,13 +28,14 @@ struct SpinSpec {
 
 // The [motion] table.
 struct MotionSpec {
-  std::string hold = "free";    // "free", or "pivot": one point of the body is fixed
-  std::optional<Vec3> gravity;  // m/s^2 in S; absent: zero when free, standard on a pivot
-  double duration = 10.0;       // s
+  std::string hold = "free";  // "free", or "pivot": one point of the body is fixed
+  std::optional<Vec3>
+      gravity;  // m/s^2 in S; absent: zero for a free body, standard and along -Z on a pivot
+  double duration = 10.0;  // s
   AttitudeSpec attitude;
   SpinSpec spin;
-  Vec3 position = Vec3::Zero();  // of the centre of mass (free) at t = 0, m
-  Vec3 velocity = Vec3::Zero();  // of the centre of mass (free) at t = 0, m/s
+  Vec3 position = Vec3::Zero();  // of the centre of mass at t = 0, in S, m; free bodies only
+  Vec3 velocity = Vec3::Zero();  // of the centre of mass at t = 0, in S, m/s; free bodies only
   std::vector<LoadSpec> torque;  // torques and forces besides gravity
 };
 

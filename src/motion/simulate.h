@@ -17,10 +17,10 @@ namespace polhode {
 struct SimulationReport {
   std::string model;  // name of the solution method
   std::string model_reason;
-  std::string method;  // "exact" for a closed form
+  std::string method;  // name of the integrator; "exact" for a closed form
   std::string method_reason;
-  std::optional<double> step;  // s
-  std::optional<double> tolerance;
+  std::optional<double> step;                // s
+  std::optional<double> tolerance;           // local error per step
   double accuracy_rad = 0.0;                 // as requested
   std::optional<double> error_estimate_rad;  // difference from a coarser run; absent: not estimated
   IntegrationRecord record;
@@ -37,7 +37,8 @@ struct Simulation {
 // tolerance, the method is refined until two runs agree within it. Throws Error (input) naming
 // numerics.model or numerics.method if they cannot handle the scene, numerics.step or
 // numerics.tolerance if they do not suit the method, and numerics.accuracy if it cannot be reached;
-// (check_failed) if the motion becomes NaN or a step has no solution; (interrupted).
+// (check_failed) if the motion becomes NaN or the equations of an implicit step have no solution;
+// (interrupted) if the program is interrupted.
 Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,

@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// A single picture. Throws Error as AtomicFile does, (environment) if writing fails.
+// A single picture. Throws Error (input), with the output as place, unless job.still, and as
+// AtomicFile does; (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
 // A sequence such as NAME_%05d.png: one %d, or %0Nd with N at most nine. The files get their names
 // in finish(), so a failure leaves older frames unchanged. Throws Error as AtomicFile and
@@ -17,7 +18,7 @@ std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 struct NumberedName {
   std::string before;
   std::string after;
-  int width = 0;  // digits, zero-padded
+  int width = 0;  // least number of digits, padded with zeros; 0: no padding
 
   // The file name with that number.
   std::string of(int index) const;

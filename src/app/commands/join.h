@@ -11,14 +11,15 @@ namespace polhode {
 
 // The options of `join`.
 struct JoinJob {
-  std::vector<std::string> parts;  // in any order
+  std::vector<std::string> parts;  // files of the shards, in any order; at least one
   std::string output;
 };
 
 // Writes the film with exactly the frames of its shards, and with title, chapters and captions of
 // the whole film. Throws Error (input), with the file as place, for shards of different films (the
-// message says what differs), for duplicate or damaged shards, and for an output with another
-// ending; without a place if shards are missing (the message lists them).
+// message says what differs), for duplicate or damaged shards, and for an output that is one
+// of the shards or has another file-name extension; without a place if shards are missing (the
+// message lists them); otherwise as FilmJoiner does.
 Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

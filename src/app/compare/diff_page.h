@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HTML pages that show differences of pictures to a person. Each is a single file that works
+// HTML pages that show how pictures differ. Each is a single file that works
 // without a network.
 #pragma once
 
@@ -27,14 +27,14 @@ struct DiffPage {
   std::string reason;             // why they differ
   Thresholds thresholds;
   DiffSummary summary;
-  const std::vector<FrameScore>& scores;  // of all frames
-  const std::vector<ShownFrame>& shown;   // frames shown as pictures
-  bool film = false;                      // frames have times
+  const std::vector<FrameScore>& scores;  // of all frames; outlives this
+  const std::vector<ShownFrame>& shown;   // frames shown as pictures; outlives this
+  bool film = false;                      // true: frames are labelled with their times
 };
 // The page as HTML.
 std::string diff_page(const DiffPage& page);
 
-// One case of golden pictures on a page.
+// One case of golden pictures on a page. Texts are plain; golden_page() escapes them.
 struct GoldenSection {
   std::string name;
   std::string outcome;  // "same", "different", "no reference", …
