@@ -164,8 +164,13 @@ inline DecodedFilm decode(const std::string& file, const std::string& by = "") {
     av_packet_unref(packet);
     while (avcodec_receive_frame(decoder, frame) == 0) {
       film.pts.push_back(frame->pts);
+#if LIBAVUTIL_VERSION_MAJOR >= 59  // FFmpeg 7
+      film.durations.push_back(frame->duration);
+      film.key.push_back((frame->flags & AV_FRAME_FLAG_KEY) != 0);
+#else
       film.durations.push_back(frame->pkt_duration);
       film.key.push_back(frame->key_frame != 0);
+#endif
       film.frames.push_back(to_rgba(*frame));
       film.blue_difference.push_back(middle_row_of_cb(*frame));
     }
