@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/system/parallel.h"
 #include "film/error_places.h"
 #include "motion/scales.h"
@@ -23,12 +24,11 @@ MapAxis parse_range(const std::string& text, const std::string& option) {
   MapAxis axis;
   const std::size_t colon = text.find(':');
   const auto number = [&](const std::string& part) {
-    char* end = nullptr;
-    const double value = std::strtod(part.c_str(), &end);
-    if (part.empty() || *end != '\0' || !std::isfinite(value)) {
+    const std::optional<double> value = parse_number(part);
+    if (!value) {
       throw input_error("'{}' is not a range; write two numbers, 0.1:10", text).at({{}, 0, option});
     }
-    return value;
+    return *value;
   };
   if (colon == std::string::npos) number("");
   axis.from = number(text.substr(0, colon));

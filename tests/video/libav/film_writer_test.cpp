@@ -32,7 +32,11 @@ TEST(FilmWriter, ColoursAreTagged) {
     const TemporaryFolder folder;
     write_film(job_for(folder, way), 3);
     const DecodedFilm film = decode(folder / ("a" + way.format->ending));
-    EXPECT_EQ(film.range, AVCOL_RANGE_MPEG);
+    // neither ProRes nor the 'nclc' box of QuickTime states a range: it is always the limited one,
+    // which the decoder of FFmpeg 5 fills in and that of FFmpeg 7 leaves open
+    if (way.encoder->codec != "prores" || film.range != AVCOL_RANGE_UNSPECIFIED) {
+      EXPECT_EQ(film.range, AVCOL_RANGE_MPEG);
+    }
     if (way.format->ending == ".y4m") continue;  // has no words for the rest
     EXPECT_EQ(film.matrix, AVCOL_SPC_BT709);
     EXPECT_EQ(film.primaries, AVCOL_PRI_BT709);
