@@ -240,7 +240,7 @@ TEST_F(Diff, FullDisksAndUnwritableFoldersAreTold) {
 }
 
 TEST_F(Diff, AnInterruptEndsIt) {
-  film("a.mp4", std::vector<int>(2000, 90));
+  film("a.mp4", std::vector<int>(40'000, 90));
   const std::string a = folder_ / "a.mp4";
   test::Background run({"diff", a, a, "--html", folder_ / "page", "--progress", "json"});
   run.await_progress();
