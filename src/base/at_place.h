@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// Runs `work` and rethrows its errors with the missing parts of their place filled in from `place`.
-// An interruption passes unchanged.
+// Returns work(). An Error that it throws is rethrown with the missing parts of its place filled in
+// from `place`; Error (interrupted) and exceptions of other types pass unchanged.
 template <class Work>
 decltype(auto) at_place(const Place& place, const Work& work) {
   try {

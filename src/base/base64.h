@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-// Standard alphabet, padded with '=', without line breaks.
+// The bytes in the standard alphabet, padded with '=', without line breaks.
 std::string base64(std::string_view bytes);
 
 }  // namespace polhode

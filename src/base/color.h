@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parses the hexadecimal colours of scene files.
+// Parses the colours of scene files, "#rrggbb".
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace polhode {
 // The value of one hexadecimal digit, -1 for any other character.
 int hex_digit(char c);
 
-// The red, green and blue bytes (sRGB) of "#rrggbb". Throws Error (input), without a key, for
-// anything else.
+// The red, green and blue bytes (sRGB) of "#rrggbb"; the digits may be upper or lower case. Throws
+// Error (input), without a place, for anything else.
 std::array<std::uint8_t, 3> parse_color(std::string_view text);
 
 }  // namespace polhode

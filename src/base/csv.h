@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// The text itself, or the text in double quotes if it contains a comma, a quote or a line break.
+// The text as one field: unchanged, or in double quotes, with its quotes doubled, if it contains a
+// comma, a quote or a line break.
 inline std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";

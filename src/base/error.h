@@ -11,9 +11,10 @@
 
 namespace polhode {
 
-// Why a run cannot go on. The value is the exit code of the process.
+// Why a run cannot go on. The value is the exit code of the process. Comments name it in brackets:
+// "Throws Error (input)".
 enum class Fault {
-  check_failed = 1,   // a check failed: pictures differ, a motion became NaN
+  check_failed = 1,   // a result failed its check: pictures differ, a motion became NaN
   input = 2,          // bad scene, bad option, bad usage
   environment = 3,    // no GL, no encoder, disk full
   interrupted = 130,  // SIGINT, SIGTERM or SIGHUP
@@ -23,13 +24,15 @@ enum class Fault {
 struct Place {
   std::string file;  // as the user named it
   int line = 0;      // from 1; 0 = unknown
-  std::string key;   // dotted path such as "body.mass", or an option such as "--size"
+  std::string key;   // dotted path such as "body.parts[1].mass", or an option such as "--size"
 };
 
-// what() is one line for the user: "file:line: key: message". Caught in main, which returns the
-// fault as the exit code.
+// what() is one line for the user, "file:line: key: message", without the missing parts of the
+// place; control characters are replaced. main() catches it, prints the line on stderr and returns
+// the fault as the exit code.
 class Error : public std::runtime_error {
  public:
+  // `message`: what is wrong and what to do, one phrase without a full stop.
   Error(Fault fault, const std::string& message, const Place& place = {});
 
   Fault fault() const { return fault_; }
@@ -45,13 +48,13 @@ class Error : public std::runtime_error {
   Place place_;
 };
 
-// An Error (input) with a formatted message and no place yet.
+// An Error (input) with a formatted message (fmt) and no place yet; at() adds one.
 template <class... Args>
 Error input_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::input, fmt::format(text, std::forward<Args>(args)...)};
 }
 
-// An Error (environment) with a formatted message and no place yet.
+// An Error (environment) with a formatted message (fmt) and no place yet; at() adds one.
 template <class... Args>
 Error environment_error(fmt::format_string<Args...> text, Args&&... args) {
   return {Fault::environment, fmt::format(text, std::forward<Args>(args)...)};

@@ -4,11 +4,16 @@
 //
 //   template <class Visitor> void fields(Visitor& v, BodySpec& spec);
 //
-// that calls v.field(key, member, doc) or v.required(key, member, doc) for each key,
-// v.exactly_one_of({keys}) or v.at_most_one_of({keys}) for keys that exclude each other, and
-// v.merged(key, spec, spec, doc) for two specs that share one table. Reading, printing, the JSON
-// Schema and the errors for unknown keys are visitors of this one list (scene/), so they cannot
-// disagree.
+// that calls
+//
+//   v.field(key, member, doc)         for a key that may be left out: the member keeps its default
+//   v.required(key, member, doc)      for a key that must be given
+//   v.merged(key, spec, spec, doc)    for a table whose keys belong to two specs
+//   v.exactly_one_of({keys})          for keys of which exactly one must be given
+//   v.at_most_one_of({keys})          for keys of which at most one may be given
+//
+// Reading, printing, the JSON Schema and the errors for unknown keys are visitors of this one list
+// (in scene/), so they cannot disagree.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +39,7 @@ inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), t
 inline constexpr Range kNonNegative{0.0, std::numeric_limits<double>::infinity(), false};
 
 // The range restricted to the magnitudes allowed for the unit (magnitude_of in base/units.h).
+// "Greater than 0" becomes "at least magnitude_of(unit).least".
 inline Range within_magnitude(const Range& range, Unit unit) {
   const Magnitude magnitude = magnitude_of(unit);
   Range cut = range;
@@ -48,9 +54,9 @@ inline Range within_magnitude(const Range& range, Unit unit) {
 
 // The description of one key: its meaning, unit and allowed values.
 struct Doc {
-  std::string text;                       // one phrase, shown in help and in the schema
-  Unit unit = Unit::none;                 // decides which unit suffixes the key may have
-  Range range = kAny;                     // for numbers, in SI units
+  std::string text;                       // one phrase, for the schema and for errors
+  Unit unit = Unit::none;                 // for numbers: SI unit, and which suffixes are allowed
+  Range range = kAny;                     // for numbers: allowed values, in SI units
   std::vector<std::string> choices = {};  // for text: the allowed values (empty: any text)
   bool color = false;                     // for text: must be "#rrggbb"
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Content hashes: XXH3 with 128 bits, as 32 hexadecimal digits. They detect changes but are not
-// cryptographic.
+// Content hashes: XXH3 with 128 bits (library xxHash), as 32 hexadecimal digits, high half first.
+// They detect changes but are not cryptographic.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@ namespace polhode {
 
 // The hash of `size` bytes at `data`.
 std::string content_hash(const void* data, std::size_t size);
+// The hash of the bytes of `text`.
 inline std::string content_hash(std::string_view text) {
   return content_hash(text.data(), text.size());
 }

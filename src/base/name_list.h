@@ -9,12 +9,13 @@
 
 namespace polhode {
 
-// "a,b" as {"a", "b"}; "" as an empty list.
+// The names between the commas: "a,b" gives {"a", "b"}, and "" gives an empty list. White space is
+// kept.
 std::vector<std::string> split_names(std::string_view list);
 
-// The set of names in `list`. Throws Error (input) that names `option` and suggests the nearest
-// name if one is not in `known`. `what` says in the message what the names stand for: "unknown case
-// 'x'".
+// The set of names in `list` (separated by commas); empty for "". Throws Error (input), with
+// `option` as key, if a name is not in `known`; the message suggests the nearest known name. `what`
+// is the noun for the message: with "case" it reads "unknown case 'x'".
 std::set<std::string> known_names(std::string_view list,
                                   const std::vector<std::string>& known,
                                   std::string_view what,

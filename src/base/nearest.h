@@ -8,12 +8,14 @@
 
 namespace polhode {
 
-// The candidate with the least Damerau-Levenshtein distance to `name` (optimal string alignment,
-// case ignored), or "" if more than half of the name would have to change.
+// The candidate with the least Damerau-Levenshtein distance to `name` (optimal string alignment:
+// insertions, deletions, replacements and swaps of neighbouring bytes count 1, ASCII case is
+// ignored). "" if the distance exceeds half the length of the name, or 1 for a single byte, and for
+// names of more than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-// The end of an error message: " (did you mean 'mass'?)", or " (known: ...)" with all candidates if
-// none is close.
+// The end of an error message about an unknown name: " (did you mean 'mass'?)", or " (known: ...)"
+// with all candidates if nearest_name() finds none.
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace polhode

@@ -7,10 +7,12 @@
 
 namespace polhode {
 
-// Accepts "12" and "-3". Empty for any other text and for numbers that do not fit an int.
+// The decimal integer, such as "12" or "-3". Empty for any other text (also "+3" and "1.0") and for
+// numbers that do not fit an int.
 std::optional<int> parse_integer(std::string_view text);
 
-// Accepts "2.5" and "1e-3". Empty for any other text, for infinities and for NaN.
+// The decimal number, such as "2.5" or "1e-3". Empty for any other text, for infinities, for NaN
+// and for numbers out of range of a double.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace polhode

@@ -8,8 +8,9 @@
 
 namespace polhode {
 
+// The physical quantity of a value, with its SI unit.
 enum class Unit {
-  none,
+  none,              // dimensionless
   length,            // m
   mass,              // kg
   time,              // s
@@ -23,31 +24,31 @@ enum class Unit {
   load,              // N m of a torque, N of a force
 };
 
+// A unit that values of a quantity may be given in, chosen by the suffix of the key.
 struct UnitSuffix {
   Unit unit;
-  const char* suffix;  // appended to the key; "" is the SI unit itself
+  const char* suffix;  // appended to the key, such as "_cm"; "" is the SI unit itself
   double factor;       // value in SI = value in the file * factor
-  const char* symbol;  // for messages and the schema
+  const char* symbol;  // of the unit, for messages and the schema, such as "cm"
 };
 
-// All suffixes allowed for a quantity of this unit, the SI one first.
+// All suffixes allowed for a quantity, that of the SI unit ("") first.
 std::vector<UnitSuffix> suffixes_of(Unit unit);
 
-// The suffixes of all units, without "".
+// The suffixes of all quantities, without "".
 std::vector<std::string> all_suffixes();
 
-// Converts a value of the file to SI. Decimal prefixes are applied by dividing by a whole number,
-// so that 35 cm is exactly the double 0.35.
+// Converts a value of the file to SI. For factors such as 0.01 it divides by the whole number 100,
+// so that the result is rounded once: 35 cm is exactly the double 0.35.
 double to_si(double value, const UnitSuffix& suffix);
 
-// The allowed magnitudes of values of a unit, in SI: wide enough for anything from a molecule to a
-// star, but narrow enough that no product of a few such values overflows. `least` bounds values
-// that must be positive; other values may be smaller.
+// The allowed magnitudes of a quantity, in SI units: wide enough for anything from a molecule to a
+// star, but narrow enough that no product of a few such values overflows.
 struct Magnitude {
-  double least;
-  double most;
+  double least;  // of values that must be positive; other values may be smaller, and 0
+  double most;   // of all values
 };
-// The allowed magnitudes of that unit.
+// The allowed magnitudes of that quantity.
 Magnitude magnitude_of(Unit unit);
 
 inline constexpr double kPi = 3.14159265358979323846;

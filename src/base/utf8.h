@@ -7,11 +7,11 @@
 
 namespace polhode {
 
-// Whether byte i exists and is a continuation byte.
+// Whether byte i exists and is a continuation byte (10xxxxxx). False beyond the end of the text.
 bool is_continuation(std::string_view text, std::size_t i);
 
-// The number of bytes of the UTF-8 character that begins at byte i; 0 if the bytes there are not
-// valid UTF-8 (Unicode 15, table 3-7).
+// The number of bytes, 1 to 4, of the UTF-8 character that begins at byte i; 0 if the bytes there
+// are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
 }  // namespace polhode

@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// Such as "0.1.0". It is part of reports and of the keys of cached lecture media.
+// The version number, such as "0.1.0". It is part of reports and of the keys of cached lecture
+// media, so both are refused or made again after a change of version.
 std::string program_version();
 
 }  // namespace polhode

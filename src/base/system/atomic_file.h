@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file that appears under its name only when it is complete.
+// Files that appear under their name only when they are complete, and reading and writing of whole
+// files.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +11,23 @@
 
 namespace polhode {
 
-// Owns NAME.part beside NAME. commit() renames it; without commit the destructor removes it.
-// Invariant: NAME itself is either untouched or complete. NAME.part is locked, so the second of two
-// runs with the same output is refused. A NAME.part left behind by a killed run is reused.
+// Owns NAME.part beside NAME. commit() renames it to NAME; without commit() the destructor removes
+// it. Invariant: NAME itself is either untouched or complete. NAME.part is locked (flock, where the
+// file system has it), so the second of two runs with the same output is refused. A NAME.part left
+// behind by a killed run is reused. Not thread-safe. All errors have NAME as their place.
 class AtomicFile {
  public:
-  // Throws Error (input), with the file as its place, if the folder is missing or cannot be
-  // written, if NAME is a folder, a device or write-protected, or if another run is writing it. If
-  // NAME is a symbolic link, its target is replaced.
+  // Creates and locks NAME.part. If NAME is a symbolic link, the file it points to is meant. Throws
+  // Error (input) if the folder is missing or cannot be written, if NAME is a folder, a device or
+  // write-protected, or if another run is writing it.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  // The temporary file to write to until commit().
+  // The temporary file NAME.part, to write to until commit().
   const std::filesystem::path& part() const { return part_; }
-  // The final name.
+  // The final name; for a symbolic link, the file that it points to.
   const std::filesystem::path& target() const { return target_; }
   // Renames the finished file to its final name. Throws Error (environment) if that fails.
   void commit();
@@ -33,7 +35,8 @@ class AtomicFile {
   void write(std::string_view content);
   // write(), then commit().
   void commit_with(std::string_view content);
-  // Releases the lock early. For numbered sequences, where one lock protects thousands of files.
+  // Releases the lock early, to have fewer open files. For numbered sequences, in which the lock on
+  // one file protects all of them.
   void unlock();
 
  private:
@@ -43,16 +46,17 @@ class AtomicFile {
   int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
 };
 
-// Opens a file with fopen's `mode`, writes the bytes and closes it. Returns 0, or errno of the call
-// that failed.
+// Opens a file with fopen's `mode` ("wb", "ab"), writes the bytes and closes it. Returns 0 on
+// success, else the errno of the call that failed. Does not throw.
 int failure_to_write(const std::filesystem::path& file, const char* mode, std::string_view bytes);
 
-// Writes a complete small file atomically. Throws Error as AtomicFile does, or (environment) if the
-// disk is full.
+// Writes a whole file by AtomicFile. Throws Error (input) as its constructor does, and
+// (environment) if writing or renaming fails, for example on a full disk.
 void write_file(const std::filesystem::path& target, std::string_view content);
 
-// Reads a whole file. Throws Error (input), with the file as its place, if it is missing, a folder,
-// unreadable, not a regular file, or larger than `most` bytes.
+// The content of a whole file. Throws Error (input), with the file as its place, if it is missing,
+// a folder, unreadable, not a regular file (such as a pipe), or larger than `most` bytes; the
+// default is no limit.
 std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
 }  // namespace polhode

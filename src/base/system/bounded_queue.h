@@ -14,17 +14,21 @@
 
 namespace polhode {
 
-// One producer, one consumer. Consumed items can be given back, so that the memory of large ones
-// is used again. Invariant: at most `most` items wait; an error waits behind the items before it.
+// For one producer thread and one consumer thread; T is default-constructible and movable. The
+// consumer can give items back, so that the memory of large ones is used again. Invariant: at most
+// `most` items wait, if the producer calls wait_for_place() before each push(); an error is
+// delivered after the items that were pushed before it. The queue must outlive its use by both
+// threads.
 template <class T>
 class BoundedQueue {
  public:
   using Duration = std::chrono::duration<double>;  // s
 
+  // `most`: the largest number of waiting items, at least 1.
   explicit BoundedQueue(std::size_t most) : most_(most) {}
 
-  // For the producer: waits for a free place, and makes `item` one that was given back, or a new
-  // one if there is none. False: the queue was stopped.
+  // For the producer: waits for a free place and sets `item` to one that was given back, or to T{}
+  // if there is none. Returns false, at once, if the queue was stopped.
   bool wait_for_place(T& item) {
     std::unique_lock lock(mutex_);
     const Clock::time_point start = Clock::now();
@@ -38,12 +42,14 @@ class BoundedQueue {
     }
     return true;
   }
+  // For the producer: adds an item. Does not wait.
   void push(T&& item) {
     const std::lock_guard lock(mutex_);
     ready_.push_back(std::move(item));
     changed_.notify_all();
   }
-  // No more items will come, because there are none or because of an error.
+  // For the producer: no more items will come, because there are none or because of an error, which
+  // pop() then throws in the consumer.
   void end(std::exception_ptr error = nullptr) {
     const std::lock_guard lock(mutex_);
     ended_ = true;
@@ -51,8 +57,9 @@ class BoundedQueue {
     changed_.notify_all();
   }
 
-  // For the consumer: the next item; false when there is none left or the queue was stopped. Throws
-  // the producer's error, and Error (interrupted) if the program is interrupted while it waits.
+  // For the consumer: waits for the next item and moves it into `item`. Returns false if none is
+  // left after end(), or if the queue was stopped. Throws the exception that was given to end()
+  // when no item is left, and Error (interrupted) if the program is interrupted while it waits.
   bool pop(T& item) {
     constexpr std::chrono::milliseconds kPatience{100};
     std::unique_lock lock(mutex_);
@@ -72,19 +79,22 @@ class BoundedQueue {
     changed_.notify_all();
     return true;
   }
+  // For the consumer: hands a used item to a later wait_for_place().
   void give_back(T&& item) {
     const std::lock_guard lock(mutex_);
     spare_.push_back(std::move(item));
   }
 
-  // For both: neither side continues, and items that wait are lost.
+  // For both: wakes the other side; from now on wait_for_place() and pop() return false, and
+  // waiting items are lost.
   void stop() {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
     changed_.notify_all();
   }
 
-  // How long the producer and the consumer have waited for each other since the last call.
+  // For any thread: how long the producer (first) and the consumer (second) have waited since the
+  // last call.
   std::pair<Duration, Duration> take_waits() {
     const std::lock_guard lock(mutex_);
     return {std::exchange(producer_waited_, {}), std::exchange(consumer_waited_, {})};

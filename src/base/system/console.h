@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Standard output carries data: a failed write is an error. Standard error carries messages: a
-// failed write is ignored.
+// Writes to the standard streams. Standard output carries data: a failed write is an error.
+// Standard error carries messages: a failed write is ignored.
 #pragma once
 
 #include <string_view>
 
 namespace polhode {
 
-// Replaces closed standard streams by ones that fail, so that no file opened later gets their
-// descriptor. main calls it once, before it opens any file.
+// If the program was started with a standard stream closed, opens /dev/null in its place so that
+// its use still fails. Otherwise a file opened later would get descriptor 0, 1 or 2 and receive
+// messages. main() calls it once, before it opens any file.
 void guard_standard_streams();
 
-// Writes the whole text to standard output. Throws Error (environment) if that fails. A reader that
-// has closed the pipe (`polhode schema | head`) is not an error.
+// Writes the whole text to standard output and flushes it. Throws Error (environment) if that
+// fails. If the program that reads the pipe has exited (`polhode schema | head`), the rest of the
+// text is dropped without an error.
 void print_out(std::string_view text);
 
-// Writes the text to standard error; failures are ignored.
+// Writes the text to standard error and flushes it; failures are ignored.
 void print_err(std::string_view text);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SIGINT, SIGTERM and SIGHUP set a flag that long computations poll, so that destructors clean up.
-// A second signal ends the process at once.
+// Ends the program cleanly on SIGINT, SIGTERM and SIGHUP: the first signal sets a flag that long
+// computations poll by stop_if_interrupted(), whose exception runs the destructors. A second signal
+// ends the process at once.
 #pragma once
 
 #include <chrono>
@@ -11,11 +12,13 @@ namespace polhode {
 // closer together than this count as one.
 inline constexpr std::chrono::milliseconds kSameKey{500};
 
-// Installs the handlers. Ignores SIGPIPE and SIGXFSZ, so that writes fail with an error code
-// instead. Signals within `same_key` of the first one are ignored.
+// Installs the handlers. Signals within `same_key` after the first one are ignored. SIGPIPE and
+// SIGXFSZ are ignored too, so that the writes that cause them fail with an error code instead.
+// main() calls it once; other values of `same_key` are for tests.
 void watch_for_interrupt(std::chrono::milliseconds same_key = kSameKey);
 
-// Throws Error (interrupted) if a signal has arrived. May be called from any thread.
+// Throws Error (interrupted) if a signal has arrived; from then on every call throws. May be called
+// from any thread.
 void stop_if_interrupted();
 
 }  // namespace polhode

@@ -11,18 +11,20 @@
 
 namespace polhode {
 
-// While lines are added, the whole file is rewritten atomically: with the first line, then at most
-// every two seconds, so call save() at the end. Not thread-safe. add() and save() throw Error as
+// The lines are kept in memory. add() also rewrites the whole file atomically: for the first line
+// added, then at most every two seconds. Call save() before an early end of the run, so that the
+// lines since the last rewrite are not lost. Not thread-safe. add() and save() throw Error as
 // write_file does.
 class KeptRows {
  public:
-  // `words`: one line that describes the job, the first of the file. Rows kept by a run with other
-  // words are ignored.
+  // Does not touch the file yet. `words`: one line that describes the job, with everything that its
+  // results depend on. It is the first line of the file; a file with another first line is ignored
+  // by load() and later overwritten.
   KeptRows(std::filesystem::path file, std::string words);
 
-  // Passes the lines of an earlier run to `take_up`, in order. The first line for which it returns
-  // false and all later ones are discarded. Does nothing if there is no file. Throws Error as
-  // read_file does.
+  // Passes the lines of an earlier run, without line breaks, to `take_up` in their order. The first
+  // line for which it returns false and all later ones are discarded. Does nothing if there is no
+  // file. Throws Error (input) as read_file does, and what `take_up` throws.
   void load(const std::function<bool(const std::string& line)>& take_up);
   // Appends a line, given without its line break.
   void add(const std::string& line);

@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// Shows warnings and errors, and with `verbose` also information. main calls it once.
+// Shows messages of the levels warning and error, and with `verbose` also those of the level info.
+// main() calls it once, before any other thread logs.
 void start_log(bool verbose);
 
 }  // namespace polhode

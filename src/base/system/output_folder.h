@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder whose files are replaced together.
+// An output folder whose files are replaced together, at the end of a run.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,25 @@
 namespace polhode {
 
 // Invariant: the files keep their old content until commit(), so a run that fails or is interrupted
-// changes none of them. The files are locked, so two runs cannot write the same folder.
+// before it changes none of them. The files are locked, so two runs cannot write the same folder.
 class OutputFolder {
  public:
-  // Creates the folder if needed and claims a file for each of `names`. Throws Error (input) as
-  // AtomicFile does, or naming `option` if the folder cannot be created.
+  // Creates the folder if needed and claims a file for each of `names` in it. Throws Error (input)
+  // as AtomicFile does, or with `option` as key if the folder cannot be created.
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");
-  // Writes one content per name, in the order of `names`. Throws Error (environment) as AtomicFile
-  // does.
+  // Writes one content per name, in the order of `names`, and gives each file its name as soon as
+  // it is written. Call it once. Throws Error (environment) if a file cannot be written; the files
+  // before it are then already replaced.
   void commit(const std::vector<std::string>& contents);
 
  private:
   std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
-// `asked`, or output/SCENE_what if that is empty, where SCENE is the file name of `scene` without
-// its ending.
+// The folder of a command's results: `asked`, or, if that is empty, output/SCENE_what, where SCENE
+// is the file name of `scene` without its ending ("output/top_chart" for top.toml and "chart").
 std::filesystem::path folder_or_default(const std::string& asked,
                                         const std::filesystem::path& scene,
                                         const std::string& what);

@@ -11,9 +11,10 @@
 
 namespace polhode {
 
-// Calls work(i) once for each i in [0, count), in no particular order, on `jobs` threads (0: one
-// per processor), of which the calling thread is one. After the first exception no further piece is
-// started, and the exception is rethrown here. `work` must be thread-safe.
+// Calls work(i) once for each i in [0, count), in no particular order, on at most `jobs` threads
+// (0: one per processor), of which the calling thread is one, and returns when all calls have
+// ended. `work` must be thread-safe. After the first exception no further call is started, and the
+// exception is rethrown here, on the calling thread.
 template <class Work>
 void parallel_for(long count, int jobs, const Work& work) {
   const long processors = std::max(1L, static_cast<long>(std::thread::hardware_concurrency()));

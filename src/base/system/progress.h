@@ -8,27 +8,29 @@
 
 namespace polhode {
 
+// How progress is shown: by a bar on one line, as one JSON object per line (docs/render.md has the
+// keys), or not at all. `automatic` is a bar on a terminal, and nothing elsewhere.
 enum class ProgressKind { automatic, bar, json, none };
 
-// The values of --progress: "auto", "bar", "json", "none".
+// The values of --progress, in the order of ProgressKind: "auto", "bar", "json", "none".
 const std::vector<std::string>& progress_names();
 
-// The kind of that name. Throws Error (input), naming --progress, for any other text.
+// The kind of that name. Throws Error (input), with --progress as key, for any other text.
 ProgressKind parse_progress(const std::string& text);
 
-// Prints at most ten times a second. `automatic` shows a bar on a terminal and nothing elsewhere.
-// Not thread-safe.
+// Prints how many things are done, their rate and the estimated time left, at most ten times a
+// second and when all are done. Not thread-safe.
 class Progress {
  public:
-  // `total` counts all `things` (a plural noun for the output); `there` of them were finished by an
-  // earlier run.
+  // `things`: plural noun for what is counted, as printed. `total`: number of all things. `there`:
+  // how many of them an earlier run has finished; they do not count in the rate.
   Progress(ProgressKind kind, int total, std::string things = "frames", int there = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `done` counts the things finished in this run. `limit` names the slowest stage; empty: there is
-  // only one.
+  // `done`: number of things finished in this run. `limit`: name of the stage that limits the
+  // speed, to print; empty: none is printed.
   void show(int done, const std::string& limit = "");
 
  private:

@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-// Created in TMPDIR, or else in /tmp. The destructor removes it with everything in it.
+// Owns a new folder in TMPDIR, or in /tmp if that is not set. The destructor removes it with
+// everything in it; failure is ignored.
 class ScratchFolder {
  public:
   // Throws Error (environment) if it cannot be created.
@@ -29,7 +30,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  // The path of a file in the folder.
+  // The path of a file of that name in the folder; the file need not exist.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opens a shared library at run time.
+// Opens a shared library at run time (dlopen), so that the program also starts where it is missing.
 #pragma once
 
 #include <dlfcn.h>
@@ -13,8 +13,9 @@ namespace polhode {
 // Invariant: the library is open and stays mapped until the process ends.
 class SharedLibrary {
  public:
-  // Opens the first of `names` that exists. Throws Error (environment) with the loader's message
-  // for the first name if there is none.
+  // Opens the first of `names` that can be loaded; a name without a slash is searched as the loader
+  // does. Throws Error (environment), with the loader's message about the first name, if none can
+  // be. At least one name.
   explicit SharedLibrary(const std::vector<std::string>& names) {
     std::string reason;
     for (const std::string& name : names) {
@@ -29,8 +30,9 @@ class SharedLibrary {
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  // The function `name`; `Function` is its type as declared in the library's header. Throws Error
-  // (environment) if the library does not have it.
+  // The function `name`, valid until the process ends. `Function` is its type as declared in the
+  // library's header; it is not checked. Throws Error (environment) if the library has no such
+  // function.
   template <class Function>
   Function* function(const char* name) const {
     void* address = dlsym(handle_, name);

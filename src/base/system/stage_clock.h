@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures wall time and processor time of the stages of a run, for the report.
+// Measures wall time and processor time of the stages of a run, for the report of a film.
 #pragma once
 
 #include <chrono>
@@ -9,16 +9,17 @@
 
 namespace polhode {
 
-// Time spent in one stage, in seconds. cpu_s covers the thread that ran the stage, plus helper
-// threads that are added later.
+// Time spent in one stage.
 struct StageTime {
-  double wall_s = 0.0;
-  double cpu_s = 0.0;
+  double wall_s = 0.0;  // s
+  double cpu_s = 0.0;   // s; of the thread that ran the stage, plus what is added for its helpers
 };
 
-// Adds the time between its construction and destruction, on one thread, to a StageTime.
+// Adds the time between its construction and its destruction, which must be on the same thread, to
+// a StageTime.
 class StageTimer {
  public:
+  // `stage` must outlive the timer.
   explicit StageTimer(StageTime& stage)
       : stage_(stage), wall_(Clock::now()), cpu_(thread_cpu_seconds()) {}
   ~StageTimer() {
@@ -41,17 +42,20 @@ class StageTimer {
   double cpu_;
 };
 
-// The ids of the threads of this process. The difference between the sets before and after a
-// library call is the threads that it started (rasteriser, encoder).
+// The ids (Linux tid) of the threads of this process; empty without /proc. The ids that appear
+// during a library call are the threads that it started (rasteriser, encoder).
 std::set<int> thread_ids();
 
-// Processor time of threads that may end before the last reading.
+// Measures the processor time of a set of threads of this process, also of threads that end before
+// the last reading. Not thread-safe.
 class ThreadClocks {
  public:
+  // `threads`: ids as from thread_ids().
   explicit ThreadClocks(const std::set<int>& threads);
-  // Reads the clocks of the threads that are still running.
+  // Reads the clocks of the threads that still run, since their start; those that have ended keep
+  // their last reading.
   void read();
-  // Processor seconds, summed over all threads, each at its last reading.
+  // Processor time in seconds, summed over all threads at their last readings; 0 before read().
   double total() const;
 
  private:

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A function attribute: compile a second copy for processors with wide vector registers.
+// A function attribute that makes GCC compile a second copy of the function for processors with
+// wide vector registers.
 #pragma once
 
-// The AVX2 copy gives the same bits as the default one, because it has no fused multiply-add. GCC
-// selects the copy at run time.
+// Write it in front of a function definition. On x86-64 the AVX2 copy runs if the processor has
+// AVX2, else the default one. Both give the same bits, because plain AVX2 has no fused
+// multiply-add. On other processors, and with AddressSanitizer, there is one copy only.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define POLHODE_WIDE_REGISTERS [[gnu::target_clones("avx2", "default")]]
 #else
