@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws charts of drawing settings: time per frame against the error of the picture.
+// Draws the charts of `chart --pictures`: error of the picture against time per frame, for
+// different drawing settings.
 #pragma once
 
 #include <string>
@@ -11,26 +12,28 @@ namespace polhode {
 
 // One measured drawing setting.
 struct PicturePoint {
-  std::string setting;
+  std::string setting;       // name, for the legend
   int samples = 0;           // OpenGL samples per drawn pixel; 0: one, without multisampling
-  int supersampling = 1;     // drawn width over finished width
-  double time_ms = 0.0;      // per frame, drawing and downsampling
+  int supersampling = 1;     // width of the drawn picture over that of the finished one
+  double time_ms = 0.0;      // per frame: composing, drawing and downsampling
   double rmse_levels = 0.0;  // root mean square difference from the best picture, levels of 0..255
-  int max_levels = 0;        // largest difference of a channel
+  int max_levels = 0;        // largest difference of a value from that picture, levels of 0..255
 };
 
 // The points of one scene.
 struct PicturePanel {
-  std::string scene;
-  std::string title;
+  std::string scene;  // short name, for the CSV table
+  std::string title;  // of the panel; plain text
   std::vector<PicturePoint> points;
 };
 
-// The bytes of a picture file with one panel per scene: error against time per frame, every point
-// labelled. Throws Error (environment) as draw_with_gnuplot does.
+// The bytes of a picture file with one panel per scene: RMS error (vertical) against time per
+// frame, both logarithmic, with the settings in a legend. Every panel needs at least one point.
+// Throws Error (environment) and (interrupted) as draw_with_gnuplot does.
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format);
 
-// The points as CSV: scene,setting,samples,supersampling,time_ms,rmse_levels,max_levels.
+// The points as CSV, one row each, with the header
+// scene,setting,samples,supersampling,time_ms,rmse_levels,max_levels.
 std::string picture_error_csv(const std::vector<PicturePanel>& panels);
 
 }  // namespace polhode

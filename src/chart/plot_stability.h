@@ -10,43 +10,47 @@
 
 namespace polhode {
 
-// One axis of a map: a key of the scene and its values, in the unit in which the scene spells the
-// key.
+// One axis of a map: a key of the scene and the values that the cells give it, in the unit in which
+// the scene spells the key.
 struct MapAxis {
-  std::string key;
-  double from = 0.1, to = 10.0;
-  int cells = 64;
+  std::string key;               // dotted path such as "numerics.step", or "spin", see StabilityJob
+  double from = 0.1, to = 10.0;  // values of the first and the last cell; from < to
+  int cells = 64;                // number of cells along the axis
 
-  // True if the values have equal ratios (both ends positive); else they have equal differences.
+  // True if neighbouring values have equal ratios, which is so if both ends are positive; else they
+  // have equal differences.
   bool logarithmic() const { return from > 0.0 && to > 0.0; }
   // The value of cell i, 0 <= i < cells.
   double at(int i) const;
 };
 
-// A point of a limit curve, in the values of the axes.
+// A point of a limit curve; x and y are values of the axes, in their units.
 struct LimitPoint {
   double x = 0.0, y = 0.0;
 };
 
-// The map of one method. Cell (column i, row j) is cells[j * x.cells + i].
+// The map of one method on one scene. The cell in column i and row j, both from 0, is cells[j *
+// x.cells + i]; it was run with the values x.at(i) and y.at(j).
 struct StabilityMap {
-  std::string scene;
-  std::string title;
-  std::string method;
-  std::string limit_words;        // the method's step limit, as text
-  std::vector<LimitPoint> limit;  // the limit as a curve; empty: theory gives none
+  std::string scene;              // short name, for the CSV table
+  std::string title;              // of the picture; plain text
+  std::string method;             // StepperInfo::name
+  std::string limit_words;        // StepperInfo::limit: the method's step limit as text, or empty
+  std::vector<LimitPoint> limit;  // that limit as a curve; empty: none is drawn
   std::vector<StabilityCell> cells;
 };
 
-// The bytes of a picture file with one map, or with several in a grid. All maps share the axes.
-// Throws Error (environment) as draw_with_gnuplot does.
+// The bytes of a picture file with one map, or with several in a grid: a colour per outcome, and
+// the limit as a dashed curve. At least one map, none null; all share the axes. Thread-safe. Throws
+// Error (environment) and (interrupted) as draw_with_gnuplot does.
 std::string plot_stability(const std::vector<const StabilityMap*>& maps,
                            const MapAxis& x,
                            const MapAxis& y,
                            PlotFormat format);
 
-// The cells as CSV: scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift. The verdict is
-// name_of() the outcome.
+// The cells as CSV, one row each, with the header
+// scene,method,x,y,verdict,error_rad,energy_drift,momentum_drift. The verdict is name_of(outcome);
+// unknown numbers are "nan".
 std::string stability_csv(const std::vector<StabilityMap>& maps,
                           const MapAxis& x,
                           const MapAxis& y);

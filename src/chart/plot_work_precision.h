@@ -10,23 +10,26 @@
 
 namespace polhode {
 
-// A scene and its points: one row of two panels.
+// A scene and its points; the chart shows it as a row of two panels.
 struct WorkPanel {
-  std::string scene;  // short name, for the CSV table
-  std::string title;
-  std::string reference;      // ReferenceSolution::source()
-  double accuracy_rad = 0.0;  // attitude error that the scene allows
-  std::string accuracy_why;   // where that comes from, such as "0.1 px of the picture"
-  std::vector<WorkPoint> points;
+  std::string scene;              // short name, for the CSV table
+  std::string title;              // of the row; plain text
+  std::string reference;          // ReferenceSolution::source()
+  double accuracy_rad = 0.0;      // attitude error that the scene allows
+  std::string accuracy_why;       // where that comes from: "0.1 px", or "accuracy"
+  std::vector<WorkPoint> points;  // method after method, as work_precision() returns them
 };
 
-// The bytes of a picture file: error against computing time and error over evaluations, log-log.
-// Each method has a colour and a symbol, the cheapest at each accuracy is labelled, and a line
-// shows the allowed error. Throws Error (environment) as draw_with_gnuplot does.
+// The bytes of a picture file: for each scene the largest attitude error (vertical) against
+// computing time, and beside it against evaluations, all logarithmic. Each method has a colour and
+// a symbol, the cheapest method at each accuracy is labelled, and a dashed line shows the allowed
+// error. Only points with the status "ok" and errors up to 10 rad are drawn. Throws Error
+// (environment) and (interrupted) as draw_with_gnuplot does.
 std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat format);
 
-// The points as CSV: scene,method,order,step,evaluations,time_us,error_rad,energy_drift,
-// momentum_drift,status.
+// The points as CSV, one row each, with the header
+// scene,method,order,step,evaluations,time_us,error_rad,energy_drift,momentum_drift,status (see
+// WorkPoint). Unknown numbers are "nan".
 std::string work_precision_csv(const std::vector<WorkPanel>& panels);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference solution that numerical runs are compared with.
+// The reference solution of a motion, with which numerical runs are compared, and its uncertainty.
 #pragma once
 
 #include <memory>
@@ -10,27 +10,33 @@
 
 namespace polhode {
 
-// The states at times spread over a motion, from the closed form or, if there is none, from two
-// accurate runs with methods of different kinds. Immutable.
+// The states at equally spaced times of a motion, from the closed form or, if there is none, from
+// two accurate runs with methods of different kinds. Immutable, so any thread may use it.
 class ReferenceSolution {
  public:
-  // duration in s. Throws Error (interrupted) only: if the runs fail, the uncertainty is infinite.
+  // Computes the states from t = 0 to `duration` (s). Throws Error (interrupted) only: if the runs
+  // fail, the uncertainty is infinite.
   ReferenceSolution(const BodyModel& model, const State& start, double duration);
 
   // Where it comes from, as text: "closed form (asymmetric)", "dop853 and kick_srkn11 agree".
+  // Without a usable reference the text begins with "nobody".
   const std::string& source() const { return source_; }
-  // The possible error of the reference itself, rad; infinite if the two runs disagree.
+  // The possible error of the reference itself, rad: an estimate of round-off for a closed form,
+  // else the largest deviation() between the two runs. Infinite, which means that the reference is
+  // unusable, if a run failed or they differ by more than 0.05 rad.
   double uncertainty() const { return uncertainty_; }
-  // Errors below this (rad) cannot be distinguished from that of the reference: ten times its
+  // Errors below this (rad) cannot be told from that of the reference itself: ten times its
   // uncertainty.
   double least_error() const { return 10.0 * uncertainty_; }
-  // The times (s), from 0 to the duration, and the states at these times.
+  // The 65 times (s), from 0 to the duration, and the states at these times (empty if the first run
+  // failed). Both are valid as long as this object.
   const std::vector<double>& times() const { return times_; }
   const std::vector<State>& states() const { return states_; }
   // The largest deviation() (motion/scales.h) of a run from the reference at these times, rad; NaN
-  // if one is NaN.
+  // if one is NaN. The run must cover the whole duration.
   double error_of(const Trajectory& run) const;
-  // The deviation() of a state from the reference at the end, rad.
+  // The deviation() of a state from the last state of the reference, rad. Requires a finite
+  // uncertainty.
   double error_at_end(const State& end) const;
 
  private:

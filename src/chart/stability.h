@@ -11,44 +11,50 @@
 
 namespace polhode {
 
-// How a run ends.
+// How a run ends. Which way a body points is the cosine between the upward vertical and the
+// direction from the fixed point to the centre of mass or, without a torque of gravity, between the
+// angular momentum and the principal axis to which it is closest at the start. It counts as
+// opposite if the signs differ and both cosines exceed 0.3 in size.
 enum class RunOutcome {
-  fine,
-  phase_wrong,    // error above the allowed one, with the right kind of motion
-  flips_wrongly,  // the axis points the opposite way from the reference
-  energy_grows,   // energy rises by more than 2% of its scale
-  energy_decays,  // energy falls by more than that
-  solver_failed,  // an implicit step has no solution
-  not_a_number,
+  fine,           // the error is within the allowed one
+  phase_wrong,    // too large an error, but none of the failures below
+  flips_wrongly,  // at some time the body points the opposite way from the reference
+  energy_grows,   // too large an error; the energy has risen by more than 2% of its scale
+  energy_decays,  // too large an error; the energy has fallen by more than 2% of its scale
+  solver_failed,  // the equations of an implicit step have no solution
+  not_a_number,   // the state became NaN or infinite
 };
-inline constexpr int kRunOutcomes = 7;
+inline constexpr int kRunOutcomes = 7;  // number of outcomes
 
-// "fine", "phase_wrong", and so on.
+// The name as it is spelled above: "fine", "phase_wrong", and so on.
 const char* name_of(RunOutcome outcome);
-// The outcome of that name. Throws Error (input), without a key, for any other text.
+// The outcome of that name. Throws Error (input), without a place, for any other text.
 RunOutcome parse_run_outcome(const std::string& name);
 
 // A motion to test methods on, with its reference solution.
 struct StabilityProblem {
+  // Computes the reference; `duration` in s. Throws Error (interrupted).
   StabilityProblem(const BodyModel& model, const State& start, double duration);
 
   BodyModel model;
   State start;
-  double duration;  // s
+  double duration;  // s, from t = 0
   ReferenceSolution reference;
 };
 
-// The result of one run. Unknown numbers are NaN.
+// The result of one run. Drifts are relative, see Drift in motion/trajectory.h. Unknown numbers are
+// NaN: all if the run failed, drifts also if the loads do not conserve the quantity.
 struct StabilityCell {
   RunOutcome outcome = RunOutcome::fine;
-  double error_rad = 0.0;
-  double energy_drift = 0.0;    // signed; relative as in motion/trajectory.h
-  double momentum_drift = 0.0;  // relative as there
+  double error_rad = 0.0;       // largest deviation() from the reference; NaN without a usable one
+  double energy_drift = 0.0;    // largest Drift::energy, with the sign of the drift at the end
+  double momentum_drift = 0.0;  // largest Drift::momentum
 };
 
-// Runs the method with steps h (s) over the whole motion. The outcome is `fine` if the attitude
-// error stays below allowed_rad or, without a usable reference, if energy and momentum drift by at
-// most 1e-3. Throws Error (interrupted) only. Thread-safe.
+// Runs the method with fixed steps h (s) over the whole motion and looks at it at the times of the
+// reference. The outcome is `fine` if the deviation never exceeds allowed_rad or, without a usable
+// reference, if energy and momentum drift by at most 1e-3. A run whose energy drift exceeds 1e6 is
+// ended as energy_grows. Throws Error (interrupted) only. Thread-safe.
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,

@@ -13,23 +13,25 @@ namespace polhode {
 
 // One run of a method. Unknown numbers are NaN.
 struct WorkPoint {
-  std::string method;
-  int order = 0;
-  double step = 0.0;  // s; for adaptive methods the tolerance
-  long evaluations = 0;
-  double time_us = 0.0;         // for the whole trajectory, median of repeated runs
-  double error_rad = 0.0;       // largest deviation from the reference
-  double energy_drift = 0.0;    // relative as in motion/trajectory.h
-  double momentum_drift = 0.0;  // the same
-  // "ok"; "below_judge": the error is below ReferenceSolution::least_error(); "no_judge": there is
-  // no usable reference; "no_solution" or "not_a_number": why the run failed.
+  std::string method;           // StepperInfo::name
+  int order = 0;                // of the method
+  double step = 0.0;            // s; for adaptive methods the tolerance (relative)
+  long evaluations = 0;         // as counted by Work in motion/stepper.h; 0 if the run failed
+  double time_us = 0.0;         // microseconds for the whole motion, median of repeated runs
+  double error_rad = 0.0;       // largest deviation() from the reference
+  double energy_drift = 0.0;    // largest Drift::energy of the run (motion/trajectory.h)
+  double momentum_drift = 0.0;  // largest Drift::momentum of the run
+  // "ok"; "below_judge": the error is below ReferenceSolution::least_error(), so it is not known
+  // exactly; "no_judge": there is no usable reference; "no_solution" (an implicit step has no
+  // solution, or a tolerance cannot be reached) or "not_a_number": the run failed.
   std::string status;
 };
 
+// The status of points with a known error, and of those with an error below the reference's own.
 inline constexpr const char* kPointOk = "ok";
 inline constexpr const char* kPointBelowReference = "below_judge";
 
-// A motion to test methods on.
+// A motion to test methods on, from t = 0.
 struct WorkProblem {
   BodyModel model;
   State start;
@@ -38,25 +40,29 @@ struct WorkProblem {
 
 // How long and how far to measure.
 struct WorkOptions {
-  double least_work_s = 5e-3;       // least time measured per point, s
-  double most_run_s = 0.05;         // s; refinement ends when a run takes longer
-  bool judge_the_end_only = false;  // compare the last state only
-  // called after each point, for progress
+  double least_work_s = 5e-3;       // s; each point is timed at least this long in total
+  double most_run_s = 0.05;         // s; no finer steps are tried once a run takes longer
+  bool judge_the_end_only = false;  // true: error_rad is the deviation at the end only
+  // called after each point, on the same thread, for example to show progress
   std::function<void()> after_point = [] {
   };
 };
 
 // The points of a method, from steps that are too coarse to be useful down to steps where round-off
-// dominates. Throws Error (interrupted), and (input) as the integrations do.
+// dominates. `reference` must be that of `problem`. A run that fails is a point with its status,
+// not an error. Throws Error (interrupted), and (input) as integrate_fixed and integrate_adaptive
+// do. The times are only right if nothing else uses the processor.
 std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkProblem& problem,
                                       const ReferenceSolution& reference,
                                       const WorkOptions& options = {});
 
-// The fastest of the points with a known error of at most `error_rad`; null if there is none.
+// The fastest of the points with the status "ok" or "below_judge" and an error of at most
+// `error_rad`; null if there is none. It points into `points`.
 const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error_rad);
 
-// The median time of one call of `run`, us. It is repeated for at least `least_work_s` seconds.
+// The median time of one call of `run`, in microseconds, over at least three batches of calls that
+// take at least `least_work_s` seconds in total. Throws what `run` throws.
 double median_time_us(const std::function<void()>& run, double least_work_s);
 
 }  // namespace polhode
