@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last line on stderr of render, join and preview.
+// The last line that render, join and preview write to stderr: what was made, and how fast.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,17 @@
 
 namespace polhode {
 
-// "film.mp4: 600 frames in 12.3 s (48.8 frames/s)".
+// The line as text, without line break: "film.mp4: 600 frames in 12.3 s (48.8 frames/s)".
+// `seconds`: wall time of the run; the rate counts the frames of this run only.
 std::string closing_line(const Made& made, double seconds);
 
-// The same as one JSON object: the keys of a JSON progress line, plus output and seconds.
+// The line as one JSON object: the keys of a line of `--progress json` (base/system/progress.h),
+// plus "output", "frames" and "seconds". `seconds` as above.
 std::string closing_json(const Made& made, double seconds);
 
-// Runs `make`, then prints the line in the form that the options ask for (nothing with --quiet).
-// Returns the exit code 0. Throws what `make` throws, and Error (input) naming --progress.
+// Runs `make`, measures its time, and prints the line in the form that the options ask for (none
+// with --quiet). Returns the exit code 0. Throws what `make` throws, and before it Error (input),
+// with --progress as key, for an unknown kind of progress.
 int make_and_tell(const ProgressOptions& options, const std::function<Made()>& make);
 
 }  // namespace polhode

@@ -10,22 +10,25 @@
 
 namespace polhode {
 
-// Runs a command after its options have been parsed; returns the exit code. Throws Error.
+// Runs a command after its options have been parsed, and returns the exit code of the process. It
+// owns the variables into which the options are parsed. Throws Error.
 using Action = std::function<int()>;
 
-// To add one: see ARCHITECTURE.md.
+// A row of the table. To add one: see ARCHITECTURE.md.
 struct Command {
-  const char* name;
-  const char* doc;
-  const char* example;  // the shortest useful example
-  // adds the options to the subcommand and returns what to run after parsing
+  const char* name;     // as typed after `polhode`
+  const char* doc;      // one phrase, for --help and the manual page
+  const char* example;  // the shortest useful call
+  // adds the options to the subcommand `command` and returns what to run after parsing; does not
+  // run anything itself
   Action (*define)(CLI::App& command);
 };
 
 // All commands, in the order of --help.
 const std::vector<Command>& commands();
 
-// The `define` functions of the table.
+// The `define` functions of the table, one per command; each has its file in cli/commands/, except
+// that small commands share one.
 Action define_render(CLI::App& command);
 Action define_join(CLI::App& command);
 Action define_verify(CLI::App& command);
@@ -43,7 +46,7 @@ Action define_doctor(CLI::App& command);
 Action define_manual(CLI::App& command);
 Action define_completion(CLI::App& command);
 
-// The actions of `golden`: run, update, show.
+// The values of the argument ACTION of `golden`: run, update, show.
 std::vector<std::string> golden_actions();
 
 }  // namespace polhode

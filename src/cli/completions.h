@@ -8,7 +8,8 @@
 
 namespace polhode {
 
-// The script for a shell. `program` must have all its commands.
+// The completion script for bash, and that for zsh. `program` must already have all its subcommands
+// with their options.
 std::string bash_completion(const CLI::App& program);
 std::string zsh_completion(const CLI::App& program);
 

@@ -8,10 +8,10 @@
 
 namespace polhode {
 
-// polhode(1) in man(7) macros. `program` must have all its commands.
+// The page polhode(1), in man(7) macros. `program` must already have all its subcommands.
 std::string program_man_page(const CLI::App& program);
 
-// polhode-COMMAND(1).
+// The page polhode-COMMAND(1). `command`: one of the subcommands of `program`, with its options.
 std::string command_man_page(const CLI::App& program, const CLI::App& command);
 
 }  // namespace polhode

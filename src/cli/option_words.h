@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The allowed values of options, taken from the tables that define them, for help and completions.
+// The allowed values of options, taken from the tables that define them, for manual pages and shell
+// completions.
 #pragma once
 
 #include <string>
@@ -7,12 +8,13 @@
 
 namespace polhode {
 
-std::vector<std::string> backend_words();   // of --backend
-std::vector<std::string> codec_words();     // of --codec
-std::vector<std::string> document_words();  // of `lecture --to`
-std::vector<std::string> method_words();    // of --method and --methods
-std::vector<std::string> preset_words();    // of --preset
-std::vector<std::string> progress_words();  // of --progress
-std::vector<std::string> quality_words();   // of --quality
+// The values of one option each, in the order of their table.
+std::vector<std::string> backend_words();   // --backend
+std::vector<std::string> codec_words();     // --codec
+std::vector<std::string> document_words();  // --to of `lecture`
+std::vector<std::string> method_words();    // --methods; --method also takes "auto" and "exact"
+std::vector<std::string> preset_words();    // --preset
+std::vector<std::string> progress_words();  // --progress
+std::vector<std::string> quality_words();   // --quality
 
 }  // namespace polhode

@@ -15,58 +15,69 @@
 
 namespace polhode {
 
-// Add an option. `names` is in CLI11's form, "-o,--output"; errors use the last name. `target` must
-// outlive parsing; it is not changed if the option is absent, and the last of several values
-// counts. Parsing throws Error (input), naming the option, for text that is not a finite number,
-// and for empty text.
+// The next four functions add an option with one value to `command`, which owns the returned
+// option. `names` is in CLI11's form, "-o,--output"; errors use the last name as key. `doc` is the
+// phrase for --help. `target` must outlive parsing; it is not changed if the option is absent, and
+// if the option is given several times, the last value counts. Parsing throws Error (input), with
+// the option as key, for a value that `target` cannot take.
+
+// The value is any finite number.
 CLI::Option* add_number(CLI::App& command,
                         const std::string& names,
                         std::optional<double>& target,
                         const std::string& doc);
+// The value is an integer that fits an int; "2.0" is one too.
 CLI::Option* add_whole_number(CLI::App& command,
                               const std::string& names,
                               std::optional<int>& target,
                               const std::string& doc);
+// The value is any text that is not empty. The value of `target` now is shown as the default.
 CLI::Option* add_text(CLI::App& command,
                       const std::string& names,
                       std::string& target,
                       const std::string& doc);
+// The value is any text that is not empty; no default is shown.
 CLI::Option* add_text(CLI::App& command,
                       const std::string& names,
                       std::optional<std::string>& target,
                       const std::string& doc);
 
-// The positional argument for a scene file.
+// Adds the required positional argument SCENE, one scene file. `scene` must outlive parsing.
 void add_scene(CLI::App& command, std::filesystem::path& scene);
 
-// The positional arguments for one or more scene files.
+// Adds the required positional arguments SCENE, one or more scene files. `scenes` must outlive
+// parsing.
 void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes);
 
 // The values of --progress and --quiet.
 struct ProgressOptions {
-  std::string progress = "auto";
-  bool quiet = false;
+  std::string progress = "auto";  // one of progress_names(), not yet checked
+  bool quiet = false;             // no progress and no closing line
 };
-// Adds --progress and --quiet.
+// Adds --progress and --quiet. `options` must outlive parsing.
 void add_progress(CLI::App& command, ProgressOptions& options);
-// Adds only --quiet, for commands with a closing line but without progress.
+// Adds only --quiet, for commands with a closing line but without progress. `options` must outlive
+// parsing.
 void add_quiet(CLI::App& command, ProgressOptions& options);
-// The kind of progress to show. Throws Error (input), naming --progress.
+// The kind of progress to show: none with --quiet. Throws Error (input), with --progress as key,
+// for an unknown kind, also with --quiet.
 ProgressKind progress_of(const ProgressOptions& options);
 
-// Adds --method, --step, --tolerance and --accuracy.
+// Adds --method, --step, --tolerance and --accuracy. `overrides` must outlive parsing;
+// load_with_overrides() checks the values.
 void add_numerics_options(CLI::App& command, Overrides& overrides);
 
-// The values of --max, --fraction, --limit, --ssim and --flip.
+// The values of --max, --fraction, --limit, --ssim and --flip, with the meaning of the members of
+// Thresholds (image/verdict.h). Absent: not given.
 struct ThresholdOptions {
-  std::optional<int> max, limit;  // levels of 255
+  std::optional<int> max, limit;  // levels of 0..255
   std::optional<double> fraction, ssim, flip;
 };
-// Adds these options.
+// Adds these options. `given` must outlive parsing.
 void add_thresholds(CLI::App& command, ThresholdOptions& given);
 
-// The default thresholds with the given values in their place. Throws Error as check_thresholds
-// does.
+// The given values, and the defaults of Thresholds for those that were not given. Throws Error
+// (input), with the option as key, for a value out of range, as check_thresholds does.
 Thresholds thresholds_of(const ThresholdOptions& given);
 
 }  // namespace polhode
