@@ -15,31 +15,37 @@ namespace polhode {
 
 // The run of one method of numerics.compare.
 struct Contender {
-  std::string method;
+  std::string method;  // as in numerics.compare: a stepper, or "exact"
   SimulationReport report;
-  Motion motion;
-  double end = 0.0;     // s: end of the motion; the whole duration unless the method failed
+  Motion motion;        // stands still after `end`
+  double end = 0.0;     // s of motion: how far the method came; the whole duration unless it failed
   std::string failure;  // why it failed; empty: it did not
-  // s: time of the first frame whose error exceeds the allowed one
+  // s of motion: the first frame with an attitude error over the allowed one or, without a
+  // reference motion, with a drift over kTrustedDrift; absent: there is none
   std::optional<double> untrusted_from;
 };
 
-// All methods of numerics.compare, compared with `truth` every frame_s (s of motion). Immutable, so
-// any thread may use it.
+// The runs of all methods of numerics.compare, and the reference motion that they are compared
+// with: the closed form or, if there is none, a run with a thousandth of the allowed error.
+// Immutable, so any thread may use it.
 class Comparison {
  public:
-  // Throws Error (input), with the line of numerics.compare, for a method that cannot handle the
-  // scene. A run that fails is not an error, see Contender::failure.
+  // Computes all runs. `truth` is the solved scene; frame_s is the time between frames, s of
+  // motion. Throws Error (input), with the line of numerics.compare, for a method that cannot
+  // handle the scene, and (interrupted). A run that fails is not an error, see Contender::failure.
   Comparison(const Solved& truth, double frame_s);
 
+  // In the order of numerics.compare; valid as long as this object.
   const std::vector<Contender>& contenders() const { return contenders_; }
-  // The attitude error of a contender at t (s), rad; absent without a reference motion.
+  // The attitude error of a contender at t (s of motion), rad; at its end for later t. Absent
+  // without a reference motion.
   std::optional<double> attitude_error(const Contender& one, double t) const;
-  // The notes in its panel at t (s).
+  // The notes in the panel of a contender at t (s of motion): method, step or tolerance, drifts,
+  // error, and a stamp from when the motion has ended or cannot be trusted.
   PanelNotes notes(const Contender& one, double t) const;
   // The number of lines of notes(), including the stamp.
   static constexpr int kNoteLines = 5;
-  // The value of "compare" in the report of a film: one row per method.
+  // The value of "compare" in the report of a film: a list with one object per method.
   Json report() const;
 
  private:

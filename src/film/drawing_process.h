@@ -15,8 +15,10 @@ namespace polhode {
 // ends first, and this object reaps it. Not thread-safe.
 class DrawingProcess {
  public:
-  // Forks. The child calls open(), renders `frames` in their order, and exits. Throws Error
-  // (environment) if memory or process cannot be created.
+  // Forks. The child, in which only the calling thread lives on, calls open(), renders the frames
+  // with the numbers `frames` in this order, and exits. `size` is that of the frames. The arguments
+  // are not kept by the parent. Throws Error (environment) if shared memory or process cannot be
+  // created.
   DrawingProcess(PictureSize size,
                  const std::vector<int>& frames,
                  const std::function<std::unique_ptr<FrameRenderer>()>& open);
@@ -24,12 +26,14 @@ class DrawingProcess {
   DrawingProcess(const DrawingProcess&) = delete;
   DrawingProcess& operator=(const DrawingProcess&) = delete;
 
-  // The renderer of the child; waits until it is open. Throws Error as next() does.
+  // What the child draws with. Waits until the child's renderer is open; valid as long as this
+  // object. Throws Error as next() does.
   const RendererInfo& info();
-  // Gets the next of `frames`. Throws the child's Error, Error (environment) if it was killed,
-  // (interrupted).
+  // Waits for the next of `frames` and copies it into `image`, which is resized if needed. Call it
+  // once per frame. Throws the Error that ended the child, Error (environment) if the child was
+  // killed, and (interrupted).
   void next(Image& image);
-  // The child's times, up to the last frame read.
+  // The child's drawing times, up to the last frame that next() has read.
   const DrawingTimes& times() const { return times_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds file and line to errors that only know the key of the scene.
+// Adds file and line, or the option concerned, to errors that only know the key of the scene.
 #pragma once
 
 #include "base/error.h"
@@ -7,11 +7,12 @@
 
 namespace polhode {
 
-// The error with its key replaced by file and line, or by the option that has overridden the key.
-// Errors without a key or with a file are returned unchanged.
+// The error with file and line of its key added or, if an option has overridden the value of that
+// key, with the option instead of the key. Errors without a key or with a file are returned
+// unchanged.
 Error placed(const Scene& scene, const Error& error);
 
-// Runs `work` and rethrows its Errors as placed().
+// Returns work(). An Error that it throws is rethrown as placed(); other exceptions pass unchanged.
 template <class Work>
 auto with_place(const Scene& scene, const Work& work) {
   try {

@@ -9,9 +9,10 @@
 
 namespace polhode {
 
-// Key frames at the begin and end of pauses and at chapters; a chapter for each story step with a
-// pause or a caption and for each named shot; one caption per story step that has one. Frame
-// numbers count from the first of `frames`. `story` is the scene's story with its captions.
+// The metadata: key frames at the beginning and end of pauses and at chapters; a chapter for each
+// story step with a pause or a caption and for each named shot; one caption per story step that has
+// one. Frame numbers count from the first of `frames`. `story` is the scene's story with its
+// captions, which `scene` itself lacks if the picture shows no text.
 FilmMetadata film_metadata(const Scene& scene,
                            const std::vector<StoryStep>& story,
                            const FrameTimes& frames);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the plots of show.plots beside the picture, once, with gnuplot.
+// Draws the plots of show.plots, which stand to the right of the body, once per film with gnuplot.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace polhode {
 
-// The fraction of the picture's width that plots take on the right; 0 without plots.
+// The fraction (0..1) of the picture's width that plots take on the right; 0 without plots.
 double width_of_plots(const ShowSpec& show);
 
-// The plots of show.plots, one below the other. Throws Error (environment) if gnuplot is missing or
-// fails.
+// The plots of show.plots over the whole motion, one below the other in the order of the list;
+// empty if there are none. Throws Error (environment) if gnuplot is missing or fails, and
+// (interrupted).
 std::vector<FilmPlot> make_plots(const Solved& solved);
 
 }  // namespace polhode

@@ -8,21 +8,22 @@
 
 namespace polhode {
 
-// Time spent on drawing, summed over processes.
+// Time spent on drawing, summed over processes, so wall times may exceed that of the run.
 struct DrawingTimes {
-  StageTime compose;  // making draw lists
-  RenderTimes render;
+  StageTime compose;   // making draw lists
+  RenderTimes render;  // turning them into pixels
 };
 
-// Renders frames of a film. A frame has the same pixels wherever it is rendered. Use it on one
-// thread.
+// Renders frames of a film. A frame has the same pixels wherever it is rendered. Use and destroy it
+// on the thread that has opened it: there its OpenGL context is current.
 class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
-  // Renders frame `index` of the film into `image`, which is resized if needed. Throws Error
-  // (environment) and (interrupted).
+  // Renders frame `index` (0 is the first of FrameTimes) into `image`, which is resized if needed.
+  // Throws Error (environment) if drawing fails, and (interrupted).
   virtual void render(int index, Image& image) = 0;
-  // What draws.
+  // Back end and OpenGL that draw. Throws Error as render() does, if a worker process could not
+  // open them. Valid as long as the renderer.
   virtual const RendererInfo& info() const = 0;
   // Time spent so far.
   virtual DrawingTimes times() const = 0;

@@ -12,31 +12,33 @@ namespace polhode {
 
 // The part of the motion that a film shows, in seconds of motion.
 struct TimeRange {
-  std::optional<double> from, to;  // absent: start, end of the motion
+  std::optional<double> from, to;  // absent: start and end of the motion
   std::optional<double> still;     // time of a single picture; absent: `from`
-  bool one_picture = false;
+  bool one_picture = false;        // true: a single picture, at `still`; `to` is not used
 };
 
-// The times of the frames: frame i shows the film at the time first + i / rate.
+// The times of the frames. Film time counts from the start of the whole film, motion time from the
+// start of the motion; `timeline` converts between them.
 struct FrameTimes {
   Timeline timeline;
-  double first = 0.0;  // s of film
-  double rate = 60.0;  // frames per s of film
-  int count = 1;
-  double from = 0.0, to = 0.0;    // s of motion
-  std::optional<Loop> loop = {};  // of a looping film
+  double first = 0.0;             // s of film: time of frame 0
+  double rate = 60.0;             // frames per second of film
+  int count = 1;                  // number of frames
+  double from = 0.0, to = 0.0;    // s of motion: what the frames cover
+  std::optional<Loop> loop = {};  // how well a looping film closes; absent: it does not loop
 
-  // The time of a frame, s of film.
+  // The film time (s) that a frame shows; the first frame has the index 0.
   double film_time(int index) const { return first + index / rate; }
 };
 
-// Checks what can be checked before the motion is computed. Throws Error (input) naming --from,
-// --to or --still for a time outside the motion or in the wrong order, and without a key for too
-// many frames.
+// Checks what can be checked before the motion is computed. Throws Error (input) with --from, --to
+// or --still as key for a time outside the motion or in the wrong order, and without a place for
+// more than 1e7 frames.
 void check_time_range(const Scene& scene, const TimeRange& range);
 
-// The frame times of a range that check_time_range accepts. Throws Error (input) naming story[i].at
-// for a step after the end, and without a key for too many frames.
+// The frame times of a range that check_time_range accepts. A looping film ends where the motion is
+// back at its start, so `range` is cut off there. Throws Error (input) with story[i].at as key for
+// a step after the end of the motion, and without a place for more than 1e7 frames.
 FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range);
 
 }  // namespace polhode

@@ -10,19 +10,21 @@
 
 namespace polhode {
 
-// Absent values: the scene's own are used.
+// The values; those that are absent are taken from the scene.
 struct Overrides {
-  std::optional<std::string> method;
+  std::optional<std::string> method;    // a stepper, "exact" or "auto"
   std::optional<double> step;           // s
-  std::optional<double> tolerance;      // relative, of adaptive methods
-  std::optional<std::string> accuracy;  // "0.1px" or radians
-  std::optional<std::string> size;      // "1920x1080"
-  std::optional<std::string> fps;       // "60" or "30000/1001"
+  std::optional<double> tolerance;      // relative local error per step, of adaptive methods
+  std::optional<std::string> accuracy;  // of the attitude: "0.1px", or radians "1e-6"
+  std::optional<std::string> size;      // pixels, "1920x1080"
+  std::optional<std::string> fps;       // frames per second, "60" or "30000/1001"
   bool loop = false;                    // true: end the film where the motion is back at its start
 };
 
-// Loads a scene and applies the overrides. Throws Error (input) with file, line and key as
-// load_scene does, or naming the option (--method, --step, --size, ...).
+// Loads a scene and applies the overrides. A method also removes numerics.compare and, if it is not
+// the scene's own, the scene's step and tolerance. Scene::options records which options have
+// replaced a key. Throws Error (input) as load_scene does, and with the option (--method, --step,
+// --tolerance, --accuracy, --size, --fps) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

@@ -12,27 +12,32 @@
 
 namespace polhode {
 
-// The motion, the frame times, and what each frame shows. Immutable. Invariant: it has not opened
-// OpenGL or fonts and has no running threads, so a process may fork and render from its copy.
+// The motion, the frame times, and what each frame shows. Immutable; what its members return is
+// valid as long as it lives. Invariant: the constructor opens neither OpenGL nor fonts and leaves
+// no threads, so a process may then fork and render from its copy.
 class PreparedFilm {
  public:
-  // Computes the motion. Throws Error as solve, plan_frame_times, Comparison, make_plots and
-  // make_film do.
+  // Computes everything; `plan` is not kept. Throws Error as solve, plan_frame_times, Comparison,
+  // make_plots and make_film do, with file and line of the scene.
   explicit PreparedFilm(const RenderPlan& plan);
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;
 
+  // The scene with its model and its motion.
   const Solved& solved() const { return solved_; }
+  // The times of the frames.
   const FrameTimes& frames() const { return frames_; }
+  // What is to be seen, as a function of film time.
   const Film& film() const { return *film_; }
-  const Comparison* comparison() const { return comparison_.get(); }  // may be null
+  // The runs of numerics.compare; null if no methods are compared.
+  const Comparison* comparison() const { return comparison_.get(); }
 
-  // Logs warnings about the film: missing fonts, open loops, camera, apparent backward rotation. It
-  // opens fonts, so call it after any fork.
+  // Logs warnings about the film: missing fonts, a loop that does not close, a camera that sees
+  // nothing, a body that seems to turn backwards. It opens fonts, so call it after any fork.
   void warn() const;
 
-  // How long the shutter is open (s of film), and the number of pictures that a frame averages over
-  // that time.
+  // How long the shutter is open for each frame (s of film; 0: an instant), and the number of
+  // pictures (at least 1), equally spaced over that time, whose average is the frame.
   double shutter_s() const { return shutter_s_; }
   int moments() const { return moments_; }
 

@@ -18,68 +18,72 @@ namespace polhode {
 
 // A value of --quality: named settings of picture and encoder.
 struct Quality {
-  std::string name;
-  std::string doc;
+  std::string name;              // "draft", "lecture" or "archive"
+  std::string doc;               // one phrase: its purpose
   int shrink = 1;                // divides the sides of the picture
-  std::string preset;            // effort, one of encoder_presets()
+  std::string preset;            // effort of the encoder, one of encoder_presets()
   Grade grade = Grade::lecture;  // selects the codec's constant rate factor and pixel format
 };
 // All values of --quality.
 const std::vector<Quality>& qualities();
 
-// The options of `render` as the user gave them.
+// The options of `render` as the user gave them, not yet checked.
 struct RenderJob {
   std::filesystem::path scene;
-  std::string output;  // empty: output/SCENE.mp4
+  std::string output;  // see sink_kinds(); empty: output/SCENE.mp4, or .png with `still`
   Overrides overrides;
   std::optional<double> from;   // s of motion; absent: 0
   std::optional<double> to;     // s of motion; absent: the end
-  std::optional<double> still;  // s of motion: make a single picture
-  std::string quality = "lecture";
-  std::optional<std::string> codec;
-  std::optional<std::string> preset;
-  std::optional<int> crf;
-  std::string backend = "auto";
-  bool transparent = false;
-  int jobs = 1;                      // processes that draw
-  bool resume = false;               // work in segments, and continue an earlier run
-  std::optional<std::string> shard;  // "K/N"
-  bool text = true;                  // false: no labels, clock, title or caption
-  std::string report;                // file for the JSON report; empty: none
+  std::optional<double> still;  // s of motion: make a single picture; absent: a film, unless the
+                                // output is a .png without a number in its name
+  std::string quality = "lecture";    // one of qualities()
+  std::optional<std::string> codec;   // "h264", ...; absent: the default of the format
+  std::optional<std::string> preset;  // one of encoder_presets(); absent: that of the quality
+  std::optional<int> crf;             // constant rate factor; absent: that of the quality
+  std::string backend = "auto";       // for open_context()
+  bool transparent = false;           // without background
+  int jobs = 1;                       // processes that draw, 1 to 64
+  bool resume = false;                // work in segments, and continue an earlier run
+  std::optional<std::string> shard;   // "K/N": make the K-th of N parts only; absent: everything
+  bool text = true;                   // false: no labels, clock, title or caption
+  std::string report;                 // file for the JSON report, "-": stdout; empty: none
   ProgressKind progress = ProgressKind::automatic;
 };
 
 // How frames are rendered.
 struct RenderSetup {
   std::string backend = "auto";  // for open_context()
-  bool transparent = false;
-  int jobs = 1;  // processes that render; 1: the calling thread renders
+  bool transparent = false;      // the background has alpha 0
+  int jobs = 1;                  // processes that render; 1: the calling thread renders
 };
 
 // A film to be made.
 struct RenderPlan {
   Scene scene;                   // with the options applied
-  std::vector<StoryStep> story;  // with its captions, even if the picture shows no text
+  std::vector<StoryStep> story;  // of the scene, with captions even if the picture shows no text
   TimeRange range;               // part of the motion
   SinkJob sink;                  // output and encoder
-  std::optional<Shard> shard;    // absent: the whole film
-  bool resume = false;
-  bool text = true;
+  std::optional<Shard> shard;    // part of the film to make; absent: the whole film
+  bool resume = false;           // work in segments, and continue an earlier run
+  bool text = true;              // false: the picture shows no text
   RenderSetup setup;
 };
 
-// The job for make_sink() for a film of that scene: size, rate, title and comment.
+// The job for make_sink() for a film of that scene: the arguments, and size, rate, title and
+// comment from the scene.
 SinkJob sink_of(const Scene& scene,
                 const std::string& output,
                 const EncoderSettings& encoder,
                 bool transparent,
                 bool still);
 
-// The comment in the container of a whole film: version of the program and hash of the scene.
+// The comment in the container of a whole film: "polhode VERSION, scene HASH".
 std::string film_comment(const std::string& version, const std::string& scene_hash);
 
-// Makes the plan. Throws Error (input) as load_with_overrides, check_time_range, settle_encoder and
-// find_sink_kind do, and naming --quality, --still, --shard, --resume or --jobs.
+// Loads the scene and makes the plan. Without job.output it creates the folder output/. Throws
+// Error (input) as load_with_overrides, check_time_range, settle_encoder and find_sink_kind do, and
+// with --quality, --still, --shard, --resume or --jobs as key for values that are invalid or do not
+// suit the output; (environment) as settle_encoder does.
 RenderPlan plan_render(const RenderJob& job);
 
 }  // namespace polhode

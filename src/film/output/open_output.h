@@ -13,17 +13,21 @@
 
 namespace polhode {
 
-// `plan` must outlive the output. with_hashes: keep the hash of every frame. Throws Error as
-// make_sink does.
+// Opens the output, which claims its files before any work is done. `plan` must outlive it.
+// `with_hashes`: keep frame_hash() of every frame, for RenderOutput::hashes(). Throws Error (input)
+// and (environment) as make_sink and, for plan.resume, FilmJoiner do.
 std::unique_ptr<RenderOutput> open_output(const RenderPlan& plan, bool with_hashes);
 
-// Renders all of output.frames() into its sink and finishes it. on_frame and errors as in
-// run_pipeline.
+// Renders all of output.frames() with `renderer`, on the calling thread, into output.sink(), on a
+// second thread, and finishes the sink. Call it after output.begin(). `on_frame` is called on the
+// calling thread after each frame. Throws Error as `renderer` and the sink do, and (interrupted),
+// after RenderOutput::explained().
 void render_frames(RenderOutput& output,
                    FrameRenderer& renderer,
                    const std::function<void(const PipelineStep&)>& on_frame);
 
-// The name of the slowest stage at the moment, for the progress bar.
+// The name of the stage that limits the speed at that step, for Progress::show(): "drawing",
+// "encoding", or "writing" for outputs without an encoder.
 std::string limiting_stage(const RenderPlan& plan, const PipelineStep& step);
 
 }  // namespace polhode

@@ -12,7 +12,9 @@
 
 namespace polhode {
 
-// Claims its files when it is constructed, before any work is done. Use it on one thread.
+// Claims its files when it is constructed, before any work is done. Use it on one thread; only
+// sink() may be pushed to on another thread meanwhile, as run_pipeline does. The derived classes
+// are made by open_output().
 class RenderOutput {
  public:
   RenderOutput() = default;
@@ -20,22 +22,26 @@ class RenderOutput {
   RenderOutput(const RenderOutput&) = delete;
   RenderOutput& operator=(const RenderOutput&) = delete;
 
-  // Called once, when the film is prepared and before the first frame. Throws Error (input) naming
-  // --shard for an empty shard, and --resume for segments of another film.
+  // Called once, when the film is prepared and before the first frame; `film` is not kept. Throws
+  // Error (input) with --shard as key if there are more shards than frames, and with --resume as
+  // key for segments of another film; otherwise as FrameSink::describe and comment_with do.
   virtual void begin(const PreparedFilm& film) = 0;
 
-  // The frames that must be pushed into the sink, in this order. Valid after begin().
+  // The numbers of the frames that must be pushed into the sink, in this order. They count from 0,
+  // the first of FrameTimes. Call it after begin().
   const std::vector<int>& frames() const { return frames_; }
-  // All frames of the finished output. Valid after begin().
+  // All frames of the finished output: those above and those of an earlier run. Call it after
+  // begin().
   const FrameRange& range() const { return range_; }
-  // How many of them an earlier run has made.
+  // How many frames of range() an earlier run has made. Call it after begin().
   int already_there() const { return range_.count - static_cast<int>(frames_.size()); }
 
-  // Where to push the frames. Valid after begin().
+  // Where to push the frames; valid as long as this object. Call it after begin().
   virtual FrameSink& sink() = 0;
-  // Time spent in the sink.
+  // Time spent in the sink by this run.
   virtual SinkTimes times() const = 0;
-  // The hashes of all frames of the output, after sink().finish(); empty unless requested.
+  // frame_hash() of each frame of range(), complete after sink().finish(); empty unless
+  // open_output() was asked for hashes (a resumed film always has them).
   virtual const std::vector<std::string>& hashes() const = 0;
   // The error with a note about what an aborted run leaves behind for the next one.
   virtual Error explained(const Error& error) const { return error; }

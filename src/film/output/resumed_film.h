@@ -12,23 +12,25 @@
 
 namespace polhode {
 
-// The segments of film.mp4 are in .film.mp4.parts/, each a few seconds long. A segment gets its
-// name when it is complete and sealed. finish() joins them and removes the folder. Invariant: the
-// folder contains segments of this film only.
+// The segments of film.mp4 are in the folder .film.mp4.parts/ beside it, each about five seconds
+// long. A segment gets its name when it is complete and sealed (video/seal.h). finish() of the sink
+// joins them into the film and removes the folder. Invariant: the folder contains segments of this
+// film only.
 class ResumedFilm final : public RenderOutput, private FrameSink {
  public:
-  // Claims the output. `plan` must outlive this object. Throws Error as FilmJoiner and make_sink
-  // do.
+  // Claims the output. `plan` must outlive this object. Throws Error (input) and (environment) as
+  // FilmJoiner and make_sink do.
   explicit ResumedFilm(const RenderPlan& plan);
   ~ResumedFilm() override;
 
-  // Looks for segments of an earlier run. Throws Error (input), naming --resume, if they belong to
-  // another film or the folder cannot be created.
+  // Looks for segments of an earlier run, says on stderr how many are complete, and warns of
+  // damaged ones, which are made again. Throws Error (input) with --resume as key if they belong to
+  // another film or the folder cannot be created; (interrupted).
   void begin(const PreparedFilm& film) override;
   FrameSink& sink() override { return *this; }
   SinkTimes times() const override;
   const std::vector<std::string>& hashes() const override { return hashes_; }
-  // Adds which segments are kept.
+  // Adds to (environment) and (interrupted) how many segments are kept, and where.
   Error explained(const Error& error) const override;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The record that each segment or shard of a film carries, so that only matching ones are joined.
+// The record that each part of a film carries, so that only matching parts are joined. The parts
+// are shards (--shard K/N) or the segments of --resume, which are the same thing.
 #pragma once
 
 #include <map>
@@ -10,35 +11,37 @@
 
 namespace polhode {
 
-// What a segment says about itself.
+// What a part says about itself and about its film.
 struct SegmentRecord {
-  std::string version;  // of Polhode
-  std::string ffmpeg;   // version that encoded it
-  std::string scene;    // scene_hash()
-  std::string title;
+  std::string version;                          // program_version()
+  std::string ffmpeg;                           // version of FFmpeg that encoded it
+  std::string scene;                            // scene_hash()
+  std::string title;                            // of the film
   std::map<std::string, std::string> settings;  // of the whole film, such as "crf": "18"
-  Shard shard;
-  FrameRange range;
-  FilmMetadata film;  // of the whole film, without key frames
+  Shard shard;                                  // which part it is
+  FrameRange range;                             // its frames, numbered as in the whole film
+  FilmMetadata film;  // of the whole film: frames, chapters, captions; key frames are not stored
 };
-// The record of one shard of a film.
+// The record of one shard of a film; `metadata` is that of the whole film. Throws Error (input) as
+// range_of does.
 SegmentRecord record_of(const RenderPlan& plan,
                         const PreparedFilm& film,
                         const FilmMetadata& metadata,
                         const Shard& shard);
 
-// Stores the record as the comment of a container. Throws Error (input), without a key, if the
-// story is too long for it.
+// The record as text, to be stored as the comment of a container: film_comment(), followed by JSON.
+// Throws Error (input), without a place, if it is longer than 60000 bytes, which is so if the story
+// has too much text.
 std::string comment_with(const SegmentRecord& record);
-// Reads the record of a film file. Throws Error (input), with the file as place, if it is not a
-// film or not a segment.
+// The record in the comment of a film file. Throws Error (input), with the file as place, if it is
+// missing, not a film, or not a part of one.
 SegmentRecord record_in(const std::string& file);
 
-// Why two segments cannot belong to the same film, such as "scenes differ"; empty if they can.
+// Why two parts cannot belong to the same film, such as "scenes differ"; empty if they can.
 std::string difference_between(const SegmentRecord& a, const SegmentRecord& b);
 
-// The metadata of one segment: its key frames. Chapters and captions are added when the film is
-// joined.
+// The metadata for the sink of one part: the number of its frames, and its key frames counted from
+// its first frame. Chapters and captions are added when the film is joined.
 FilmMetadata metadata_of_segment(const FilmMetadata& film, const FrameRange& range);
 
 }  // namespace polhode

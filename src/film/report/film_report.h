@@ -14,7 +14,8 @@
 
 namespace polhode {
 
-// The settings of the encoder; absent: the format has none.
+// The settings of the encoder, see EncoderSettings (video/video_spec.h). Absent: the format has no
+// such setting.
 struct EncoderRecord {
   std::optional<std::string> codec, preset;
   std::optional<int> crf;
@@ -22,6 +23,7 @@ struct EncoderRecord {
   bool finest = false;
 };
 
+// Lists the keys of "encoder".
 template <class Visitor>
 void report_fields(Visitor& v, EncoderRecord& s) {
   v.field("codec", s.codec);
@@ -31,11 +33,13 @@ void report_fields(Visitor& v, EncoderRecord& s) {
   v.field("finest", s.finest);
 }
 
-// Time spent in each stage of a film.
+// Time spent in each stage of a film: computing the motion, the members of DrawingTimes (summed
+// over processes), and those of SinkTimes.
 struct FilmTimes {
   StageTime simulate, compose, draw, read_back, smooth, convert, encode;
 };
 
+// Lists the keys of "stages".
 template <class Visitor>
 void report_fields(Visitor& v, FilmTimes& s) {
   v.field("simulate", s.simulate);
@@ -47,40 +51,40 @@ void report_fields(Visitor& v, FilmTimes& s) {
   v.field("encode", s.encode);
 }
 
+// Lists the keys of "loop".
 template <class Visitor>
 void report_fields(Visitor& v, Loop& s) {
   v.field("duration_s", s.duration);
   v.field("residual_rad", s.residual);
 }
 
-// All fields of the report.
+// The content of the report.
 struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves without throwing
   std::string output;      // as the user named it
   std::string scene_file;  // as the user named it
-  std::string title;
-  std::string scene_hash;
-  Json versions;
-  std::string backend, gl_renderer, gl_version;
-  int samples = 0;    // per pixel
-  std::string edges;  // "outlines" or "samples"
+  std::string title;       // of the scene
+  std::string scene_hash;  // scene_hash() of `scene`
+  Json versions;           // versions() of film/report/motion_report.h
+  std::string backend, gl_renderer, gl_version;  // RendererInfo
+  int samples = 0;                               // per pixel
+  std::string edges;  // how edges are antialiased: "outlines" or "samples"
   SimulationReport motion;
-  int frames = 0;  // in this output
-  PictureSize size;
+  int frames = 0;    // number of frames made for this output
+  PictureSize size;  // pixels
   FrameRate fps;
-  double from_s = 0.0, to_s = 0.0;  // s of motion
-  bool transparent = false, text = true, still = false, resume = false;
+  double from_s = 0.0, to_s = 0.0;  // s of motion that the whole film covers
+  bool transparent = false, text = true, still = false, resume = false;  // as in RenderJob
   std::optional<std::string> shard;  // "K/N"; absent: the whole film
-  int first_frame = 0;               // number of the first frame, for shards
-  int jobs = 1;
-  std::vector<std::optional<std::string>> captions;  // one per step of the story
+  int first_frame = 0;               // number of the first frame; not 0 only for shards
+  int jobs = 1;                      // processes that drew
+  std::vector<std::optional<std::string>> captions;  // of each step of the story; absent: none
   EncoderRecord encoder;
   FilmTimes stages;
-  StageTime total;  // cpu_s: of all processes
-  Json scene;       // scene_to_json(): every value, in SI
-  // of all frames, see frame_hash()
-  std::vector<std::string> frame_hashes;
-  std::optional<Json> compare;  // one row per compared method
-  std::optional<Loop> loop;     // of a looping film
+  StageTime total;                        // of the run; cpu_s: of all processes
+  Json scene;                             // scene_to_json(): every value, in SI
+  std::vector<std::string> frame_hashes;  // frame_hash() of each frame, in order
+  std::optional<Json> compare;            // Comparison::report(); absent: no methods are compared
+  std::optional<Loop> loop;               // how well the film closes; absent: it does not loop
 };
 
 // The keys of the report; docs/render.md documents them. To add one: a line here and a member
@@ -121,7 +125,8 @@ void report_fields(Visitor& v, FilmReport& s) {
   v.optional("loop", s.loop);
 }
 
-// The record of a film that `renderer` has drawn into `output`, without the total time.
+// The record of a film that `renderer` has drawn into `output`, whose sink is finished. `total` is
+// left for the caller to set. Throws Error as FrameRenderer::info does.
 FilmReport film_report(const RenderPlan& plan,
                        const PreparedFilm& film,
                        const RenderOutput& output,

@@ -6,6 +6,9 @@
 //     v.optional("key", s.member);    // left out when the std::optional is absent
 //     v.derived("key", value);        // written for people, not read back
 //   }
+//
+// json_of(s) writes, read_json(json, s) reads. Members may be structs with such a list, lists and
+// optionals of writable values, frame rates, JSON, and what nlohmann::json converts by itself.
 #pragma once
 
 #include <optional>
@@ -25,11 +28,13 @@ using Json = nlohmann::ordered_json;
 class JsonWriter;
 class JsonReader;
 
+// A struct that has report_fields().
 template <class T>
 concept ListsFields = requires(JsonWriter& v, T& s) {
   report_fields(v, s);
 };
 
+// Defined below.
 template <class T>
 Json json_of(T value);
 
@@ -48,12 +53,16 @@ class JsonWriter {
   void derived(const char* key, const T& value) {
     field(key, value);
   }
+  // The object so far; valid as long as the writer.
   const Json& json() const { return json_; }
 
  private:
   Json json_ = Json::object();
 };
 
+// Sets a value from JSON, by its type. A list or an optional replaces the old value; null makes an
+// optional absent. Throws nlohmann::json::exception for a value of the wrong type or a missing key
+// of a struct, and Error (input) as parse_frame_rate does.
 inline void read_json(const Json& json, Json& value) {
   value = json;
 }
@@ -67,8 +76,8 @@ void read_json(const Json& json, std::optional<T>& value);
 template <class T>
 void read_json(const Json& json, std::vector<T>& value);
 
-// Visitor that sets the fields of a struct from a JSON object. Throws nlohmann::json::exception for
-// a missing key or a value of the wrong type, and Error (input) as parse_frame_rate does.
+// Visitor that sets the fields of a struct from a JSON object; unknown keys are ignored. Throws as
+// read_json does, also for a missing key.
 class JsonReader {
  public:
   // `json` must outlive the reader.
@@ -89,6 +98,7 @@ class JsonReader {
   const Json& json_;
 };
 
+// The overloads behind json_of(); a frame rate becomes the text "30000/1001".
 inline Json json_value(const FrameRate& rate) {
   return fmt::format("{}/{}", rate.numerator, rate.denominator);
 }
@@ -114,7 +124,8 @@ Json json_value(T& value) {
   return writer.json();
 }
 
-// A struct with report_fields(), a list, an optional (absent: null) or a single value as JSON.
+// A value as JSON: a struct with report_fields() as an object, a std::vector as a list, an absent
+// optional as null, any other value as nlohmann::json converts it.
 template <class T>
 Json json_of(T value) {
   return json_value(value);
@@ -141,6 +152,7 @@ void read_json(const Json& json, std::vector<T>& value) {
     read_json(one, value.emplace_back());
 }
 
+// Lists the keys of the time of a stage, in seconds.
 template <class Visitor>
 void report_fields(Visitor& v, StageTime& s) {
   v.field("wall_s", s.wall_s);

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-// The keys; docs/render.md documents them.
+// Lists the keys of the report about the motion; docs/render.md documents them.
 template <class Visitor>
 void report_fields(Visitor& v, SimulationReport& s) {
   v.field("model", s.model);
@@ -28,7 +28,8 @@ void report_fields(Visitor& v, SimulationReport& s) {
   v.field("doubts", s.reliability.doubts);
 }
 
-// The versions of the program and of the libraries that pixels and encoded bytes depend on.
+// The versions of what pixels and encoded bytes depend on, by name: polhode, compiler, eigen,
+// ffmpeg.
 Json versions();
 
 }  // namespace polhode

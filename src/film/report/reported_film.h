@@ -10,16 +10,17 @@
 
 namespace polhode {
 
-// The content of a report.
+// The film that a report describes.
 struct ReportedFilm {
-  RenderPlan plan;                    // with the output as named in the report
+  RenderPlan plan;                    // with the output as named in the report, and one job
   std::string gl_renderer;            // GL_RENDERER that drew it
-  std::vector<std::string> hashes;    // frame_hash() of all frames
-  std::optional<std::string> broken;  // the contradiction in the report, if there is one
+  std::vector<std::string> hashes;    // frame_hash() of each frame, in order
+  std::optional<std::string> broken;  // how the report contradicts itself; absent: it does not
 };
 
-// Throws Error (input), with the file as place, if it is missing, not a report, or was written with
-// other versions of the program or the libraries that pixels depend on.
+// Reads the report in that file. Throws Error (input), with the file as place, if it is missing,
+// not a report or longer than 1 GiB, if it was written with other versions(), or if it has a value
+// that no scene, option or encoder accepts.
 ReportedFilm read_report(const std::string& file);
 
 }  // namespace polhode
