@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What a command has made, for its closing line.
+// What `render`, `join` or `preview` has made, for the closing line of the command.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-// Counts of one output.
+// The counts of one output.
 struct Made {
-  std::string output;       // as the user named it
-  int frames = 0;           // number of frames made for it
-  int every = 1;            // the output contains every n-th of them
-  int from_earlier = 0;     // how many of them earlier runs made
-  bool is_picture = false;  // the output is pictures, not a film
-  int parts = 0;            // number of joined parts; 0: nothing was joined
+  std::string output;       // as the user named it; "-": standard output
+  int frames = 0;           // number of frames made for it, in this run and in earlier ones
+  int every = 1;            // the output contains every n-th of these frames (GIF)
+  int from_earlier = 0;     // how many of these frames earlier runs have made (--resume)
+  bool is_picture = false;  // true: the output is a picture, not a film
+  int parts = 0;            // number of parts that were joined; 0: nothing was joined
 };
 
 }  // namespace polhode

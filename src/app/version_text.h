@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// One line each for the program (with its commit, "": unknown), the libraries that it was compiled
-// with, and the libraries found at run time.
+// Four lines: the program with its commit ("": unknown, left out), compiler and libraries at
+// compile time, libraries found at run time, and where the version of OpenGL is shown.
 std::string version_text(const std::string& commit);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `chart`: accuracy against cost of the methods on one or more scenes.
+// The command `chart`: error against cost of the integration methods on one or more scenes.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,18 @@ namespace polhode {
 
 // The options of `chart`.
 struct ChartJob {
-  std::vector<std::filesystem::path> scenes;
-  std::string output;   // folder, created if needed
-  std::string methods;  // comma-separated names; empty: all that can integrate the scene
-  Overrides overrides;
+  std::vector<std::filesystem::path> scenes;  // at least one
+  std::string output;   // folder, created if needed; empty: output/SCENE_chart of the first scene
+  std::string methods;  // names, separated by commas; empty: all that can integrate the scene
+  Overrides overrides;  // set by --accuracy, and by --size with --pictures
   ProgressKind progress = ProgressKind::automatic;
 };
 
-// Writes chart.csv, chart.svg, chart.png and chart.pdf into the folder, all or none of them.
-// Returns a summary of a few lines. Throws Error (input) naming --methods for a method that cannot
-// integrate a scene, and as load_with_overrides and OutputFolder do; (environment) without gnuplot;
+// Writes chart.csv, with the columns of work_precision_csv(), chart.svg, chart.png and chart.pdf
+// into the folder, together at the end. Runs one method at a time, because it measures times.
+// Returns a summary of a few lines per scene. Throws Error (input) with --methods as key for an
+// unknown method or if none of them can integrate a scene, and as load_with_overrides, make_model,
+// work_precision and OutputFolder do; (environment) without gnuplot or if a file cannot be written;
 // (interrupted).
 std::string chart(const ChartJob& job);
 

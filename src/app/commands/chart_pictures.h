@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command `chart --pictures`: the time of each drawing setting against the difference of its
-// pictures from heavily supersampled ones.
+// The command `chart --pictures`: the difference of pictures from heavily supersampled ones against
+// the time to draw them, for each drawing setting.
 #pragma once
 
 #include <string>
@@ -9,9 +9,12 @@
 
 namespace polhode {
 
-// Writes chart.csv, with the columns of picture_error_csv(), and its charts into the folder.
-// Returns a summary. Throws Error (input) naming --size for pictures that are too large, and as
-// chart() and open_context() do.
+// Writes chart.csv, with the columns of picture_error_csv(), chart.svg, chart.png and chart.pdf
+// into the folder of the job, together at the end. job.methods is not used. Draws on the calling
+// thread, with an OpenGL context of its own. Returns a summary, one line per setting and scene.
+// Throws Error (input) with --size as key for a given size of more than 960x540 pixels, as
+// load_with_overrides, solve and OutputFolder do; (environment) without OpenGL or gnuplot;
+// (interrupted).
 std::string chart_pictures(const ChartJob& job);
 
 }  // namespace polhode

@@ -7,20 +7,21 @@
 
 namespace polhode {
 
-// An optional program or file, with "ok" or what to install.
+// An optional program or file that only the caller knows how to find.
 struct ExternalNeed {
-  std::string name;
-  std::string state;
+  std::string name;   // what it is, for the first column of the list
+  std::string state;  // "ok" with details, or "missing" with what to install
 };
 
 // The result of the checks.
 struct Diagnosis {
-  std::string text;
-  bool healthy = true;  // false: no film can be made
+  std::string text;     // one line per check, in aligned columns
+  bool healthy = true;  // false: no back end works, or H.264's encoder libx264 is missing
 };
 
-// Opens every back end and looks for fonts, encoders and programs. `needs` are added to the list.
-// Throws Error (interrupted) only.
+// Opens every OpenGL back end with its framebuffers, one after the other on the calling thread, and
+// looks for fonts, encoders and gnuplot. `needs` are added to the list. Throws Error (interrupted)
+// only.
 Diagnosis examine(const std::vector<ExternalNeed>& needs);
 
 }  // namespace polhode

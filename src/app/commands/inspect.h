@@ -17,15 +17,17 @@ namespace polhode {
 struct InspectJob {
   std::filesystem::path scene;
   Overrides overrides;
-  bool json = false;
+  bool json = false;  // true: JSON, false: aligned columns
 };
 
-// The values as JSON. Keys have their unit as suffix. Vectors are in body axes B; principal moments
-// are in ascending order, about the point `reference`.
+// The values as JSON, with their unit as suffix of the key; docs/inspect.md explains each. Vectors
+// are in body axes B. Principal moments are in ascending order, about the point that "reference"
+// names; "principal_axes" are their unit vectors in the same order. "evaluations_of_ode" is found
+// by an integration of its own. Throws Error (interrupted).
 nlohmann::ordered_json inspection(const Solved& solved);
 
-// The output of the command: aligned columns, or indented JSON. Throws Error as load_with_overrides
-// and solve do.
+// The output of the command: aligned columns, with angles and rates also in degrees, or indented
+// JSON. Throws Error as load_with_overrides and solve do.
 std::string inspect(const InspectJob& job);
 
 }  // namespace polhode

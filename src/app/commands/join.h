@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command `join`: joins the shards of a film without re-encoding.
+// The command `join`: joins the shards of a film (made by `render --shard K/N`) without
+// re-encoding.
 #pragma once
 
 #include <string>
@@ -11,15 +12,15 @@ namespace polhode {
 
 // The options of `join`.
 struct JoinJob {
-  std::vector<std::string> parts;  // files of the shards, in any order; at least one
-  std::string output;
+  std::vector<std::string> parts;  // files of all shards, in any order; at least one
+  std::string output;              // file of the film, with the same ending as the shards
 };
 
 // Writes the film with exactly the frames of its shards, and with title, chapters and captions of
-// the whole film. Throws Error (input), with the file as place, for shards of different films (the
-// message says what differs), for duplicate or damaged shards, and for an output that is one
-// of the shards or has another file-name extension; without a place if shards are missing (the
-// message lists them); otherwise as FilmJoiner does.
+// the whole film. Throws Error (input) with the file as place for shards of different films (the
+// message says what differs), for duplicate or damaged shards, for files that are no shards, and
+// for an output with another ending; without a place for an output that is one of the shards or
+// ends in .toml, and if shards are missing (the message lists them); otherwise as FilmJoiner does.
 Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

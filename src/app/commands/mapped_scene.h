@@ -14,47 +14,55 @@
 
 namespace polhode {
 
-// The key of an axis along which the step changes.
+// The key of the axis along which the step (s) of the method changes.
 inline constexpr const char* kStepKey = "numerics.step";
 
 // A motion and the step to integrate it with.
 struct StabilitySetup {
-  std::unique_ptr<StabilityProblem> problem;
-  double step = 0.0;  // s; used if no axis gives the step
+  std::unique_ptr<StabilityProblem> problem;  // never null after prepare_place()
+  double step = 0.0;                          // s; used if no axis gives the step
 };
 
 // A scene and what all its maps share. Immutable after prepare_place(), so threads may share it.
 struct MappedScene {
   std::filesystem::path file;
-  Scene scene;
-  MapAxis x, y;
-  std::vector<StabilitySetup> setups;  // one per row, or one per cell
-  std::vector<const StepperInfo*> methods;
+  Scene scene;                              // as in the file
+  MapAxis x, y;                             // of the columns and of the rows of cells
+  std::vector<StabilitySetup> setups;       // one per row, or one per cell, row by row
+  std::vector<const StepperInfo*> methods;  // that can integrate the scene: rows of stepper_table()
 
-  // Whether every cell has a motion of its own; else a row has one.
+  // Whether every cell has a motion of its own. If the step changes along x, all cells of a row
+  // share one.
   bool setup_per_cell() const { return x.key != kStepKey; }
-  // The motion of a cell. Valid after prepare_place().
+  // The motion of a cell; column and row count from 0. Call it after prepare_place(); the reference
+  // is valid as long as `setups` is not changed.
   const StabilitySetup& setup(int column, int row) const {
     return setups[static_cast<std::size_t>(setup_per_cell() ? row * x.cells + column : row)];
   }
 };
 
-// The scene of that file with its axes, and those of `methods` that can integrate it. Throws Error
-// (input) as load_scene does, naming --x, --y, --x-range, --y-range or --cells for an impossible
-// axis, motion.spin for a body at rest, and without a key if no method can integrate it.
+// The scene of that file with the axes that the job asks for, and those of `methods` that can
+// integrate it; `setups` is still empty. Throws Error (input) as load_scene and make_model do, with
+// --x, --y, --x-range, --y-range or --cells as key for an impossible axis, with motion.spin as key
+// for a body at rest, and without a place if no method can integrate the scene.
 MappedScene make_place(const std::filesystem::path& file,
                        const StabilityJob& job,
                        const std::vector<const StepperInfo*>& methods);
 
-// Computes the setups of all cells, in parallel. Throws Error as make_place does, and
-// (interrupted).
+// Computes the setups of all cells, with their reference solutions, on job.jobs threads. Throws
+// Error (input) as load_scene and make_model do for values along the axes that the scene cannot
+// have, and with motion.spin as key for a body at rest; (interrupted).
 void prepare_place(MappedScene& place, const StabilityJob& job);
 
-// Runs one cell, see try_method(). Thread-safe.
+// Runs the method on one cell, see try_method(); column and row count from 0, allowed_rad is the
+// allowed attitude error. Call it after prepare_place(). Thread-safe. Throws Error (interrupted)
+// only.
 StabilityCell try_cell(
     const MappedScene& place, const StepperInfo& method, int column, int row, double allowed_rad);
 
-// The method's step limit as a curve, for maps whose x axis is the step; else empty.
+// The method's step limit, see step_limit(), as a curve with one point per row, for maps whose x
+// axis is the step. Empty for other maps, and where theory gives no limit. Call it after
+// prepare_place().
 std::vector<LimitPoint> limit_curve(const MappedScene& place, const StepperInfo& method);
 
 }  // namespace polhode

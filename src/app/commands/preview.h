@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command `preview`: a contact sheet of a film.
+// The command `preview`: a contact sheet of a film, one picture with small frames of the whole
+// film.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +16,14 @@ struct PreviewJob {
   std::filesystem::path scene;
   std::string output;  // empty: output/SCENE_preview.png
   Overrides overrides;
-  std::string backend = "auto";
+  std::string backend = "auto";  // for open_context()
 };
 
-// Writes a PNG with twelve small pictures, from the first frame of the film to the last, each with
-// its time. Throws Error as render_film does, and (input), with the output as place, unless it is a
-// .png.
+// Writes a PNG with twelve small frames, equally spaced from the first frame of the film to the
+// last, each with its time. Without job.output it creates the folder output/. Draws on the calling
+// thread, with an OpenGL context of its own. Throws Error (input) as load_with_overrides,
+// PreparedFilm and AtomicFile do, and with the output as place unless that is a .png; (environment)
+// without OpenGL or if the file cannot be written; (check_failed) as simulate does; (interrupted).
 Made write_preview(const PreviewJob& job);
 
 }  // namespace polhode

@@ -8,10 +8,13 @@
 
 namespace polhode {
 
-// Writes stability.csv, a picture per scene and method, and an overview per scene into the folder.
-// If it is interrupted, finished cells are kept there for the next run with the same options.
-// Returns a summary, one line per method. Throws Error (input) as make_place does, naming --y for
-// equal axes, and for two scenes of the same name; (environment) without gnuplot; (interrupted).
+// Writes stability.csv, stability_SCENE_METHOD.png for each scene and method, and an overview
+// stability_SCENE.png and .svg for each scene into the folder, together at the end. If it is
+// interrupted or fails, finished rows of cells are kept there in stability.resume for the next run
+// with the same options. Returns a summary, one line per scene and method. Throws Error (input) as
+// make_place and OutputFolder do, with --methods as key for an unknown method, with --y as key for
+// equal axes, and without a place for two scenes of the same name; (environment) without gnuplot or
+// if a file cannot be written; (interrupted).
 std::string stability(const StabilityJob& job);
 
 }  // namespace polhode

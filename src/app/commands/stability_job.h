@@ -11,18 +11,23 @@
 
 namespace polhode {
 
-// As the user gave them.
+// The options as the user gave them, not yet checked.
 struct StabilityJob {
-  std::vector<std::filesystem::path> scenes;
-  std::string output;   // folder, created if needed
-  std::string methods;  // comma-separated names; empty: all that can integrate the scene
-  std::string x = "numerics.step";  // key of the scene, or "spin": a factor on its initial spin
-  std::string y = "spin";           // the same
-  std::optional<std::string> x_range, y_range;  // "0.1:10"; absent: around the scene's value
-  std::string cells = "64x64";                  // columns x rows
-  double turns = 100.0;      // length of a run, in turns of the body at its typical rate
-  double allowed_rad = 0.1;  // allowed attitude error
-  int jobs = 0;              // threads; 0: one per processor
+  std::vector<std::filesystem::path> scenes;  // at least one
+  std::string output;   // folder, created if needed; empty: output/SCENE_stability, first scene
+  std::string methods;  // names, separated by commas; empty: all that can integrate the scene
+  // the keys that change along the horizontal and the vertical axis: a key of the scene with a
+  // number, or "spin", a factor on the angular momentum at the start
+  std::string x = "numerics.step";
+  std::string y = "spin";
+  // first and last value of the axes, "0.1:10", in the unit of the key in the scene. Absent: from a
+  // tenth to ten times 1 / typical_rate() for the step, 1 for the spin, the scene's value for other
+  // keys; from twice to -2 times a negative value; -1 to 1 for the value 0
+  std::optional<std::string> x_range, y_range;
+  std::string cells = "64x64";  // columns x rows, each 2 to 1024
+  double turns = 100.0;         // length of a run, in turns of the body at its typical_rate()
+  double allowed_rad = 0.1;     // allowed attitude error, rad
+  int jobs = 0;                 // threads; 0: one per processor
   ProgressKind progress = ProgressKind::automatic;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command `verify`: checks that a film is what its report says.
+// The command `verify`: checks that an output of `render` (film, pictures or frame hashes) is what
+// its report says.
 #pragma once
 
 #include <string>
@@ -10,21 +11,24 @@ namespace polhode {
 
 // The options of `verify`.
 struct VerifyJob {
-  std::string output;
-  std::string report;  // empty: the name of the output with the ending .json
+  std::string output;  // as it was given to `render`
+  std::string report;  // file; empty: the name of the output with the ending .json
   ProgressKind progress = ProgressKind::automatic;
 };
 
 // Whether the film is the same, and what the command prints.
 struct Verified {
-  bool same = false;
-  std::string text;  // one line: the result, with the first frame that differs and its time
+  bool same = false;  // false also if the report was altered
+  std::string text;   // one line: the result, with the first frame that differs and its time
 };
 
 // Renders all frames again from the report alone, compares their hashes with those of the report,
-// encodes them with the same settings, and compares the decoded frames of both films value by
-// value. Throws Error (input), with the file as place, if output or report is missing, or if the
-// report was written with other versions of what pixels depend on; (environment); (interrupted).
+// encodes them with the same settings into a temporary folder, and compares the files or, if their
+// bytes differ, the decoded frames of both value by value. Captions are compared too. Draws on the
+// calling thread, with an OpenGL context of its own. Throws Error (input), with the file as place,
+// if output or report is missing, if it is standard output or a kind that writes no file, or if the
+// report was written with other versions or another OpenGL renderer, on which pixels depend;
+// (environment) as render_film does; (interrupted).
 Verified verify(const VerifyJob& job);
 
 }  // namespace polhode

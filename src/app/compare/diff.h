@@ -14,29 +14,33 @@ namespace polhode {
 
 // The options of `diff`.
 struct DiffJob {
-  std::string actual;     // A: the one to check
-  std::string reference;  // B: the expected one
+  std::string actual;     // the side to check: name for open_frames(), or a scene file (.toml)
+  std::string reference;  // the expected side, likewise
   Thresholds thresholds;
-  bool json = false;
-  std::string html;  // folder for the HTML page; empty: none
+  bool json = false;  // true: the result is JSON, with the numbers of every frame
+  std::string html;   // folder for the HTML page index.html; empty: none
 
   // how sides that are scenes are rendered
-  Overrides overrides;          // size and fps; absent: those of the other side
-  std::optional<double> still;  // s of motion; absent: 0 against a picture, else the whole film
-  bool text = true;             // with labels, clock, title and caption
-  std::string backend = "auto";
+  Overrides overrides;           // absent size and fps: those of the other side, if it is no scene
+  std::optional<double> still;   // s of motion, for one picture; absent: 0 against a picture or a
+                                 // scene, else the whole film
+  bool text = true;              // with labels, clock, title and caption
+  std::string backend = "auto";  // for open_context()
   ProgressKind progress = ProgressKind::automatic;
 };
 
 // What the command prints, and whether the two are the same.
 struct DiffResult {
-  bool same = true;
+  bool same = true;  // whether no frame exceeds the thresholds
   std::string text;  // for standard output: a summary, or JSON
 };
 
-// Throws Error (input) if the two cannot be compared, with the file as place: missing files,
-// different sizes, frames without a partner; and naming the option for --still and others that do
-// not apply. Throws Error as check_thresholds and, for scenes, as render_film do.
+// Compares the two sides frame by frame; scenes are first rendered into a temporary folder. Writes
+// the HTML page if it is asked for. Throws Error (input) with the file as place if the sides cannot
+// be compared (missing file, different sizes, frames without a partner), and with the option as key
+// for --still, --size or --fps without a scene, --still against a film or a sequence, and an --html
+// folder that cannot be made. Throws Error as check_thresholds and, for scenes, as render_film do;
+// (environment) if the page cannot be written; (interrupted).
 DiffResult diff(const DiffJob& job);
 
 }  // namespace polhode

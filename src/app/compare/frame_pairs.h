@@ -8,13 +8,14 @@
 
 namespace polhode {
 
-// Reads each source on a thread of its own, a few frames ahead. Frames match by their time in two
-// films, by number in two sequences, by name in two folders, and by order otherwise. Use it on one
-// thread.
+// Reads each source on a thread of its own, at most four frames ahead. Frames match by their time
+// in two films, by number in two sequences, by name in two folders, and by order otherwise. Use it
+// on one thread.
 class FramePairs {
  public:
-  // `by_order`: match by order for all kinds. name_a and name_b are for messages. Throws Error
-  // (input), with the source as place, if a frame is already known to have no partner.
+  // Takes the sources over. `by_order`: match by order, whatever the kinds. name_a and name_b are
+  // the names of the sources for messages. Throws Error (input), with the source as place, if it is
+  // already known that a frame has no partner (not for films).
   FramePairs(const std::string& name_a,
              std::unique_ptr<FrameSource> a,
              const std::string& name_b,
@@ -24,12 +25,12 @@ class FramePairs {
   FramePairs(const FramePairs&) = delete;
   FramePairs& operator=(const FramePairs&) = delete;
 
-  // The approximate number of pairs; 0: unknown.
+  // The approximate number of pairs, for progress; 0: unknown.
   int count() const { return count_; }
 
-  // Gets the next pair; false at the end of both. Reuses the buffers. Throws Error (input), with
-  // the source as place, for a frame without a partner, frames of different sizes, and unreadable
-  // files.
+  // Sets `a` and `b` to the next pair and reuses their buffers; returns false at the end of both.
+  // Throws Error (input), with the source as place, for a frame without a partner, frames of
+  // different sizes, and unreadable files; (interrupted).
   bool next(SourceFrame& a, SourceFrame& b);
 
  private:

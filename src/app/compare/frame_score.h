@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The measured differences of frames, one by one and summarised.
+// The measured differences of the frames of two sources, one by one and summarised, for `diff` and
+// its pages.
 #pragma once
 
 #include <optional>
@@ -12,28 +13,28 @@ namespace polhode {
 
 // The differences of one pair of frames.
 struct FrameScore {
-  int index = 0;      // from 0
-  std::string label;  // number or file name; may be empty
-  double time = 0.0;  // s, for films
-  Difference values;
-  std::optional<double> ssim, flip;
-  std::string reason;    // why it is different; empty if it is the same
-  double badness = 0.0;  // see badness(); over 1: different
+  int index = 0;                     // of the pair, from 0
+  std::string label;                 // number or file name; "" for films and single pictures
+  double time = 0.0;                 // s after the first frame, for films; else 0
+  Difference values;                 // fraction_over counts pixels over Thresholds::max
+  std::optional<double> ssim, flip;  // mean SSIM, mean FLIP; absent: not measured
+  std::string reason;                // why the frames are different; empty if they are the same
+  double badness = 0.0;              // see badness() in image/verdict.h; over 1: different
 };
 
-// The differences of all frames: largest difference, mean of means, rms over all values, mean
-// share; least SSIM, greatest FLIP.
+// The differences of all frames together.
 struct DiffSummary {
-  Difference values;
-  std::optional<double> ssim, flip;
-  int different = 0;      // number of frames
-  std::size_t worst = 0;  // index into the scores
+  Difference values;  // largest difference, mean of the means, RMS over all values, mean share
+  std::optional<double> ssim, flip;  // least SSIM, greatest FLIP; absent: measured for no frame
+  int different = 0;                 // number of frames with a reason
+  std::size_t worst = 0;             // index of the score with the greatest badness
 };
 
-// Summarises at least one score.
+// The summary of at least one score.
 DiffSummary summarise(const std::vector<FrameScore>& scores);
 
-// "frame 12 (0.2000 s)", "picture 'a.png'", "" for a single picture.
+// The name of a frame for messages: "frame 12 (0.2000 s)" if `film`, else "picture 'a.png'" from
+// its label; "" for a single picture.
 std::string frame_name(const FrameScore& score, bool film);
 
 }  // namespace polhode

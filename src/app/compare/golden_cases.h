@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads a folder of golden pictures, and renders its cases.
+// Loads a folder of golden pictures (described in app/compare/golden_job.h), and renders its cases.
 #pragma once
 
 #include <filesystem>
@@ -14,39 +14,43 @@ namespace polhode {
 
 // An accepted picture of a case.
 struct Reference {
-  std::string cause;           // empty for the first reference
+  std::string cause;           // CAUSE in its name; empty for NAME.png
   std::filesystem::path file;  // NAME.png or NAME.CAUSE.png
-  bool has_sidecar = false;
-  GoldenSidecar sidecar;  // its verdict is the rule; without a sidecar, that of the case
+  bool has_sidecar = false;    // whether NAME.png.toml exists
+  GoldenSidecar sidecar;       // default if there is none; then LoadedCase::verdict holds
 };
 
 // A case with its references.
 struct LoadedCase {
   GoldenCase spec;
-  GoldenVerdict verdict;              // the case's own or the folder's
-  std::vector<Reference> references;  // the one without a cause first; may be empty
+  GoldenVerdict verdict;              // thresholds: the case's own, else those of the folder
+  std::vector<Reference> references;  // by cause, the one without a cause first; may be empty
 };
 
-// The cases of DIR/cases.toml with their references. `names` (comma-separated) selects cases;
-// empty: all. Throws Error (input) with the folder as place if it or its cases.toml is missing,
-// with file, line and key for faults in the files, and naming --cases for an unknown name.
+// The cases of `folder`/cases.toml, in that order, with their references, whose pixels are not read
+// yet. `names` (separated by commas) selects cases; empty: all. Throws Error (input) with the
+// folder as place if it or its cases.toml is missing, with file, line and key for faults in
+// cases.toml or a sidecar, and with --cases as key for an unknown name.
 std::vector<LoadedCase> load_cases(const std::filesystem::path& folder, const std::string& names);
 
-// DIR/NAME.png or DIR/NAME.CAUSE.png.
+// The file of a reference: `folder`/NAME.png, or `folder`/NAME.CAUSE.png if `cause` is not empty.
+// It need not exist.
 std::filesystem::path reference_file(const std::filesystem::path& folder,
                                      const std::string& name,
                                      const std::string& cause);
 
-// The name of the picture with .toml appended: NAME.png.toml.
+// The sidecar file of a reference picture: its name with .toml appended, NAME.png.toml.
 std::filesystem::path sidecar_file(const std::filesystem::path& reference);
 
 // A case as rendered on this machine.
 struct DrawnCase {
   Image image;
-  GoldenSidecar sidecar;  // all but cause and verdict
+  GoldenSidecar sidecar;  // what drew it; cause and verdict are not set
 };
 
-// Renders a case. Temporary files go into `scratch`. Thread-safe. Throws Error as render_film does.
+// Renders the case `one` of `folder`. `backend` is for open_context(). Temporary files, named after
+// the case, go into `scratch`. Different cases may be drawn on several threads at once. Throws
+// Error as render_film does.
 DrawnCase draw_case(const std::filesystem::path& folder,
                     const GoldenCase& one,
                     const std::string& backend,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The options and results of `golden run`, `golden update` and `golden show`. A folder DIR holds
-// the reference pictures of scenes: DIR/cases.toml lists the cases, DIR/NAME.png is the reference
-// of a case, DIR/NAME.CAUSE.png is another accepted one, and NAME.png.toml beside each says what
-// drew it and how to compare.
+// the reference (golden) pictures of scenes: DIR/cases.toml lists the cases, DIR/NAME.png is the
+// reference of a case, DIR/NAME.CAUSE.png is another accepted one (CAUSE, such as mesa-25, says why
+// it differs), and the sidecar file NAME.png.toml beside each says what drew it and how to compare
+// with it.
 #pragma once
 
 #include <string>
@@ -11,28 +12,29 @@
 
 namespace polhode {
 
-// The options.
+// The options of all three.
 struct GoldenJob {
-  std::string folder;
-  std::string cases;  // comma-separated names; empty: all
-  std::string backend = "auto";
-  int jobs = 0;  // cases rendered at the same time; 0: one per processor
-  bool json = false;
+  std::string folder;            // DIR
+  std::string cases;             // names of cases, separated by commas; empty: all
+  std::string backend = "auto";  // for open_context()
+  int jobs = 0;                  // cases rendered at the same time; 0: one per processor
+  bool json = false;             // true: the result is JSON
   ProgressKind progress = ProgressKind::automatic;
 
-  // run
+  // for `golden run` only
   std::string html;                      // folder for the HTML page; empty: none
   std::string output = "output/golden";  // folder for the pictures of failed cases
 
-  // update
-  std::string cause;         // write NAME.CAUSE.png; empty: NAME.png
+  // for `golden update` only
+  std::string cause;         // CAUSE: write NAME.CAUSE.png; empty: write NAME.png
   bool all = false;          // also update cases that pass
-  bool allow_dirty = false;  // update although the git tree has changes
+  bool allow_dirty = false;  // update even if the git tree has uncommitted changes
 };
 
 // What the command prints, and its exit code.
 struct GoldenResult {
-  // 0; 1: a picture is different or has no reference; 2: a case cannot be rendered
+  // 0: all cases passed; 1: a picture is different or has no reference; 2: a case cannot be
+  // rendered
   int exit_code = 0;
   std::string text;  // for standard output: a summary, or JSON
 };

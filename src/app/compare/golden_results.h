@@ -17,14 +17,15 @@ namespace polhode {
 
 // The result of one case.
 struct CaseResult {
-  std::optional<DrawnCase> drawn;   // absent if it cannot be rendered
-  std::string error;                // why it cannot
-  const Reference* best = nullptr;  // the most similar reference; null: there is none
-  Image reference;                  // its pixels
+  std::optional<DrawnCase> drawn;   // absent if the case cannot be rendered
+  std::string error;                // why it cannot; empty if it can
+  const Reference* best = nullptr;  // the most similar reference, in the LoadedCase; null: none
+  Image reference;                  // pixels of `best`; empty without a verdict
   std::optional<Verdict> verdict;   // absent: no reference, or only ones of another size
-  GoldenVerdict rule;               // the rule that was applied
-  std::string note;                 // why there is no verdict
+  GoldenVerdict rule;               // the thresholds that were applied
+  std::string note;                 // why there is no verdict; only valid without one
 
+  // Whether the case passes.
   bool same() const { return verdict && verdict->same(); }
   // "same", "different", "no reference" or "error".
   std::string outcome() const {
@@ -32,22 +33,23 @@ struct CaseResult {
     if (best == nullptr) return "no reference";
     return same() ? "same" : "different";
   }
-  // Why it failed; empty if it is the same.
+  // Why the case fails; empty if it passes.
   std::string reason() const {
     if (!drawn) return error;
     return verdict ? verdict->reason : note;
   }
 };
 
-// Renders all cases, job.jobs at a time. An error in a case becomes its result. Throws Error
-// (input), naming --backend, for an unknown back end; (environment); (interrupted). The results
-// point into `cases`, which must outlive them.
+// Renders all cases, job.jobs at a time, and compares each with all its references. The results are
+// in the order of `cases` and point into it, so it must outlive them. Error (input) and
+// (check_failed) in a case become its result. Throws Error (input), with --backend as key, for an
+// unknown back end; (environment) if pictures cannot be drawn or written; (interrupted).
 std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<LoadedCase>& cases);
 
 // Whether thresholds and reason are equal.
 bool same_rule(const GoldenVerdict& a, const GoldenVerdict& b);
 
-// Indented JSON; bytes that are not UTF-8 (in file names) are replaced.
+// The value as indented JSON; bytes that are not UTF-8 (in file names) are replaced.
 std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace polhode

@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// Lists the cases, their references and the content of the sidecars, without rendering. Throws
-// Error as load_cases does.
+// Lists the cases, their references and the content of the sidecars, without rendering. The exit
+// code is 0. Throws Error as load_cases does.
 GoldenResult golden_show(const GoldenJob& job);
 
 }  // namespace polhode
