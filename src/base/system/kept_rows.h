@@ -22,9 +22,10 @@ class KeptRows {
   // by load() and later overwritten.
   KeptRows(std::filesystem::path file, std::string words);
 
-  // Passes the lines of an earlier run, without line breaks, to `take_up` in their order. The first
-  // line for which it returns false and all later ones are discarded. Does nothing if there is no
-  // file. Throws Error (input) as read_file does, and what `take_up` throws.
+  // Passes the lines of an earlier run, without line breaks, to `take_up` in their order. Those for
+  // which it returns true are kept, as if they had been added; the first one for which it returns
+  // false and all later ones are discarded. Call it before add(). Does nothing if there is no file.
+  // Throws Error (input) as read_file does, and what `take_up` throws.
   void load(const std::function<bool(const std::string& line)>& take_up);
   // Appends a line, given without its line break.
   void add(const std::string& line);

@@ -25,6 +25,7 @@ class Progress {
   // `things`: plural noun for what is counted, as printed. `total`: number of all things. `there`:
   // how many of them an earlier run has finished; they do not count in the rate.
   Progress(ProgressKind kind, int total, std::string things = "frames", int there = 0);
+  // Ends the line of the bar, if one was shown.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -13,9 +13,9 @@ namespace polhode {
 // Invariant: the library is open and stays mapped until the process ends.
 class SharedLibrary {
  public:
-  // Opens the first of `names` that can be loaded; a name without a slash is searched as the loader
-  // does. Throws Error (environment), with the loader's message about the first name, if none can
-  // be. At least one name.
+  // Opens the first of `names` (at least one) that can be loaded. A name without a slash, such as
+  // "libEGL.so.1", is looked for in the system's library folders. Throws Error (environment), with
+  // the loader's message about the first name, if none can be loaded.
   explicit SharedLibrary(const std::vector<std::string>& names) {
     std::string reason;
     for (const std::string& name : names) {
@@ -25,7 +25,8 @@ class SharedLibrary {
     }
     throw environment_error("{}", reason);
   }
-  // Does not unload the library: Mesa keeps threads and thread-local data.
+  // Does not unload the library, because Mesa's threads and thread-local data still need its code
+  // when the process ends.
   ~SharedLibrary() = default;
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
