@@ -43,10 +43,11 @@ struct StabilityProblem {
 };
 
 // The result of one run. Drifts are relative, see Drift in motion/trajectory.h. Unknown numbers are
-// NaN: all if the run failed, drifts also if the loads do not conserve the quantity.
+// NaN: all if the run failed, the error if the reference is unusable or the energy exploded, a
+// drift if the loads do not conserve the quantity.
 struct StabilityCell {
   RunOutcome outcome = RunOutcome::fine;
-  double error_rad = 0.0;       // largest deviation() from the reference; NaN without a usable one
+  double error_rad = 0.0;       // largest deviation() from the reference (motion/scales.h), rad
   double energy_drift = 0.0;    // largest Drift::energy, with the sign of the drift at the end
   double momentum_drift = 0.0;  // largest Drift::momentum
 };
