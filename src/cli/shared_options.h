@@ -31,7 +31,7 @@ CLI::Option* add_whole_number(CLI::App& command,
                               const std::string& names,
                               std::optional<int>& target,
                               const std::string& doc);
-// The value is any text that is not empty. The value of `target` now is shown as the default.
+// The value is any text that is not empty. The present value of `target` is shown as the default.
 CLI::Option* add_text(CLI::App& command,
                       const std::string& names,
                       std::string& target,
