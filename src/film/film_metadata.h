@@ -11,7 +11,8 @@ namespace polhode {
 
 // The metadata: key frames at the beginning and end of pauses and at chapters; a chapter for each
 // story step with a pause or a caption and for each named shot; one caption per story step that has
-// one. Frame numbers count from the first of `frames`. `story` is the scene's story with its
+// one. Frame numbers count from the first of `frames`; a chapter or caption that began before it
+// starts at 0. Comment and first number are left unset. `story` is the scene's story with its
 // captions, which `scene` itself lacks if the picture shows no text.
 FilmMetadata film_metadata(const Scene& scene,
                            const std::vector<StoryStep>& story,

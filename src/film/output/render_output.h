@@ -12,9 +12,10 @@
 
 namespace polhode {
 
-// Claims its files when it is constructed, before any work is done. Use it on one thread; only
-// sink() may be pushed to on another thread meanwhile, as run_pipeline does. The derived classes
-// are made by open_output().
+// Receives the frames of a plan: all of them, those of a shard, or those that an earlier run has
+// not made. Claims its files when it is constructed, before any work is done. Use it on one thread;
+// only sink() may be pushed to on another thread meanwhile, as run_pipeline does. The derived
+// classes are made by open_output().
 class RenderOutput {
  public:
   RenderOutput() = default;
