@@ -11,8 +11,10 @@ namespace polhode {
 
 // Writes chart.csv, with the columns of picture_error_csv(), chart.svg, chart.png and chart.pdf
 // into the folder of the job, together at the end. job.methods is not used. Draws on the calling
-// thread, with an OpenGL context of its own. Returns a summary, one line per setting and scene.
-// Throws Error (input) with --size as key for a given size of more than 960x540 pixels, as
+// thread, with an OpenGL context of its own. Each scene is drawn at five times of its motion; the
+// reference pictures are averages over 8x8 drawn pixels with four samples each. A scene with
+// pictures of more than 960x540 pixels is drawn smaller. Returns a summary, one line per scene and
+// setting. Throws Error (input) with --size as key if that size was asked for by the option, as
 // load_with_overrides, solve and OutputFolder do; (environment) without OpenGL or gnuplot;
 // (interrupted).
 std::string chart_pictures(const ChartJob& job);

@@ -34,8 +34,8 @@ struct MappedScene {
   // Whether every cell has a motion of its own. If the step changes along x, all cells of a row
   // share one.
   bool setup_per_cell() const { return x.key != kStepKey; }
-  // The motion of a cell; column and row count from 0. Call it after prepare_place(); the reference
-  // is valid as long as `setups` is not changed.
+  // The motion of a cell; column and row count from 0. Call it after prepare_place(); what it
+  // returns is valid as long as `setups` is not changed.
   const StabilitySetup& setup(int column, int row) const {
     return setups[static_cast<std::size_t>(setup_per_cell() ? row * x.cells + column : row)];
   }

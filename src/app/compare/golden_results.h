@@ -42,8 +42,8 @@ struct CaseResult {
 
 // Renders all cases, job.jobs at a time, and compares each with all its references. The results are
 // in the order of `cases` and point into it, so it must outlive them. Error (input) and
-// (check_failed) in a case become its result. Throws Error (input), with --backend as key, for an
-// unknown back end; (environment) if pictures cannot be drawn or written; (interrupted).
+// (check_failed) that a case causes become its result. Throws Error (input), with --backend as key,
+// for an unknown back end; (environment) if pictures cannot be drawn or written; (interrupted).
 std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<LoadedCase>& cases);
 
 // Whether thresholds and reason are equal.
