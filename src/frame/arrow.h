@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws vectors as arrows. The tip is exactly at the end of the vector.
+// Draws vectors as arrows. The tip is exactly at the end of the vector. Positions and lengths are
+// in S (m) in glyphs, and in drawing coordinates (DrawingFrame) in add_arrow() and add_tube().
 #pragma once
 
 #include <vector>
@@ -11,21 +12,22 @@ namespace polhode {
 
 // The unit meshes that all arrows share.
 struct ArrowMeshes {
-  MeshPtr shaft;  // unit cylinder
-  MeshPtr head;   // unit cone
+  MeshPtr shaft;  // unit_cylinder()
+  MeshPtr head;   // unit_cone()
 };
-// The arguments are the numbers of pieces of a full circle.
+// The arguments are the numbers of straight pieces that stand for a full circle.
 ArrowMeshes arrow_meshes(int around_shaft, int around_head);
 
-// Sizes in metres. A vector shorter than the head gets a smaller head.
+// The sizes of an arrow. If the head is longer than two thirds of the vector, all sizes shrink
+// until it is not.
 struct ArrowShape {
   double shaft_radius = 0.01;
   double head_radius = 0.03;
   double head_length = 0.09;
 };
 
-// Adds the items of the arrow from `from` to `tip` (S, m) to `items`; nothing if its length is
-// zero.
+// Adds the items of the arrow from `from` to `tip` to `items`; nothing if it is shorter than a
+// thousandth of the head.
 void add_arrow(std::vector<DrawItem>& items,
                const ArrowMeshes& meshes,
                const Vec3& from,
@@ -33,7 +35,7 @@ void add_arrow(std::vector<DrawItem>& items,
                const ArrowShape& shape,
                const Material& material);
 
-// Adds a tube with flat ends (S, m; radius in m); nothing if its length is zero.
+// Adds a tube with flat ends; nothing if its length is zero.
 void add_tube(std::vector<DrawItem>& items,
               const ArrowMeshes& meshes,
               const Vec3& from,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the meshes of a body, in body axes B.
+// Makes the meshes of a body, placed in body axes B.
 #pragma once
 
 #include <vector>
@@ -19,17 +19,21 @@ struct LookPart {
 };
 
 // The meshes of a [body] table: its look if there is one, else its solids or points, else (moments
-// or a tensor) the homogeneous ellipsoid that has them. segments: pieces of a full circle. Throws
-// Error (input) naming body.look or a key in it for a look that is impossible or has a mass.
+// or a tensor) the homogeneous ellipsoid that has them. Thin discs, rings, rods and ellipsoids get
+// a thickness that can be seen. `model` is that of `spec`. segments: straight pieces that stand for
+// a full circle as large as the body. Throws Error (input) naming body.look or a key in it for a
+// look that is impossible or has a mass.
 std::vector<LookPart> body_look(const BodySpec& spec,
                                 const BodyModel& model,
                                 const Theme& theme,
                                 int segments);
 
-// The mesh of one solid in its own frame, m.
+// The mesh of one solid in its own frame, m, without SolidSpec::at and turn. The dimensions must
+// have passed check_dimensions(), and the mesh of a mesh solid must be loaded. segments: straight
+// pieces that stand for a full circle as large as the solid.
 Mesh solid_mesh(const SolidSpec& solid, int segments);
 
-// The length of the longest vector of a film, in units of body_radius().
+// The drawn length of the longest vector of a film, in units of body_radius().
 inline constexpr double kReachOfVectors = 1.5;
 
 // The distance of the farthest vertex of the body from the reference point, m.

@@ -21,18 +21,21 @@ struct FrameMargins {
 // The coordinates of draw lists relative to space S. Origin and unit are chosen near what is drawn,
 // so that single precision is enough for a molecule and for a body far from the origin.
 struct DrawingFrame {
-  Vec3 origin = Vec3::Zero();  // space, m
+  Vec3 origin = Vec3::Zero();  // in S, m
   double unit = 1.0;           // m
 
+  // The drawing coordinates of a point, and a length in drawing coordinates.
   Vec3 point(const Vec3& point_S) const { return (point_S - origin) / unit; }
   double length(double metres) const { return metres / unit; }
 };
 
-// Immutable. The upward direction of pictures is +Z of S.
+// A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is
+// +Z of S.
 class Camera {
  public:
-  // eye, target, center and radius in S, m; fov: vertical field of view, rad. The clip planes are
-  // chosen to contain the ball (center, radius).
+  // eye, target (different from eye), center and radius in S, m; fov: vertical field of view, rad.
+  // The clip planes are chosen to contain the ball (center, radius). A camera that looks along Z
+  // has +Y upwards.
   Camera(const Vec3& eye,
          const Vec3& target,
          double fov,
@@ -43,18 +46,20 @@ class Camera {
   // Pixel coordinates of a point in front of the camera: x to the right, y down, with (0, 0) at the
   // upper left corner of the upper left pixel.
   Vec2 project(const Vec3& point_S) const;
-  // Pixels per metre perpendicular to the line of sight, at the depth of the point.
+  // Pixels per metre perpendicular to the line of sight, at the depth of a point in front
+  // of the camera.
   double pixels_per_metre(const Vec3& point_S) const;
+  // In S, m.
   const Vec3& eye() const { return eye_; }
   // Whether the point is in front of the camera and inside the picture.
   bool sees(const Vec3& point_S) const;
-  // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at
-  // rest.
+  // The camera moved with its rig. rig_from_space maps space to the frame in which the rig
+  // is at rest.
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
   // The camera at the fraction `part` (0..1) of the way from a to b: directions turn at a constant
   // rate, the distance to `focus` (S, m) changes linearly. a and b have the same picture size.
   static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
-  // The view of a draw list in the coordinates of `frame`.
+  // The view of a draw list in the coordinates of `frame`. The lights move with the camera.
   View view(const DrawingFrame& frame = {}) const;
 
  private:
@@ -76,17 +81,18 @@ class Camera {
 
 // A ball in space.
 struct Ball {
-  Vec3 center;  // space, m
-  double radius;
+  Vec3 center;    // in S, m
+  double radius;  // m
 };
 
-// A ball around the mean of the points (S, m) that contains them, for the clip planes. For a single
-// point the radius is 1 m.
+// A ball around the mean of the points (S, m) that contains them, for the clip planes. If all
+// points are at the same place, the radius is 1 m.
 Ball ball_around(const std::vector<Vec3>& points);
 
-// The nearest camera with the given line of sight for which all points (S, m) are inside the
-// picture less its margins. direction: from the scene towards the camera; target: the point in the
-// middle of the picture, if given; fov in rad.
+// The nearest camera with the given line of sight for which all points (S, m; at least one) are
+// inside the picture less its margins. target: the point in the middle of the picture (S, m);
+// absent: the camera moves sideways too. direction: from the scene towards the camera, of any
+// length but zero. fov: vertical field of view, rad.
 Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,

@@ -13,14 +13,15 @@
 
 namespace polhode {
 
-// A label in the picture. Positions are in pixels, x to the right, y down.
+// A label as a camera sees it. Positions are in pixels from the upper left corner of the camera's
+// picture, x to the right, y down.
 struct SeenLabel {
   Vec2 from;  // foot of the vector that it names; `at` if it names a point
   Vec2 at;
-  Vec2 away;  // unit vector from `at` towards the label
-  std::string markup;
-  glm::vec3 color;
-  float fade = 1.0f;  // multiplies the opacity
+  Vec2 away;           // unit vector from `at` towards the label
+  std::string markup;  // see text/typesetter.h
+  glm::vec3 color;     // sRGB-encoded, 0..1
+  float fade = 1.0f;   // multiplies the opacity
 };
 
 // What a camera sees at one moment.
@@ -31,25 +32,28 @@ struct CameraView {
 
 // How the motion is filmed: cameras, time and margins.
 struct Staging {
-  CameraSpec camera;
-  std::vector<ShotSpec> shots = {};
+  CameraSpec camera;                 // until the first shot begins
+  std::vector<ShotSpec> shots = {};  // in any order
   Timeline timeline;
-  FrameMargins margins = {};
+  FrameMargins margins = {};  // for automatic cameras
 };
 
-// Immutable. All members are pure functions of time and may be called from any thread. Glyphs
-// and cameras are in S, m; draw lists in the units of their drawing frame.
+// Immutable, with copies of all that it is made from. All members are pure functions of time and
+// may be called from any thread. Glyphs and cameras are in S, m; draw lists in the units of their
+// drawing frame.
 class Composer {
  public:
   // Throws Error (input) naming the key: show.NAME for an element that this motion does not have,
-  // show.body_opacity, camera.*, shots[i].*, video.theme or body.look.
+  // show.body_opacity with cones, camera.eye or camera.direction (shots[i].* for a shot),
+  // motion.position for a body too small to be drawn so far from the origin; and as make_scenery
+  // does. `body` is that of the motion; size: of the camera's picture.
   Composer(const Motion& motion,
            const BodySpec& body,
            const Staging& staging,
            const ShowSpec& show,
            const ThemeSpec& theme,
            PictureSize size);
-  // With a single camera and without a story: film time is motion time.
+  // With a single camera and without a story: film time is motion time. Throws Error likewise.
   Composer(const Motion& motion,
            const BodySpec& body,
            const CameraSpec& camera,
@@ -60,24 +64,26 @@ class Composer {
   // the new motion.
   Composer(const Composer& other, const Motion& motion);
 
-  // The view at the time `film` (s of film). The motion stops at `end` (s of motion).
+  // The view at the time `film` (s of film). After `end` (s of motion) the motion stands still.
   CameraView camera_view(double film, double end) const;
   // The draw list at the time t (s of motion).
   DrawList at(double t) const;
-  // Warnings with the key concerned: camera.eye for a camera that sees nothing or is inside the
-  // body, camera for a body smaller than a pixel.
+  // Warnings, which are not thrown, with the key concerned: camera.eye for a camera that
+  // sees nothing or comes inside the body, camera for a body that is always smaller than a
+  // pixel. Empty: none.
   std::vector<Error> warnings() const;
 
   // The camera at the start of the film.
   Camera camera() const { return camera_at(0.0); }
   // The camera at the time `film` (s of film).
   Camera camera_at(double film) const;
+  // References to members.
   const Timeline& timeline() const { return staging_.timeline; }
   const Scenery& scenery() const { return scenery_; }
   // Whether the element is shown in this film; `name` is one of elements().
   bool shows(const std::string& name) const { return shown_.at(name); }
-  // The glyphs of a moment; `film` in s of film, by default the last film time that shows the
-  // sample.
+  // The glyphs of a moment; `film` in s of film, by default the last film time that
+  // shows the sample.
   Glyphs glyphs_at(const Sample& sample) const;
   Glyphs glyphs_at(const Sample& sample, double film) const;
 
@@ -113,9 +119,10 @@ class Composer {
   std::vector<Rig> rigs_;  // in the order in which they come
 };
 
-// The attitude error, rad, that moves no drawn point by more than `pixels`. It needs no motion,
-// because everything drawn is within kReachOfVectors times body_radius (m) of the reference point.
-// Throws Error (input), naming camera.eye, if the camera is at its target.
+// The attitude error, rad, that moves no drawn point by more than `pixels` in a picture of that
+// size. It needs no motion, because everything drawn is within kReachOfVectors times body_radius
+// (m) of the reference point. A target that is not given counts as the origin. Throws Error
+// (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,

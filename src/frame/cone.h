@@ -9,24 +9,25 @@
 
 namespace polhode {
 
-// An open cone. half_angle in (0, pi/2), rad; slant: length of a generator. Position and lengths
-// are in S (m) in glyphs, and in drawing coordinates in add_cones().
+// An open cone. Position and lengths are in S (m) in glyphs, and in drawing coordinates
+// (DrawingFrame) in add_cones().
 struct Cone {
   Vec3 apex = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit vector from the apex into the cone
-  double half_angle = 0.5;
-  double slant = 1.0;
+  double half_angle = 0.5;    // rad, in (0, pi/2)
+  double slant = 1.0;         // from the apex to the rim
   double rim_radius = 0.005;  // of the tube drawn along the rim
   Material material;          // of the shell; the rim has the same colour, opaque
 };
 
 // The unit meshes that all cones share.
 struct ConeMeshes {
-  MeshPtr shell;  // unit cone shell
+  MeshPtr shell;  // unit_cone_shell()
   MeshPtr rim;    // torus of radius 1 and tube radius kRimTube, to be scaled
 };
+// The tube radius of the unit rim.
 inline constexpr double kRimTube = 0.01;
-// segments: pieces of a full circle.
+// segments: straight pieces that stand for the rim; shells get seven tenths as many.
 ConeMeshes cone_meshes(int segments);
 
 // Adds rims to list.opaque and shells to list.translucent, back to front for this eye; eye and

@@ -10,33 +10,38 @@
 
 namespace polhode {
 
-// Points of a curve at ascending parameters (for a path in time: s).
+// Points of a curve at ascending parameters (for a path in time: s), as many of the one as
+// of the other.
 struct Path {
   std::vector<double> parameters;
   std::vector<Vec3> points;
 };
 
-// Samples the curve over [from, to] so that no straight piece is farther from it than `tolerance`
-// (in the unit of the points; tested at the middle and the quarters of each piece). pieces: the
-// least number of pieces, which must resolve every turn.
+// Samples the curve over [from, to] so that no straight piece is farther from it than about
+// `tolerance` (in the unit of the points; tested at the middle and the quarters of each piece).
+// pieces: into how many equal parts the interval is first divided; they must resolve every turn.
+// Each is halved up to twelve times, until there are 200,000 points; then points that lie on the
+// line between their neighbours are dropped.
 Path sampled(
     const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
 
-// A tube along the points; `closed` joins the last to the first. Radius in the unit of the points;
-// sides: corners of the cross-section.
+// A tube with open ends along at least two points; `closed` joins the last to the first. Radius in
+// the unit of the points; sides: corners of the cross-section.
 Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed);
 
 // The path of a point in time, as meshes that are made once. To draw part of it, a film draws the
-// complete pieces and makes new meshes for the cut ones. Immutable.
+// complete pieces and makes new meshes for the cut ones. Immutable, so any thread may use it.
 class Trail {
  public:
-  Trail() = default;
-  // Points (S or B) and tube radius in m. unit: metres per unit of the meshes.
+  Trail() = default;  // empty
+  // Points (S or B) and tube radius in m. unit: metres per unit of the meshes. sides:
+  // as for tube_along().
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
-  // The meshes of the part between two parameters. place() maps them to the frame of the points.
+  // The meshes of the part between two parameters, in mesh coordinates.
   std::vector<MeshPtr> part(double from, double to) const;
+  // Maps mesh coordinates to the frame of the points, m.
   const Placement& place() const { return place_; }
   const Path& path() const { return path_; }
 
@@ -51,9 +56,10 @@ class Trail {
   std::vector<MeshPtr> pieces_;
 };
 
-// The polhode: the closed curve of the angular velocity in principal axes P (rad/s) on which y.w
-// (twice the kinetic energy) and |y|^2 are constant, parametrised by the angle around the axis that
-// it encircles (Landau and Lifshitz, Mechanics, section 37). moments: kg m^2, all positive; w_P: a
+// The polhode: the closed curve of the angular velocity w in principal axes P (rad/s) on which y.w
+// (twice the kinetic energy) and |y|^2 are constant, y = I w (Landau and Lifshitz, Mechanics,
+// section 37). The result has `pieces` points (rad/s) at equal steps of the angle around the axis
+// that the curve encircles; the last is not the first again. moments: kg m^2, all positive; w_P: a
 // point of the curve, rad/s. Empty for a body at rest and for a rotation about a principal axis.
 std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces);
 

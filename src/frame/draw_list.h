@@ -20,24 +20,25 @@ enum class Finish { plain, wood, metal, ceramic };
 // The material of an item. Colours are sRGB-encoded, 0..1.
 struct Material {
   glm::vec3 color{0.8f};
-  float alpha = 1.0f;          // below 1: translucent, belongs in DrawList::translucent
-  float gloss = 0.3f;          // strength of the highlight
+  float alpha = 1.0f;          // 0..1; below 1: translucent, belongs in DrawList::translucent
+  float gloss = 0.3f;          // strength of the highlight, 0..1
   glm::vec3 mark_color{0.0f};  // of the strip that makes the spin visible
   float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units; 0: none
   Finish finish = Finish::plain;
   bool flat = false;  // unlit: the same colour and alpha from every direction
   bool soft = false;  // for a flat disc: alpha falls to 0 at the rim
-  float fade = 1.0f;  // multiplies alpha, while the item appears or disappears
+  float fade = 1.0f;  // multiplies alpha; below 1 while the item appears or disappears
 
+  // Whether it belongs in DrawList::opaque.
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }
 };
 
-// Which faces are drawn.
+// Which faces are drawn: those whose outside the eye sees, those whose inside it sees, or both.
 enum class Faces { front, back, both };
 
 // A mesh at its position.
 struct DrawItem {
-  MeshPtr mesh;
+  MeshPtr mesh;  // never null
   glm::mat4 world_from_mesh{1.0f};
   Material material;
   Faces faces = Faces::front;
@@ -46,11 +47,12 @@ struct DrawItem {
 // Camera and lights.
 struct View {
   glm::mat4 clip_from_world{1.0f};  // OpenGL clip space, y up
-  glm::vec3 eye{0.0f};
-  glm::vec3 key_light{0.0f};   // unit vector towards the main light
-  glm::vec3 fill_light{0.0f};  // unit vector towards the weaker light
+  glm::vec3 eye{0.0f};              // world coordinates
+  glm::vec3 key_light{0.0f};        // unit vector towards the main light
+  glm::vec3 fill_light{0.0f};       // unit vector towards the weaker light
 };
 
+// What is drawn from one camera.
 struct DrawList {
   View view;
   glm::vec3 background{0.0f};         // sRGB-encoded, 0..1
@@ -60,12 +62,12 @@ struct DrawList {
 
 // A rectangle of the picture with its own camera.
 struct Panel {
-  PixelBox place;
+  PixelBox place;  // pixels of the frame
   DrawList list;
 };
 
-// A whole frame: panels that cover it without overlap, and stamps that are drawn over them in this
-// order.
+// A whole frame: panels that cover it without overlap, and stamps that are drawn over them
+// in this order.
 struct Picture {
   std::vector<Panel> panels;
   std::vector<Stamp> stamps;

@@ -11,26 +11,28 @@
 
 namespace polhode {
 
-// To add one: a function in frame/elements/ and a row in frame/elements.cpp.
+// A row of the table. To add an element: a function in frame/elements/ and a row in
+// frame/elements.cpp. The functions are pure and may be called from any thread.
 struct Element {
-  std::string name;
-  std::string doc;
-  // whether it is shown if the scene does not say
+  std::string name;  // key of [show], and in the lists `show` and `hide` of a story
+  std::string doc;   // one phrase for help and the schema
+  // Whether it is shown if the scene does not say.
   bool (*by_default)(const Scenery& scenery);
-  // "" if this motion has it, else the reason why not
+  // "" if this motion has the element, else the reason why not.
   std::string (*why_not)(const Scenery& scenery);
-  // adds its glyphs, in S, m
+  // Adds the glyphs of the element at the moment of `sample`, in S, m.
   void (*add)(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 };
 
-// All elements. If two cones touch, the one listed first is drawn first.
+// All elements; the table exists until the program ends. If two cones touch, the one listed first
+// is drawn first.
 const std::vector<Element>& elements();
 
-// Adds the points of show.points as balls, with position vectors from the reference point and, if
-// from_origin, from the origin of space.
+// Adds the points of show.points at the moment of `sample` as balls, with position vectors from the
+// reference point and, if from_origin, from the origin of space.
 void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs);
 
-// Adds the paths of show.trail_points.
+// Adds the paths of show.trail_points up to the moment of `sample`.
 void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 
 }  // namespace polhode

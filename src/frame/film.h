@@ -19,23 +19,24 @@ struct PanelNotes {
   std::string stamp;               // a warning below them; empty: none
 };
 
-// A panel shows one composer.
+// A part of the frame that shows what one composer draws.
 struct FilmPanel {
-  PixelBox place;
-  std::shared_ptr<const Composer> composer;
+  PixelBox place;                            // pixels of the frame
+  std::shared_ptr<const Composer> composer;  // never null; for pictures of the size of `place`
   double end = 0.0;  // s of motion: end of the known motion; the panel freezes there
+  // The notes at the time t (s of motion); called from any thread. Empty: no notes.
   std::function<PanelNotes(double t)> notes = {};
 };
 
 // A plot that is drawn once and revealed from left to right as time passes.
 struct FilmPlot {
-  PixelBox place;
-  SpritePtr axes, curves;           // of the size of `place`
-  int first = 0, last = 0;          // columns of `place` where the time axis begins and ends
+  PixelBox place;           // pixels of the frame
+  SpritePtr axes, curves;   // of the size of `place`; `curves` is revealed
+  int first = 0, last = 0;  // columns of `place` (from 0) where the time axis begins and ends
   double begins = 0.0, ends = 0.0;  // the times there, s of motion
 };
 
-// The text of the whole frame. Plain text.
+// The text of the whole frame. Title and captions are plain text, not markup.
 struct FilmText {
   std::string title;        // empty: none
   std::string caption;      // shown while the story has no caption; empty: none
@@ -46,15 +47,17 @@ struct FilmText {
   double size = 1.0;        // scales all text
 };
 
-// The text that [show] asks for. time_scale: seconds of motion per second of film.
+// The text that [show] asks for; the caller sets FilmText::captions. time_scale: seconds of motion
+// per second of film.
 FilmText film_text(const ShowSpec& show, const std::string& title, double time_scale);
 
-// The rectangles of `count` panels of equal size that cover the frame: side by side, or in rows if
-// that makes them less narrow.
+// The rectangles (pixels) of `count` panels that cover the frame in rows of equal height. There are
+// as many columns as make the panels nearest to square with few gaps; the panels of an incomplete
+// last row are wider.
 std::vector<PixelBox> panel_places(PictureSize size, int count);
 
-// The margins that text needs in one panel, for the automatic camera. note_lines: number of lines
-// of PanelNotes.
+// The margins that text needs in one panel of a frame of that size, for the automatic camera.
+// note_lines: number of lines of PanelNotes.
 FrameMargins text_margins(const FilmText& text,
                           const PixelBox& panel,
                           PictureSize size,
@@ -63,17 +66,20 @@ FrameMargins text_margins(const FilmText& text,
 // Immutable. Pictures are pure functions of time and may be made from any thread.
 class Film {
  public:
+  // There is at least one panel; the first one gives the colours of the text and the times of
+  // captions, clock and plots.
   Film(std::vector<FilmPanel> panels,
        const FilmText& text,
        PictureSize size,
        std::vector<FilmPlot> plots = {});
 
-  // The picture at the time `film` (s of film).
+  // The picture at the time `film` (s of film). Throws Error (environment) as Typesetter does.
   Picture at(double film) const;
-  // The same panels without text, plots and separator lines.
+  // The picture at that time without text, plots and separator lines.
   Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
-  // The rectangles of all text at this moment, labels last; for tests.
+  // The rectangles (pixels of the frame) of all plots and text at this moment, labels
+  // last; for tests.
   std::vector<TextRoom> text_rooms(double film) const;
 
  private:

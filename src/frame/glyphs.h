@@ -15,7 +15,7 @@ namespace polhode {
 
 // An arrow.
 struct ArrowGlyph {
-  Vec3 from, tip;
+  Vec3 from, tip;  // in S, m
   ArrowShape shape;
   Material material;
 };
@@ -23,40 +23,40 @@ struct ArrowGlyph {
 // A mesh at its position.
 struct MeshGlyph {
   MeshPtr mesh;
-  Placement space_from_mesh;
+  Placement space_from_mesh;  // maps mesh coordinates to S, m
   Material material;
 };
 
 // A straight thin tube.
 struct RodGlyph {
-  Vec3 from, to;
-  double radius;
+  Vec3 from, to;  // in S, m
+  double radius;  // m
   Material material;
 };
 
 // The shorter arc of a circle from one direction to another, as a thin tube.
 struct ArcGlyph {
-  Vec3 center;
-  Vec3 from, to;  // unit vectors from the centre, not parallel
-  double radius;
-  double tube_radius;
+  Vec3 center;         // in S, m
+  Vec3 from, to;       // unit vectors from the centre in S, not parallel
+  double radius;       // m
+  double tube_radius;  // m
   Material material;
 };
 
 // A label beside the point `at`.
 struct LabelGlyph {
-  Vec3 at;    // space, m
-  Vec3 away;  // the vector that it names, from its foot to `at`; zero: a point, with the label
-              // above it
+  Vec3 at;    // in S, m
+  Vec3 away;  // the vector that it names, from its foot to `at` (S, m); zero: it names a point and
+              // stands above it
   std::string markup;  // see text/typesetter.h
-  glm::vec3 color;
-  float fade = 1.0f;
+  glm::vec3 color;     // sRGB-encoded, 0..1
+  float fade = 1.0f;   // multiplies the opacity
 };
 
 // A flat translucent mesh and the plane that it lies in.
 struct SheetGlyph {
   MeshGlyph mesh;
-  Vec3 point, normal;  // space, m
+  Vec3 point, normal;  // of the plane, in S: a point (m), and a vector perpendicular to it
 };
 
 // All glyphs of one moment.
@@ -70,33 +70,34 @@ struct Glyphs {
   std::vector<MeshGlyph> ghosts;  // translucent bodies, oldest first
   std::vector<MeshGlyph> shells;  // translucent convex surfaces around all cones, outermost first
   std::vector<SheetGlyph> sheets;
-  Vec3 middle = Vec3::Zero();  // the reference point
-  std::vector<Vec3> reach;     // points whose convex hull contains the meshes, for framing
+  Vec3 middle = Vec3::Zero();  // the reference point, in S, m
+  std::vector<Vec3> reach;     // points (S, m) whose convex hull contains the meshes, for framing
   std::vector<LabelGlyph> labels;
 };
 
-// The numbers of glyphs at one moment of their making, for fade_new().
+// How many glyphs there were of each kind when this was made, for fade_new().
 struct GlyphCounts {
   explicit GlyphCounts(const Glyphs& glyphs);
   std::size_t arrows, meshes, rods, arcs, cones, shades, ghosts, shells, sheets, labels;
 };
-// Fades the glyphs that were added since `before`. presence: 1 is fully visible, 0 invisible.
+// Multiplies the fade of the glyphs that were added since `before` by `presence`: 1 is fully
+// visible, 0 invisible.
 void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence);
 
-// The point at the fraction `part` (0..1) of an arc.
+// The point (S, m) at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcGlyph& arc, double part);
 
 // Appends points (S, m) whose convex hull contains the glyphs.
 void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points);
 
-// The shared unit meshes of arrows, arcs and cones.
+// The unit meshes that all arrows, rods, arcs and cones share.
 struct GlyphMeshes {
   ArrowMeshes arrows;
   ConeMeshes cones;
 };
 
-// Adds the glyphs to `list` in the coordinates of `frame`. Translucent items are ordered for `eye`
-// (S, m).
+// Adds the glyphs, except their labels, to `list` in the coordinates of `frame`. Translucent items
+// are ordered for `eye` (S, m).
 void add_items(const Glyphs& glyphs,
                const GlyphMeshes& meshes,
                const DrawingFrame& frame,

@@ -17,7 +17,7 @@ struct TextRoom {
   Vec2 center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
 };
 
-// A drawn vector that labels should not cover, in pixels.
+// A drawn vector that labels should not cover; pixels, y down.
 struct TextShaft {
   Vec2 from, tip;
 };
@@ -25,18 +25,18 @@ struct TextShaft {
 // Whether the rectangles have a common area.
 bool overlap(const TextRoom& a, const TextRoom& b);
 
-// A label that should stand beside `at`, in the direction of the unit vector `away`; pixels.
+// A label that should stand beside `at`, in the direction of the unit vector `away`;
+// pixels, y down.
 struct LabelWish {
   Vec2 at;
   Vec2 away;
-  double width = 0.0;  // of its ink (TextBox)
-  double height = 0.0;
+  double width = 0.0;   // of its ink (TextBox)
+  double height = 0.0;  // of its ink
 };
 
-// The rectangle of each wish, inside `frame`. Rectangles keep at least `gap` pixels from `taken`
-// and from each other if there is enough space, and avoid `shafts` where possible. A pure function,
-// so a frame looks the same whichever frame is drawn before it. Placed labels move continuously
-// with `at`.
+// The rectangle of each wish, in the order of the wishes, inside `frame`. Rectangles keep at least
+// `gap` pixels from `taken` and from each other if there is enough space, and avoid `shafts` where
+// possible. A pure function: a picture does not depend on which one was drawn before it.
 std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
                                    const std::vector<TextRoom>& taken,
                                    const std::vector<TextShaft>& shafts,

@@ -28,39 +28,40 @@ struct Mesh {
 using MeshPtr = std::shared_ptr<const Mesh>;
 
 // The number of straight pieces that approximate a circle of this radius (pixels) to a quarter of a
-// pixel. In all round meshes the corners lie as far outside the true surface as the middles of the
-// pieces lie inside.
+// pixel, at least eight. In all round meshes the corners lie as far outside the true surface as the
+// middles of the pieces lie inside. `segments` below is the number of pieces of a full circle.
 int circle_segments(double radius_px);
 
-// Edges that meet at a smaller angle than this are shaded as one smooth surface.
+// Faces whose normals differ by less than this are shaded as one smooth surface.
 inline constexpr double kCreaseAngle = 0.6;  // rad
 // The surface of revolution of an outline of (radius, z) points about z, in `segments` steps. The
-// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside. crease:
-// rad.
+// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside. crease
+// (rad): edges of the outline that turn by less are shaded as one smooth surface.
 Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kCreaseAngle);
 
 // The unit sphere about the origin. Circles of latitude have as many pieces as their size needs.
 Mesh unit_sphere(int segments);
-Mesh unit_sphere(int segments, int most_around);  // at most so many pieces per circle
+// With at most `most_around` pieces per circle of latitude.
+Mesh unit_sphere(int segments, int most_around);
 // A cylinder of radius 1 from z = 0 to z = 1, with caps.
 Mesh unit_cylinder(int segments);
 // A cone with its base (radius 1, closed) at z = 0 and its apex at z = 1.
 Mesh unit_cone(int segments);
 // The unit disc in the plane z = 0, facing +z.
 Mesh unit_disc(int segments);
-// A torus about z: distance of the tube's centre from the axis, and radius of the tube.
+// A torus about z. radius: distance of the tube's centre from the axis; tube: radius of the tube.
 Mesh torus(double radius, double tube, int segments);
-// The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be
-// scaled).
+// The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees,
+// to be scaled).
 Mesh unit_cone_shell(int segments);
 // A box about the origin with these edge lengths.
 Mesh box(const Vec3& size);
 
-// A triangle mesh of the scene for drawing. At each corner, faces that meet at less than
-// kCreaseAngle are shaded as one smooth surface.
+// A triangle mesh of the scene for drawing, m. At each corner, faces whose normals differ by less
+// than kCreaseAngle are shaded as one smooth surface.
 Mesh faceted(const TriangleMesh& surface);
 
-// The mesh scaled by a factor per axis, with correct normals.
+// The mesh scaled by a positive factor per axis, with correct normals.
 Mesh scaled(const Mesh& mesh, const Vec3& factors);
 
 }  // namespace polhode

@@ -11,9 +11,11 @@
 
 namespace polhode {
 
-// Scales of drawn quantities, in metres of space.
+// How long quantities are drawn: metres of space per unit of the quantity, 0 for a quantity that is
+// zero in the whole film.
 struct Scale {
-  double body = 1.0;      // radius: farthest drawn point from the reference point, m
+  double body = 1.0;      // "the body's radius": distance of the farthest point of the body, of
+                          // show.points or of show.trail_points from the reference point, m
   double omega = 1.0;     // metres per rad/s
   double momentum = 1.0;  // metres per kg m^2/s
   double velocity = 1.0;  // metres per m/s
@@ -21,23 +23,24 @@ struct Scale {
   double torque = 1.0;    // metres per N m
 };
 
-// The curves of a film that the scene asks for, made once.
+// The curves of a film that the scene asks for, made once; those that it does not are
+// empty or null.
 struct Paths {
   Trail axis;                     // of the body's axis
   std::vector<Trail> points;      // of the points in ShowSpec::trail_points
-  Trail herpolhode;               // of the tip of omega
+  Trail herpolhode;               // of the tip of omega, in space
   MeshPtr polhode, binet;         // in principal axes, in units of the body's radius
   std::vector<MeshPtr> polhodes;  // family of polhodes, in the same coordinates
 };
 
-// The radius of the sphere on which the path of the body's axis is drawn, in units of the body's
-// radius.
+// The radius of the sphere on which the path of the body's axis is drawn, in units of
+// the body's radius.
 inline constexpr double kTrailRadius = 1.25;
-// The length of the longest force and of the longest torque of a film, in units of the body's
-// radius.
+// The length of the longest force and of the longest torque of a film, in units of
+// the body's radius.
 inline constexpr double kForceLength = 0.8;
 
-// What all moments of a film share.
+// What all moments of a film share. A value: copies share only the meshes, which never change.
 struct Scenery {
   Motion motion;
   Theme theme;
@@ -55,15 +58,17 @@ struct Scenery {
   Paths paths = {};
 };
 
-// Makes the scenery. Scales are chosen for the whole film, so that they stay constant. segments:
-// pieces of a full circle. Throws Error (input) as body_look and make_theme do.
+// Makes the scenery. `body` is that of the motion. Scales are chosen for the whole film, so that
+// they stay constant. segments: straight pieces that stand for a circle as large as the picture.
+// Throws Error (input) as body_look and make_theme do.
 Scenery make_scenery(const Motion& motion,
                      const BodySpec& body,
                      const ThemeSpec& theme,
                      const ShowSpec& show,
                      int segments);
 
-// Replaces the body's meshes by ones with `segments` pieces of a full circle.
+// Replaces the body's meshes by ones with `segments` pieces of a full circle. Throws Error (input)
+// as body_look does.
 void make_look(Scenery& scenery, const BodySpec& body, int segments);
 
 // The paths of scenery.motion that scenery.options asks for.
@@ -78,8 +83,8 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
-// Ascending times (s of motion), from 0 to the end, at which the automatic camera looks at the
-// motion.
+// Ascending times (s of motion), from 0 to the end, at which the automatic camera looks
+// at the motion.
 std::vector<double> framing_times(const Motion& motion);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colour themes. A quantity has the same hue in every scene, so that viewers learn it once.
+// Colour themes. A theme gives a quantity the same colour in every scene, so that viewers
+// learn it once.
 #pragma once
 
 #include <string>
@@ -18,7 +19,7 @@ struct Theme {
   std::string name;
   glm::vec3 background;
   glm::vec3 body;
-  glm::vec3 mark;
+  glm::vec3 mark;      // of the strip on the body that makes its spin visible
   glm::vec3 omega;     // angular velocity
   glm::vec3 momentum;  // angular momentum
   glm::vec3 body_axes;
@@ -38,14 +39,14 @@ struct Theme {
   glm::vec3 floor;
 };
 
-// All themes.
+// All themes; the table exists until the program ends.
 const std::vector<Theme>& themes();
 
 // The finish for a name from material_names(); plain for any other name.
 Finish finish_named(const std::string& material);
 
-// The theme with the scene's own background, if it gives one. Throws Error (input), naming
-// video.theme, for an unknown theme.
+// The theme with the scene's own background, if it gives one. Throws Error (input): naming
+// video.theme for an unknown theme, without a key for a background that is not "#rrggbb".
 Theme make_theme(const ThemeSpec& spec);
 
 // "#rrggbb" as components 0..1. Throws Error (input), without a key, for other text.

@@ -15,33 +15,35 @@ struct Pause {
   double begins = 0.0;  // s of film
   double ends = 0.0;    // s of film
   double at = 0.0;      // s of motion
-  std::string caption;
+  std::string caption;  // of the step; empty: none
 };
 
-// Immutable. Without a story, film time is motion time divided by the time scale.
+// The map between film time and motion time. Immutable, so any thread may use it. Without a story,
+// film time is motion time divided by the time scale.
 class Timeline {
  public:
-  Timeline() = default;
+  Timeline() = default;  // of a motion without duration
   // The motion from 0 to `duration` (s) at `time_scale` seconds of motion per second of film.
-  // Throws Error (input), naming story[i].at, for a step after the end.
+  // Steps may be in any order. Throws Error (input), naming story[i].at, for a step after the end.
   Timeline(const std::vector<StoryStep>& story, double duration, double time_scale);
 
-  // The timeline of the same motion with another story.
+  // The timeline of the same motion with another story. Throws Error as the constructor does.
   Timeline retold(const std::vector<StoryStep>& story) const {
     return Timeline(story, duration_, time_scale_);
   }
 
   // The length of the film, s. Film time begins at 0.
   double film_duration() const;
-  // The motion time that is shown at a film time.
+  // The motion time (s) that is shown at a film time (s); after the end of the film, the duration
+  // of the motion.
   double motion_time(double film) const;
-  // The last and the first film time that show this motion time; they differ at a pause.
+  // The last and the first film time (s) that show this motion time (s); they differ at a pause.
   double film_time(double motion) const;
   double first_film_time(double motion) const;
-  // How far the story lets the element of that name be visible: 1 fully, 0 not at all, in between
-  // while it fades.
+  // How visible the story makes an element (a name from element_names()): 1 fully, 0 not at all, in
+  // between while it fades. 1 if the story does not mention it.
   double presence(const std::string& element, double film) const;
-  // The story's caption at this film time; empty before the first.
+  // The story's caption at this film time; absent before the first one. An empty one means none.
   std::optional<std::string> caption(double film) const;
   // All pauses, by time.
   const std::vector<Pause>& pauses() const { return pauses_; }
@@ -50,7 +52,7 @@ class Timeline {
   const std::vector<double>& starts() const { return starts_; }
 
  private:
-  // How long the pauses that `counts` is true of have held the film, s.
+  // The total length of the pauses for which `counts` returns true, s of film.
   template <class Counts>
   double held(const Counts& counts) const;
 

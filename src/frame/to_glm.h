@@ -9,10 +9,10 @@
 
 namespace polhode {
 
-// An affine map from mesh coordinates, usually to space: p_S = linear * p_mesh + translation.
+// An affine map from mesh coordinates to S or B (m): p_S = linear * p_mesh + translation.
 using Placement = Eigen::Affine3d;
 
-// Rounds to single precision.
+// Both round to single precision.
 inline glm::vec3 to_glm(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }

@@ -15,16 +15,18 @@ namespace polhode {
 
 // A camera. Without eye, it frames the whole film automatically.
 struct CameraSpec {
-  std::optional<Vec3> eye;          // position in S, m
-  std::optional<Vec3> target;       // point in the middle of the picture, in S, m
+  std::optional<Vec3> eye;          // position in S, m; absent: automatic
+  std::optional<Vec3> target;       // point in the middle of the picture, in S, m; absent: the
+                                    // middle of what is drawn
   double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
-  std::optional<Vec3> direction;    // from the scene towards an automatic camera, in S
+  std::optional<Vec3> direction;    // from the scene towards an automatic camera, in S, of any
+                                    // length; absent: kDefaultDirection, or L if it follows L
   double orbit = 0.0;               // about the vertical through the target, rad per s of film
   std::string follow = "none";      // one of follow_names(): what the camera moves with
 };
 
-// What a camera can move with: "none"; "center", the reference point; "body", the attitude of the
-// body too; "momentum", the direction of L too.
+// What a camera can move with: "none", it stands still; "center", it moves with the reference
+// point; "body", it also turns with the body; "momentum", it also turns with the direction of L.
 std::vector<std::string> follow_names();
 
 // A shot: the camera used from some time on.
@@ -45,18 +47,19 @@ struct StoryStep {
   std::optional<std::string> caption;  // caption from now on; "": none
 };
 
-// The default direction towards an automatic camera: in front, to the right, above.
+// The default direction (S) towards an automatic camera, above the horizontal.
 inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
-// What is drawn.
+// What is drawn: the [show] table.
 struct ShowSpec {
-  // By name of the element (frame/elements.h); absent: Element::by_default decides.
+  // Whether an element (frame/elements.h) is drawn, by its name;
+  // absent: Element::by_default decides.
   std::map<std::string, std::optional<bool>> asked;
   std::vector<Vec3> points;   // points drawn as balls with position vectors, in B, m
   double body_opacity = 1.0;  // below 1: the body is translucent
-  bool labels = true;         // the names of vectors
-  bool title = false;         // the scene's title, at the top
-  bool clock = true;          // the time of the motion, and the time scale if it is not 1
+  bool labels = true;         // show the names of vectors
+  bool title = false;         // show the scene's title, at the top
+  bool clock = true;          // show the time of the motion, and the time scale if it is not 1
   std::string caption;        // a line at the bottom; empty: none
   double text_size = 1.0;     // scales all text
   std::vector<std::string> views = {"space"};  // panels: "space", "body"
@@ -65,9 +68,10 @@ struct ShowSpec {
   std::vector<Vec3> trail_points;              // points whose paths are drawn, in B, m
   std::optional<double> trail_s;  // s of motion that paths cover; absent: from the start
   int ghost_count = 5;            // how many earlier positions of the body are drawn
-  std::optional<double> ghost_s;  // s of motion between them; absent: a 40th of the motion
+  std::optional<double> ghost_s;  // s of motion between them; absent: duration / 40
 
-  // Whether the scene asks for the element; absent: it does not say.
+  // Whether the scene asks for the element; absent: it does not say. Adds an absent entry for a
+  // name that `asked` lacks.
   std::optional<bool>& operator[](const std::string& name) { return asked[name]; }
 };
 
@@ -76,17 +80,17 @@ struct ShowName {
   std::string name;
   std::string doc;
 };
-// From the table in frame/elements.cpp, in its order.
+// Both are taken from the table in frame/elements.cpp, in its order.
 std::vector<ShowName> show_names();
 std::vector<std::string> element_names();
 
 // The colours of the picture.
 struct ThemeSpec {
   std::string theme = "dark";             // one of theme_names()
-  std::optional<std::string> background;  // "#rrggbb"
+  std::optional<std::string> background;  // "#rrggbb"; absent: that of the theme
 };
 
-// The names of the tables in frame/theme.cpp.
+// The names of the themes and of the finishes of surfaces (frame/theme.h).
 std::vector<std::string> theme_names();
 std::vector<std::string> material_names();
 
@@ -94,45 +98,51 @@ template <class Visitor>
 void fields(Visitor& v, CameraSpec& s) {
   v.at_most_one_of({"eye", "direction"});
   v.field(
-      "eye", s.eye, Doc{"where the camera is; absent: it frames the film by itself", Unit::length});
-  v.field("target",
-          s.target,
-          Doc{"what it looks at; absent: the middle of what is drawn", Unit::length});
+      "eye",
+      s.eye,
+      Doc{"position of the camera; absent: it frames the whole film automatically", Unit::length});
+  v.field(
+      "target",
+      s.target,
+      Doc{"point in the middle of the picture; absent: the middle of what is drawn", Unit::length});
   v.field("fov", s.fov, Doc{"vertical field of view", Unit::angle, Range{0.01, 2.6}});
   v.field("direction",
           s.direction,
-          Doc{"from the scene towards an automatic camera; absent: [0.82, 0.46, 0.34]"});
+          Doc{"direction from the scene towards an automatic camera; absent: [0.82, 0.46, 0.34]"});
   v.field("orbit",
           s.orbit,
-          Doc{"how fast the camera goes round the vertical, per second of film",
+          Doc{"angular velocity of the camera about the vertical through its target, per second of "
+              "film",
               Unit::angular_velocity});
-  v.field("follow", s.follow, Doc{"what it moves with", Unit::none, kAny, follow_names()});
+  v.field("follow", s.follow, Doc{"what the camera moves with", Unit::none, kAny, follow_names()});
 }
 
 template <class Visitor>
 void fields(Visitor& v, ShotSpec& s) {
-  v.field("name", s.name, Doc{"what this shot is called"});
-  v.required("at", s.at, Doc{"from when on, in the motion", Unit::time, kNonNegative});
+  v.field("name", s.name, Doc{"name of the shot, the title of its chapter"});
+  v.required(
+      "at", s.at, Doc{"time of the motion at which the shot begins", Unit::time, kNonNegative});
   v.field("move",
           s.move,
-          Doc{"how long the camera takes to get there, in the film; 0: a cut",
-              Unit::time,
-              kNonNegative});
+          Doc{"film time that the camera takes to move there; 0: a cut", Unit::time, kNonNegative});
   fields(v, s.camera);
 }
 
 template <class Visitor>
 void fields(Visitor& v, StoryStep& s) {
-  v.required("at", s.at, Doc{"when, in the motion", Unit::time, kNonNegative});
+  v.required(
+      "at", s.at, Doc{"time of the motion at which the step begins", Unit::time, kNonNegative});
   v.field("hold",
           s.hold,
-          Doc{"how long the motion stands still, in the film", Unit::time, kNonNegative});
+          Doc{"how long the motion stands still, in film time", Unit::time, kNonNegative});
   v.field("fade",
           s.fade,
-          Doc{"how long things take to come and go, in the film", Unit::time, kNonNegative});
-  v.field("show", s.show, Doc{"what comes now", Unit::none, kAny, element_names()});
-  v.field("hide", s.hide, Doc{"what goes now", Unit::none, kAny, element_names()});
-  v.field("caption", s.caption, Doc{"words from now on; empty: none"});
+          Doc{"how long elements take to appear and disappear, in film time",
+              Unit::time,
+              kNonNegative});
+  v.field("show", s.show, Doc{"elements that appear now", Unit::none, kAny, element_names()});
+  v.field("hide", s.hide, Doc{"elements that disappear now", Unit::none, kAny, element_names()});
+  v.field("caption", s.caption, Doc{"caption from now on; empty: none"});
 }
 
 template <class Visitor>
@@ -141,46 +151,57 @@ void fields(Visitor& v, ShowSpec& s) {
     v.field(name.c_str(), s.asked[name], Doc{doc});
   v.field("body_opacity",
           s.body_opacity,
-          Doc{"1: solid; less: what is inside the body is seen through it, without cones",
+          Doc{"opacity of the body; below 1 the body is translucent, which excludes cones",
               Unit::none,
               Range{0.05, 1.0}});
   v.field("material",
           s.material,
-          Doc{"how the body's surface looks", Unit::none, kAny, material_names()});
+          Doc{"finish of the body's surface", Unit::none, kAny, material_names()});
   v.field("trail_points",
           s.trail_points,
           Doc{"points of the body whose paths are drawn", Unit::length});
   v.field("trail_length",
           s.trail_s,
-          Doc{"how far back in time paths are drawn; absent: to the start", Unit::time, kPositive});
-  v.field("ghost_count",
-          s.ghost_count,
-          Doc{"how many former bodies are drawn", Unit::none, Range{1, 50}});
+          Doc{"paths cover this much time before the present; absent: all since the start",
+              Unit::time,
+              kPositive});
   v.field(
-      "ghost_interval",
-      s.ghost_s,
-      Doc{"how far they are apart in time; absent: a 40th of the motion", Unit::time, kPositive});
-  v.field("views",
-          s.views,
-          Doc{"pictures side by side: of space, and as the body sees it",
-              Unit::none,
-              kAny,
-              {"space", "body"}});
-  v.field("plots",
-          s.plots,
-          Doc{"quantities over time, beside the picture", Unit::none, kAny, recorded_names()});
-  v.field("labels", s.labels, Doc{"names beside vectors"});
-  v.field("title", s.title, Doc{"the scene's title, at the top"});
-  v.field("clock", s.clock, Doc{"the time of the motion, and how much slower it is shown"});
-  v.field("caption", s.caption, Doc{"words at the bottom; empty: none"});
+      "ghost_count",
+      s.ghost_count,
+      Doc{"number of earlier positions of the body that `ghosts` draws", Unit::none, Range{1, 50}});
+  v.field("ghost_interval",
+          s.ghost_s,
+          Doc{"time between the positions that `ghosts` draws; absent: duration / 40",
+              Unit::time,
+              kPositive});
   v.field(
-      "text_size", s.text_size, Doc{"all text is enlarged by this", Unit::none, Range{0.3, 4.0}});
-  v.field("points", s.points, Doc{"points of the body with their vectors", Unit::length});
+      "views",
+      s.views,
+      Doc{"pictures side by side: one seen from space, one from a camera that turns with the body",
+          Unit::none,
+          kAny,
+          {"space", "body"}});
+  v.field(
+      "plots",
+      s.plots,
+      Doc{"quantities plotted over time, beside the picture", Unit::none, kAny, recorded_names()});
+  v.field("labels", s.labels, Doc{"show the names of vectors beside them"});
+  v.field("title", s.title, Doc{"show the scene's title, at the top"});
+  v.field("clock",
+          s.clock,
+          Doc{"show the time of the motion, and how much slower or faster the film runs"});
+  v.field("caption", s.caption, Doc{"a caption at the bottom; empty: none"});
+  v.field("text_size",
+          s.text_size,
+          Doc{"factor by which all text is enlarged", Unit::none, Range{0.3, 4.0}});
+  v.field("points",
+          s.points,
+          Doc{"points of the body, drawn with their position vectors", Unit::length});
 }
 
 template <class Visitor>
 void fields(Visitor& v, ThemeSpec& s) {
-  v.field("theme", s.theme, Doc{"colours", Unit::none, kAny, theme_names()});
+  v.field("theme", s.theme, Doc{"colour theme", Unit::none, kAny, theme_names()});
   v.field("background", s.background, Doc{.text = "background colour, \"#rrggbb\"", .color = true});
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Declares the elements and the helpers that they share. Private to frame/elements.cpp and
-// frame/elements/.
+// Declares the elements and the helpers that they share. Private to
+// frame/elements.cpp and frame/elements/.
 #pragma once
 
 #include <string>
@@ -19,18 +19,19 @@ inline constexpr ArrowShape kForceShape{0.016, 0.066, 0.11};
 inline constexpr ArrowShape kAxisShape{0.010, 0.030, 0.10};
 inline constexpr ArrowShape kComponentShape{0.015, 0.042, 0.12};  // may lie along an axis
 inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
-// of tubes along rims and curves, in units of the body's radius
+// The radius of tubes along rims and curves, in units of the body's radius.
 inline constexpr double kRimRadius = 0.008;
 
 inline constexpr double kSmallestCone = 1e-4;  // rad; narrower cones are not drawn
 
-// An opaque material.
+// An opaque material. color: sRGB-encoded, 0..1; gloss: see Material.
 Material plain(const glm::vec3& color, float gloss);
-// A translucent material.
+// A translucent material with the opacity `alpha`, 0..1.
 Material shell(const glm::vec3& color, float alpha);
 
-// Adds an arrow from `from` to `end` (S, m). `shape` is in units of the body's radius. With a name
-// (markup), the arrow gets a label.
+// Adds an arrow from `from` to `end` (S, m), shortened as drawn_tip() says. `shape` is in units of
+// the body's radius. With a name (markup, copied), the arrow gets a label, which fades while the
+// arrow is shorter than 0.3 times the body's radius and is gone below 0.12 times.
 void add_vector(const Scenery& scenery,
                 const Vec3& from,
                 const Vec3& end,
@@ -38,7 +39,7 @@ void add_vector(const Scenery& scenery,
                 const Material& material,
                 Glyphs& glyphs,
                 const char* name = nullptr);
-// The same from the reference point to the reference point + `along` (S, m).
+// Adds such an arrow from the reference point to the reference point + `along` (S, m).
 void add_at_reference(const Scenery& scenery,
                       const Sample& sample,
                       const Vec3& along,
@@ -47,7 +48,8 @@ void add_at_reference(const Scenery& scenery,
                       Glyphs& glyphs,
                       const char* name = nullptr);
 // The unit vector (B) of the axis whose motion is shown: the symmetry axis, else the direction from
-// the pivot to the centre of mass, else the third axis.
+// the pivot to the centre of mass, else the third body axis. On a pivot it points to the side of
+// the centre of mass.
 Vec3 figure_axis_B(const Scenery& scenery);
 
 // Maps points in B (from the body origin) to S at this moment, m.
@@ -60,11 +62,15 @@ Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);
 // Adds `count` points of the rim of a disc to glyphs.reach, for framing.
 void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs);
 
-// Angular velocity in P, rad/s; and twice the kinetic energy of rotation for it, J.
+// Angular velocity in P, rad/s; and twice the kinetic energy of a rotation with it, J.
 Vec3 principal_rate(const BodyModel& model, const Sample& sample);
 double twice_the_energy(const BodyModel& model, const Vec3& w_P);
 
-// Conditions that several elements share. needs_*: "" or the reason why the motion lacks it.
+// Conditions that several elements share. needs_* return "" if the motion meets the condition, else
+// what it needs. Cones need a symmetric top that turns freely, apart from damping of L, and about
+// another axis than its own; free means that no torque acts and that the body is no thin rod and
+// not at rest; forces are the forces, couples and springs of motion.torque. stays_above_stand:
+// whether figure_axis_B() never points far below the horizontal.
 std::string needs_cones(const Scenery& scenery);
 std::string needs_pivot(const Scenery& scenery);
 std::string needs_free(const Scenery& scenery);
@@ -73,7 +79,8 @@ bool has_cones(const Scenery& scenery);
 bool has_forces(const Scenery& scenery);
 bool stays_above_stand(const Scenery& scenery);
 
-// The elements.
+// The functions `add` of the table of elements (frame/elements.h); the rows there say
+// what each draws.
 using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 Add add_body, add_ghosts;
 Add add_body_axes, add_space_axes, add_fixed_frame;
@@ -84,7 +91,7 @@ Add add_stand, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 
-// Adds the part of a path between two times (s).
+// Adds the part of a path in S between two times (s of motion).
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
 
 }  // namespace polhode
