@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// Plain text as HTML, for content and attribute values. Bytes that are not UTF-8 become replacement
-// characters.
+// Plain text as HTML, for content and quoted attribute values. Bytes that are not UTF-8 become the
+// replacement character U+FFFD, control characters (line breaks too) become spaces.
 std::string escaped(const std::string& text);
 
 }  // namespace polhode

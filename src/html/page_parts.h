@@ -6,11 +6,13 @@
 
 namespace polhode {
 
-// For the pages of `diff` and `golden`.
+// All texts exist until the program ends and may be read by any thread.
+
+// For the pages of the commands `diff` and `golden`.
 const std::string& report_css();
 const std::string& report_js();
 
-// For lectures: the page, the slides with reveal.js, the printed handout.
+// For the command `lecture`: the page, the slides with reveal.js, the printed handout.
 const std::string& lecture_css();
 const std::string& lecture_js();
 const std::string& slides_css();
