@@ -13,10 +13,10 @@ namespace polhode {
 // itself is averaged linearly. Not thread-safe.
 class AveragePicture {
  public:
-  // All pictures must have the same size.
+  // Adds one picture. All pictures of an average must have the same size.
   void add(const Image& image);
-  // Stores the mean of the pictures added since the last call (at least one) in `image`, and starts
-  // a new average.
+  // Stores the mean of the pictures added since the last call (at least one) in `image`, whose size
+  // is changed to theirs and whose `ground` is unset, and starts a new average.
   void mean(Image& image);
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Differences of two pictures, value by value.
 //
-// The values are red, green and blue if both pictures are opaque. Otherwise they are the colour
-// premultiplied by alpha, and alpha itself: invisible colour does not count as a difference, and a
-// change of alpha does.
+// The values are red, green and blue, sRGB-encoded, if both pictures are opaque. Otherwise they are
+// the colour premultiplied by alpha, and alpha itself: invisible colour does not count as a
+// difference, and a change of alpha does.
 #pragma once
 
 #include "image/image.h"
@@ -20,8 +20,8 @@ struct Difference {
   int values = 3;              // per pixel: 3, or 4 with alpha
 };
 
-// `threshold` in levels; it decides fraction_over. Throws Error (input), without a key, if the
-// sizes differ.
+// `threshold` in levels, 0..255; it decides fraction_over. Throws Error (input), without a place,
+// if the sizes differ.
 Difference compare(const Image& a, const Image& b, int threshold);
 
 // Peak signal-to-noise ratio in dB for a root mean square difference in levels: 20 log10(255 /
@@ -32,20 +32,21 @@ double psnr(double rms);
 inline constexpr int kDifferenceGain = 16;
 
 // An opaque picture of |a - b| times gain, clipped at 255, for people to look at. A difference of
-// alpha alone appears grey to white. Throws Error (input) if the sizes differ.
+// alpha alone appears grey to white. Throws Error (input), without a place, if the sizes differ.
 Image difference_picture(const Image& a, const Image& b, int gain);
 
 // The rectangle of width x height pixels (at most the picture) with the greatest sum of
-// differences, located to within eight pixels. Throws Error (input) if the sizes differ.
+// differences, located to within eight pixels. Throws Error (input), without a place, if
+// the sizes differ.
 PixelBox worst_region(const Image& a, const Image& b, int width, int height);
 
-// A copy of that part of the picture. `region` must lie inside the picture.
+// A copy of that part of the picture, without `ground`. `region` must lie inside the picture.
 Image cut_out(const Image& image, const PixelBox& region);
 
 // Whether every pixel has alpha 255.
 bool is_opaque(const Image& image);
 
-// The picture over an opaque background of that grey level (0..255).
+// The picture composited over an opaque background of that grey level (0..255).
 Image laid_on(const Image& image, std::uint8_t grey);
 
 }  // namespace polhode

@@ -12,12 +12,12 @@ namespace polhode {
 // default of the paper.
 inline constexpr double kPixelsPerDegree = 67.02064327658226;
 
-// The error of each pixel, 0 (none) to 1 (green against blue), row by row, and their mean.
+// The errors of all pixels, 0 (none) to 1 (green against blue).
 struct FlipMap {
-  int width = 0;   // pixels
-  int height = 0;  // pixels
-  std::vector<float> errors;
-  double mean = 0.0;
+  int width = 0;              // pixels
+  int height = 0;             // pixels
+  std::vector<float> errors;  // width x height, row by row from the top
+  double mean = 0.0;          // of the errors
 };
 
 // LDR-FLIP of Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem and Fairchild, FLIP: a
@@ -26,7 +26,7 @@ struct FlipMap {
 // distance in Hunt-adjusted L*a*b*; differences of edges and points increase the error. Translucent
 // pictures are compared over black and over white, and the map with the greater mean is returned.
 // `jobs` is the number of threads, 0 for one per processor; the values do not depend on it. Throws
-// Error (input), without a key, if the sizes differ.
+// Error (input), without a place, if the sizes differ, (interrupted).
 FlipMap flip(const Image& reference,
              const Image& test,
              double pixels_per_degree = kPixelsPerDegree,

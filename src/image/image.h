@@ -25,12 +25,14 @@ struct Image {
   std::vector<PixelBox> painted;
 
   Image() = default;
+  // Transparent black, without ground.
   Image(int w, int h)
       : width(w),
         height(h),
         pixels(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
-  // The four bytes (R, G, B, A) of the pixel in column x and row y.
+  // The four bytes (R, G, B, A) of the pixel in column x and row y, which must lie in the picture;
+  // valid until `pixels` is resized. The row follows without a gap.
   const std::uint8_t* at(int x, int y) const {
     return pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                 static_cast<std::size_t>(x));
@@ -39,14 +41,15 @@ struct Image {
     return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
   }
 
-  // Sets the size to w x h, fills the picture with one colour, and makes that its ground. The boxes
-  // in `kept` may be left as they are: the caller will overwrite every pixel in them.
+  // Sets the size to w x h, fills the picture with one colour (R, G, B, A), and makes that
+  // its ground. The boxes in `kept` may be left as they are: the caller will overwrite every
+  // pixel in them.
   void wipe(int w,
             int h,
             const std::array<std::uint8_t, 4>& color,
             const std::vector<PixelBox>& kept = {});
-  // Fills a box, which must lie inside the picture, with one colour. Does not change ground or
-  // painted.
+  // Fills a box, which must lie inside the picture, with one colour. Does not change
+  // ground or painted.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };
 

@@ -7,11 +7,11 @@
 
 namespace polhode {
 
-// Pixels [x, right()) x [y, bottom()), rows counted from the top. Empty if width or height is not
-// positive.
+// Pixels [x, right()) x [y, bottom()), rows counted from the top. Empty if width or height
+// is not positive.
 struct PixelBox {
-  int x = 0, y = 0;
-  int width = 0, height = 0;
+  int x = 0, y = 0;           // of the upper left pixel
+  int width = 0, height = 0;  // pixels
 
   int right() const { return x + width; }
   int bottom() const { return y + height; }
@@ -19,14 +19,14 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-// The intersection.
+// The intersection; empty if the boxes have no common pixel.
 inline PixelBox common(const PixelBox& a, const PixelBox& b) {
   const int x = std::max(a.x, b.x);
   const int y = std::max(a.y, b.y);
   return {x, y, std::min(a.right(), b.right()) - x, std::min(a.bottom(), b.bottom()) - y};
 }
 
-// The smallest box that contains both.
+// The smallest box that contains both, neither of which may be empty.
 inline PixelBox around(const PixelBox& a, const PixelBox& b) {
   const int x = std::min(a.x, b.x);
   const int y = std::min(a.y, b.y);
@@ -36,8 +36,9 @@ inline PixelBox around(const PixelBox& a, const PixelBox& b) {
 // The part of `a` outside all of `others`, as boxes that do not overlap.
 std::vector<PixelBox> without(const PixelBox& a, const std::vector<PixelBox>& others);
 
-// Boxes that do not overlap and cover all of `boxes` and little more. Each lies within one band of
-// `rows` rows; the first band begins at row 0.
+// Boxes that do not overlap and cover all of `boxes` (inside the picture) and little more. Each
+// lies within one band of `rows` rows, counted from row 0; boxes of a band that overlap or touch
+// sideways become one.
 std::vector<PixelBox> in_bands(const std::vector<PixelBox>& boxes, int rows);
 
 }  // namespace polhode

@@ -15,22 +15,23 @@ class AtomicFile;
 // Files with more pixels than this (16384 x 16384, a gigabyte in memory) are refused.
 inline constexpr std::size_t kMostPngPixels = std::size_t{1} << 28;
 
-// Writes 8-bit RGB, or RGBA if with_alpha. The file appears complete or not at all. Throws Error
-// (input) as AtomicFile does, (environment) if writing fails.
+// Writes a picture of at least one pixel as 8-bit RGB, or RGBA if with_alpha. The file appears
+// complete or not at all. Throws Error (input) as AtomicFile does, (environment), with the file as
+// place, if writing fails.
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha);
 
-// Writes to a file that the caller has opened and will commit. Throws Error (environment) if
-// writing fails.
+// Writes to the temporary file of `file`, which the caller will commit. Throws Error (environment),
+// with the target as place, if writing fails.
 void write_png(const AtomicFile& file, const Image& image, bool with_alpha);
 
-// The bytes of a PNG file. Throws Error (environment) if encoding fails.
+// The bytes of such a PNG file. Throws Error (environment), without a place, if encoding fails.
 std::string encode_png(const Image& image, bool with_alpha);
 
 // Decodes the bytes of any PNG file to 8-bit RGBA. `name` is the file name for messages. Throws
-// Error (input) if it is not a PNG or too large.
+// Error (input), with `name` as place, if it is not a PNG or has more than kMostPngPixels.
 Image decode_png(const std::string& bytes, const std::string& name);
 
-// Reads any PNG file as 8-bit RGBA. Throws Error (input) if it is missing, not a PNG, or too large.
+// Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file and decode_png do.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace polhode

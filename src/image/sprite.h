@@ -12,13 +12,15 @@
 
 namespace polhode {
 
-// 8-bit RGBA with premultiplied alpha, rows from top to bottom, without padding.
+// 8-bit RGBA, sRGB-encoded colour premultiplied by alpha, rows from top to bottom, without
+// padding: pixels.size() == 4 * width * height.
 struct Sprite {
   int width = 0;   // pixels
   int height = 0;  // pixels
   std::vector<std::uint8_t> pixels;
 
   Sprite() = default;
+  // Transparent.
   Sprite(int w, int h)
       : width(w),
         height(h),
@@ -28,14 +30,14 @@ using SpritePtr = std::shared_ptr<const Sprite>;
 
 // A sprite at its position in a picture.
 struct Stamp {
-  SpritePtr sprite;
+  SpritePtr sprite;      // not null when drawn
   int x = 0, y = 0;      // pixels: position of its upper left pixel; may lie outside the picture
   double opacity = 1.0;  // 0..1
   int columns = -1;      // how many columns from the left are shown; -1: all
 };
 
-// Composites the stamp over a picture with straight alpha (Porter-Duff "over") and clips it at the
-// borders.
+// Composites the stamp over a picture with straight alpha (Porter-Duff "over", on encoded values)
+// and clips it at the borders. Adds the changed box to picture.painted if the picture has a ground.
 void lay_over(Image& picture, const Stamp& stamp);
 
 // The picture as a sprite, with its alpha premultiplied.

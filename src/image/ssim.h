@@ -13,7 +13,7 @@ namespace polhode {
 // 0.0722 B of encoded values (BT.709), not rounded. Sides shorter than 11 pixels are extended by
 // repeating the last pixel. Translucent pictures are compared over black and over white, and the
 // lower value is returned. `jobs` is the number of threads, 0 for one per processor; the value does
-// not depend on it. Throws Error (input), without a key, if the sizes differ.
+// not depend on it. Throws Error (input), without a place, if the sizes differ.
 double ssim(const Image& a, const Image& b, int jobs = 0);
 
 }  // namespace polhode

@@ -17,8 +17,8 @@ namespace polhode {
 // edge's contrast with four samples per pixel.
 struct Thresholds {
   int max = 3;                      // levels (0..255) by which any value may differ
-  double fraction = 0.0005;         // share of pixels that may differ by more ...
-  int limit = 70;                   // ... but no value by more than this
+  double fraction = 0.0005;         // share (0..1) of pixels that may differ by more ...
+  int limit = 70;                   // ... but no value by more levels than this
   std::optional<double> ssim = {};  // least SSIM; absent: not measured
   std::optional<double> flip = {};  // greatest mean FLIP; absent: not measured
 };
@@ -31,13 +31,13 @@ void fields(Visitor& v, Thresholds& s) {
   v.field("fraction",
           s.fraction,
           Doc{"share of pixels that may differ by more than max", Unit::none, Range{0.0, 1.0}});
-  v.field("limit",
-          s.limit,
-          Doc{"levels that no value may differ by more", Unit::none, Range{0.0, 255.0}});
-  v.field("ssim", s.ssim, Doc{"least SSIM; not asked when absent", Unit::none, Range{-1.0, 1.0}});
-  v.field("flip",
-          s.flip,
-          Doc{"greatest mean FLIP; not asked when absent", Unit::none, Range{0.0, 1.0}});
+  v.field(
+      "limit",
+      s.limit,
+      Doc{"levels of 255 by which those pixels may differ at most", Unit::none, Range{0.0, 255.0}});
+  v.field("ssim", s.ssim, Doc{"least SSIM; absent: not measured", Unit::none, Range{-1.0, 1.0}});
+  v.field(
+      "flip", s.flip, Doc{"greatest mean FLIP; absent: not measured", Unit::none, Range{0.0, 1.0}});
 }
 
 // Throws Error (input), naming the option (--max, --fraction, --limit, --ssim, --flip), for a
@@ -52,22 +52,23 @@ struct Measures {
 
 // The result of a comparison.
 struct Verdict {
-  Difference values;                // fraction_over counts pixels over thresholds.max
-  std::optional<double> ssim = {};  // if it was measured
-  std::optional<FlipMap> flip = {};
-  std::string reason;  // why the pictures are different; empty if they are the same
+  Difference values;                 // fraction_over counts pixels over thresholds.max
+  std::optional<double> ssim = {};   // if it was measured
+  std::optional<FlipMap> flip = {};  // if it was measured
+  std::string reason;                // why the pictures are different; empty if they are the same
 
   bool same() const { return reason.empty(); }
 };
 
 // Compares `b` with the reference `a`. SSIM and FLIP are measured if `also` or a threshold asks for
 // them. `jobs` is the number of threads, 0 for one per processor. Throws Error (input), without a
-// key, if the sizes differ.
+// place, if the sizes differ, (interrupted).
 Verdict judge(
     const Image& a, const Image& b, const Thresholds& thresholds, Measures also = {}, int jobs = 0);
 
 // A number to rank verdicts by, to find the worst frame or the best reference: at most 1 if the
-// pictures are the same, larger the further they exceed the thresholds.
+// pictures are the same, the larger the further they exceed the thresholds. The verdict must
+// contain the metrics for which there are thresholds.
 double badness(const Verdict& verdict, const Thresholds& thresholds);
 
 // A share as text with three significant digits: 0.0123 as "1.23%".
