@@ -272,20 +272,27 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
 }  // namespace
 
 const std::vector<PictureClass>& picture_classes() {
-  static const PictureSetting from = {"from", "where it begins, s of the motion (0)"};
-  static const PictureSetting to = {"to", "where it ends, s of the motion (its end)"};
-  static const PictureSetting at = {
-      "at", "the moment of its poster, s of the motion (a third of the way, or the first pause)"};
-  static const PictureSetting size = {"size", "WxH, pixels"};
-  static const PictureSetting fps = {"fps", "frames per second"};
-  static const PictureSetting method = {"method", "how the motion is found"};
-  static const PictureSetting step = {"step", "of that method, s"};
+  static const PictureSetting from = {"from", "time at which it begins, s of the motion (0)"};
+  static const PictureSetting to = {
+      "to", "time at which it ends, s of the motion (the end of the motion)"};
+  static const PictureSetting at = {"at",
+                                    "time of the poster, s of the motion (film: the last of its "
+                                    "stills, else a third of the way; still: 0)"};
+  static const PictureSetting size = {"size",
+                                      "WxH, pixels (that of the command line, else of the scene)"};
+  static const PictureSetting fps = {
+      "fps", "frames per second (that of the command line, else of the scene)"};
+  static const PictureSetting method = {"method",
+                                        "numerical method, as numerics.method (that of the scene)"};
+  static const PictureSetting step = {"step", "step of the method, s (that of the scene)"};
   static const PictureSetting alt = {
-      "alt", "what is to be seen, for those who cannot see it (the caption)"};
+      "alt", "description of the picture for people who cannot see it (the caption)"};
   static const PictureSetting stills = {
       "stills",
-      "moments for the handout, s, with spaces between (the story's pauses, else the poster)"};
-  static const PictureSetting methods = {"methods", "only these, separated by commas"};
+      "times of the pictures in the handout, s of the motion, separated by spaces (the pauses of "
+      "the story, else the poster)"};
+  static const PictureSetting methods = {
+      "methods", "names of the methods to compare, separated by commas (all)"};
   static const std::vector<PictureClass> table = {
       {PictureKind::film, "film", "a film", {from, to, at, stills, size, fps, method, step, alt}},
       {PictureKind::loop,
@@ -296,7 +303,7 @@ const std::vector<PictureClass>& picture_classes() {
       {PictureKind::compare,
        "compare",
        "films side by side on one clock",
-       {{"with", "the other scenes, with spaces between"}, from, to, at, stills, size, fps, alt}},
+       {{"with", "the other scenes, separated by spaces"}, from, to, at, stills, size, fps, alt}},
       {PictureKind::chart,
        "chart",
        "speed against accuracy of the methods",
@@ -307,17 +314,18 @@ const std::vector<PictureClass>& picture_classes() {
        "stability",
        "where methods fail",
        {methods,
-        {"x", "key across (numerics.step)"},
-        {"y", "key upwards (spin)"},
-        {"x-range", "A:B"},
-        {"y-range", "A:B"},
-        {"cells", "NxM"},
-        {"turns", "how far the body turns in a run"},
+        {"x", "key on the horizontal axis (numerics.step)"},
+        {"y", "key on the vertical axis (spin)"},
+        {"x-range", "range of that key, A:B"},
+        {"y-range", "range of that key, A:B"},
+        {"cells", "number of cells across and upwards, NxM"},
+        {"turns", "how far the body turns in each run, in full turns"},
         alt}},
       {PictureKind::inspect,
        "inspect",
        "a table of the numbers",
-       {{"keys", "only these, with spaces between"}}},
+       {{"keys",
+         "keys of inspect, separated by spaces (kind, mass, moments and all derived values)"}}},
   };
   return table;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads a deck: its text becomes pandoc's syntax tree, with pictures that name scenes taken out.
+// Reads a deck, the Markdown source of a lecture: its text becomes pandoc's syntax tree (nodes with
+// a type "t" and contents "c"), with pictures that name scenes taken out.
 #pragma once
 
 #include <functional>
@@ -20,21 +21,21 @@ using Json = nlohmann::ordered_json;
 // What is made of a scene.
 enum class PictureKind { film, loop, still, compare, chart, stability, inspect };
 
-// A setting that a picture may have in the deck.
+// A setting that a picture may have in the deck: ![…](a.toml){.film NAME=VALUE}.
 struct PictureSetting {
   std::string name;
-  std::string doc;
+  std::string doc;  // what it sets, with its unit, and the default in parentheses
 };
 
-// A class of pictures: what it makes of a scene and which settings it accepts. To add one: see
-// ARCHITECTURE.md.
+// A class of pictures: what it makes of a scene and which settings it accepts. To add
+// one: see ARCHITECTURE.md.
 struct PictureClass {
   PictureKind kind;
-  std::string name;
-  std::string doc;
+  std::string name;  // the class in the deck, without its dot: "film"
+  std::string doc;   // what it makes
   std::vector<PictureSetting> settings;
 };
-// All classes; docs/lecture.md documents them.
+// All classes; docs/lecture.md documents them. The table exists until the program ends.
 const std::vector<PictureClass>& picture_classes();
 
 // A picture that names a scene.
@@ -42,27 +43,28 @@ struct DeckPicture {
   PictureKind kind = PictureKind::film;
   std::string name;                 // unique in the deck, for links; letters, digits, - and _
   std::vector<std::string> scenes;  // as the deck names them; several for a comparison
-  std::map<std::string, std::string> settings;
-  Json caption = Json::array();  // inlines of pandoc's tree
-  int line = 0;                  // of the deck, from 1; 0: unknown
+  std::map<std::string, std::string> settings;  // those that the deck gives, not yet parsed
+  Json caption = Json::array();                 // inlines of pandoc's tree
+  int line = 0;                                 // of the deck, from 1; 0: unknown
 };
 
-// The type of the node that stands for a picture in the tree; its "c" is the index in
-// Deck::pictures.
+// The type of the node that stands for a picture in the tree; its "c" is the
+// index in Deck::pictures.
 inline constexpr const char* kPictureNode = "PolhodePicture";
 
 // A deck that has been read.
 struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
-  Json api_version = {1, 22};  // pandoc's version of the tree format
-  Json meta = Json::object();  // only title, subtitle, author, date, lang, description, licence
-  Json blocks = Json::array();
+  Json api_version = {1, 22};   // pandoc's version of the tree format
+  Json meta = Json::object();   // only title, subtitle, author, date, lang, description, licence
+  Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // ordinary pictures: files, relative to the deck's folder
   std::vector<Error> problems;      // what was left out, with lines of the deck
 
-  Json tree(const Json& with_blocks) const;  // a complete document for pandoc
+  // A complete document for pandoc: these blocks with the deck's metadata.
+  Json tree(const Json& with_blocks) const;
 };
 
 // Finds the line numbers of texts, which pandoc's tree does not contain.
@@ -75,28 +77,32 @@ class LineFinder {
 
  private:
   std::string text_;
-  std::map<std::string, std::size_t> seen_;  // words -> behind the last place
+  std::map<std::string, std::size_t> seen_;  // words -> offset in bytes behind the last place
 };
 
-// Reads a deck. Faulty parts are left out and reported in Deck::problems. allow_outside:
-// see DeckRoot. Throws Error (input), with the file as place, if it cannot be read as a deck;
-// (environment) without pandoc.
+// Reads a deck of at most 4 MiB. Faulty parts are left out and reported in Deck::problems.
+// allow_outside: see DeckRoot. Throws Error (input), with the file as place, if it cannot be read
+// as a deck; (environment) without pandoc; (interrupted).
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
-// The same, with the same errors, for a text in memory; `name` is the file name for messages.
+// Does the same for a text in memory; `name` is the file name for messages. Errors have no place.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
 
-// Calls `visit` for every node of the tree that has a type, parents before children.
+// Calls `visit`, which may change the node, for every node of the tree that has a type, parents
+// before children.
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
 
-// The blocks with each picture replaced by the blocks that `make` returns.
+// A copy of the blocks of `deck` (or of some of them) in which each picture is replaced by the
+// array of blocks that `make` returns.
 Json with_pictures(const Json& blocks,
                    const std::function<Json(const DeckPicture&)>& make,
                    const Deck& deck);
 
-// The text of inlines without formatting.
+// The text of inlines without formatting; formulas as TeX.
 std::string plain_text(const Json& inlines);
 
-// Nodes of pandoc's tree.
+// Nodes of pandoc's tree. string_inlines() returns an array with one inline, the others return
+// one block. div: a Div with the class `name`; width, such as "40%": its attribute of that name,
+// if not empty.
 Json string_inlines(const std::string& text);
 Json raw_html(const std::string& html);
 Json paragraph(const Json& inlines);

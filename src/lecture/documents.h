@@ -11,18 +11,21 @@
 namespace polhode {
 
 // Removes formulas that pandoc cannot read and reports them in deck.problems, so that no output
-// contains TeX that is not mathematics. Throws Error as write_document does.
+// contains TeX that is not mathematics. `deck_text` is the text of the deck, for line numbers.
+// Throws Error as write_document does.
 void drop_bad_formulas(Deck& deck, const std::string& deck_text);
 
-// Returns a picture of the deck with its products.
+// Returns the Figure of a picture of the deck; called only while a document is made.
 using FigureOf = std::function<Figure(const DeckPicture&)>;
 
-// All throw Error (environment) as write_document does.
+// Each returns the contents of one document: index.html, slides.html, the HTML that is printed as
+// handout.pdf, slides.tex. All throw Error as write_document does, (environment) if the temporary
+// folder cannot be written.
 std::string make_page(const Deck& deck, const FigureOf& figure_of);
 std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal);
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of);
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of);
-// Reads the posters in `folder`/media.
+// The bytes of slides.pptx. pandoc reads the posters and other pictures in `folder`/media.
 std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,
                       const std::filesystem::path& folder);

@@ -11,9 +11,11 @@ namespace polhode {
 
 // A picture of the deck with the facts of its products, or the reason why there are none.
 struct Figure {
-  const DeckPicture* picture = nullptr;  // not owned, never null
-  std::vector<Json> facts;  // of its products, one per compared film; empty if one failed
-  std::string failure;      // why there are no facts
+  const DeckPicture* picture = nullptr;  // not owned, never null; lives as long as the deck
+  // Of its products (lecture/products.h), one per compared film; empty if one failed. Those of an
+  // inspect picture also have "table", an array with its number_table().
+  std::vector<Json> facts;
+  std::string failure;  // why there are no facts
 };
 
 // Lists of blocks of pandoc's tree, a function for each document. File names are relative to the
@@ -24,9 +26,9 @@ Json handout_blocks(const Figure& figure);  // handout.pdf
 Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 
-// A table of values of inspection(): those in `keys` (separated by spaces); if `keys` is empty, the
-// kind, the mass, the principal moments and all derived values. Throws Error (input), without a
-// place, for an unknown key.
+// A table (a block) of values of inspection(): those in `keys` (separated by spaces); if `keys` is
+// empty, the kind, the mass, the principal moments and all derived values. Throws Error (input),
+// without a place, for an unknown key.
 Json number_table(const Json& inspection, const std::string& keys);
 
 }  // namespace polhode

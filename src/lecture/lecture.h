@@ -12,19 +12,20 @@
 
 namespace polhode {
 
-// A kind of document. To add one: a row in lecture_outputs() and a function in
-// lecture/documents.cpp.
+// A kind of document. To add one: a row in lecture_outputs() and a
+// function in lecture/documents.cpp.
 struct LectureOutput {
   std::string name;  // value of --to
   std::string file;  // file name in the output folder
-  std::string doc;
+  std::string doc;   // what it contains
 };
-// All kinds of documents.
+// All kinds of documents, in the order in which they are made; the table exists until
+// the program ends.
 const std::vector<LectureOutput>& lecture_outputs();
 
 // The options of `lecture`.
 struct LectureJob {
-  std::filesystem::path deck;
+  std::filesystem::path deck;  // a Markdown file
   std::string output;          // folder, created if needed; empty: output/DECK_lecture
   std::string to;              // comma-separated names; empty: all that this machine can make
   bool allow_outside = false;  // see DeckRoot
@@ -40,12 +41,14 @@ struct LectureResult {
 };
 
 // Makes all documents; they appear together when all are ready. Rendered media are kept in
-// DIR/media and reused while they are valid. Throws Error (input) as read_deck does, and naming
-// --to for an unknown output; (environment) naming --to for one that this machine cannot make, and
-// without pandoc; (interrupted).
+// DIR/media and reused while they are valid, also after an error. Throws Error (input) as read_deck
+// does, naming --to for an unknown output, naming --output for a folder that cannot be written, and
+// as AtomicFile does; (environment) naming --to for an output that this machine cannot make,
+// without pandoc, and if a program fails or the disk is full; (interrupted).
 LectureResult lecture(const LectureJob& job);
 
-// The state of the programs that the outputs need, for `doctor`.
+// The state of the programs and the font that the outputs need, for the command `doctor`. Throws
+// Error (interrupted), and (input) if a file of reveal.js cannot be read.
 std::vector<ExternalNeed> lecture_needs();
 
 }  // namespace polhode

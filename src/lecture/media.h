@@ -15,18 +15,19 @@ namespace polhode {
 
 // A thing to make and cache.
 struct Product {
-  std::string name;  // for display: "free_top-film"
-  std::string key;   // everything that it depends on, as text
-  // writes files whose names begin with `stem` into the folder and returns facts about them; called
-  // on any thread; may throw Error
+  std::string name;  // for display and file names: "free_top-film"; letters, digits, - and _
+  std::string key;   // everything that it depends on, as text, with program_identity()
+  // Writes files whose names begin with `stem` into the folder and returns facts about them, a JSON
+  // object. Called on any thread. May throw Error.
   std::function<nlohmann::ordered_json(const std::filesystem::path& folder,
                                        const std::string& stem)>
       make;
 };
 
 // The folder of products. The last file of a product is STEM.json, which lists the others with
-// sizes and hashes; if it is missing or a file is not as listed, the product is made again.
-// Different products may be used from different threads at the same time.
+// sizes and hashes; if it is missing or a file is not as listed, the product is made again. Several
+// threads may call obtain() at the same time, each for another product; the other members must not
+// be called meanwhile.
 class Media {
  public:
   // Throws Error (input), naming --output, if the folder cannot be created or written.
@@ -37,15 +38,18 @@ class Media {
 
   // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
-  // The facts of a product, cached or made now, with "files" (a list of name, bytes, hash). Throws
-  // what `make` throws, and Error (environment) if a file cannot be written.
+  // The facts of a product, cached or made now, with "files" (a list of objects with
+  // "name", "bytes" and "hash"). Throws what `make` throws, and Error (environment) if a
+  // file cannot be written.
   nlohmann::ordered_json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }
-  // Deletes the products that have not been obtained from this object.
+  // Deletes the products of earlier runs that have not been obtained from this object. A file that
+  // cannot be deleted stays. Throws Error (input) as read_file does.
   void forget_the_rest();
 
  private:
+  // Whether all files that the facts list exist with the listed hashes.
   bool is_whole(const nlohmann::ordered_json& facts) const;
 
   std::filesystem::path folder_;
@@ -55,8 +59,8 @@ class Media {
   int made_ = 0;
 };
 
-// A hash of the binary and the versions of the libraries that it draws and encodes with. Part of
-// every key.
+// The version of the program, a hash of its binary, and the versions of the libraries that it draws
+// and encodes with, as text. Part of every key. Thread-safe.
 std::string program_identity();
 
 }  // namespace polhode

@@ -11,39 +11,40 @@ namespace polhode {
 
 // reveal.js as found on this machine (MIT licence).
 struct Reveal {
-  std::string version;
-  std::string css;
-  std::string js;
+  std::string version;  // "5.1.0"; "of unknown version" if its package.json is missing
+  std::string css;      // contents of dist/reveal.css
+  std::string js;       // contents of dist/reveal.js, safe inside a <script> element
   std::string licence;  // its LICENSE file with the copyright notice; empty if missing
 };
-// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in the data folders of the user
-// and of the system. Empty if there is none.
+// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in the data folders of the
+// user and of the system. Absent if there is none. Throws Error (input) if one of its files
+// cannot be read.
 std::optional<Reveal> find_reveal();
 
-// A style sheet that contains the font for formulas; empty if it is not installed. Browsers then
-// use their own.
+// A style sheet that contains the font for formulas (Latin Modern Math, found by fc-match); empty
+// if it is not installed. Browsers then use their own. Throws Error (interrupted).
 std::string formula_font_css();
 
-// The texts at the head of a deck.
+// The texts at the head of a deck, plain text. Empty: not given.
 struct DeckWords {
   std::string title, subtitle, author, date, description, licence, lang = "en";
 };
-// From the deck's metadata.
+// From the deck's metadata; without a title, the file name of the deck is the title.
 DeckWords words_of(const Deck& deck);
 
-// Complete HTML pages. body and contents are pandoc's HTML. The pages load nothing from the network
-// and run only their own scripts.
+// Complete HTML pages. `body` is pandoc's HTML of the text, `contents` its table of contents. The
+// pages load nothing from the network and run only their own scripts. Throw Error (interrupted).
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
                          const std::string& contents);
 std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal);
 std::string handout_page(const DeckWords& words, const std::string& body);
 
-// The program that prints the handout: the one named by POLHODE_CHROMIUM, or chromium; empty if
-// there is none.
+// The program that prints the handout: the one named by POLHODE_CHROMIUM, else chromium,
+// chromium-browser or google-chrome; empty if none of them runs. Throws Error (interrupted).
 std::string find_printer();
-// Prints an HTML file and returns the bytes of the PDF. Throws Error (environment) if that fails,
-// (interrupted).
+// Prints an HTML file with that program and returns the bytes of the PDF. Throws Error
+// (environment) if that fails, (interrupted).
 std::string print_page(const std::string& printer, const std::filesystem::path& html);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs pandoc, which reads the deck and writes the documents. Decks are untrusted: raw HTML, raw
-// TeX and macros are disabled, and pandoc runs with --sandbox.
+// TeX and macros are disabled, and pandoc runs with --sandbox. All functions throw Error
+// (interrupted) as run_child does.
 #pragma once
 
 #include <string>
@@ -16,19 +17,21 @@ std::string pandoc_version();
 // Throws Error (environment), with what to install, if pandoc is missing.
 void require_pandoc();
 
-// The syntax tree of a Markdown text. Throws Error (input), without a place, if pandoc cannot read
-// it; (environment) if pandoc is missing.
+// The syntax tree of a text in pandoc's Markdown (without raw HTML, raw TeX, macros, smart quotes
+// and citations), as pandoc's JSON: "pandoc-api-version", "meta", "blocks". Throws Error (input),
+// without a place, if pandoc cannot read it; (environment) if pandoc is missing.
 nlohmann::ordered_json read_markdown(const std::string& text);
 
 // A document written by pandoc.
 struct Written {
-  std::string text;                       // or bytes, for binary formats
+  std::string text;                       // pandoc's output; empty if `words` name a file (-o)
   std::vector<std::string> bad_formulas;  // formulas that pandoc could not convert
 };
 
-// Writes a document from a syntax tree. `words` are further options of pandoc. Formats that embed
-// pictures need sandbox = false; the tree must then name only files made by Polhode. Throws Error
-// (environment) if pandoc fails.
+// Writes a document from a syntax tree. `words` are further options of pandoc, with the format of
+// the document among them ("-t", "html5"). With `sandbox`, pandoc reads no files. Formats that
+// embed pictures and options that name files need sandbox = false; the tree must then name only
+// files made by Polhode. Throws Error (environment) if pandoc is missing or fails.
 Written write_document(const nlohmann::ordered_json& tree,
                        const std::vector<std::string>& words,
                        bool sandbox = true);

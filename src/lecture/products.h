@@ -15,36 +15,41 @@ namespace polhode {
 // Settings for all films of a deck.
 struct LectureSettings {
   std::optional<std::string> size;  // "1280x720", of every picture that has no setting of its own
-  std::optional<std::string> fps;   // "60" or "30000/1001"
-  std::string quality = "lecture";
-  std::string backend = "auto";
+  std::optional<std::string> fps;   // "60" or "30000/1001", in the same way
+  std::string quality = "lecture";  // value of --quality
+  std::string backend = "auto";     // value of --backend
 };
 
 // A scene of the deck, checked by trusted_scene() and loaded.
 struct DeckScene {
-  std::string name;  // as the deck names it
-  std::filesystem::path file;
+  std::string name;            // as the deck names it
+  std::filesystem::path file;  // its path
   Scene scene;
   std::string hash;  // scene_hash()
 };
 
-// All these throw Error (input), without a place, for a setting that is not valid. Files are names
-// in media/.
+// All these return a product with copies of their arguments. They throw Error (input), without a
+// place, for a setting that is not a number; Product::make throws as the command of that name does,
+// and Error (input) if the scene has changed since it was loaded. Facts that name files contain
+// their names in media/; all facts have "kind".
 
-// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s),
-// "stills" (a list of "file", "at", "caption"), "vtt" (the text, if any), "pauses" (a list of
-// [begin, end], s of film), "frames", "fps", "width", "height", "duration" (s of film), "title".
+// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s
+// of motion), "stills" (a list of "file", "at" in s of motion, "caption"), "vtt" (the text of
+// the captions; "" if there are none), "pauses" (a list of [begin, end], s of film),
+// "frames", "fps", "width" and "height" (pixels), "from_s" and "to_s" (s of motion),
+// "duration" (s of film), "title".
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
-// A single picture. Facts: "poster", "poster_at" (s), "width", "height".
+// A single picture. Facts: "poster", "poster_at" (s of motion).
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings);
-// A chart or stability maps. Facts: "svg", "png", "csv", "summary".
+// A chart or stability maps. Facts: "svg", "png", "csv" (files), "summary" (what
+// the command prints).
 Product chart_product(const DeckPicture& picture, const DeckScene& scene);
 Product stability_product(const DeckPicture& picture, const DeckScene& scene);
-// The output of inspect. Facts: "inspection".
+// The output of inspect. Facts: "inspection", as inspection() returns it.
 Product inspect_product(const DeckScene& scene);
 // The motion as a CSV table. Facts: "csv".
 Product motion_product(const DeckScene& scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces quotes in a deck, such as {inspect:scene.toml#key}, by the number that `polhode inspect`
-// gives.
+// Replaces quotes in a deck, such as {inspect:scene.toml#key}, by the number that
+// `polhode inspect` gives.
 #pragma once
 
 #include <functional>
@@ -14,35 +14,39 @@ namespace polhode {
 struct Quote {
   std::string scene;
   std::string key;     // dotted path in inspection(); units and "derived." may be omitted
-  std::string format;  // such as "%.3f"; empty: "%.4g"
+  std::string format;  // "%", perhaps "." and digits, then e, f or g: "%.3f"; by default "%.4g"
   // unit to convert to: deg, rpm, ms, cm, g …; "none": no unit; empty: the key's own
   std::string unit;
 };
 
-// Parses the text between the braces. Throws Error (input), without a place, if it is not a quote.
+// Parses a quote with its braces; `words` must begin with "{inspect:" and end with "}". Throws
+// Error (input), without a place, if the rest is not as in Quote.
 Quote parse_quote(const std::string& words);
 
-// A number with its unit, formatted.
+// A number with its unit, formatted; also a list of numbers, yes or no, or a word.
 struct Quoted {
   std::string text;  // "1.26 rad/s", "4.2 × 10⁻³ kg m²"
-  std::string tex;   // the same for formulas
+  std::string tex;   // in TeX, for use inside a formula
 };
 
-// The formatted value of the quote's key. Throws Error (input), without a place, for an unknown key
-// (suggesting the nearest) and for a unit that it cannot be converted to.
+// The formatted value of the quote's key in `inspection`, the result of inspection(). Throws Error
+// (input), without a place, for an unknown key (suggesting the nearest), for a key that names a
+// group of values, and for a unit that the value cannot be converted to.
 Quoted quoted(const Json& inspection, const Quote& quote);
 
-// Splits a key of inspect into name and unit: "flip_time_s" into {"flip_time", "s"}.
+// Splits a key of inspect into name and unit: "flip_time_s" into {"flip_time", "s"}. The unit is as
+// readers see it ("kg m²"), and empty if there is none.
 std::pair<std::string, std::string> split_unit(const std::string& key);
 
-// Replaces all quotes of the deck, also in captions. `inspect` returns inspection() of a scene or
-// throws. A quote that fails becomes "[?]" and an entry of deck.problems with its line. Throws
-// Error (interrupted).
+// Replaces all quotes of the deck, also in captions and metadata. `deck_text` is the text of the
+// deck, for line numbers. `inspect` returns inspection() of a scene, valid until its next call, or
+// throws Error. A quote that fails becomes "[?]" and an entry of deck.problems with its line; only
+// Error (interrupted) is thrown on.
 void fill_quotes(Deck& deck,
                  const std::string& deck_text,
                  const std::function<const Json&(const std::string& scene)>& inspect);
 
-// The names of the scenes in all quotes of the deck.
+// The names of the scenes in all quotes of the deck, as the deck spells them.
 std::set<std::string> quoted_scenes(const Deck& deck);
 
 }  // namespace polhode

@@ -9,29 +9,33 @@ namespace polhode {
 
 // The folder that a deck may read files from.
 struct DeckRoot {
-  std::filesystem::path folder;  // the deck's own folder
+  std::filesystem::path folder;  // the deck's own folder; empty: the current folder
   bool allow_outside = false;    // the user trusts the deck: files anywhere are allowed
 };
 
-// The path of a file that a deck or one of its scenes names, relative to the folder `from`. Throws
-// Error (input), without a place, for a name that leaves the deck's folder (absolute, with "..", or
-// by a symbolic link), has control characters, or is not a regular file.
+// The path of a file that a deck or one of its scenes names: from / name. Throws Error (input),
+// without a place, for a name that is empty or has control characters, for a file that is missing
+// or not a regular file, and, unless root.allow_outside, for one that leaves the deck's folder (by
+// an absolute name, by "..", or by a symbolic link).
 std::filesystem::path trusted_file(const DeckRoot& root,
                                    const std::filesystem::path& from,
                                    const std::string& name);
 
-// The path of a scene of the deck. The mesh files that it names are checked in the same way. Throws
-// Error (input) as trusted_file does.
+// The path of a scene of the deck, `name` being relative to the deck's folder. The mesh files that
+// the scene names, relative to its own folder, are checked in the same way. Throws Error (input) as
+// trusted_file and mesh_files do.
 std::filesystem::path trusted_scene(const DeckRoot& root, const std::string& name);
 
-// Throws Error (input), without a place, unless the link is http:, https:, mailto: or #place.
+// Throws Error (input), without a place, unless the link begins with http://, https://, mailto: or
+// # and has no control characters.
 void check_link(const std::string& target);
 
 // Throws Error (input), without a place, for TeX that is not mathematics: commands that read,
-// write, define or run something.
+// write, define or run something, "^^", and control characters other than white space.
 void check_formula(const std::string& tex);
 
-// "a%20b" as "a b"; text that is not an escape is not changed.
+// Replaces the escapes of a URL by the bytes they stand for ("a%20b" becomes "a b"); "%" without
+// two hexadecimal digits is not changed.
 std::string percent_decoded(const std::string& text);
 // Text as part of a URL: all bytes except letters, digits and "-_./" become %XX.
 std::string percent_encoded(const std::string& text);
