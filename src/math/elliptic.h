@@ -6,16 +6,17 @@
 
 namespace polhode {
 
-// Carlson's symmetric integral of the first kind, x, y, z >= 0 and at most one of them 0
-// (B. C. Carlson, Numer. Algorithms 10 (1995) 13; DLMF 19.36).
+// Carlson's symmetric integral of the first kind R_F(x, y, z) for x, y, z >= 0, of which at most
+// one may be 0 (B. C. Carlson, Numer. Algorithms 10 (1995) 13; DLMF 19.36).
 double carlson_rf(double x, double y, double z);
 
 // Complete integral of the first kind K(m), from m1 = 1 - m by the arithmetic-geometric mean;
 // infinite for m1 = 0.
 double elliptic_k(double m1);
 
-// Incomplete integral F(phi | m) for the angle phi in [-pi, pi] of the point (c, s), which need not
-// be on the unit circle. Taking the point instead of phi keeps all digits near phi = pi/2.
+// Incomplete integral of the first kind F(phi | m) for the angle phi in [-pi, pi] of the point (c,
+// s), which need not be on the unit circle. Taking the point instead of phi keeps all digits near
+// phi = pi/2. Requires m + m1 = 1. Infinite for |phi| = pi/2 and m1 = 0.
 double elliptic_f(double s, double c, double m, double m1);
 
 // Jacobi's sn, cn and dn of one argument.
@@ -53,8 +54,8 @@ class EllipticParameter {
   double m_, m1_, K_, K1_;
   bool direct_;
   double log_nome_;
-  double half_[kTerms], whole_[kTerms];  // nome^(s(s+1)) and nome^(s^2)
-  double sn_scale_, cn_scale_, dn_scale_;
+  double half_[kTerms], whole_[kTerms];    // nome^(s(s+1)) and nome^(s^2)
+  double sn_scale_, cn_scale_, dn_scale_;  // of the quotients of theta functions
 
   SnCnDn direct_at(double v) const;
   SnCnDn dual_at(double v) const;

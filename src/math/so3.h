@@ -9,8 +9,8 @@ namespace polhode {
 // The rotation by |v| radians about v. Accurate to round-off for every v, including zero.
 Quat exp_rotation(const Vec3& v);
 
-// Angle in radians, 0..pi, of the rotation from one attitude to the other. Accurate for tiny angles
-// too, because it uses the vector part and not acos of the scalar part.
+// Angle in radians, 0..pi, of the rotation from one attitude (unit quaternion) to the other.
+// Accurate for tiny angles too, because it uses the vector part and not acos of the scalar part.
 double rotation_angle_between(const Quat& a, const Quat& b);
 
 // Angle in radians, 0..pi, between two vectors of any length; 0 if either is zero. Accurate near 0
@@ -23,7 +23,7 @@ double angle_between(const Vec3& a, const Vec3& b);
 Quat turn_between(const Vec3& from, const Vec3& to);
 
 // zxz Euler angles (phi, theta, psi) in radians, with 0 <= theta <= pi; psi = 0 where theta is 0 or
-// pi.
+// pi. phi and psi are within [-2 pi, 2 pi].
 Vec3 zxz_angles(const Quat& q);
 // The rotation Rz(phi) Rx(theta) Rz(psi), angles in radians.
 Quat from_zxz_angles(const Vec3& angles);
@@ -32,7 +32,8 @@ Quat from_zxz_angles(const Vec3& angles);
 // and Lifshitz, Mechanics, eq. 35.1.
 Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
 
-// R = Rz(c) Ry(b) Rx(a): turn about x, then y, then z of the fixed axes, radians.
+// R = Rz(c) Ry(b) Rx(a) for turns = (a, b, c) in radians: a turn about x, then y, then z of the
+// fixed axes.
 Mat3 from_xyz_turns(const Vec3& turns);
 
 // The matrix of the cross product: hat(a) b = a x b.
@@ -42,7 +43,7 @@ inline Mat3 hat(const Vec3& v) {
   return m;
 }
 
-// q scaled to unit length, for steps that leave the unit sphere.
+// q, which must not be zero, scaled to unit length: for steps that leave the unit sphere.
 Quat normalized(const Quat& q);
 
 }  // namespace polhode

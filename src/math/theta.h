@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Theta functions of a complex argument, for the attitude of a top. Their phases give Legendre's
-// elliptic integrals of the third kind without quadrature (Jacobi; Klein and Sommerfeld, Theorie
-// des Kreisels, VI). Only the phase is needed, so positive factors that depend on v are left out.
-// The results are smooth in v and bounded.
+// Theta functions (DLMF 20.2) of a complex argument, for the attitude of a top. Their phases give
+// Legendre's elliptic integrals of the third kind without quadrature (Jacobi; Klein and Sommerfeld,
+// Theorie des Kreisels, VI). Only the phase is needed, so positive factors that depend on v are
+// left out. The results are smooth in v and bounded.
 #pragma once
 
 #include "math/elliptic.h"
@@ -12,7 +12,7 @@ namespace polhode {
 // A complex number and its derivative with respect to v, both divided by the same positive factor.
 struct ThetaValue {
   double re = 1.0, im = 0.0;
-  double slope_re = 0.0, slope_im = 0.0;
+  double slope_re = 0.0, slope_im = 0.0;  // the derivative
 };
 
 // theta_4(pi (v + i eta) / 2K | nome q^2), divided by a positive function of v. Requires 0 <= eta
@@ -52,8 +52,8 @@ class ThetaPair {
   double eta_first_, eta_second_;
   double first_even_[EllipticParameter::kTerms], first_odd_[EllipticParameter::kTerms];
   double second_even_[EllipticParameter::kTerms], second_odd_[EllipticParameter::kTerms];
-  double per_v_;
-  double drift_first_, drift_second_;
+  double per_v_;                       // theta's argument over v
+  double drift_first_, drift_second_;  // phase per v of the imaginary transformation
   double nome_;
 
   double rate(double eta) const;
