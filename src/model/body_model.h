@@ -63,9 +63,10 @@ struct State {
 // example body.mass, body.about, body.tensor, or a dimension of body.solid or body.parts[i].
 MassProperties mass_properties(const BodySpec& spec);
 
-// The model of a body in the given gravity (m/s^2). Throws Error (input) as mass_properties and
-// make_loads do, and naming the key that gives the mass distribution (body.moments, body.points,
-// ...) for moments that no body can have and for a body without extent.
+// The model of a body in the given gravity (in S, m/s^2). Throws Error (input) as mass_properties
+// and make_loads do; naming the key that gives the mass distribution (body.moments, body.points,
+// ...) for moments that no body can have and for a body without extent; and naming
+// motion.torque[i].KEY for a torque about the line of a rotator.
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
@@ -108,7 +109,7 @@ inline Quat attitude_rate(const Quat& q, const Vec3& w_P) {
 Vec3 torque_of_loads(const BodyModel& m, double t, const State& s);
 Vec3 torque(const BodyModel& m, double t, const State& s);
 
-// The total force on a free body in S at time t (s), N.
+// The total force on a free body in S at time t (s), gravity included, N.
 Vec3 force(const BodyModel& m, double t, const State& s);
 
 // Kinetic energy of rotation plus potential energy, J: y.w/2 + chi.gamma + potential of the loads.
@@ -119,8 +120,8 @@ double energy(const BodyModel& m, const State& s);
 // center_S (m), J.
 double potential_of_place(const BodyModel& m, const Vec3& center_S);
 
-// Whether the motion conserves energy, and angular momentum (on a pivot with gravity its vertical
-// component).
+// Whether the motion conserves energy, and angular momentum (on a pivot with gravity
+// its vertical component).
 bool keeps_energy(const BodyModel& m);
 bool keeps_momentum(const BodyModel& m);
 

@@ -11,7 +11,7 @@ namespace polhode {
 bool contains(const std::vector<std::string>& names, const std::string& name);
 
 // Throws Error (input) naming `path`, the dotted key of the table, if one of `needed` is missing
-// from `given`.
+// from `given`. kind: name of the solid or load, for the message.
 void require_keys(const std::string& kind,
                   const std::vector<std::string>& needed,
                   const std::vector<std::string>& given,

@@ -13,18 +13,21 @@ namespace polhode {
 
 // One load. load_kinds() (model/loads.h) says which of the keys a kind takes.
 struct LoadSpec {
-  std::string kind;
+  std::string kind;               // a name from load_kinds()
   std::optional<Vec3> space;      // torque or force in space axes, N m or N
   std::optional<Vec3> body;       // the same in body axes
-  std::optional<Vec3> at;         // where the force acts, from the body origin in B, m
+  std::optional<Vec3> at;         // point of action, from the body origin in B, m; absent:
+                                  // the centre of mass
   std::optional<Vec3> opposite;   // where the opposite force of a couple acts, in B, m
-  std::optional<Vec3> to;         // the end of a spring that is fixed in space, in S, m
+  std::optional<Vec3> to;         // the end of a spring that is fixed in space, in S, m;
+                                  // absent: the origin
   std::optional<double> k;        // stiffness of a spring, N/m
-  std::optional<double> length;   // length of a spring at rest, m
+  std::optional<double> length;   // length of an unstretched spring, m; absent: 0
   std::optional<double> c;        // damping coefficient, see `of`
-  std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s) or -c omega ("spin", N m s)
-  std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s
-  std::optional<double> phase;    // rad
+  std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s; also if absent) or
+                                  // -c omega ("spin", c in N m s)
+  std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s; absent: 0
+  std::optional<double> phase;    // rad; absent: 0
 };
 
 // The names in load_kinds(), for help and the schema.
@@ -32,20 +35,38 @@ std::vector<std::string> load_names();
 
 template <class Visitor>
 void fields(Visitor& v, LoadSpec& s) {
-  v.required("kind", s.kind, Doc{"what acts", Unit::none, kAny, load_names()});
+  v.required("kind", s.kind, Doc{"kind of load", Unit::none, kAny, load_names()});
   v.at_most_one_of({"space", "body"});
   v.field("space", s.space, Doc{"torque (N m) or force (N) in space axes", Unit::load});
   v.field("body", s.body, Doc{"torque (N m) or force (N) in body axes", Unit::load});
-  v.field("at", s.at, Doc{"where the force acts, in body coordinates", Unit::length});
-  v.field("opposite", s.opposite, Doc{"where the opposite force of a couple acts", Unit::length});
-  v.field("to", s.to, Doc{"the end of a spring that is fixed in space", Unit::length});
-  v.field("k", s.k, Doc{"stiffness of a spring, N/m", Unit::none, kPositive});
-  v.field("length", s.length, Doc{"length of a spring at rest", Unit::length, kNonNegative});
-  v.field("c", s.c, Doc{"damping: 1/s of momentum, N m s of spin", Unit::none, kNonNegative});
+  v.field("at",
+          s.at,
+          Doc{"point of action of the force, in body coordinates; absent: the centre of mass",
+              Unit::length});
   v.field(
-      "of", s.of, Doc{"what is damped: -c L or -c omega", Unit::none, kAny, {"momentum", "spin"}});
-  v.field("rate", s.rate, Doc{"it changes as cos(rate t + phase)", Unit::angular_velocity});
-  v.field("phase", s.phase, Doc{"it changes as cos(rate t + phase)", Unit::angle});
+      "opposite",
+      s.opposite,
+      Doc{"point of action of the opposite force of a couple, in body coordinates", Unit::length});
+  v.field("to",
+          s.to,
+          Doc{"the end of a spring that is fixed in space; absent: the origin", Unit::length});
+  v.field("k", s.k, Doc{"stiffness of a spring, N/m", Unit::none, kPositive});
+  v.field("length", s.length, Doc{"length of the unstretched spring", Unit::length, kNonNegative});
+  v.field("c",
+          s.c,
+          Doc{"damping coefficient: 1/s for \"momentum\", N m s for \"spin\"",
+              Unit::none,
+              kNonNegative});
+  v.field("of",
+          s.of,
+          Doc{"torque of damping: -c L (\"momentum\") or -c omega (\"spin\")",
+              Unit::none,
+              kAny,
+              {"momentum", "spin"}});
+  v.field("rate",
+          s.rate,
+          Doc{"the load varies with time as cos(rate t + phase)", Unit::angular_velocity});
+  v.field("phase", s.phase, Doc{"the load varies with time as cos(rate t + phase)", Unit::angle});
 }
 
 }  // namespace polhode

@@ -74,20 +74,25 @@ Load::Kind turned_into(const LoadSpec& spec) {
 
 const std::vector<LoadKind>& load_kinds() {
   static const std::vector<LoadKind> kinds = {
-      {"constant", "a torque", {}, {"rate", "phase"}, true},
-      {"damping", "-c L, or -c omega", {"c"}, {"of"}},
+      {"constant",
+       "a torque that is constant or varies as a cosine of time",
+       {},
+       {"rate", "phase"},
+       true},
+      {"damping", "a torque -c L or -c omega", {"c"}, {"of"}},
       {"couple",
-       "a force, and the opposite one elsewhere",
+       "a force on one point of the body and the opposite force on another",
        {"at", "opposite"},
        {"rate", "phase"},
        true},
       {"force",
-       "a force on a point, the centre of mass by default",
+       "a force on a point of the body, by default the centre of mass",
        {},
        {"at", "rate", "phase"},
        true},
       {"spring",
-       "from a point, the centre of mass by default, to one in space, the origin by default",
+       "a spring from a point of the body, by default the centre of mass, to a point in space, by "
+       "default the origin",
        {"k"},
        {"at", "to", "length"}},
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Torques and forces on a body, in the form that the equations of motion use:
-//   dy/dt = y x omega + tau,   dP/dt = F   (notes, eqs. 19 to 22).
+// Loads, which are the torques and forces on a body besides gravity, in the form that the equations
+// of motion use:
+//   dy/dt = y x omega + tau,   dP/dt = F   (lecture notes, eqs. 19 to 22; see docs/theory.md).
 #pragma once
 
 #include <string>
@@ -14,12 +15,12 @@ namespace polhode {
 // A kind of load, with the keys that it needs and those that it may have.
 struct LoadKind {
   std::string name;
-  std::string doc;
-  std::vector<std::string> needs;
-  std::vector<std::string> takes;
-  bool directed = false;  // needs exactly one of `space` and `body`
+  std::string doc;                 // one phrase, for help
+  std::vector<std::string> needs;  // keys that must be given
+  std::vector<std::string> takes;  // keys that may be given
+  bool directed = false;           // needs exactly one of `space` and `body`
 };
-// The table of all kinds.
+// The table of all kinds; it exists until the program ends.
 const std::vector<LoadKind>& load_kinds();
 
 // A load converted to principal axes P and to the reference point.
@@ -27,13 +28,13 @@ struct Load {
   enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring };
   Kind kind = Kind::torque;
   bool in_body = false;        // true: `vector` is in P; false: in S
-  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N)
+  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), times cos(rate t + phase)
   Vec3 arm_P = Vec3::Zero();   // lever arm from the reference point, for a couple from the opposite
                                // force to the force, m
   Vec3 at_P = Vec3::Zero();    // point of action, from the reference point, m
   Vec3 anchor_S = Vec3::Zero();  // fixed end of a spring, m
   double k = 0.0;                // stiffness, N/m
-  double length = 0.0;           // length of the spring at rest, m
+  double length = 0.0;           // length of the unstretched spring, m
   double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
   double rate = 0.0;             // rad/s
   double phase = 0.0;            // rad
@@ -56,7 +57,8 @@ struct Loads {
                               // attitude or place
   std::vector<Push> pushes;   // for free bodies
   std::vector<Load> listed;   // all, in the order of the scene, for drawing
-  // The force depends on attitude or place, so six degrees of freedom must be integrated.
+  // True: a force on a free body depends on its attitude or place, so six degrees of freedom must
+  // be integrated.
   bool need_place = false;
 
   bool empty() const { return turning.empty() && pushes.empty(); }
@@ -66,7 +68,9 @@ struct Loads {
 };
 
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
-// principal axes as columns. Throws Error (input) naming motion.torque[i].KEY.
+// principal axes as columns, in B. Throws Error (input) naming motion.torque[i] if a key that its
+// kind needs is missing, motion.torque[i].KEY for an unknown kind, for a key that the kind does not
+// take, and for a couple whose two forces act at one point.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,
@@ -76,7 +80,7 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
 // A torque and a force.
 struct Wrench {
   Vec3 torque_P = Vec3::Zero();  // about the reference point, N m
-  Vec3 force_S = Vec3::Zero();
+  Vec3 force_S = Vec3::Zero();   // N
 };
 
 // The sum of the loads. force_S leaves out what Loads::pushes contains. t in s; q rotates P to S;
@@ -88,14 +92,15 @@ Wrench wrench_of(const std::vector<Load>& loads,
                  const Vec3& w_P,
                  const Vec3& place_S);
 
-// The force of one load at its point of action, in S, N. Zero for torques and damping.
+// The force of one load at its point of action, in S, N. Zero for torques and damping. t in s; q
+// rotates P to S; place_S: reference point, m.
 Vec3 point_force(const Load& load, double t, const Quat& q, const Vec3& place_S);
 
 // Potential energy of the conservative loads, J. That of a constant force is zero if it acts at the
-// reference point.
+// reference point. q rotates P to S; place_S: reference point, m.
 double potential_of(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
-// A typical size of that potential energy, J, to scale energy errors with. Unlike the potential it
-// does not vanish by a particular attitude.
+// A typical size of that potential energy, J, to scale energy errors with. Unlike the potential of
+// a force, it does not vanish for particular attitudes.
 double potential_scale(const std::vector<Load>& loads, const Quat& q, const Vec3& place_S);
 
 // Mass times displacement (kg m) and mass times velocity (kg m/s) that a push gives to a body at

@@ -15,8 +15,8 @@ struct MassProperties {
   Mat3 tensor = Mat3::Zero();  // about the centre of mass, kg m^2
 };
 
-// m (a^2 1 - a a^T) in kg m^2, the term of the parallel-axis theorem for the offset a in m (notes
-// eq. 12).
+// m (a^2 1 - a a^T) in kg m^2, the term of the parallel-axis theorem for the offset a in m (lecture
+// notes, eq. 12).
 Mat3 steiner_tensor(double mass, const Vec3& offset);
 
 // The inertia tensor about the point `about` (m), kg m^2.
@@ -25,7 +25,8 @@ Mat3 tensor_about(const MassProperties& body, const Vec3& about);
 // The body rotated by R and moved by `shift` (m): a point r goes to R r + shift.
 MassProperties moved(const MassProperties& body, const Mat3& R, const Vec3& shift);
 
-// Several bodies combined to one rigid body.
+// Several bodies with given places, combined to one rigid body. The sum of their masses
+// must be positive.
 MassProperties composed(const std::vector<MassProperties>& parts);
 
 // A point mass.
@@ -33,7 +34,8 @@ struct PointMass {
   double mass;  // kg
   Vec3 at;      // m
 };
-// The mass properties of point masses (notes eqs. 6 and 8).
+// The mass properties of point masses (lecture notes, eqs. 6 and 8; see
+// docs/theory.md).
 MassProperties of_points(const std::vector<PointMass>& points);
 
 }  // namespace polhode

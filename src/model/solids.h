@@ -22,17 +22,17 @@ struct SolidKind {
   MassProperties (*per_mass)(const SolidSpec&);
 };
 
-// The table of all solids.
+// The table of all solids; it exists until the program ends.
 const std::vector<SolidKind>& solid_kinds();
 
-// Throws Error (input) naming `path`.KEY if a dimension does not belong to the kind or is
-// impossible (for example a lathe outline that crosses itself), and naming `path` if one is
-// missing.
+// Throws Error (input) naming `path`.KEY for an unknown kind, for a dimension that does not belong
+// to the kind or is impossible (for example a lathe outline that crosses itself), and for a mesh
+// that has not been loaded; naming `path` if a dimension is missing.
 void check_dimensions(const SolidSpec& solid, const std::string& path);
 
-// Reads and checks the mesh files of all mesh solids of a body; `file` is relative to `folder`.
-// Throws Error (input) naming the key of the file, such as body.solid.file, as load_solid_mesh
-// does.
+// Reads and checks the mesh files of all mesh solids of a body, also of its look, and stores them
+// in SolidSpec::mesh; `file` is relative to `folder`. Throws Error (input) naming the key of the
+// file, such as body.solid.file, as load_solid_mesh does.
 void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 
 // Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error
@@ -45,6 +45,7 @@ MassProperties mass_properties(const SolidSpec& solid, const std::string& path);
 // Computer-Aided Design 43 (2011) 747) in straight pieces. Mass properties and the drawn mesh use
 // the same outline.
 std::vector<Vec2> lathe_outline(const SolidSpec& solid);
+// The greatest number of points of a smooth profile.
 inline constexpr std::size_t kMostSmooth = 200;
 
 }  // namespace polhode
