@@ -16,7 +16,8 @@ struct Loop {
 
 // The shortest duration up to `longest` (s) with a residual of at most `allowed` (rad), so that
 // spin, precession and nutation all close. If there is none, the duration with the smallest
-// residual. The search samples every turn of the body and assumes nothing about the kind of motion.
+// residual. `longest` with residual 0 for a body at rest. The search samples the motion every tenth
+// of a radian of its fastest rotation and assumes nothing about the kind of motion.
 Loop find_loop(const Motion& motion, double longest, double allowed);
 
 }  // namespace polhode

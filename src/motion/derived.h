@@ -10,9 +10,10 @@
 
 namespace polhode {
 
+// s, rad, rad/s, 1/s (growth), J, kg m^2/s (angular momentum); a verdict is 0 (no) or 1 (yes).
 enum class QuantityUnit { none, time, angle, rate, growth, energy, momentum, verdict };
 
-// One number with its name. A verdict is 0 (no) or 1 (yes).
+// One number with its name.
 struct Quantity {
   std::string name;   // without unit: "precession_rate"
   QuantityUnit unit;  // the value is in SI units and radians
@@ -22,12 +23,13 @@ struct Quantity {
 // The name with its unit as suffix: "precession_rate_rad_per_s".
 std::string key_of(const Quantity& quantity);
 
-// The quantities that are defined for this body and this start, ordered for teaching. Formulas:
+// The quantities that are defined for this body and this start, ordered for teaching. Throws Error
+// (input) as start_state does. Formulas:
 // Landau and Lifshitz, Mechanics, 33, 35 and 37; van Zon and Schofield, J. Comput. Phys. 225 (2007)
 // 145 (flip time 2K/|lambda|).
 std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpec& spec);
 
-// The value with that key_of(); empty if the motion has no such quantity.
+// The value of the quantity with that key_of(); absent if there is none.
 std::optional<double> value_of(const std::vector<Quantity>& quantities, const std::string& key);
 
 }  // namespace polhode

@@ -15,8 +15,8 @@ namespace polhode {
 struct IntegrationRecord {
   long steps = 0;
   long rejected = 0;     // steps of an adaptive method that were repeated with a shorter step
-  long evaluations = 0;  // of the right-hand side
-  Drift drift;
+  long evaluations = 0;  // as Work counts them
+  Drift drift;           // the largest over the grid times
 };
 
 // A trajectory and its record.
@@ -32,11 +32,11 @@ inline constexpr long kMostSteps = 50'000'000;
 // The least relative tolerance of an adaptive method: about the round-off of one step.
 inline constexpr double kLeastTolerance = 1e-16;
 
-// Fixed steps h (s) from 0 to duration (s). Between grid times, at() makes one partial step from
-// the preceding grid time, so it is as accurate as the method and returns unit quaternions. Memory
-// is bounded: every k-th state is kept, and at() repeats fewer than k steps. Throws Error (input),
-// without a key, for more than kMostSteps; (check_failed), with the time in the message, if a step
-// has no solution or a state is not finite; (interrupted).
+// Fixed steps h (s, positive) from 0 to duration (s, positive). Between grid times, at() makes one
+// partial step from the preceding grid time, so it is as accurate as the method and returns unit
+// quaternions. Memory is bounded: every k-th state is kept, and at() repeats fewer than k steps.
+// Throws Error (input), without a key, for more than kMostSteps; (check_failed), with the time in
+// the message, if a step has no solution or a state is not finite; (interrupted).
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
@@ -44,8 +44,8 @@ Integration integrate_fixed(const StepperInfo& method,
                             double h);
 
 // Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error).
-// Requires method.adaptive. Throws Error as integrate_fixed does, and (input), without a key, for a
-// tolerance below kLeastTolerance.
+// Requires method.adaptive. Throws Error as walk_adaptive does, (interrupted), and (input), without
+// a key, for a tolerance below kLeastTolerance and for more than kMostSteps / 8 steps.
 Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,

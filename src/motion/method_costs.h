@@ -25,16 +25,17 @@ ProblemKind problem_kind(const BodyModel& model);
 struct MethodCost {
   ProblemKind kind;
   double accuracy_rad;  // attitude error at the end
-  std::string method;
-  double ns_per_rad;  // processor time
+  std::string method;   // a name from stepper_table()
+  double ns_per_rad;    // processor time, ns per radian
 };
 
 // All measurements. The table motion/method_costs.inc is written by tests/bench/method_costs.cpp.
 const std::vector<MethodCost>& method_costs();
 
-// The methods that can integrate the model and reach the accuracy, cheapest first. With
-// splittings_only, symplectic methods only. For accuracies finer than all measured ones, the
-// methods that reached the finest.
+// The methods that can integrate the model and reach the accuracy, cheapest first, as measured at
+// the coarsest accuracy that is fine enough. With splittings_only, symplectic methods only. For
+// accuracies finer than all measured ones, the methods that reached the finest. For a free body,
+// methods that are exact without gravity are left out.
 std::vector<MethodCost> cheapest_methods(const BodyModel& model,
                                          double accuracy_rad,
                                          bool splittings_only);

@@ -17,25 +17,28 @@ struct Sample {
   Vec3 w_S = Vec3::Zero();                   // the same in space axes
   Vec3 L_S = Vec3::Zero();                   // angular momentum about the reference point, kg m^2/s
   Vec3 center_S = Vec3::Zero();              // centre of mass, m
-  Vec3 reference_S = Vec3::Zero();           // fixed point or centre of mass, m
+  Vec3 reference_S = Vec3::Zero();           // fixed point (the origin) or centre of mass, m
   Vec3 reference_velocity_S = Vec3::Zero();  // of the reference point, m/s; zero on a pivot
-  double energy = 0.0;                       // kinetic (rotation and translation) + potential, J
+  double energy = 0.0;                       // kinetic (rotation, translation) + potential, J
 };
 
 // Immutable; at() may be called from any thread.
 class Motion {
  public:
-  // The trajectory gives the rotation (and with six degrees of freedom the path); position,
-  // velocity and duration come from `spec`.
+  // The trajectory (never null) gives the rotation, and with six degrees of freedom the path;
+  // position, velocity and duration come from `spec`. `model` is that of the trajectory.
   Motion(const BodyModel& model,
          std::shared_ptr<const Trajectory> trajectory,
          const MotionSpec& spec);
 
-  Sample at(double t) const;
   // The quantities at t (s), 0 <= t <= duration().
+  Sample at(double t) const;
+  // The state of the rotation at that time; its place and linear momentum are those of the motion
+  // with six degrees of freedom only.
   State state_at(double t) const { return trajectory_->at(t); }
+  // A reference to a member.
   const BodyModel& model() const { return model_; }
-  // In seconds.
+  // In seconds; the motion begins at t = 0.
   double duration() const { return duration_; }
 
  private:
@@ -47,13 +50,15 @@ class Motion {
   double duration_;
 };
 
-// The drift of the conserved quantities between the start and t (s).
+// The drift of the conserved quantities between the start and t (s), as DriftWatch::of() gives it.
 Drift drift_at(const Motion& motion, double t);
 
 // Position in S (m) of the point r_B of the body (m, from the body origin).
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
-// Velocity in S (m/s) of that point: V + Omega x r, with r from the reference point (notes eq. 2).
+// Velocity in S (m/s) of the point r_B of the body (m, from the body origin): V + Omega x r,
+// with V the velocity of the reference point and r the position from there (lecture notes, eq.
+// 2; see docs/theory.md).
 Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
 // The model of a body with the pivot, gravity and loads of a [motion] table. Throws Error (input)

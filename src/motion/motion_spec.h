@@ -28,9 +28,10 @@ struct SpinSpec {
 
 // The [motion] table.
 struct MotionSpec {
-  std::string hold = "free";  // "free", or "pivot": one point of the body is fixed
-  std::optional<Vec3>
-      gravity;  // m/s^2 in S; absent: zero for a free body, standard and along -Z on a pivot
+  // "free", or "pivot": one point of the body is fixed, at the origin of S
+  std::string hold = "free";
+  // m/s^2 in S; absent: zero for a free body; standard gravity (9.80665) along -Z on a pivot
+  std::optional<Vec3> gravity;
   double duration = 10.0;  // s
   AttitudeSpec attitude;
   SpinSpec spin;
@@ -41,7 +42,7 @@ struct MotionSpec {
 
 // The allowed attitude error over the whole film, in radians or in pixels of the finished picture.
 struct Accuracy {
-  double value = 0.1;
+  double value = 0.1;  // positive
   bool pixels = true;  // false: `value` is in radians
 };
 
@@ -53,10 +54,11 @@ Accuracy parse_accuracy(const std::string& text);
 struct NumericsSpec {
   std::string model = "auto";       // one of model_names()
   std::string method = "auto";      // one of method_names()
-  std::optional<double> step;       // s; for fixed-step methods
-  std::optional<double> tolerance;  // relative error per step; for adaptive methods
+  std::optional<double> step;       // s; for fixed-step methods; absent: found from accuracy
+  std::optional<double> tolerance;  // local error per step (Stepper::step_with_error); for adaptive
+                                    // methods; absent: found from accuracy
   Accuracy accuracy;
-  // methods that a film shows side by side; step and tolerance apply to them
+  // Methods that a film shows side by side; step and tolerance apply to them. Empty: none.
   std::vector<std::string> compare;
 };
 
@@ -70,7 +72,9 @@ void fields(Visitor& v, AttitudeSpec& s) {
   v.field("zxz",
           s.zxz,
           Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
-  v.field("quaternion", s.quaternion, Doc{"w, x, y, z of the rotation from body to space"});
+  v.field("quaternion",
+          s.quaternion,
+          Doc{"quaternion w, x, y, z of the rotation from body axes to space axes"});
 }
 
 template <class Visitor>
@@ -86,36 +90,62 @@ void fields(Visitor& v, SpinSpec& s) {
 
 template <class Visitor>
 void fields(Visitor& v, MotionSpec& s) {
-  v.field("hold", s.hold, Doc{"what holds the body", Unit::none, kAny, {"free", "pivot"}});
-  v.field("gravity", s.gravity, Doc{"acceleration of gravity in space axes", Unit::acceleration});
+  v.field("hold",
+          s.hold,
+          Doc{"whether the body is free or one of its points is fixed (body.pivot)",
+              Unit::none,
+              kAny,
+              {"free", "pivot"}});
+  v.field("gravity",
+          s.gravity,
+          Doc{"acceleration of gravity in space axes; absent: none for a free body, standard on a "
+              "pivot",
+              Unit::acceleration});
   v.field("duration", s.duration, Doc{"length of the motion", Unit::time, kPositive});
-  v.field("attitude", s.attitude, Doc{"attitude at the start"});
-  v.field("spin", s.spin, Doc{"angular velocity at the start"});
-  v.field("position", s.position, Doc{"centre of mass at the start, free bodies", Unit::length});
+  v.field("attitude", s.attitude, Doc{"attitude at the start; absent: body axes along space axes"});
+  v.field("spin", s.spin, Doc{"angular velocity or momentum at the start; absent: at rest"});
+  v.field("position",
+          s.position,
+          Doc{"position of the centre of mass at the start; free bodies only", Unit::length});
   v.field("velocity",
           s.velocity,
-          Doc{"velocity of the centre of mass at the start, free bodies", Unit::velocity});
+          Doc{"velocity of the centre of mass at the start; free bodies only", Unit::velocity});
   v.field("torque", s.torque, Doc{"torques and forces that act besides gravity"});
 }
 
 template <class Visitor>
 void fields(Visitor& v, NumericsSpec& s) {
-  v.field("model", s.model, Doc{"how the motion is found", Unit::none, kAny, model_names()});
-  v.field("method", s.method, Doc{"integrator", Unit::none, kAny, method_names()});
-  v.field("step", s.step, Doc{"step of fixed-step methods", Unit::time, kPositive});
+  v.field("model",
+          s.model,
+          Doc{"solution method; auto: the first that can handle the scene",
+              Unit::none,
+              kAny,
+              model_names()});
+  v.field("method",
+          s.method,
+          Doc{"integrator; auto: a closed form, else the cheapest that reaches the accuracy",
+              Unit::none,
+              kAny,
+              method_names()});
+  v.field("step",
+          s.step,
+          Doc{"step of fixed-step methods; absent: found from accuracy", Unit::time, kPositive});
   v.field("tolerance",
           s.tolerance,
-          Doc{"local error per step of adaptive methods", Unit::none, kPositive});
+          Doc{"local error per step of adaptive methods; absent: found from accuracy",
+              Unit::none,
+              kPositive});
   v.field("accuracy",
           s.accuracy,
-          Doc{"attitude error over the whole film: radians, or \"0.1px\" of the picture"});
-  v.field(
-      "compare",
-      s.compare,
-      Doc{"methods that the film shows side by side, at most nine; step and tolerance are theirs",
-          Unit::none,
-          kAny,
-          method_names()});
+          Doc{"allowed attitude error over the whole film: radians, or pixels of the picture as "
+              "\"0.1px\""});
+  v.field("compare",
+          s.compare,
+          Doc{"methods that the film shows side by side, at most nine; step and tolerance apply to "
+              "them",
+              Unit::none,
+              kAny,
+              method_names()});
 }
 
 }  // namespace polhode

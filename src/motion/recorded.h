@@ -11,15 +11,15 @@ namespace polhode {
 
 // A quantity with one or more curves in the same unit. To add one: a row in recorded_quantities().
 struct Recorded {
-  std::string name;
-  std::string title;                // for people
-  std::string unit;                 // "rad/s"; "" for ratios
+  std::string name;                 // as in show.plots
+  std::string title;                // of the plot
+  std::string unit;                 // of the plotted values: "rad/s", "°"; "" for ratios
   std::vector<std::string> curves;  // the name of each curve
-  // the value of each curve at this moment, in `unit`
+  // The value of each curve at the moment of `sample`, in `unit`; NaN where it is not defined.
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
 };
 
-// All quantities.
+// All quantities; the table exists until the program ends.
 const std::vector<Recorded>& recorded_quantities();
 // Their names, for show.plots and the schema.
 std::vector<std::string> recorded_names();

@@ -15,15 +15,15 @@ namespace polhode {
 // The doubts about an integrated motion; it is trusted if there are none.
 struct Reliability {
   std::vector<std::string> doubts;
-  // largest error against the closed form, if there is one
+  // The largest deviation() from the closed form; absent if there is no closed form.
   std::optional<double> attitude_error_rad;
 };
 
 // Relative drift of energy or angular momentum beyond which a motion is not trusted.
 inline constexpr double kTrustedDrift = 1e-3;
 
-// Checks the conserved quantities, and the error against the closed form, if there is one, with
-// accuracy_rad as its limit. duration in s.
+// Checks the motion `found` from 0 to `duration` (s): the drift of the conserved quantities, and,
+// if there is a closed form, the error against it, which may be at most accuracy_rad.
 Reliability reliability_of(const BodyModel& model,
                            const State& start,
                            double duration,
@@ -36,9 +36,9 @@ std::optional<std::string> step_beyond_limit(const BodyModel& model,
                                              const State& start,
                                              const NumericsSpec& numerics);
 
-// A doubt if the body turns by more than half a turn between frames that are `frame_s` (s of
-// motion) apart, so that it seems to turn backwards. It names the time between frames that would
-// avoid this.
+// A doubt if a body with the greatest angular speed fastest_rad_per_s turns by more than half a
+// turn between frames that are `frame_s` (s of motion) apart, so that it seems to turn backwards.
+// It names the time between frames that would avoid this.
 std::optional<std::string> turns_backwards(double fastest_rad_per_s, double frame_s);
 
 }  // namespace polhode

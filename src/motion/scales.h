@@ -13,12 +13,13 @@ double typical_rate(const BodyModel& model, const State& start);
 // A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 
-// The first step (s) to try with an adaptive method of that order; infinite for a body at rest that
-// nothing turns.
+// The first step (s) to try with an adaptive method of that order and that tolerance (local error
+// per step); infinite for a body at rest that nothing turns.
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);
 
-// The distance of two states: the angle between their attitudes, rad, or, if larger, the distance
-// of their positions in radii of gyration. NaN if a state contains NaN.
+// The distance of two states: the angle between their attitudes, rad, or, with six degrees of
+// freedom and if larger, the distance of their positions in radii of gyration. NaN if a state
+// contains NaN.
 double deviation(const BodyModel& model, const State& a, const State& b);
 
 }  // namespace polhode

@@ -15,12 +15,12 @@ namespace polhode {
 
 // How a motion was computed, for the report.
 struct SimulationReport {
-  std::string model;  // name of the solution method
-  std::string model_reason;
-  std::string method;  // name of the integrator; "exact" for a closed form
-  std::string method_reason;
-  std::optional<double> step;                // s
-  std::optional<double> tolerance;           // local error per step
+  std::string model;                         // name of the solution method
+  std::string model_reason;                  // one phrase
+  std::string method;                        // name of the integrator; "exact" for a closed form
+  std::string method_reason;                 // one phrase
+  std::optional<double> step;                // s; absent for a closed form and adaptive methods
+  std::optional<double> tolerance;           // local error per step; for adaptive methods
   double accuracy_rad = 0.0;                 // as requested
   std::optional<double> error_estimate_rad;  // difference from a coarser run; absent: not estimated
   IntegrationRecord record;
@@ -34,11 +34,11 @@ struct Simulation {
 };
 
 // accuracy_rad: allowed attitude error over the whole motion. If the scene gives neither step nor
-// tolerance, the method is refined until two runs agree within it. Throws Error (input) naming
-// numerics.model or numerics.method if they cannot handle the scene, numerics.step or
-// numerics.tolerance if they do not suit the method, and numerics.accuracy if it cannot be reached;
-// (check_failed) if the motion becomes NaN or the equations of an implicit step have no solution;
-// (interrupted) if the program is interrupted.
+// tolerance, the method is refined until two runs agree within it. Throws Error (input) as
+// start_state does, and naming numerics.model or numerics.method if they cannot handle the scene,
+// numerics.step or numerics.tolerance if they do not suit the method, and numerics.accuracy if it
+// cannot be reached; (check_failed) if the motion becomes NaN or the equations of an implicit step
+// have no solution; (interrupted) if the program is interrupted.
 Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,

@@ -15,28 +15,29 @@ namespace polhode {
 // One solution method. To add one: a row in solution_methods(), which is ordered from the simplest
 // to the most general.
 struct SolutionMethod {
-  std::string name;
-  std::string doc;
+  std::string name;  // value of numerics.model
+  std::string doc;   // one phrase, for help
   bool closed_form = false;
   bool with_translation = false;  // integrates the centre of mass too (six degrees of freedom)
   bool splits = false;            // splits into exact flows; takes symplectic steppers only
-  // "" if it can handle the model, else the reason why not
+  // "" if it can handle the model, else the reason why not.
   std::string (*why_not)(const BodyModel& model);
-  // makes the trajectory; null unless closed_form
+  // Makes the trajectory from the state at t = 0; null unless closed_form.
   std::unique_ptr<Trajectory> (*make)(const BodyModel& model, const State& start);
 };
 
-// All solution methods.
+// All solution methods; the table exists until the program ends.
 const std::vector<SolutionMethod>& solution_methods();
 
 // The method that numerics.model names or, for "auto", the first of the table that can handle the
-// model; `reason` is set to one phrase that says why. Throws Error (input), naming numerics.model
-// or numerics.method, if the requested one cannot handle the model.
+// model and uses numerics.method, if that is given; `reason` is set to one phrase that says why.
+// Throws Error (input): naming numerics.model if the requested one is unknown or cannot handle the
+// model, naming numerics.method if "splitting" is requested with a method that is not symplectic.
 const SolutionMethod& choose_solution_method(const BodyModel& model,
                                              const NumericsSpec& numerics,
                                              std::string& reason);
 
-// The model with with_translation set as its loads require.
+// The model with BodyModel::with_translation set as its loads require.
 BodyModel with_needed_degrees(BodyModel model);
 
 }  // namespace polhode

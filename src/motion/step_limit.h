@@ -11,8 +11,8 @@ namespace polhode {
 double oscillation_rate(const BodyModel& model, const State& start);
 
 // The step (s) beyond which the method is unstable or its step has no solution, from the rates at
-// the start. Infinite if theory gives no limit. The limits and their sources are in
-// motion/stepper_table.cpp.
+// the start: StepperInfo::limit_turn divided by the rate of its limit_of. Infinite if theory gives
+// no limit. The limits are in motion/stepper_table.cpp.
 double step_limit(const StepperInfo& method, const BodyModel& model, const State& start);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface of one-step methods for dy/dt = y x w + gamma x chi + loads, dq/dt = q o (0, w)/2.
+// The interface of one-step methods for dy/dt = y x w + gamma x chi + loads, dq/dt = q o (0, w)/2
+// (letters: math/notation.h and model/body_model.h).
 #pragma once
 
 #include <memory>
@@ -18,15 +19,17 @@ struct Work {
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  // Advances s from t by h (s). Throws Error (check_failed) if an implicit step has no solution.
+  // Advances s from the time t by h (both in s), and adds its cost to `work`. Throws Error
+  // (check_failed) if an implicit step has no solution.
   virtual void step(double t, double h, State& s, Work& work) const = 0;
   void step(double t, double h, State& s) const {
     Work uncounted;
     step(t, h, s, uncounted);
   }
-  // For adaptive methods only: also returns an estimate of the local error, the larger of |error of
-  // q| and |error of y| / momentum_scale (with six degrees of freedom also the scaled errors of
-  // place and momentum, see ErrorNorm).
+  // For adaptive methods only; aborts for others. Does the same and returns an estimate
+  // of the local error, the larger of |error of q| and |error of y| / momentum_scale
+  // (with six degrees of freedom also the scaled errors of place and momentum, see
+  // ErrorNorm in motion/steppers/derivative.h).
   virtual double step_with_error(double t, double h, State& s, Work& work) const;
 };
 

@@ -17,10 +17,10 @@ enum class StepLimit { none, oscillation, spin };
 // One row per method. To add one: its file in motion/steppers/, and a row in stepper_table.cpp.
 // Help, names and the test kit derive from this table.
 struct StepperInfo {
-  std::string name = {};
-  std::string title = {};  // for charts
-  int order = 0;
-  bool adaptive = false;
+  std::string name = {};              // value of numerics.method
+  std::string title = {};             // for charts
+  int order = 0;                      // the error of a motion is proportional to (step)^order
+  bool adaptive = false;              // estimates its error and takes a tolerance; else fixed steps
   bool keeps_energy = false;          // to round-off, whatever the step
   bool keeps_momentum_norm = false;   // |y| of a free body
   bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
@@ -35,11 +35,13 @@ struct StepperInfo {
   StepLimit limit_of = StepLimit::none;
   double limit_turn = 0.0;  // the greatest angle of that kind per step, rad
   std::string source = {};  // paper or book
-  // Applies the method to a model. momentum_scale: a typical |y| for the error norm, kg m^2/s.
+  // Applies the method to a model, of which it keeps copies. momentum_scale: a typical |y| for the
+  // error norm, kg m^2/s.
   std::unique_ptr<Stepper> (*make)(const BodyModel& model, double momentum_scale) = nullptr;
 };
 
-// All methods.
+// All methods; the table exists until the program ends, and so do the references
+// and pointers below.
 const std::vector<StepperInfo>& stepper_table();
 
 // The row of that name. Throws Error (input), without a key, that suggests the nearest name.
@@ -49,8 +51,8 @@ const StepperInfo& find_stepper(const std::string& name);
 // --methods, for an unknown name.
 std::vector<const StepperInfo*> parse_methods(const std::string& names);
 
-// "" if the method can integrate the model, else the reason why not and the names of methods that
-// can.
+// "" if the method can integrate the model, else the reason why not and the names of
+// methods that can.
 std::string why_not(const StepperInfo& method, const BodyModel& model);
 
 }  // namespace polhode

@@ -13,25 +13,31 @@ namespace polhode {
 class Trajectory {
  public:
   virtual ~Trajectory() = default;
+  // The state at t (s). Closed forms do not give its place and linear momentum.
   virtual State at(double t) const = 0;
 };
 
 // Relative changes of the conserved quantities since the start: the largest over a motion, or those
 // of one state. Absent if the loads do not conserve them.
 struct Drift {
-  std::optional<double> energy;  // relative to kinetic energy at the start + |chi| + |potentials|
-  // of the vector L or, with a torque of gravity, of L.up; relative to |L|
+  // Of the energy, relative to the kinetic energy at the start + |chi| + the sizes of the other
+  // potential energies.
+  std::optional<double> energy;
+  // Of the vector L or, with a torque of gravity, of L.up; relative to |L| at the start or, if that
+  // is larger, to sqrt(greatest moment * |chi|).
   std::optional<double> momentum;
 };
 
 // Records the largest drift of a sequence of states. Not thread-safe.
 class DriftWatch {
  public:
+  // start: the state at t = 0, with which others are compared.
   DriftWatch(const BodyModel& model, const State& start);
   // Takes one more state into account; NaN is kept as the largest drift.
   void look_at(const State& s);
   // The drift of one state; that of energy is signed.
   Drift of(const State& s) const;
+  // The largest drift so far, without sign; a reference to a member.
   const Drift& worst() const { return worst_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stepping loops that trajectories and charts share. They store no states and allocate no
-// memory.
+// The stepping loops that trajectories and charts share. They store no states and
+// allocate no memory.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +19,15 @@ struct WalkRecord {
 
 // Whether every number of the state is finite.
 bool is_finite(const State& s);
-// Throws Error (check_failed), with method and time t (s) in the message, if the state is not
-// finite.
+// Throws Error (check_failed), with method and time t (s) in the message, if the state
+// is not finite.
 void refuse_nan(const State& s, const StepperInfo& method, double t);
-// Throws Error (check_failed): at t (s) the step of an adaptive method fell below round-off.
+// Throws Error (check_failed) that says that at t (s) the step of an adaptive method fell below
+// round-off with this tolerance.
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
-// Takes `steps` steps of h (s) from time 0. Calls visit(i, s) with the state after step i = 1, 2,
-// ... Throws what the stepper and `visit` throw.
+// Takes `steps` steps of h (s) from time 0, starting from s, which is advanced to the end. Calls
+// visit(i, s) with the state after step i = 1, 2, ... Throws what the stepper and `visit` throw.
 template <class Visit>
 WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Visit&& visit) {
   WalkRecord record;
@@ -38,9 +39,11 @@ WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Vi
   return record;
 }
 
-// Steps from time 0 to duration (s) with estimated local errors below `tolerance`; `first` (s) is
-// the first step to try. Calls visit(t, s) with the state after every accepted step. Throws Error
-// (check_failed) if the state is not finite or the step falls below round-off.
+// Steps from time 0 to duration (s), starting from s, which is advanced to the end, with estimated
+// local errors of at most `tolerance`. `first` (s) is the first step to try. `stepper` is an
+// instance of `method`. Calls visit(t, s) with the state after every accepted step. Throws Error
+// (check_failed) if the state is not finite or the step falls below round-off, and what the stepper
+// and `visit` throw.
 template <class Visit>
 WalkRecord walk_adaptive(const StepperInfo& method,
                          const Stepper& stepper,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Closed-form rotations as trajectories. The requirements stated here are the caller's to check
-// (motion/solution_method.cpp does). Frames and letters: math/notation.h.
+// Closed-form rotations as trajectories, without the motion of the centre of mass. The caller must
+// check the requirements stated here, as motion/solution_method.cpp does. Frames and letters:
+// math/notation.h; start: the state at t = 0.
 #pragma once
 
 #include <memory>
@@ -23,10 +24,10 @@ std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State&
 // Sources: motion/exact/asymmetric.cpp.
 std::unique_ptr<Trajectory> exact_asymmetric(const BodyModel& model, const State& start);
 
-// Heavy symmetric top on a pivot with its centre of mass on the symmetry axis (Lagrange's top), for
-// gravity in any direction. Includes the rotator (spherical pendulum) and the planar pendulum.
-// Requires chi != 0, along the symmetry axis unless the top is spherical. Sources:
-// motion/exact/heavy_symmetric.cpp.
+// Heavy symmetric top on a pivot with its centre of mass on the symmetry axis (Lagrange's
+// top), for gravity in any direction. Includes the rotator (spherical pendulum) and the
+// planar pendulum. Requires chi != 0, along the symmetry axis unless the top is
+// spherical. Sources: motion/exact/heavy_symmetric.cpp.
 std::unique_ptr<Trajectory> exact_heavy_symmetric(const BodyModel& model, const State& start);
 
 // Any of the free bodies above with the damping torque -c L, c > 0 in 1/s. With s = (1 - exp(-c
@@ -39,11 +40,13 @@ std::unique_ptr<Trajectory> damped(std::unique_ptr<Trajectory> undamped, double 
 struct Nutation {
   double least_tilt = 0.0;
   double greatest_tilt = 0.0;
-  // of the tilt, s; infinite for a top that approaches the vertical asymptotically
+  // Period of the tilt, s; infinite for a top that approaches the vertical asymptotically, 0 for
+  // one that stays vertical.
   double period = 0.0;
-  // rad/s about the vertical, at least_tilt; NaN if that is the vertical itself
+  // Precession about the vertical, rad/s, at least_tilt and at greatest_tilt; NaN if that tilt is
+  // the vertical itself, 0 for a top that stays vertical.
   double precession_at_least = 0.0;
-  double precession_at_greatest = 0.0;  // the same at greatest_tilt
+  double precession_at_greatest = 0.0;
 };
 
 // Same requirements as exact_heavy_symmetric. The tilt is an elliptic function of time with period

@@ -17,9 +17,11 @@ namespace polhode {
 // linear_momentum_S. Units as in State.
 template <int N>
 using StateVector = Eigen::Matrix<double, N, 1>;
+// The values of N with three and with six degrees of freedom.
 inline constexpr int kThreeDegrees = 7;
 inline constexpr int kSixDegrees = 13;
 
+// The vector of a state.
 template <int N>
 StateVector<N> to_vector(const State& s) {
   StateVector<N> v;
@@ -56,14 +58,14 @@ void set_state(const StateVector<N>& v, State& s) {
   }
 }
 
-// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With it, d
-// gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic invariants there
-// too.
+// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With
+// it, d gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic
+// invariants there too.
 inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
   return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
 }
 
-// The right-hand side at time t (s). The stages of a step leave the unit sphere; q is not
+// The right-hand side dv/dt at time t (s). The stages of a step leave the unit sphere; q is not
 // normalised here, so that the vector field stays smooth and the method keeps its order.
 template <int N>
 StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v) {
@@ -82,8 +84,9 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
   return rate;
 }
 
-// The norm of a difference of states: the largest of its parts, each divided by its scale.
-// Dimensionless.
+// The norm of a difference of states: the largest of the norms of q, of y over a typical momentum,
+// and with six degrees of freedom of the place over the radius of gyration and of the linear
+// momentum over the typical momentum per radius of gyration. Dimensionless.
 class ErrorNorm {
  public:
   // momentum_scale: a typical |y|, kg m^2/s.
@@ -108,7 +111,7 @@ class ErrorNorm {
   double length_scale_;    // m
 };
 
-// Makes a method on the vector with the number of degrees of freedom that the model needs.
+// Makes a Method<N>(model, arguments...) with the N that the model needs.
 template <template <int> class Method, class... Arguments>
 std::unique_ptr<Stepper> make_on_vector(const BodyModel& model, Arguments... arguments) {
   if (model.with_translation) return std::make_unique<Method<kSixDegrees>>(model, arguments...);

@@ -17,6 +17,7 @@ namespace polhode {
 // any thread may use it.
 class FreeFlow {
  public:
+  // Copies what it needs of the model.
   explicit FreeFlow(const BodyModel& model);
 
   // Advances attitude q (P to S) and momentum y (in P, kg m^2/s) by h (s), of any sign and length.

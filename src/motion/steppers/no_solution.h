@@ -10,8 +10,9 @@
 
 namespace polhode {
 
-// An Error (check_failed) whose message has the time t (s), the step h (s), the angle by which the
-// body turns in it, and `limit`, the step limit of the method in words. y is in P.
+// An Error (check_failed) without a place, whose message has the name of the method, the time t
+// (s), the step h (s), the angle by which the body turns in it, and `limit`, the step limit of the
+// method in words. y: angular momentum in P, kg m^2/s.
 inline Error no_solution(const std::string& method,
                          double t,
                          double h,

@@ -15,15 +15,16 @@ namespace polhode {
 // h, kick b[n] h.
 struct SplittingScheme {
   static constexpr std::size_t kMostFlows = 12;
-  std::size_t flows = 0;
-  std::array<double, kMostFlows> a = {};
-  std::array<double, kMostFlows + 1> b = {};
-  // the middle kick adds this times h^3 times the gradient of torque . I^-1 torque / 2
+  std::size_t flows = 0;                  // n
+  std::array<double, kMostFlows> a = {};  // fractions of the step for flows; the first n are used
+  std::array<double, kMostFlows + 1> b = {};  // for kicks; the first n + 1 are used
+  // The middle kick adds this times h^3 times the gradient of torque . I^-1 torque / 2; 0:
+  // no such term.
   double gradient = 0.0;
 };
 
-// The composition of (kick h/2, flow h, kick h/2) with these fractions of the step, which must be
-// symmetric.
+// The composition of (kick h/2, flow h, kick h/2) with these fractions of the step, which
+// must be symmetric.
 template <std::size_t N>
 constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   SplittingScheme scheme;
@@ -38,7 +39,8 @@ constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
 
 // A stepper made of kicks and flows. Flow is constructed from a BodyModel; flow(h, q, y) is the
 // motion of the free body, exact or of second order, and symmetric in time. A kick keeps L.up and a
-// flow keeps L in space. Kicks are symplectic maps, so the method is symplectic if Flow is.
+// flow keeps L in space. Kicks are symplectic maps, so the method is symplectic if Flow is. Torques
+// other than that of gravity are ignored. The scheme has at most kMostFlows flows.
 template <class Flow>
 class Splitting final : public Stepper {
  public:

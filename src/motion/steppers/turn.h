@@ -11,7 +11,7 @@ namespace polhode {
 
 // cos(x), sin(x) and sin(x)/x of half an angle x.
 struct HalfTurn {
-  double cosine, sine, sinc;
+  double cosine, sine, sinc;  // sinc is sin(x)/x
 };
 
 // For a half angle x with x2 = x^2 <= 1/4: Taylor series, exact to round-off.
@@ -50,7 +50,7 @@ inline Quat turn_by(const Vec3& v) {
 }
 
 // Turns the body by `angle` about its principal axis k (0..2) while its momentum stays constant in
-// space: q <- q o exp(angle e_k), y <- exp(-angle e_k) y.
+// space: q <- q o exp(angle e_k), y <- exp(-angle e_k) y. q: attitude (P to S); y: momentum in P.
 inline void turn_about_axis(int k, double angle, Quat& q, Vec3& y) {
   const int i = k == 2 ? 0 : k + 1;
   const int j = k == 0 ? 2 : k - 1;
