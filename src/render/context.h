@@ -10,7 +10,7 @@
 namespace polhode {
 
 // An OpenGL 3.3 core context that is current on the thread that made it, as long as the object
-// lives. A thread may have one at a time.
+// lives. A thread may have one at a time, and must destroy it itself.
 class Context {
  public:
   virtual ~Context() = default;
@@ -22,23 +22,23 @@ class Context {
 
 // A way to get a context. To add one: a row in render/context.cpp and its function.
 struct Backend {
-  std::string name;
-  std::string doc;
-  // throws Error (environment) that says what is missing
+  std::string name;  // value of --backend
+  std::string doc;   // one phrase, for help
+  // Opens it. Throws Error (environment) that says what is missing.
   std::unique_ptr<Context> (*open)();
 };
 
-// All back ends, in the order in which "auto" tries them.
+// All back ends, in the order in which "auto" tries them; the table exists until the program ends.
 const std::vector<Backend>& backends();
 // "auto" and the names of all back ends.
 std::vector<std::string> backend_names();
 
-// Opens the named back end. Throws Error (input), naming --backend, for an unknown name;
-// (environment) if there is no context or too little memory. With "auto" the message has the reason
-// of each back end.
+// Opens the named back end, one of backend_names(), on the calling thread. Throws Error (input),
+// naming --backend, for an unknown name; (environment) if there is no context or too little memory.
+// With "auto" the message has the reason of each back end.
 std::unique_ptr<Context> open_context(const std::string& backend);
 
-// Opens one back end. Throws Error (environment) that says what is missing.
+// Open one back end, for the table. Throw Error (environment) that says what is missing.
 std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
 

@@ -75,7 +75,7 @@ struct Gl {
   POLHODE_GL_FUNCTIONS(POLHODE_GL_MEMBER)
 #undef POLHODE_GL_MEMBER
 
-  // Throws Error (environment) if a function is missing.
+  // Loads all functions. Throws Error (environment) if one is missing.
   explicit Gl(const Context& context);
 };
 

@@ -17,7 +17,7 @@ struct RendererInfo {
   std::string backend;       // "osmesa"
   std::string gl_renderer;   // GL_RENDERER
   std::string gl_version;    // GL_VERSION
-  int samples = 0;           // per pixel
+  int samples = 0;           // per pixel that are used; 1: none besides the pixel's centre
   bool by_outlines = false;  // edges are antialiased by outlines
 };
 
@@ -32,34 +32,39 @@ struct RenderTimes {
 // samples, and are more accurate where things are several pixels wide. by_size uses them for
 // pictures of at least kOutlinePixels, and samples for smaller ones.
 enum class Edges { by_size, samples, outlines };
-// width * height
+// The least number of pixels (width * height) for which by_size uses outlines.
 inline constexpr int kOutlinePixels = 960 * 540;
 
 // Settings that hold for all pictures of a renderer.
 struct RenderSettings {
   int width = 1920;          // pixels
   int height = 1080;         // pixels
-  int samples = 4;           // per pixel; fewer if the driver supports fewer
+  int samples = 4;           // per pixel, without outlines; fewer if the driver supports fewer
   bool transparent = false;  // the background has alpha 0
   Edges edges = Edges::by_size;
 };
 
-// Owns the OpenGL objects of a context. Use it on the thread of the context, which must outlive it.
+// Draws pictures of one size, and owns the OpenGL objects that this needs. Use and destroy it on
+// the thread of the context, which must outlive it.
 class Renderer {
  public:
-  // Throws Error (environment) if OpenGL lacks something, (input), without a key, if the picture is
-  // larger than it can draw.
+  // Throws Error (environment) if OpenGL lacks a function, (input), without a place, if the picture
+  // is larger than OpenGL can draw.
   Renderer(const Context& context, const RenderSettings& settings);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Draws into `image`, which is resized if needed. The same picture always gives the same pixels.
-  // Throws Error (environment) on an OpenGL error.
+  // Draws into `image`, which is resized if needed and should hold an earlier picture of this
+  // renderer or nothing; sets its ground and painted boxes. The picture has at least one panel.
+  // Its meshes are kept in GPU memory until a picture does without them. The same picture
+  // always gives the same pixels. Throws Error (environment) on an OpenGL error and if a shader
+  // does not compile.
   void draw(const Picture& picture, Image& image);
-  // Draws a picture with a single panel.
+  // Draws a picture with a single panel that covers it. Throws Error likewise.
   void draw(const DrawList& list, Image& image);
 
+  // References to members.
   const RendererInfo& info() const;
   // Summed over all pictures drawn so far.
   const RenderTimes& times() const;

@@ -13,15 +13,18 @@
 
 namespace polhode {
 
-// Use it on the thread of the context, which must outlive it.
+// Use it on the thread of the context. The context and `gl`, to which it keeps a reference, must
+// outlive it.
 class SurfacePrograms {
  public:
   explicit SurfacePrograms(const Gl& gl) : gl_(gl) {}
 
-  // Sets what all items of a panel share. clip_from_world replaces that of `view`.
+  // Sets what all items of a panel share. clip_from_world is used instead of that of `view`. To be
+  // called before use(), once per panel.
   void begin(const View& view, const glm::mat4& clip_from_world);
-  // Selects the program for the next mesh and sets its material and position. Throws Error
-  // (environment) as Program does.
+  // Selects the program for the next mesh, compiling it if needed, and sets its material and
+  // position. `faces` says which faces will be drawn; the caller sets OpenGL's culling accordingly.
+  // Throws Error (environment) as Program does.
   void use(const Material& material, Faces faces, const glm::mat4& world_from_mesh);
 
  private:
