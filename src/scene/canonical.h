@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The canonical form of a scene as JSON. Reports embed it, and the hash of the scene is made from
-// it.
+// The canonical form of a scene as JSON. Reports embed it, and the hash of the scene is
+// made from it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,12 +9,14 @@
 
 namespace polhode {
 
-// All values in SI, with defaults, in the order of the field lists; absent optional values and the
-// file name are left out. scene_from_json() gives the same scene back.
+// All values in SI, with defaults, in the order of the field lists and under the keys of the scene
+// file. Absent optional values and the name of the scene file are left out; meshes are given by the
+// names of their files. scene_from_json() gives the same scene back.
 nlohmann::ordered_json scene_to_json(const Scene& scene);
 
-// The scene of such JSON. `name` is the file name for messages; files that the scene names are
-// relative to its folder. Throws Error (input) as load_scene does.
+// The scene of such JSON, with its mesh files. `name` is the file name for messages; files that the
+// scene names are relative to its folder. Throws Error (input) as load_scene does; lines are not
+// those of a file.
 Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name);
 
 }  // namespace polhode

@@ -14,8 +14,8 @@ namespace polhode {
 
 // A spelling of a key: its name with the suffix of a unit.
 struct Spelling {
-  std::string text;
-  UnitSuffix unit;
+  std::string text;  // "radius_cm"
+  UnitSuffix unit;   // of its suffix
 };
 
 // All spellings of a key, the SI one first.
@@ -40,7 +40,9 @@ struct KeyList {
   std::vector<Key> keys;
   std::vector<KeyGroup> groups;
 
-  const Key& find(const std::string& name) const;  // `name` must exist
+  // The key of that name, which must exist; valid as long as this list.
+  const Key& find(const std::string& name) const;
+  // All spellings of all keys.
   std::vector<std::string> all_spellings() const;
 };
 
@@ -49,8 +51,8 @@ struct Key {
   std::string name;
   Doc doc;
   bool required = false;
-  bool many = false;  // a list of tables
-  // keys of the table, or of each table in the list; absent for values
+  bool many = false;  // a list: of tables if `inside` is set, else of values
+  // The keys of the table, or of each table in the list; absent for values.
   std::optional<KeyList> inside;
 };
 
@@ -75,7 +77,7 @@ concept IsSpec = requires(KeyLister& visitor, T& spec) {
   fields(visitor, spec);
 };
 
-// The visitor that makes a KeyList.
+// The visitor (base/fields.h) that makes a KeyList.
 class KeyLister {
  public:
   template <class T>
@@ -117,6 +119,7 @@ class KeyLister {
   KeyList list_;
 };
 
+// The keys of all these specs in one list.
 template <class... Specs>
 KeyList make_key_list(Specs... specs) {
   KeyLister lister;
@@ -124,7 +127,7 @@ KeyList make_key_list(Specs... specs) {
   return lister.list();
 }
 
-// The keys of a table that is read into these specs; made once.
+// The keys of a table that is read into these specs; made once, valid until the program ends.
 template <class... Specs>
 const KeyList& keys_of() {
   static const KeyList list = make_key_list(Specs{}...);
@@ -132,7 +135,7 @@ const KeyList& keys_of() {
 }
 
 // The tables that have a key with this spelling, as users write them: "[body]", "body.parts[]". For
-// hints in error messages.
+// hints in error messages. `root`: the keys of the whole scene.
 std::vector<std::string> tables_with(const std::string& spelling, const KeyList& root);
 
 }  // namespace polhode

@@ -11,21 +11,22 @@
 
 namespace polhode {
 
-// Checks the keys of a table. Throws Error (input), with file, line and key, for an unknown key,
-// two spellings of one key, keys that exclude each other, and missing keys. `root` is the list of
-// the whole scene, for hints.
+// Checks the keys of a table against `keys`. Throws Error (input), with file, line and key, for an
+// unknown key, two spellings of one key, keys that exclude each other, and missing keys. `place` is
+// the place of the table; `root` is the list of the whole scene, for hints.
 void check_keys(const toml::table& table,
                 const Place& place,
                 const KeyList& keys,
                 const KeyList& root);
 
-// The value of a key in any of its spellings; empty if the key is absent.
+// The value of a key in any of its spellings, which refers to the table; absent if the key is.
 std::optional<Found> find_key(const toml::table& table,
                               const Place& place,
                               const std::string& name,
                               const Doc& doc);
 
-// Fills specs from one table whose keys have been checked. Throws Error (input) as read_value does.
+// Fills specs from one table whose keys have been checked. Members whose keys are absent keep their
+// values. Throws Error (input) as read_value and check_keys do, and for too many tables in a list.
 class Reader {
  public:
   // `place` is the place of the table. The table and `root` must outlive the reader.
@@ -48,7 +49,7 @@ class Reader {
       read_tables(*found, a, b);
     }
   }
-  // Already checked by check_keys().
+  // These do nothing, because check_keys() has checked that.
   void exactly_one_of(const std::vector<std::string>&) {}
   void at_most_one_of(const std::vector<std::string>&) {}
 

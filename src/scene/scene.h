@@ -31,7 +31,7 @@ struct Scene {
   VideoSpec video;
   ThemeSpec theme;  // shares the [video] table
 
-  std::string file;                  // the file it was read from, for messages
+  std::string file;                  // the file it was read from, as the user named it
   std::map<std::string, int> lines;  // line of each key in it, by dotted path without unit suffixes
   std::map<std::string, std::string> options;  // key -> option that has overridden its value
 };
@@ -39,41 +39,46 @@ struct Scene {
 template <class Visitor>
 void fields(Visitor& v, Scene& s) {
   v.field("format", s.format, Doc{"version of the scene format", Unit::none, Range{1, 1}});
-  v.field("title", s.title, Doc{"what the scene shows"});
-  v.required("body", s.body, Doc{"how mass is distributed"});
-  v.field("motion", s.motion, Doc{"how the body is held and started"});
-  v.field("numerics", s.numerics, Doc{"how the motion is found; leave it out"});
-  v.field("camera", s.camera, Doc{"where the picture is taken from"});
+  v.field("title", s.title, Doc{"title of the scene"});
+  v.required("body", s.body, Doc{"how the mass of the body is distributed, and how it looks"});
+  v.field(
+      "motion", s.motion, Doc{"how the body is held, how it starts, and which loads act on it"});
+  v.field("numerics", s.numerics, Doc{"how the motion is computed; usually left out"});
+  v.field("camera", s.camera, Doc{"the camera"});
   v.field("show", s.show, Doc{"what is drawn"});
-  v.field("shots", s.shots, Doc{"cameras one after another"});
-  v.field("story", s.story, Doc{"pauses, captions, what comes and goes"});
-  v.merged("video", s.video, s.theme, Doc{"size, rate and colours of the picture"});
+  v.field("shots", s.shots, Doc{"further cameras, each from a time on"});
+  v.field(
+      "story", s.story, Doc{"steps with pauses, captions, and elements that appear and disappear"});
+  v.merged("video", s.video, s.theme, Doc{"size, frame rate, time scale and colours of the film"});
 }
 
-// Reads a scene and its mesh files. Throws Error (input) with file, line and key for any fault.
-// Keys are dotted paths; lists count from 0: "body.parts[1].mass".
+// Reads a scene and its mesh files. Throws Error (input) as read_file and parse_toml do, and
+// with file, line and key for any fault in a key or value. Keys are dotted paths; lists count
+// from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
 // Numbers that replace those in the file, by the path of the key as the file spells it:
-// "motion.spin.body[2]", "body.solid.radius_cm".
+// "motion.spin.body[2]", "body.solid.radius_cm". They are in the unit of that spelling.
 using Replacements = std::vector<std::pair<std::string, double>>;
-// Reads a scene with these replacements. Also throws Error (input) if there is no number at a path.
+// Reads a scene with these replacements. A key that the file lacks is added. Also throws Error
+// (input), without a place, for a path that is not a key, for a path to something that is not a
+// number, and for an entry of a list that does not exist.
 Scene load_scene(const std::filesystem::path& file, const Replacements& numbers);
-// The number at such a path; empty if the file has none there. Throws Error (input) as load_scene
-// does for files that are not TOML.
+// The number at such a path, in the unit of its spelling; absent if the file has none there. Throws
+// Error (input) as read_file and parse_toml do, and, without a place, for a path that is not a key.
 std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
-// A scene from a text in memory; `name` is the file name for messages. Throws Error as load_scene
-// does.
+// A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
+// Throws Error as load_scene does.
 Scene parse_scene(std::string_view text, const std::string& name);
 // The mesh files that a scene names, as spelled there, without opening them. Throws Error (input)
-// as parse_toml and read_file do.
+// as load_scene does for the scene file itself.
 std::vector<std::string> mesh_files(const std::filesystem::path& file);
 
 // The line of a key such as "body.parts[1].radius", or else of the innermost enclosing table that
 // is in the file; 0 if there is none. For errors found after reading.
 int line_of(const Scene& scene, const std::string& key);
 
-// The hash of the scene's values and of the content of its mesh files. Comments, order and units do
-// not change it.
+// The hash (content_hash) of the scene's values, defaults included, and of its meshes. Comments,
+// order and the spelling of units do not change it, nor does the name of the scene file.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace polhode

@@ -44,15 +44,18 @@ inline nlohmann::ordered_json to_json_value(const Mat3& value) {
   return rows;
 }
 
+// [width, height] in pixels.
 inline nlohmann::ordered_json to_json_value(const PictureSize& value) {
   return nlohmann::ordered_json::array({value.width, value.height});
 }
 
+// A whole number, or a text such as "30000/1001".
 inline nlohmann::ordered_json to_json_value(const FrameRate& value) {
   if (value.denominator == 1) return value.numerator;
   return fmt::format("{}/{}", value.numerator, value.denominator);
 }
 
+// A number of radians, or a text such as "0.1px".
 inline nlohmann::ordered_json to_json_value(const Accuracy& value) {
   if (!value.pixels) return value.value;
   return fmt::format("{}px", value.value);

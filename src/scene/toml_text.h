@@ -10,6 +10,7 @@
 
 namespace polhode {
 
+// The limits of parse_toml().
 inline constexpr std::size_t kLargestScene = 16'000'000;  // bytes
 inline constexpr int kDeepestNesting = 32;                // nested brackets, or dots in one key
 
@@ -18,7 +19,8 @@ inline constexpr int kDeepestNesting = 32;                // nested brackets, or
 // syntax errors.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
-// At most the first `most` bytes of a user's text, for messages. Never splits a UTF-8 character.
+// At most the first `most` bytes of a user's text, for messages, followed by "..." if something is
+// cut off. Never splits a UTF-8 character.
 std::string cut(std::string_view text, std::size_t most = 40);
 
 }  // namespace polhode

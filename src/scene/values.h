@@ -17,9 +17,9 @@ namespace polhode {
 
 // A value in the file, with its place and its unit.
 struct Found {
-  const toml::node& node;
+  const toml::node& node;  // part of the TOML tree, which must outlive this
   Place place;
-  UnitSuffix unit;
+  UnitSuffix unit;  // of the suffix of its key
 };
 
 // Throws Error (input) with the place (file, line, key) of the value.
@@ -29,15 +29,16 @@ struct Found {
 // the part after "must be".
 [[noreturn]] void refuse_type(const Found& found, const std::string& wanted);
 
-// The value as an array of the given length (0: any length but 0); else calls refuse_type().
+// The value as an array of the given length (0: any length but 0), valid as long as the TOML tree;
+// for other values calls refuse_type() with `wanted`.
 const toml::array& array_of(const Found& found, std::size_t length, const std::string& wanted);
 
-// Element i of an array as a value with its own key: "moments[2]".
+// Element i of `array`, the array of `found`, as a value with its own key: "moments[2]".
 Found element_of(const Found& found, const toml::array& array, std::size_t i);
 
-// Each stores the value in SI units. Throws Error (input), with the value's place, for a wrong type
-// or length, a number that is not finite or outside doc.range, and a text that is not in
-// doc.choices.
+// Each stores the value in SI units. Throws Error (input), with the value's place, for a
+// wrong type or length, a number that is not finite or outside doc.range, and a text that is
+// not in doc.choices.
 void read_value(const Found& found, const Doc& doc, bool& value);
 void read_value(const Found& found, const Doc& doc, int& value);
 void read_value(const Found& found, const Doc& doc, double& value);

@@ -184,7 +184,7 @@ std::vector<BadSceneText> wrong_names() {
 
 std::vector<BadSceneText> missing_and_exclusive_keys() {
   return {
-      {"no body", "title = \"x\"\n", 0, "body", "this table is missing (how mass is distributed)"},
+      {"no body", "title = \"x\"\n", 0, "body", "this table is missing (how the mass of the body is distributed, and how it looks)"},
       {"empty body", "\n[body]\n",
        2, "body", "give exactly one of moments, tensor, points, solid, parts; found none"},
       {"two bodies", "[body]\nmoments = [1, 2, 3]\nsolid = { kind = \"sphere\" }\n",
@@ -196,7 +196,7 @@ std::vector<BadSceneText> missing_and_exclusive_keys() {
       {"two spins", kBody + "[motion.spin]\nbody = [1, 2, 3]\nspace_rpm = [1, 2, 3]\n",
        5, "motion.spin", "found body and space_rpm"},
       {"no kind", "[body]\nsolid = { radius = 1 }\n",
-       2, "body.solid.kind", "this key is missing (the solid's shape: box, sphere"},
+       2, "body.solid.kind", "this key is missing (shape of the solid: box, sphere"},
       {"no kind in parts", "[[body.parts]]\nkind = \"rod\"\n[[body.parts]]\nmass = 1\n",
        3, "body.parts[1].kind", "this key is missing"},
       {"point without mass", "[body]\npoints = [{ at = [1, 2, 3] }]\n",
