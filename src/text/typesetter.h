@@ -13,12 +13,13 @@
 
 namespace polhode {
 
+// Red, green and blue, sRGB-encoded.
 using Rgb = std::array<std::uint8_t, 3>;
 
 // sans is for words and numbers (digits of equal width), math for symbols.
 enum class Face { sans, math };
 
-// Font, colour and layout of a text.
+// Font, colour and layout of a text. Lines also break where the text contains a line break.
 struct TextStyle {
   Face face = Face::sans;
   double size = 20.0;  // font size, pixels
@@ -26,12 +27,13 @@ struct TextStyle {
   bool bold = false;
   double halo = 0.0;  // width of an outline around the letters, pixels; 0: none
   Rgb halo_color{0, 0, 0};
-  double width = 0.0;  // lines are wrapped at this width, pixels; 0: never
-  bool centered = false;
+  double width = 0.0;     // lines are wrapped at this width, pixels; 0: never
+  bool centered = false;  // true: lines are centred in `width`, else they begin at the left
 };
 
-// The extent of a text in pixels. ink_* bound the letters without their outline, measured from the
-// upper left corner of the text.
+// The extent of a text in pixels. width and height: of its lines, with the space that the font
+// leaves around letters. ink_* bound the letters without their outline, measured from the upper
+// left corner of the text, x to the right, y down.
 struct TextBox {
   double width = 0.0;
   double height = 0.0;
@@ -47,9 +49,10 @@ std::string text_libraries();
 // Escapes plain text for use as markup.
 std::string plain_text(std::string_view text);
 
-// Lays out and renders text, and caches the results. Thread-safe. Markup is Pango's: <b>, <i>,
-// <span …>. With the same fonts, the same text, style and position always give the same pixels.
-// Throws Error (environment) if Cairo cannot render.
+// Lays out and renders text, and caches the results. Thread-safe. `markup` is Pango's: <b>,
+// <i>, <span …>; use plain_text() for text that is not markup. With the same fonts, the same
+// text, style and position always give the same pixels. The first text starts threads of Pango:
+// call fork() before.
 class Typesetter {
  public:
   Typesetter();
@@ -60,7 +63,7 @@ class Typesetter {
   // The extent of the text in this style.
   TextBox measure(const std::string& markup, const TextStyle& style) const;
   // The text as a stamp with its upper left corner at (x, y) in pixels of the picture, rounded to a
-  // quarter of a pixel.
+  // quarter of a pixel. Throws Error (environment) if Cairo cannot render.
   Stamp set(const std::string& markup, const TextStyle& style, double x, double y) const;
 
  private:
@@ -73,9 +76,9 @@ struct FontFound {
   std::string wanted;   // family
   std::string package;  // Debian package that contains it
   std::string found;    // family that is used; another one if `wanted` is missing
-  bool there = false;
+  bool there = false;   // `wanted` is installed
 };
-// All fonts that the program uses, for `doctor`.
+// All fonts that the program uses, for the command `doctor`.
 std::vector<FontFound> examine_fonts();
 
 }  // namespace polhode
