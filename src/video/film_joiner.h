@@ -13,7 +13,8 @@ namespace polhode {
 // Claims the name of a film, and later writes it from parts. Not thread-safe.
 class FilmJoiner {
  public:
-  // Throws Error (input) as AtomicFile does, and for an ending other than .mp4, .webm and .mov.
+  // Throws Error (input) as AtomicFile does, and, with the output as place, for an ending other
+  // than .mp4, .webm and .mov.
   explicit FilmJoiner(const std::string& output);
   ~FilmJoiner();
   FilmJoiner(const FilmJoiner&) = delete;
@@ -25,8 +26,10 @@ class FilmJoiner {
   };
   // Copies the packets of all parts in this order, with timestamps that increase by one frame each,
   // and adds title, comment and chapters. Then gives the film its name and writes its caption file.
-  // Throws Error (input), with the part as place, if a part cannot be read, has another number of
-  // frames, or was encoded differently from the first; (environment) if the film cannot be written.
+  // Called once, with at least one part. fps: of the film; title, comment: stored in it. Throws
+  // Error (input), with the part as place, if a part cannot be read, has another number of frames,
+  // or was encoded differently from the first; (environment), with the output as place, if the film
+  // cannot be written; (interrupted).
   void join(const std::vector<Part>& parts,
             const FrameRate& fps,
             const std::string& title,
@@ -38,8 +41,8 @@ class FilmJoiner {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// The comment in the metadata of a film; empty if there is none. Throws Error (input) if the file
-// is missing or not a film.
+// The comment in the metadata of a film; empty if there is none. Throws Error (input), with the
+// file as place, if it is missing or not a film.
 std::string comment_of_film(const std::string& file);
 
 }  // namespace polhode

@@ -15,7 +15,7 @@ struct FilmInfo {
   int width = 0;       // pixels
   int height = 0;      // pixels
   int frames = 0;      // 0: unknown
-  FrameRate fps;       // average rate
+  FrameRate fps;       // average rate; 60 if unknown
   bool alpha = false;  // whether it has transparency
   std::string codec;   // FFmpeg's name, "h264"
 };
@@ -33,11 +33,13 @@ class FilmReader {
   FilmReader(const FilmReader&) = delete;
   FilmReader& operator=(const FilmReader&) = delete;
 
+  // A reference to a member.
   const FilmInfo& info() const;
 
-  // Gets the next frame and its time (s after the first frame); false at the end. Reuses the buffer
-  // of `frame`. Throws Error (input) if the file is damaged or truncated, or if the picture size
-  // changes.
+  // Gets the next frame, with straight alpha, and its time (s after the first frame); false at
+  // the end. Reuses the buffer of `frame`. Throws Error, with the file as place: (input) if the
+  // file is damaged or truncated or if the picture size changes, (environment) if FFmpeg cannot
+  // convert the frame.
   bool next(Image& frame, double& time);
 
  private:

@@ -8,9 +8,11 @@ namespace polhode {
 
 // A sink for a film in the format of the ending of job.output (video/encoders.h): BT.709, converted
 // and tagged; constant frame rate; closed groups of pictures of at most a second; key frames where
-// the metadata ask for them; index before the data; straight alpha. Throws Error (input) if a side
-// is odd and the format has subsampled colour; (environment) if the encoder is missing or does not
-// open, the disk is full or the pipe is closed.
+// the metadata ask for them; index before the data; straight alpha. Throws Error as FilmWriter
+// does, with the output as place: (input) as AtomicFile does, for a codec that the format does not
+// allow, and if a side is odd and the format has subsampled colour; (environment) if the encoder is
+// missing or does not open. Its members throw Error (environment) if the disk is full or the pipe
+// is closed.
 std::unique_ptr<FrameSink> make_film_sink(const SinkJob& job);
 
 // FFmpeg's version as it reports it.

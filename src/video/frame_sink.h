@@ -25,8 +25,8 @@ struct SinkJob {
   EncoderSettings encoder;   // for films
   bool transparent = false;  // keep alpha; sinks without alpha throw Error (input)
   bool still = false;        // exactly one frame will be pushed
-  std::string title;         // stored in the container
-  std::string comment;       // stored in the container
+  std::string title;         // stored in the container; empty: none
+  std::string comment;       // stored in the container; empty: none
   bool segment = false;      // part of a film: sealed (video/seal.h) and without caption file
 };
 
@@ -52,7 +52,7 @@ struct FilmMetadata {
 // Time spent in the stages of the sink.
 struct SinkTimes {
   StageTime convert;  // RGBA to the encoder's pixel format
-  StageTime encode;   // encoding, muxing, writing
+  StageTime encode;   // encoding, muxing, writing; also hashing
 };
 
 // Takes frames in order, on one thread. The output gets its name in finish(); a sink that is
@@ -61,14 +61,16 @@ struct SinkTimes {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  // Called at most once, before the first frame. Sinks that cannot use it ignore it.
+  // Called at most once, before the first frame. Sinks that cannot use it ignore it. May throw
+  // Error as AtomicFile does.
   virtual void describe(const FilmMetadata&) {}
   // Takes the next frame, of the size of the job.
   virtual void push(const Image& frame) = 0;
   // Completes the output. Called once, after the last frame.
   virtual void finish() = 0;
-  // The output contains every n-th of the pushed frames, beginning with the first.
+  // The n for which the output contains every n-th of the pushed frames, beginning with the first.
   virtual int keeps_every() const { return 1; }
+  // The time spent so far.
   virtual SinkTimes times() const = 0;
 };
 

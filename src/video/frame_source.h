@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface of all sources of frames: a picture, a numbered sequence, a folder of pictures, a
-// film.
+// The interface of all sources of frames: a picture, a numbered sequence, a folder of
+// pictures, a film.
 #pragma once
 
 #include <memory>
@@ -34,15 +34,18 @@ struct SourceInfo {
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
+  // A reference to a member.
   virtual const SourceInfo& info() const = 0;
-  // Gets the next frame; false at the end. Reuses the buffer of the image. Throws Error (input),
-  // with the file as place, for what cannot be read.
+  // Gets the next frame; false at the end. May reuse the buffer of the image. Throws Error,
+  // with the file as place: (input) for what cannot be read, (environment) if FFmpeg cannot
+  // convert a frame.
   virtual bool next(SourceFrame& frame) = 0;
 };
 
 // Opens "a.png", "f_%05d.png" (all numbers that exist, in order), a folder (its .png files, with
 // numbers in their names sorted by value), or a film such as "a.mp4". Throws Error (input), with
-// `name` as place, for other names and for missing files.
+// `name` as place, for other names, for missing files and as FilmReader does; (environment) as
+// FilmReader does.
 std::unique_ptr<FrameSource> open_frames(const std::string& name);
 
 }  // namespace polhode

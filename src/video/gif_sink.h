@@ -10,7 +10,7 @@ namespace polhode {
 // n-th frame, with times rounded to 0.01 s, and logs that. One palette for the whole film is made
 // by libavfilter from the moving parts. Until then the frames are kept in a lossless unnamed file
 // in the folder of the output, so memory does not grow with the film. Throws Error as
-// make_film_sink does.
+// make_film_sink does, and (environment) if libavfilter is missing.
 std::unique_ptr<FrameSink> make_gif_sink(const SinkJob& job);
 
 // The n for which a GIF of a film of that rate keeps every n-th frame.

@@ -15,13 +15,13 @@ using Produce = std::function<void(int index, Image& image)>;
 // Progress of the pipeline.
 struct PipelineStep {
   int done = 0;              // frames rendered
-  bool writer_waits = true;  // recently the writer waited for frames rather than frames for it
+  bool writer_waits = true;  // recently the writer waited longer for frames than rendering for it
 };
 
 // Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a
 // second thread, at most four frames behind; then calls sink.finish(). on_frame is called on the
-// calling thread after each frame. An error on either thread stops the other and is thrown here.
-// Throws Error (interrupted).
+// calling thread after each frame. sink.describe() must have been called before, if at all. An
+// error on either thread stops the other and is thrown here. Throws Error (interrupted) too.
 void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,

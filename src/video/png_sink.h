@@ -9,16 +9,17 @@ namespace polhode {
 // A single picture. Throws Error (input), with the output as place, unless job.still, and as
 // AtomicFile does; (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
-// A sequence such as NAME_%05d.png: one %d, or %0Nd with N at most nine. The files get their names
-// in finish(), so a failure leaves older frames unchanged. Throws Error as AtomicFile and
+// A sequence such as NAME_%05d.png: one %d, or %0Nd with N from 1 to 9. The files get their names
+// in finish(), so a failure before that leaves older frames unchanged; if finish() itself fails,
+// the frames that it has already named are removed. Throws Error as AtomicFile and
 // parse_numbered_name do, (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 
 // A parsed file-name pattern.
 struct NumberedName {
-  std::string before;
-  std::string after;
-  int width = 0;  // least number of digits, padded with zeros; 0: no padding
+  std::string before;  // the text before the number
+  std::string after;   // the text after it
+  int width = 0;       // least number of digits, padded with zeros; 0: no padding
 
   // The file name with that number.
   std::string of(int index) const;

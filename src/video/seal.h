@@ -10,11 +10,12 @@
 
 namespace polhode {
 
-// Appends a seal with that text. The ending of the name (before .part) says which container it is.
-// Throws Error (environment) if writing fails.
+// Appends a seal with that text to a complete MP4, MOV or WebM file, whose first bytes say which
+// container it is. Throws Error (environment) if writing fails, (input), with the file as place, if
+// it cannot be read.
 void seal_file(const std::filesystem::path& file, std::string_view text);
 
-// The text of the seal; empty if there is none or if the file has changed since. Throws Error
+// The text of the seal; absent if there is none or if the file has changed since. Throws Error
 // (input), with the file as place, if it cannot be read.
 std::optional<std::string> sealed_text(const std::filesystem::path& file);
 

@@ -21,15 +21,16 @@ struct SinkKind {
   std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;  // opens the sink
 };
 
-// All kinds, in the order in which they are tried.
+// All kinds, in the order in which they are tried; the table exists until the program ends.
 const std::vector<SinkKind>& sink_kinds();
 
 // The kind of an output. Throws Error (input), with the output as place, for an unknown ending; the
 // message suggests the nearest.
 const SinkKind& find_sink_kind(const std::string& output);
 
-// Opens the sink for job.output. Throws Error (input) as find_sink_kind and AtomicFile do, and for
-// a job that the kind cannot do: transparency, a still as a film, odd sizes, a wrong codec (naming
+// Opens the sink for job.output, with a caption file beside it where the format has one. Throws
+// Error (input) as find_sink_kind and AtomicFile do, and for a job that the kind cannot do:
+// transparency, a still as a film, one picture without job.still, odd sizes, a wrong codec (naming
 // --codec); (environment) for a missing encoder.
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job);
 

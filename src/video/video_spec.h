@@ -19,10 +19,11 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
-// Parses "60" or "30000/1001". Throws Error (input), without a key, for other text (also "29.97")
-// and for rates out of range.
+// Parses "60" or "30000/1001". Throws Error (input), without a place, for other text (also "29.97")
+// and for rates below 1 or above 1000 per second.
 FrameRate parse_frame_rate(const std::string& text);
 
+// The limits of check_picture_size().
 inline constexpr int kSmallestSide = 16;    // pixels
 inline constexpr int kLargestSide = 16384;  // pixels; limit of OpenGL and of H.264 levels
 
@@ -30,14 +31,14 @@ inline constexpr int kLargestSide = 16384;  // pixels; limit of OpenGL and of H.
 // of one buffer.
 inline constexpr int kMostPixels = 8192 * 8192;
 
-// Throws Error (input), without a key, for a size outside these limits.
+// Throws Error (input), without a place, for a size outside these limits.
 void check_picture_size(const PictureSize& size);
 
-// Parses "1920x1080". Throws Error (input), without a key, for other text and as check_picture_size
-// does.
+// Parses "1920x1080". Throws Error (input), without a key, for other text and
+// as check_picture_size does.
 PictureSize parse_picture_size(const std::string& text);
 
-// The quality of a film.
+// The quality of a film, as --quality takes it.
 enum class Grade { draft, lecture, archive };
 
 // How a film is encoded. The number of threads is fixed because x264's output depends on it.
@@ -50,13 +51,13 @@ struct EncoderSettings {
 };
 
 // The values of --preset, fastest first: the presets of x264. Other encoders map them to their own
-// settings.
+// settings. The list exists until the program ends.
 const std::vector<std::string>& encoder_presets();
 
 // The [video] table.
 struct VideoSpec {
-  PictureSize size;
-  FrameRate fps;
+  PictureSize size;               // of the film, pixels
+  FrameRate fps;                  // of the film
   double time_scale = 1.0;        // seconds of motion per second of film
   bool loop = false;              // end the film where the motion is back at its start
   double loop_residual = 0.0349;  // allowed Loop::residual, rad
@@ -74,15 +75,19 @@ void fields(Visitor& v, VideoSpec& s) {
               kPositive});
   v.field("loop",
           s.loop,
-          Doc{"end the film where the motion is as it was at its start, so that it repeats"});
+          Doc{"end the film where the motion is back at its start, so that it can repeat without a "
+              "jump"});
   v.field("loop_residual",
           s.loop_residual,
-          Doc{"how far the attitude may be off where a loop closes", Unit::angle, kPositive});
-  v.field("shutter",
-          s.shutter,
-          Doc{"angle of the open shutter: 360 degrees blur all that happens from frame to frame",
+          Doc{"allowed difference of the attitude from the start where a loop closes",
               Unit::angle,
-              Range{0.0, 6.2831853071795872}});
+              kPositive});
+  v.field(
+      "shutter",
+      s.shutter,
+      Doc{"shutter angle, for motion blur: 360 degrees exposes from frame to frame, 0 an instant",
+          Unit::angle,
+          Range{0.0, 6.2831853071795872}});
 }
 
 }  // namespace polhode

@@ -21,8 +21,9 @@ class Converter {
   // Sizes in pixels. Throws Error (environment) if swscale does not support the format.
   Converter(int width, int height, AVPixelFormat format);
 
-  // The converted frame, owned by this object and valid until the next call. The caller sets its
-  // pts.
+  // The converted frame, owned by this object and valid until the next call. The picture has the
+  // size of the converter. The caller sets the frame's pts. Throws Error (environment) as
+  // check_libav does.
   AVFrame* convert(const Image& image);
 
  private:

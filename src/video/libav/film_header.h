@@ -13,18 +13,20 @@
 
 namespace polhode {
 
-// A muxer of that format that writes to `output`. Throws Error (environment).
+// All functions throw Error (environment) without memory and as check_libav does.
+
+// A muxer of that format that writes to `output`, which must outlive it.
 Owned<AVFormatContext> open_container(const FilmFormat& format, const FilmOutput& output);
 
-// Adds metadata, {key, text}; empty texts are left out.
+// Adds metadata, pairs of libav's key and a text; empty texts are left out.
 void add_notes(AVFormatContext& muxer,
                const std::vector<std::pair<const char*, std::string>>& notes);
 
-// Adds the chapters. Each lasts until the next one starts; fps converts frames to times. Throws
-// Error (environment) without memory.
+// Adds the chapters. Each lasts until the next one starts, the last until metadata.frames; fps
+// converts frames to times.
 void add_chapters(AVFormatContext& muxer, const FilmMetadata& metadata, const FrameRate& fps);
 
-// Writes the header with the options of the format. Throws Error (environment).
+// Writes the header with the options of the format.
 void begin_film(AVFormatContext& muxer, const FilmFormat& format);
 
 }  // namespace polhode

@@ -21,12 +21,13 @@ class FilmOutput {
   FilmOutput(const FilmOutput&) = delete;
   FilmOutput& operator=(const FilmOutput&) = delete;
 
-  // The stream that libav writes to, and the URL of its file; url() is empty for standard output.
+  // The stream that libav writes to, owned by this object and open until finish(), and the URL of
+  // its file; url() is empty for standard output.
   AVIOContext* stream() const { return stream_; }
   const std::string& url() const { return url_; }
 
   // Closes the file, appends a seal with that text (video/seal.h) if given, and gives the file its
-  // name. Throws Error (environment).
+  // name. Throws Error (environment) if writing fails, (interrupted) as check_libav does.
   void finish(const std::optional<std::string>& seal = std::nullopt);
 
  private:

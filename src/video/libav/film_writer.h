@@ -18,8 +18,9 @@ namespace polhode {
 // output as place; writing throws Error (environment) and (interrupted).
 class FilmWriter {
  public:
-  // Opens the output and the encoder. Throws Error as FilmOutput and find_encoder do, (input) if a
-  // side is odd and the format has subsampled colour, (environment) if the encoder does not open.
+  // Opens the output and the encoder; job.output must be a film (find_film_format()). Throws Error
+  // as FilmOutput and find_encoder do, (input) if a side is odd and the format has subsampled
+  // colour, (environment) if the encoder does not open.
   explicit FilmWriter(const SinkJob& job);
 
   // The encoder's pixel format.
@@ -27,16 +28,18 @@ class FilmWriter {
 
   // Sets chapters and comment. To be called before the first frame.
   void describe(const FilmMetadata& metadata);
-  // Encodes a frame, whose pts is set in the encoder's time base. `key` makes it a key frame.
+  // Encodes a frame, whose pts is set in the encoder's time base (a frame, or 0.01 s for GIF).
+  // `key` makes it a key frame.
   void write(AVFrame& frame, bool key);
   // Sets an option that the muxer reads when it writes the trailer.
   void set_at_end(const char* option, std::int64_t value);
-  // Sets the text of the seal (video/seal.h).
+  // Sets the text of the seal (video/seal.h), without which the film is not sealed.
   void seal_with(const std::string& text) { seal_ = text; }
   // Flushes the encoder, closes the container and gives the film its name.
   void finish();
 
-  // The ids of the encoder's threads, which live as long as this object.
+  // The system's ids of the encoder's threads, which live as long as this object; a reference
+  // to a member.
   const std::set<int>& threads() const { return threads_; }
 
  private:

@@ -26,9 +26,10 @@ struct FilterInput {
 // the start-up time of the program. Not thread-safe. All members throw Error (environment).
 class FilterGraph {
  public:
+  // description: as ffmpeg's -filter_complex takes it, with the pads of the inputs in brackets.
   FilterGraph(const std::string& description, const std::vector<FilterInput>& inputs);
 
-  // Pushes a frame, which stays the caller's, to an input; null marks the end.
+  // Pushes a frame, which stays the caller's, to the input of that index; null marks the end.
   void push(std::size_t input, AVFrame* frame);
   // The next output frame, valid until the next call; null if none is ready.
   AVFrame* pull();

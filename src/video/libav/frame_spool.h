@@ -22,10 +22,11 @@ class FrameSpool {
              AVPixelFormat format,
              int threads);
 
+  // Stores a frame of that size and format.
   void push(const AVFrame& frame);
   // Ends pushing; take() starts at the first frame.
   void rewind();
-  // The next frame, valid until the next call; null after the last.
+  // The next frame, owned by this object and valid until the next call; null after the last.
   AVFrame* take();
 
  private:

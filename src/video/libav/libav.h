@@ -30,7 +30,7 @@ struct FreeLibav {
 template <class T>
 using Owned = std::unique_ptr<T, FreeLibav>;
 
-// A film that is opened for reading, with its file.
+// The deleter for a film that is opened for reading, which also closes its file.
 struct CloseInput {
   void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
 };
@@ -44,8 +44,9 @@ class LibavOptions {
   LibavOptions(const LibavOptions&) = delete;
   LibavOptions& operator=(const LibavOptions&) = delete;
 
+  // Sets an option; both texts are copied.
   void set(const char* key, const std::string& value);
-  // For the libav call.
+  // For the libav call; owned by this object.
   AVDictionary** pass() { return &entries_; }
   // Throws Error (environment), with `who` and the option in the message, if an entry is left.
   void refuse_leftovers(const std::string& who) const;
@@ -62,8 +63,8 @@ std::string libav_words(int code);
 // (interrupted) if a signal ended the call.
 int check_libav(int code, const std::string& what);
 
-// Sends a frame (null: end of the film) to an encoder, and calls `use` whenever `packet` holds a
-// new packet. Throws as check_libav does.
+// Sends a frame (null: end of the film) to an encoder, and calls use() whenever `packet` holds a
+// new packet. `what` is as for check_libav. Throws what check_libav and `use` throw.
 template <class Use>
 void encode_frame(AVCodecContext& encoder,
                   const AVFrame* frame,
@@ -79,7 +80,8 @@ void encode_frame(AVCodecContext& encoder,
   }
 }
 
-// Checks the result of an allocation by libav. Throws Error (environment) if it is null.
+// Returns the result of an allocation by libav, which the caller must own. Throws Error
+// (environment) if it is null.
 template <class T>
 T* made(T* object) {
   if (object == nullptr) throw environment_error("no memory for the film");
