@@ -22,14 +22,15 @@ enum class Fault {
 
 // Where in the user's input the fault is; any part may be missing.
 struct Place {
-  std::string file;  // as the user named it
+  std::string file;  // as the user named it; of a link that is written to, its target
   int line = 0;      // from 1; 0 = unknown
-  std::string key;   // dotted path such as "body.parts[1].mass", or an option such as "--size"
+  std::string key;   // dotted path such as "body.parts[1].mass", an option such as "--size", or
+                     // the command whose argument is wrong, such as "golden"
 };
 
 // what() is one line for the user, "file:line: key: message", without the missing parts of the
-// place; control characters are replaced. main() catches it, prints the line on stderr and returns
-// the fault as the exit code.
+// place. Line breaks and tabs become spaces, other control characters \xNN. main() catches it,
+// prints the line on stderr and returns the fault as the exit code.
 class Error : public std::runtime_error {
  public:
   // `message`: what is wrong and what to do, one phrase without a full stop.

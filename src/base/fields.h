@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Describes the keys of a spec struct (a struct that a table of a scene file is read into). Each
-// spec has one function
+// Describes the keys of a spec: a struct that a table of a scene file, or of a file of golden
+// pictures (scene/golden_file.h), is read into. Each spec has one function
 //
 //   template <class Visitor> void fields(Visitor& v, BodySpec& spec);
 //
@@ -11,6 +11,10 @@
 //   v.merged(key, spec, spec, doc)    for a table whose keys belong to two specs
 //   v.exactly_one_of({keys})          for keys of which exactly one must be given
 //   v.at_most_one_of({keys})          for keys of which at most one may be given
+//   fields(v, other_spec)             to have the keys of another spec in the same table
+//
+// A member is a value of a type that read_value() in scene/values.h takes, another spec (its key is
+// a table), a std::optional of either, or a std::vector of specs (its key is a list of tables).
 //
 // Reading, printing, the JSON Schema and the errors for unknown keys are visitors of this one list
 // (in scene/), so they cannot disagree.
@@ -26,8 +30,8 @@
 
 namespace polhode {
 
-// The allowed range of every component of a numeric value, in SI units. NaN and infinity are never
-// allowed.
+// The allowed range of every component of a numeric value, in SI units. `high` is allowed itself,
+// and so is `low` unless low_open. NaN and infinity are never allowed.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

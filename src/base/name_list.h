@@ -10,7 +10,7 @@
 namespace polhode {
 
 // The names between the commas: "a,b" gives {"a", "b"}, and "" gives an empty list. White space is
-// kept.
+// kept. "a,,b" gives an empty name in the middle; a comma at the end is ignored.
 std::vector<std::string> split_names(std::string_view list);
 
 // The set of names in `list` (separated by commas); empty for "". Throws Error (input), with

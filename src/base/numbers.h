@@ -11,8 +11,9 @@ namespace polhode {
 // numbers that do not fit an int.
 std::optional<int> parse_integer(std::string_view text);
 
-// The decimal number, such as "2.5" or "1e-3". Empty for any other text, for infinities, for NaN
-// and for numbers out of range of a double.
+// The decimal number, such as "2.5", "5.", ".5", "-2" or "1e-3". Empty for any other text (also
+// "+2.5" and "0x10"), for infinities, for NaN, and for numbers too large or too small for a double
+// ("1e400", "1e-400").
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace polhode

@@ -46,7 +46,7 @@ double to_si(double value, const UnitSuffix& suffix);
 // star, but narrow enough that no product of a few such values overflows.
 struct Magnitude {
   double least;  // of values that must be positive; other values may be smaller, and 0
-  double most;   // of all values
+  double most;   // of the absolute value of all values
 };
 // The allowed magnitudes of that quantity.
 Magnitude magnitude_of(Unit unit);

@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// The version number, such as "0.1.0". It is part of reports and of the keys of cached lecture
-// media, so both are refused or made again after a change of version.
+// The version number, such as "0.1.0". It is part of reports, which other versions refuse, and of
+// the keys of cached lecture media, which other versions make again.
 std::string program_version();
 
 }  // namespace polhode

@@ -14,12 +14,13 @@ namespace polhode {
 // Owns NAME.part beside NAME. commit() renames it to NAME; without commit() the destructor removes
 // it. Invariant: NAME itself is either untouched or complete. NAME.part is locked (flock, where the
 // file system has it), so the second of two runs with the same output is refused. A NAME.part left
-// behind by a killed run is reused. Not thread-safe. All errors have NAME as their place.
+// behind by a killed run is reused; it keeps its contents until somebody opens part() and truncates
+// it, as write() does. Not thread-safe. All errors have target() as their place.
 class AtomicFile {
  public:
   // Creates and locks NAME.part. If NAME is a symbolic link, the file it points to is meant. Throws
   // Error (input) if the folder is missing or cannot be written, if NAME is a folder, a device or
-  // write-protected, or if another run is writing it.
+  // write-protected, if NAME.part is a symbolic link, or if another run is writing it.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -31,9 +32,9 @@ class AtomicFile {
   const std::filesystem::path& target() const { return target_; }
   // Renames the finished file to its final name. Throws Error (environment) if that fails.
   void commit();
-  // Writes the whole content to the temporary file. Throws Error (environment) if that fails.
+  // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
-  // write(), then commit().
+  // Calls write(), then commit().
   void commit_with(std::string_view content);
   // Releases the lock early, to have fewer open files. For numbered sequences, in which the lock on
   // one file protects all of them.

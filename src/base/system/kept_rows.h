@@ -13,7 +13,7 @@ namespace polhode {
 
 // The lines are kept in memory. add() also rewrites the whole file atomically: for the first line
 // added, then at most every two seconds. Call save() before an early end of the run, so that the
-// lines since the last rewrite are not lost. Not thread-safe. add() and save() throw Error as
+// lines added since the last rewrite are not lost. Not thread-safe. add() and save() throw Error as
 // write_file does.
 class KeptRows {
  public:

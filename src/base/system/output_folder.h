@@ -12,7 +12,7 @@
 namespace polhode {
 
 // Invariant: the files keep their old content until commit(), so a run that fails or is interrupted
-// before it changes none of them. The files are locked, so two runs cannot write the same folder.
+// before it changes none of them. The files are locked, so two runs cannot write the same files.
 class OutputFolder {
  public:
   // Creates the folder if needed and claims a file for each of `names` in it. Throws Error (input)
@@ -20,7 +20,7 @@ class OutputFolder {
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");
-  // Writes one content per name, in the order of `names`, and gives each file its name as soon as
+  // Writes one content for each of `names`, in their order, and gives each file its name as soon as
   // it is written. Call it once. Throws Error (environment) if a file cannot be written; the files
   // before it are then already replaced.
   void commit(const std::vector<std::string>& contents);

@@ -18,12 +18,13 @@ const std::vector<std::string>& progress_names();
 // The kind of that name. Throws Error (input), with --progress as key, for any other text.
 ProgressKind parse_progress(const std::string& text);
 
-// Prints how many things are done, their rate and the estimated time left, at most ten times a
-// second and when all are done. Not thread-safe.
+// Prints how many things are done, their rate since the construction of this object and the
+// estimated time left, at most ten times a second and when all are done. Not thread-safe.
 class Progress {
  public:
-  // `things`: plural noun for what is counted, as printed. `total`: number of all things. `there`:
-  // how many of them an earlier run has finished; they do not count in the rate.
+  // `things`: plural noun for what is counted, as printed and in the JSON key "THINGS_per_s".
+  // `total`: number of all things. `there`: how many of them an earlier run has finished; they do
+  // not count in the rate.
   Progress(ProgressKind kind, int total, std::string things = "frames", int there = 0);
   // Ends the line of the bar, if one was shown.
   ~Progress();

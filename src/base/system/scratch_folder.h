@@ -10,8 +10,9 @@
 
 namespace polhode {
 
-// Owns a new folder in TMPDIR, or in /tmp if that is not set. The destructor removes it with
-// everything in it; failure is ignored.
+// Owns a new folder in the system's folder for temporary files, which is the first of TMPDIR, TMP,
+// TEMP and TEMPDIR that is set, else /tmp. The destructor removes it with everything in it; failure
+// is ignored.
 class ScratchFolder {
  public:
   // Throws Error (environment) if it cannot be created.
