@@ -24,8 +24,8 @@ struct ChartJob {
 // into the folder, together at the end. Runs one method at a time, because it measures times.
 // Returns a summary of a few lines per scene. Throws Error (input) with --methods as key for an
 // unknown method or if none of them can integrate a scene, and as load_with_overrides, make_model,
-// work_precision and OutputFolder do; (environment) without gnuplot or if a file cannot be written;
-// (interrupted).
+// start_state, accuracy_in_radians, work_precision and OutputFolder do; (environment) without
+// gnuplot or if a file cannot be written; (interrupted).
 std::string chart(const ChartJob& job);
 
 }  // namespace polhode

@@ -14,9 +14,9 @@ namespace polhode {
 // thread, with an OpenGL context of its own. Each scene is drawn at five times of its motion; the
 // reference pictures are averages over 8x8 drawn pixels with four samples each. A scene with
 // pictures of more than 960x540 pixels is drawn smaller. Returns a summary, one line per scene and
-// setting. Throws Error (input) with --size as key if that size was asked for by the option, as
-// load_with_overrides, solve and OutputFolder do; (environment) without OpenGL or gnuplot;
-// (interrupted).
+// setting. Throws Error (input) with --size as key if that option asks for more pixels, and as
+// load_with_overrides, solve and OutputFolder do; (environment) without OpenGL or gnuplot or if a
+// file cannot be written; (check_failed) as solve does; (interrupted).
 std::string chart_pictures(const ChartJob& job);
 
 }  // namespace polhode

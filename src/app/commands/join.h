@@ -20,7 +20,8 @@ struct JoinJob {
 // the whole film. Throws Error (input) with the file as place for shards of different films (the
 // message says what differs), for duplicate or damaged shards, for files that are no shards, and
 // for an output with another ending; without a place for an output that is one of the shards or
-// ends in .toml, and if shards are missing (the message lists them); otherwise as FilmJoiner does.
+// ends in .toml, and if shards are missing (the message lists them); otherwise as FilmJoiner and
+// its join() do.
 Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

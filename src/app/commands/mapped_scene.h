@@ -20,7 +20,9 @@ inline constexpr const char* kStepKey = "numerics.step";
 // A motion and the step to integrate it with.
 struct StabilitySetup {
   std::unique_ptr<StabilityProblem> problem;  // never null after prepare_place()
-  double step = 0.0;                          // s; used if no axis gives the step
+  // s; used if no axis gives the step: numerics.step of the scene, else 0.1 / typical_rate()
+  // (motion/scales.h)
+  double step = 0.0;
 };
 
 // A scene and what all its maps share. Immutable after prepare_place(), so threads may share it.
@@ -42,16 +44,17 @@ struct MappedScene {
 };
 
 // The scene of that file with the axes that the job asks for, and those of `methods` that can
-// integrate it; `setups` is still empty. Throws Error (input) as load_scene and make_model do, with
-// --x, --y, --x-range, --y-range or --cells as key for an impossible axis, with motion.spin as key
-// for a body at rest, and without a place if no method can integrate the scene.
+// integrate it; `setups` is still empty. Throws Error (input) as load_scene, number_in_scene,
+// make_model and start_state do, with --x, --y, --x-range, --y-range or --cells as key for an
+// impossible axis, with motion.spin as key for a body at rest, and without a place if no method can
+// integrate the scene.
 MappedScene make_place(const std::filesystem::path& file,
                        const StabilityJob& job,
                        const std::vector<const StepperInfo*>& methods);
 
 // Computes the setups of all cells, with their reference solutions, on job.jobs threads. Throws
-// Error (input) as load_scene and make_model do for values along the axes that the scene cannot
-// have, and with motion.spin as key for a body at rest; (interrupted).
+// Error (input) as load_scene, make_model and start_state do for values along the axes that the
+// scene cannot have, and with motion.spin as key for a body at rest; (interrupted).
 void prepare_place(MappedScene& place, const StabilityJob& job);
 
 // Runs the method on one cell, see try_method(); column and row count from 0, allowed_rad is the

@@ -22,8 +22,9 @@ struct PreviewJob {
 // Writes a PNG with twelve small frames, equally spaced from the first frame of the film to the
 // last, each with its time. Without job.output it creates the folder output/. Draws on the calling
 // thread, with an OpenGL context of its own. Throws Error (input) as load_with_overrides,
-// PreparedFilm and AtomicFile do, and with the output as place unless that is a .png; (environment)
-// without OpenGL or if the file cannot be written; (check_failed) as simulate does; (interrupted).
+// PreparedFilm, open_context and AtomicFile do, with the output as place unless that is a .png, and
+// without a place if the output is the scene file; (environment) without OpenGL or if the file
+// cannot be written; (check_failed) as simulate does; (interrupted).
 Made write_preview(const PreviewJob& job);
 
 }  // namespace polhode

@@ -10,11 +10,11 @@ namespace polhode {
 // Makes the output, and the report if job.report names one. No partial files remain after an error,
 // except the segments of --resume. With one job it draws on the calling thread, with an OpenGL
 // context of its own, and may run on several threads at once for different outputs; with more jobs
-// it forks, see open_frame_renderer(). Throws Error (input) as plan_render, PreparedFilm and
-// make_sink do, with --report as key for a report on standard output beside the film, and without a
-// place for an output or report that would overwrite the scene or each other; (environment) if a
-// program, library, memory or disk space is missing; (check_failed) as simulate does;
-// (interrupted).
+// it forks, see open_frame_renderer(). Throws Error (input) as plan_render, open_output,
+// RenderOutput::begin, PreparedFilm, open_frame_renderer and, for the report, AtomicFile do, with
+// --report as key for a report on standard output beside the film, and without a place for an
+// output or report that would overwrite the scene or each other; (environment) if a program,
+// library, memory or disk space is missing; (check_failed) as simulate does; (interrupted).
 Made render_film(const RenderJob& job);
 
 }  // namespace polhode

@@ -20,12 +20,13 @@ struct StabilityJob {
   // number, or "spin", a factor on the angular momentum at the start
   std::string x = "numerics.step";
   std::string y = "spin";
-  // first and last value of the axes, "0.1:10", in the unit of the key in the scene. Absent: from a
-  // tenth to ten times 1 / typical_rate() for the step, 1 for the spin, the scene's value for other
-  // keys; from twice to -2 times a negative value; -1 to 1 for the value 0
+  // first and last value of the axes, "0.1:10", in the unit of the key as it is spelled; the last
+  // is greater. Absent: from a tenth to ten times 1 / typical_rate() (motion/scales.h) for the
+  // step, 1 for the spin, the scene's value for other keys; from twice to -2 times a negative
+  // value; -1 to 1 for the value 0
   std::optional<std::string> x_range, y_range;
   std::string cells = "64x64";  // columns x rows, each 2 to 1024
-  double turns = 100.0;         // length of a run, in turns of the body at its typical_rate()
+  double turns = 100.0;         // length of a run: this many times 2 pi / typical_rate()
   double allowed_rad = 0.1;     // allowed attitude error, rad
   int jobs = 0;                 // threads; 0: one per processor
   ProgressKind progress = ProgressKind::automatic;

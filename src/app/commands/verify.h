@@ -18,7 +18,7 @@ struct VerifyJob {
 
 // Whether the film is the same, and what the command prints.
 struct Verified {
-  bool same = false;  // false also if the report was altered
+  bool same = false;  // false also if the report was altered or the output is damaged
   std::string text;   // one line: the result, with the first frame that differs and its time
 };
 
@@ -26,9 +26,10 @@ struct Verified {
 // encodes them with the same settings into a temporary folder, and compares the files or, if their
 // bytes differ, the decoded frames of both value by value. Captions are compared too. Draws on the
 // calling thread, with an OpenGL context of its own. Throws Error (input), with the file as place,
-// if output or report is missing, if it is standard output or a kind that writes no file, or if the
-// report was written with other versions or another OpenGL renderer, on which pixels depend;
-// (environment) as render_film does; (interrupted).
+// if output or report is missing, if the output is standard output or a kind that writes no file,
+// and if the report was written with other versions or another OpenGL renderer, on which pixels
+// depend; otherwise as find_sink_kind, read_report and render_film do, and (environment) as
+// FilmReader and its next() do.
 Verified verify(const VerifyJob& job);
 
 }  // namespace polhode

@@ -20,8 +20,12 @@ struct DiffJob {
   bool json = false;  // true: the result is JSON, with the numbers of every frame
   std::string html;   // folder for the HTML page index.html; empty: none
 
-  // how sides that are scenes are rendered
-  Overrides overrides;           // absent size and fps: those of the other side, if it is no scene
+  // How sides that are scenes are rendered. They have no background if the other side is a picture
+  // or sequence whose first frame has alpha.
+
+  // An absent size is that of the other side, unless that is a scene. An absent fps is that of the
+  // other side if it is a film. Otherwise the scene's own values hold.
+  Overrides overrides;
   std::optional<double> still;   // s of motion, for one picture; absent: 0 against a picture or a
                                  // scene, else the whole film
   bool text = true;              // with labels, clock, title and caption
@@ -37,10 +41,11 @@ struct DiffResult {
 
 // Compares the two sides frame by frame; scenes are first rendered into a temporary folder. Writes
 // the HTML page if it is asked for. Throws Error (input) with the file as place if the sides cannot
-// be compared (missing file, different sizes, frames without a partner), and with the option as key
-// for --still, --size or --fps without a scene, --still against a film or a sequence, and an --html
-// folder that cannot be made. Throws Error as check_thresholds and, for scenes, as render_film do;
-// (environment) if the page cannot be written; (interrupted).
+// be compared (missing or damaged file, different sizes, frames without a partner, no frames), and
+// with the option as key for --still, --size or --fps without a scene, --still against a film or a
+// sequence, and an --html folder that cannot be made. Throws Error as check_thresholds,
+// open_frames, FramePairs::next and, for scenes, render_film do; (environment) also if the page
+// cannot be written or there is no temporary folder.
 DiffResult diff(const DiffJob& job);
 
 }  // namespace polhode

@@ -17,7 +17,7 @@ struct ShownFrame {
   FrameScore score;
   Image reference, actual;  // of the same size
   FlipMap flip;             // of these two
-  std::string title;        // plain text; may be empty
+  std::string title;        // plain text, for diff_page(); may be empty
 };
 
 // The content of the page of one comparison. Texts are plain; diff_page() escapes them.

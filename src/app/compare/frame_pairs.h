@@ -8,14 +8,14 @@
 
 namespace polhode {
 
-// Reads each source on a thread of its own, at most four frames ahead. Frames match by their time
-// in two films, by number in two sequences, by name in two folders, and by order otherwise. Use it
-// on one thread.
+// Reads each source on a thread of its own, at most four frames ahead. Frames are paired by number
+// in two sequences, by name in two folders, and by order otherwise; in two films the times of a
+// pair may differ by at most half a frame of the faster one. Use it on one thread.
 class FramePairs {
  public:
-  // Takes the sources over. `by_order`: match by order, whatever the kinds. name_a and name_b are
-  // the names of the sources for messages. Throws Error (input), with the source as place, if it is
-  // already known that a frame has no partner (not for films).
+  // Takes the sources over. `by_order`: pair by order, whatever the kinds and times. name_a and
+  // name_b are the names of the sources for messages. Throws Error (input), with the source as
+  // place, if it is already known that a frame has no partner (not for films).
   FramePairs(const std::string& name_a,
              std::unique_ptr<FrameSource> a,
              const std::string& name_b,
@@ -29,8 +29,8 @@ class FramePairs {
   int count() const { return count_; }
 
   // Sets `a` and `b` to the next pair and reuses their buffers; returns false at the end of both.
-  // Throws Error (input), with the source as place, for a frame without a partner, frames of
-  // different sizes, and unreadable files; (interrupted).
+  // Throws Error (input), with the source as place, for a frame without a partner and frames of
+  // different sizes; as FrameSource::next of both sources does; (interrupted).
   bool next(SourceFrame& a, SourceFrame& b);
 
  private:

@@ -50,7 +50,7 @@ struct DrawnCase {
 
 // Renders the case `one` of `folder`. `backend` is for open_context(). Temporary files, named after
 // the case, go into `scratch`. Different cases may be drawn on several threads at once. Throws
-// Error as render_film does.
+// Error as render_film, read_png and read_file do.
 DrawnCase draw_case(const std::filesystem::path& folder,
                     const GoldenCase& one,
                     const std::string& backend,

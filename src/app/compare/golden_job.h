@@ -2,8 +2,8 @@
 // The options and results of `golden run`, `golden update` and `golden show`. A folder DIR holds
 // the reference (golden) pictures of scenes: DIR/cases.toml lists the cases, DIR/NAME.png is the
 // reference of a case, DIR/NAME.CAUSE.png is another accepted one (CAUSE, such as mesa-25, says why
-// it differs), and the sidecar file NAME.png.toml beside each says what drew it and how to compare
-// with it.
+// it differs), and the sidecar file NAME.png.toml or NAME.CAUSE.png.toml beside each says what drew
+// it and how to compare with it. NAME and CAUSE consist of letters, digits, _ and -.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-// The options of all three.
+// The options. `golden show` uses only folder, cases and json.
 struct GoldenJob {
   std::string folder;            // DIR
   std::string cases;             // names of cases, separated by commas; empty: all
@@ -33,8 +33,8 @@ struct GoldenJob {
 
 // What the command prints, and its exit code.
 struct GoldenResult {
-  // 0: all cases passed; 1: a picture is different or has no reference; 2: a case cannot be
-  // rendered
+  // of `golden run`: 0: all cases pass; 1: a picture is different or has no reference; 2: a case
+  // cannot be rendered or its references cannot be read. Of the other two it is 0.
   int exit_code = 0;
   std::string text;  // for standard output: a summary, or JSON
 };

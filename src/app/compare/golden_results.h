@@ -17,13 +17,15 @@ namespace polhode {
 
 // The result of one case.
 struct CaseResult {
-  std::optional<DrawnCase> drawn;   // absent if the case cannot be rendered
-  std::string error;                // why it cannot; empty if it can
+  std::optional<DrawnCase> drawn;  // absent with an error
+  // Why the case cannot be rendered or a reference cannot be read; empty if all went well. With an
+  // error, `drawn` and `verdict` are absent and `best` is null.
+  std::string error;
   const Reference* best = nullptr;  // the most similar reference, in the LoadedCase; null: none
-  Image reference;                  // pixels of `best`; empty without a verdict
+  Image reference;                  // pixels of `best`; only valid with a verdict
   std::optional<Verdict> verdict;   // absent: no reference, or only ones of another size
-  GoldenVerdict rule;               // the thresholds that were applied
-  std::string note;                 // why there is no verdict; only valid without one
+  GoldenVerdict rule;  // the thresholds that were applied; without references, the case's
+  std::string note;    // why there is no verdict; only valid without verdict and error
 
   // Whether the case passes.
   bool same() const { return verdict && verdict->same(); }

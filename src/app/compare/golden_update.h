@@ -6,13 +6,22 @@
 
 namespace polhode {
 
-// Renders every case and writes the references, with their sidecars, that are missing or do not
-// match (with job.all also those that match within their thresholds but not exactly). Nothing is
-// written unless all cases could be rendered. The exit code is 0. Throws Error as load_cases and
-// draw_cases do; (input) with --cause as key for an invalid name, with the folder as place if git
-// does not track it or its tree has uncommitted changes, unless job.allow_dirty, and without a
-// place if a case cannot be rendered; (environment) if git cannot be started or a file cannot be
-// written.
+// Renders the cases in job.cases. For each it writes the reference NAME.png (with job.cause:
+// NAME.CAUSE.png) and its sidecar if the reference has another size, and if it is missing or
+// differs by more than the thresholds of cases.toml; but a picture that matches another reference
+// of its case, by the thresholds of that one's sidecar, is written only for another size. With
+// job.all, every picture is written that is not equal to its reference.
+//
+// For a reference that is kept because it is equal or within the thresholds of cases.toml, the
+// sidecar alone is rewritten if its thresholds or their reason differ from those of cases.toml. A
+// missing sidecar is written only if the pixels are equal.
+//
+// Nothing is written unless all cases could be rendered and all their references read. The exit
+// code is 0. Throws Error as load_cases and draw_cases do; (input) with --cause as key for an
+// invalid name, with the folder as place if git does not track it or its tree has uncommitted
+// changes, unless job.allow_dirty, without a place if a case cannot be rendered or a reference is
+// damaged, and as AtomicFile does for a write-protected reference, an unwritable folder or another
+// run; (environment) if git cannot be started or a file cannot be written.
 GoldenResult golden_update(const GoldenJob& job);
 
 }  // namespace polhode
