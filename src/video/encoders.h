@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tables of film formats: containers by their file ending, and codecs with libav's
-// encoders and their options. To add a format: a row in film_formats(), and in film_encoders()
-// for a new encoder.
+// The tables of film formats: containers by their file ending, and codecs with libav's encoders and
+// their options. To add a format: a row in film_formats(), and in film_encoders() for a new
+// encoder.
 #pragma once
 
 #include <array>
@@ -49,7 +49,8 @@ struct FilmFormat {
 // All film formats.
 const std::vector<FilmFormat>& film_formats();
 
-// The format of an output by its ending ("-" is .y4m); null if it is not a film.
+// The format of an output by its ending ("-" is .y4m); null if it is not a film, and for names that
+// begin with "hash:".
 const FilmFormat* find_film_format(const std::string& output);
 
 // Whether the installed FFmpeg has an encoder of that (libav's) name.
@@ -72,8 +73,10 @@ struct EncoderWish {
   std::optional<int> crf;             // --crf
 };
 
-// The settings for this output. Throws Error (input), naming --codec, --preset or --crf, for a
-// value that the format does not accept; (environment) as find_encoder does.
+// The settings for this output; codec and preset are empty and crf is 0 where there are none.
+// Throws Error (input), naming --codec, --preset or --crf, for a value that the format does not
+// accept; (environment) as find_encoder does. An output that is neither a film nor a .png (hashes,
+// null) accepts all options of a film, but --preset must still be one of encoder_presets().
 EncoderSettings settle_encoder(const std::string& output, const EncoderWish& wish);
 
 }  // namespace polhode

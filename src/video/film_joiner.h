@@ -14,7 +14,7 @@ namespace polhode {
 class FilmJoiner {
  public:
   // Throws Error (input) as AtomicFile does, and, with the output as place, for an ending other
-  // than .mp4, .webm and .mov.
+  // than .mp4, .webm and .mov; (environment) if libav cannot open the file.
   explicit FilmJoiner(const std::string& output);
   ~FilmJoiner();
   FilmJoiner(const FilmJoiner&) = delete;
@@ -25,11 +25,13 @@ class FilmJoiner {
     int frames = 0;  // number of frames that it must contain
   };
   // Copies the packets of all parts in this order, with timestamps that increase by one frame each,
-  // and adds title, comment and chapters. Then gives the film its name and writes its caption file.
-  // Called once, with at least one part. fps: of the film; title, comment: stored in it. Throws
-  // Error (input), with the part as place, if a part cannot be read, has another number of frames,
-  // or was encoded differently from the first; (environment), with the output as place, if the film
-  // cannot be written; (interrupted).
+  // and adds title, comment and chapters. Then gives the film and, if there are captions, the
+  // caption file their names. Called once, with at least one part. fps: of the film; title,
+  // comment: stored in it; metadata: its chapters, captions and number of frames are used. Throws
+  // Error (input), with the part as place, if a part cannot be read, has another number of frames
+  // or a second track, or was encoded differently from the first, and as AtomicFile does for the
+  // caption file; (environment), with the file as place, if the film or the caption file cannot be
+  // written; (interrupted).
   void join(const std::vector<Part>& parts,
             const FrameRate& fps,
             const std::string& title,

@@ -17,7 +17,7 @@ struct FilmInfo {
   int frames = 0;      // 0: unknown
   FrameRate fps;       // average rate; 60 if unknown
   bool alpha = false;  // whether it has transparency
-  std::string codec;   // FFmpeg's name, "h264"
+  std::string codec;   // FFmpeg's name of the decoder, "h264"
 };
 
 // Decodes frames in display order, with one decoder thread per processor. Frames are converted to
@@ -26,8 +26,9 @@ struct FilmInfo {
 // sample is used for all pixels that it covers. Not thread-safe.
 class FilmReader {
  public:
-  // Throws Error (input), with the file as place, if it is missing, not a film, or has more than
-  // 2^28 pixels per frame; (environment) if FFmpeg has no decoder for it.
+  // Throws Error, with the file as place: (input) if it is missing, not a regular file, not a film,
+  // has a damaged header or more than 2^28 pixels per frame, (environment) if FFmpeg has no decoder
+  // for it or no memory.
   explicit FilmReader(const std::string& file);
   ~FilmReader();
   FilmReader(const FilmReader&) = delete;
@@ -47,7 +48,8 @@ class FilmReader {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// Whether the name has the ending of a film: .mp4, .mkv, .mov, .webm, .gif, .avi, .m4v or .apng.
+// Whether the name has the ending of a film, in lower case: .mp4, .mkv, .mov, .webm, .gif, .avi,
+// .m4v or .apng.
 bool has_film_ending(const std::string& name);
 
 }  // namespace polhode

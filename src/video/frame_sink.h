@@ -23,10 +23,10 @@ struct SinkJob {
   int height = 0;            // pixels
   FrameRate fps;             // exact
   EncoderSettings encoder;   // for films
-  bool transparent = false;  // keep alpha; sinks without alpha throw Error (input)
+  bool transparent = false;  // keep alpha; make_sink() refuses it for kinds without alpha
   bool still = false;        // exactly one frame will be pushed
-  std::string title;         // stored in the container; empty: none
-  std::string comment;       // stored in the container; empty: none
+  std::string title;         // for containers that keep metadata; empty: none
+  std::string comment;       // for containers that keep metadata; empty: none
   bool segment = false;      // part of a film: sealed (video/seal.h) and without caption file
 };
 
@@ -55,14 +55,16 @@ struct SinkTimes {
   StageTime encode;   // encoding, muxing, writing; also hashing
 };
 
-// Takes frames in order, on one thread. The output gets its name in finish(); a sink that is
-// destroyed without finish() leaves nothing behind. push() and finish() throw Error (environment)
-// if writing fails, and (interrupted).
+// Takes frames in order. Use it on one thread at a time; run_pipeline() pushes on a thread of its
+// own. The output gets its name in finish(); a sink that is destroyed without finish() leaves
+// nothing behind. push() and finish() throw Error (environment) if writing fails, and
+// (interrupted); push() also throws Error (input) as AtomicFile does if it opens a file per frame
+// or segment.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  // Called at most once, before the first frame. Sinks that cannot use it ignore it. May throw
-  // Error as AtomicFile does.
+  // Called at most once, before the first frame. Sinks that cannot use it ignore it. Throws Error
+  // as with_captions() says, and (environment) without memory.
   virtual void describe(const FilmMetadata&) {}
   // Takes the next frame, of the size of the job.
   virtual void push(const Image& frame) = 0;

@@ -26,19 +26,19 @@ struct SourceFrame {
 struct SourceInfo {
   SourceKind kind = SourceKind::picture;
   std::vector<std::string> labels;  // of all frames; empty for films
-  FrameRate fps;                    // for films
+  FrameRate fps;                    // for films; 60 if unknown
   int frames = 0;                   // approximate number of frames; 0: unknown
 };
 
-// Reads frames in order, on one thread.
+// Reads frames in order. Use it on one thread at a time.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   // A reference to a member.
   virtual const SourceInfo& info() const = 0;
-  // Gets the next frame; false at the end. May reuse the buffer of the image. Throws Error,
-  // with the file as place: (input) for what cannot be read, (environment) if FFmpeg cannot
-  // convert a frame.
+  // Gets the next frame; false at the end. May reuse the buffer of the image. Throws Error as
+  // read_png or FilmReader::next does: (input) for what is missing or damaged, (environment) if
+  // FFmpeg cannot convert a frame.
   virtual bool next(SourceFrame& frame) = 0;
 };
 

@@ -19,9 +19,10 @@ struct PipelineStep {
 };
 
 // Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a
-// second thread, at most four frames behind; then calls sink.finish(). on_frame is called on the
-// calling thread after each frame. sink.describe() must have been called before, if at all. An
-// error on either thread stops the other and is thrown here. Throws Error (interrupted) too.
+// second thread; at most four frames wait between them. Then it calls sink.finish() on the calling
+// thread. on_frame is called on the calling thread after each frame. sink.describe() must have been
+// called before, if at all. An error on either thread stops the other and is thrown here. Throws
+// Error (interrupted) too.
 void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,

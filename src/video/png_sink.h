@@ -6,13 +6,15 @@
 
 namespace polhode {
 
-// A single picture. Throws Error (input), with the output as place, unless job.still, and as
-// AtomicFile does; (environment) if writing fails.
+// A sink for a single picture. Throws Error (input), with the output as place, unless job.still,
+// and as AtomicFile does. Its members throw Error (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
-// A sequence such as NAME_%05d.png: one %d, or %0Nd with N from 1 to 9. The files get their names
-// in finish(), so a failure before that leaves older frames unchanged; if finish() itself fails,
-// the frames that it has already named are removed. Throws Error as AtomicFile and
-// parse_numbered_name do, (environment) if writing fails.
+// A sink for a sequence such as NAME_%05d.png: one %d, or %0Nd with N from 1 to 9. The numbers
+// begin with FilmMetadata::first, 0 by default. The files get their names in finish(), so a failure
+// before that leaves older frames unchanged; if finish() itself fails, the frames that it has
+// already named are removed. Throws Error (input) as AtomicFile, for frame 0, and
+// parse_numbered_name do. push() throws Error as AtomicFile does, for each frame; push() and
+// finish() throw Error (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 
 // A parsed file-name pattern.

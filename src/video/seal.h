@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-// Appends a seal with that text to a complete MP4, MOV or WebM file, whose first bytes say which
-// container it is. Throws Error (environment) if writing fails, (input), with the file as place, if
-// it cannot be read.
+// Appends a seal with that text (less than 2^28 bytes) to a complete MP4, MOV or WebM file, whose
+// first bytes say which container it is. Throws Error (environment), without a place, if writing
+// fails, (input), with the file as place, if it cannot be read.
 void seal_file(const std::filesystem::path& file, std::string_view text);
 
 // The text of the seal; absent if there is none or if the file has changed since. Throws Error

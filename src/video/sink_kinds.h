@@ -12,12 +12,13 @@ namespace polhode {
 
 // A kind of output. To add one: a row in sink_kinds().
 struct SinkKind {
-  std::string name;                                      // "mp4"
-  std::string ending;                                    // ".mp4"; empty if `accepts` recognises it
-  std::string doc;                                       // one phrase for `list formats`
-  bool alpha = false;                                    // supports transparency
-  bool film = false;                                     // a single file that players show
-  bool (*accepts)(const std::string& output) = nullptr;  // null: recognised by the ending
+  std::string name;    // "mp4"
+  std::string ending;  // ".mp4", also for suggestions in errors; empty: none of its own
+  std::string doc;     // one phrase for `list formats`
+  bool alpha = false;  // supports transparency
+  bool film = false;   // a single file that players show
+  // Whether an output is of this kind; null: if it has the ending and no prefix "hash:".
+  bool (*accepts)(const std::string& output) = nullptr;
   std::unique_ptr<FrameSink> (*make)(const SinkJob&) = nullptr;  // opens the sink
 };
 
@@ -28,10 +29,13 @@ const std::vector<SinkKind>& sink_kinds();
 // message suggests the nearest.
 const SinkKind& find_sink_kind(const std::string& output);
 
-// Opens the sink for job.output, with a caption file beside it where the format has one. Throws
-// Error (input) as find_sink_kind and AtomicFile do, and for a job that the kind cannot do:
-// transparency, a still as a film, one picture without job.still, odd sizes, a wrong codec (naming
-// --codec); (environment) for a missing encoder.
+// Opens the sink for job.output, with a caption file beside it where the format has one (not for
+// segments). Throws Error (input), with the output as place, for a job that the kind cannot do:
+// transparency, a still as a film, one picture without job.still, odd sizes, an ending without a
+// name before it (".mp4"), "hash:" without a name, a film with a frame number (%d) in its name;
+// (input) also as find_sink_kind and AtomicFile do, with --codec as key for a wrong codec, and
+// without a place for a film to a terminal; (environment) for a missing encoder and, for a GIF, a
+// missing libavfilter.
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job);
 
 }  // namespace polhode

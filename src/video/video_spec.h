@@ -19,8 +19,8 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
-// Parses "60" or "30000/1001". Throws Error (input), without a place, for other text (also "29.97")
-// and for rates below 1 or above 1000 per second.
+// Parses "60" or "30000/1001"; the result is in lowest terms. Throws Error (input), without a
+// place, for other text (also "29.97") and for rates below 1 or above 1000 per second.
 FrameRate parse_frame_rate(const std::string& text);
 
 // The limits of check_picture_size().
@@ -34,8 +34,8 @@ inline constexpr int kMostPixels = 8192 * 8192;
 // Throws Error (input), without a place, for a size outside these limits.
 void check_picture_size(const PictureSize& size);
 
-// Parses "1920x1080". Throws Error (input), without a key, for other text and
-// as check_picture_size does.
+// Parses "1920x1080". Throws Error (input), without a place, for other text and as
+// check_picture_size does.
 PictureSize parse_picture_size(const std::string& text);
 
 // The quality of a film, as --quality takes it.

@@ -18,7 +18,8 @@ namespace polhode {
 // converted. Not thread-safe.
 class Converter {
  public:
-  // Sizes in pixels. Throws Error (environment) if swscale does not support the format.
+  // Sizes in pixels. Throws Error (environment), without a place, if swscale does not support the
+  // format and without memory.
   Converter(int width, int height, AVPixelFormat format);
 
   // The converted frame, owned by this object and valid until the next call. The picture has the

@@ -15,7 +15,8 @@ namespace polhode {
 // signal interrupts them.
 class FilmOutput {
  public:
-  // Throws Error as AtomicFile does, and (input) if standard output is a terminal.
+  // `output`: a file name, or "-" for standard output. Throws Error as AtomicFile does, (input),
+  // without a place, if standard output is a terminal, and (environment) if libav cannot open it.
   explicit FilmOutput(const std::string& output);
   ~FilmOutput();
   FilmOutput(const FilmOutput&) = delete;
@@ -27,7 +28,8 @@ class FilmOutput {
   const std::string& url() const { return url_; }
 
   // Closes the file, appends a seal with that text (video/seal.h) if given, and gives the file its
-  // name. Throws Error (environment) if writing fails, (interrupted) as check_libav does.
+  // name; for standard output it only flushes. Called once. Throws Error (environment) if writing
+  // fails, as seal_file does, and (interrupted) as check_libav does.
   void finish(const std::optional<std::string>& seal = std::nullopt);
 
  private:

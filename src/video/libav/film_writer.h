@@ -14,19 +14,20 @@
 namespace polhode {
 
 // Takes frames in the encoder's pixel format and writes a film of constant rate, with closed groups
-// of pictures of at most a second, tags, title and chapters. Not thread-safe. Errors have the
-// output as place; writing throws Error (environment) and (interrupted).
+// of pictures of at most a second, tags, title and chapters. Not thread-safe. write() and finish()
+// throw Error (environment) and (interrupted), with the output as place, and finish() also as
+// seal_file does; describe() and set_at_end() throw Error (environment) as check_libav does.
 class FilmWriter {
  public:
   // Opens the output and the encoder; job.output must be a film (find_film_format()). Throws Error
-  // as FilmOutput and find_encoder do, (input) if a side is odd and the format has subsampled
-  // colour, (environment) if the encoder does not open.
+  // as FilmOutput and find_encoder do, (input), with the output as place, if a side is odd and the
+  // format has subsampled colour, (environment) if the encoder does not open.
   explicit FilmWriter(const SinkJob& job);
 
   // The encoder's pixel format.
   AVPixelFormat pixels() const { return encoder_->pix_fmt; }
 
-  // Sets chapters and comment. To be called before the first frame.
+  // Sets chapters and comment, if the container keeps them. To be called before the first frame.
   void describe(const FilmMetadata& metadata);
   // Encodes a frame, whose pts is set in the encoder's time base (a frame, or 0.01 s for GIF).
   // `key` makes it a key frame.
@@ -35,7 +36,8 @@ class FilmWriter {
   void set_at_end(const char* option, std::int64_t value);
   // Sets the text of the seal (video/seal.h), without which the film is not sealed.
   void seal_with(const std::string& text) { seal_ = text; }
-  // Flushes the encoder, closes the container and gives the film its name.
+  // Flushes the encoder, closes the container and gives the film its name. At least one frame must
+  // have been written.
   void finish();
 
   // The system's ids of the encoder's threads, which live as long as this object; a reference

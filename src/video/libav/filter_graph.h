@@ -21,9 +21,10 @@ struct FilterInput {
   AVPixelFormat format = AV_PIX_FMT_NONE;
 };
 
-// A graph in libavfilter's text form, with an output pad "out". Times are hundredths of a second.
-// libavfilter is loaded when the first graph is made, because with its dependencies it would double
-// the start-up time of the program. Not thread-safe. All members throw Error (environment).
+// A graph in libavfilter's text form, with one output pad, "out". Times (pts) are in hundredths of
+// a second. libavfilter is loaded when the first graph is made, because with its dependencies it
+// would double the start-up time of the program. Not thread-safe. All members throw Error
+// (environment).
 class FilterGraph {
  public:
   // description: as ffmpeg's -filter_complex takes it, with the pads of the inputs in brackets.

@@ -15,7 +15,8 @@ namespace polhode {
 // All members throw Error (environment).
 class FrameSpool {
  public:
-  // The file is in `folder`. Sizes in pixels; format: bgra or bgr0; threads: of the codec.
+  // The file is in `folder`, which must be writable. Sizes in pixels; format: AV_PIX_FMT_BGRA or
+  // AV_PIX_FMT_BGR0; threads: of the codec.
   FrameSpool(const std::filesystem::path& folder,
              int width,
              int height,
