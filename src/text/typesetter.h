@@ -16,7 +16,7 @@ namespace polhode {
 // Red, green and blue, sRGB-encoded.
 using Rgb = std::array<std::uint8_t, 3>;
 
-// sans is for words and numbers (digits of equal width), math for symbols.
+// A typeface: sans is for words and numbers (digits of equal width), math for symbols.
 enum class Face { sans, math };
 
 // Font, colour and layout of a text. Lines also break where the text contains a line break.
@@ -49,10 +49,10 @@ std::string text_libraries();
 // Escapes plain text for use as markup.
 std::string plain_text(std::string_view text);
 
-// Lays out and renders text, and caches the results. Thread-safe. `markup` is Pango's: <b>,
-// <i>, <span …>; use plain_text() for text that is not markup. With the same fonts, the same
-// text, style and position always give the same pixels. The first text starts threads of Pango:
-// call fork() before.
+// Lays out and renders text, and caches the results. Thread-safe. `markup` is Pango's: <b>, <i>,
+// <span …>; use plain_text() for text that is not markup. Markup that Pango cannot parse gives an
+// empty text. With the same fonts, the same text, style and position always give the same pixels.
+// The first text starts threads of Pango: call fork() before.
 class Typesetter {
  public:
   Typesetter();
@@ -75,10 +75,11 @@ class Typesetter {
 struct FontFound {
   std::string wanted;   // family
   std::string package;  // Debian package that contains it
-  std::string found;    // family that is used; another one if `wanted` is missing
+  std::string found;    // family that is used; another one if `wanted` is missing, "" if none is
   bool there = false;   // `wanted` is installed
 };
-// All fonts that the program uses, for the command `doctor`.
+// All fonts that the program uses, for the command `doctor`. It opens fonts, which starts threads
+// of Pango.
 std::vector<FontFound> examine_fonts();
 
 }  // namespace polhode
