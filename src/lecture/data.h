@@ -21,18 +21,19 @@ struct LectureData {
   const Deck* deck = nullptr;        // not owned, never null; read by write_data()
   std::string deck_text;             // contents of the file
   std::string licence;               // of the deck; empty: unknown
-  std::vector<std::string> outputs;  // as given to --to
+  std::vector<std::string> outputs;  // LectureOutput::name of those that are made
   std::string reveal_version;        // empty: no slides
   bool formula_font = false;         // the pages contain the formula font
   std::vector<SceneData> scenes;
-  std::vector<std::pair<std::string, Json>> products;  // stem and facts (lecture/media.h) of each
+  // Media::stem_of() and facts of each product that was made.
+  std::vector<std::pair<std::string, Json>> products;
 };
 
 // Writes FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative
-// paths; files from outside the deck's folder under their names), motions/NAME.csv, and
-// manifest.json last. Files of source/ and motions/ that only the old manifest lists are deleted.
-// Throws Error (input) as trusted_file(), mesh_files(), read_file() and write_file() do,
-// (environment) if a folder cannot be made or the disk is full.
+// paths; files from outside the deck's folder under their names), motions/NAME.csv (copied from
+// FOLDER/media), and manifest.json last. Files of source/ and motions/ that only the old manifest
+// lists are deleted. Throws Error (input) as trusted_file(), mesh_files(), read_file() and
+// write_file() do, (environment) if a folder cannot be made or the disk is full.
 void write_data(const LectureData& data, const std::filesystem::path& folder);
 
 }  // namespace polhode

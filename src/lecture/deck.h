@@ -27,8 +27,8 @@ struct PictureSetting {
   std::string doc;  // what it sets, with its unit, and the default in parentheses
 };
 
-// A class of pictures: what it makes of a scene and which settings it accepts. To add
-// one: see ARCHITECTURE.md.
+// A class of pictures: what it makes of a scene and which settings it accepts. To add one: see
+// ARCHITECTURE.md.
 struct PictureClass {
   PictureKind kind;
   std::string name;  // the class in the deck, without its dot: "film"
@@ -48,8 +48,8 @@ struct DeckPicture {
   int line = 0;                                 // of the deck, from 1; 0: unknown
 };
 
-// The type of the node that stands for a picture in the tree; its "c" is the
-// index in Deck::pictures.
+// The type of the node that stands for a picture in the tree; its "c" is the index in
+// Deck::pictures.
 inline constexpr const char* kPictureNode = "PolhodePicture";
 
 // A deck that has been read.
@@ -61,7 +61,7 @@ struct Deck {
   Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // ordinary pictures: files, relative to the deck's folder
-  std::vector<Error> problems;      // what was left out, with lines of the deck
+  std::vector<Error> problems;      // what was left out; place: the deck and the line, if known
 
   // A complete document for pandoc: these blocks with the deck's metadata.
   Json tree(const Json& with_blocks) const;
@@ -72,7 +72,7 @@ class LineFinder {
  public:
   explicit LineFinder(std::string text) : text_(std::move(text)) {}
   // The line (from 1) of the first occurrence of `words` after the one that the previous call with
-  // the same words found; 0 if there is none.
+  // the same words found; 0 if there is none and for empty `words`.
   int next(const std::string& words);
 
  private:
@@ -84,7 +84,8 @@ class LineFinder {
 // allow_outside: see DeckRoot. Throws Error (input), with the file as place, if it cannot be read
 // as a deck; (environment) without pandoc; (interrupted).
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
-// Does the same for a text in memory; `name` is the file name for messages. Errors have no place.
+// Does the same for a text in memory of any size; `name` is the file name for messages. Errors that
+// it throws have no place.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
 
 // Calls `visit`, which may change the node, for every node of the tree that has a type, parents

@@ -10,17 +10,17 @@
 
 namespace polhode {
 
-// Removes formulas that pandoc cannot read and reports them in deck.problems, so that no output
-// contains TeX that is not mathematics. `deck_text` is the text of the deck, for line numbers.
-// Throws Error as write_document does.
+// Replaces formulas that pandoc cannot read by a note and reports them in deck.problems, so that no
+// output contains TeX that is not mathematics. `deck_text` is the text of the deck, for line
+// numbers. Throws Error as write_document does.
 void drop_bad_formulas(Deck& deck, const std::string& deck_text);
 
 // Returns the Figure of a picture of the deck; called only while a document is made.
 using FigureOf = std::function<Figure(const DeckPicture&)>;
 
 // Each returns the contents of one document: index.html, slides.html, the HTML that is printed as
-// handout.pdf, slides.tex. All throw Error as write_document does, (environment) if the temporary
-// folder cannot be written.
+// handout.pdf, slides.tex. All, and make_pptx(), throw what `figure_of` throws, Error as
+// write_document does, and (environment) if the temporary folder cannot be written.
 std::string make_page(const Deck& deck, const FigureOf& figure_of);
 std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal);
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of);

@@ -26,9 +26,9 @@ Json handout_blocks(const Figure& figure);  // handout.pdf
 Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 
-// A table (a block) of values of inspection(): those in `keys` (separated by spaces); if `keys` is
-// empty, the kind, the mass, the principal moments and all derived values. Throws Error (input),
-// without a place, for an unknown key.
+// A table (a block) of values of inspection(): those in `keys` (as in Quote::key, separated by
+// spaces); if `keys` is empty, the kind, the mass, the principal moments and all derived values.
+// Throws Error (input), without a place, as quoted() does.
 Json number_table(const Json& inspection, const std::string& keys);
 
 }  // namespace polhode

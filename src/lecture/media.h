@@ -38,9 +38,9 @@ class Media {
 
   // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
-  // The facts of a product, cached or made now, with "files" (a list of objects with
-  // "name", "bytes" and "hash"). Throws what `make` throws, and Error (environment) if a
-  // file cannot be written.
+  // The facts of a product, cached or made now, with "files" (a list of objects with "name",
+  // "bytes" and "hash"). Throws what `make` throws, Error (input) as read_file and AtomicFile do,
+  // and (environment) if a file cannot be written.
   nlohmann::ordered_json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }

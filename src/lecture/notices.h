@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the copyright notices for third-party parts of a lecture's documents.
+// Makes the copyright notices for the parts of a lecture's pages that do not come from its deck:
+// Polhode's own styles and scripts, reveal.js, and the font of formulas.
 #pragma once
 
 #include <optional>
@@ -17,8 +18,9 @@ inline constexpr const char* kNoticesFile = "LICENCES.txt";
 // contains styles, scripts or fonts: html, slides, handout.
 bool has_pages(const std::vector<std::string>& outputs);
 
-// The notices for these outputs, as plain text. reveal: what the slides contain, absent without
-// slides; formula_font: whether the pages contain the font for formulas.
+// The notices for these outputs, as plain text; to be called only if has_pages(outputs). reveal:
+// what the slides contain, not used without slides; formula_font: whether the pages contain the
+// font for formulas.
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
                     bool formula_font);

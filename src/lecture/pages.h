@@ -16,9 +16,9 @@ struct Reveal {
   std::string js;       // contents of dist/reveal.js, safe inside a <script> element
   std::string licence;  // its LICENSE file with the copyright notice; empty if missing
 };
-// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in the data folders of the
-// user and of the system. Absent if there is none. Throws Error (input) if one of its files
-// cannot be read.
+// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in polhode/reveal.js in the data
+// folders of the user (XDG_DATA_HOME, ~/.local/share) and of the system (/usr/local/share,
+// /usr/share). Absent if there is none. Throws Error (input) if one of its files cannot be read.
 std::optional<Reveal> find_reveal();
 
 // A style sheet that contains the font for formulas (Latin Modern Math, found by fc-match); empty
@@ -44,7 +44,7 @@ std::string handout_page(const DeckWords& words, const std::string& body);
 // chromium-browser or google-chrome; empty if none of them runs. Throws Error (interrupted).
 std::string find_printer();
 // Prints an HTML file with that program and returns the bytes of the PDF. Throws Error
-// (environment) if that fails, (interrupted).
+// (environment) if that fails or the temporary folder cannot be made, (interrupted).
 std::string print_page(const std::string& printer, const std::filesystem::path& html);
 
 }  // namespace polhode

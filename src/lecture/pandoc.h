@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs pandoc, which reads the deck and writes the documents. Decks are untrusted: raw HTML, raw
-// TeX and macros are disabled, and pandoc runs with --sandbox. All functions throw Error
-// (interrupted) as run_child does.
+// TeX and macros are disabled, and pandoc runs with --sandbox unless write_document() is told
+// otherwise. All functions throw Error (interrupted) as run_child does.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-// "pandoc 2.17.1.1"; empty if it is not installed.
+// The version of pandoc, such as "pandoc 2.17.1.1"; empty if it is not installed.
 std::string pandoc_version();
 
 // Throws Error (environment), with what to install, if pandoc is missing.

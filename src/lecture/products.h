@@ -29,15 +29,17 @@ struct DeckScene {
 };
 
 // All these return a product with copies of their arguments. They throw Error (input), without a
-// place, for a setting that is not a number; Product::make throws as the command of that name does,
-// and Error (input) if the scene has changed since it was loaded. Facts that name files contain
-// their names in media/; all facts have "kind".
+// place, for a setting that is not a number and for turns (of stability maps) that are not
+// positive. Product::make throws as render_film, chart, stability, solve or write_csv does, and
+// Error (input) if the scene has changed since it was loaded. Facts that name files contain their
+// names in media/; all facts have "kind": "film" (also of a loop), "still", "chart", "stability",
+// "inspect" or "motion".
 
-// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s
-// of motion), "stills" (a list of "file", "at" in s of motion, "caption"), "vtt" (the text of
-// the captions; "" if there are none), "pauses" (a list of [begin, end], s of film),
-// "frames", "fps", "width" and "height" (pixels), "from_s" and "to_s" (s of motion),
-// "duration" (s of film), "title".
+// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s of
+// motion), "stills" (a list of objects with "file", "at" in s of motion, and "caption"), "vtt" (the
+// text of the captions; "" if there are none), "pauses" (a list of [begin, end], s of film),
+// "frames", "fps", "width" and "height" (pixels), "from_s" and "to_s" (s of motion), "duration" (s
+// of film), "title".
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
@@ -45,8 +47,8 @@ Product film_product(const DeckPicture& picture,
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings);
-// A chart or stability maps. Facts: "svg", "png", "csv" (files), "summary" (what
-// the command prints).
+// A chart or stability maps. Facts: "svg", "png", "csv" (files), "summary" (what the command
+// prints).
 Product chart_product(const DeckPicture& picture, const DeckScene& scene);
 Product stability_product(const DeckPicture& picture, const DeckScene& scene);
 // The output of inspect. Facts: "inspection", as inspection() returns it.

@@ -13,8 +13,9 @@ namespace polhode {
 // A quote: {inspect:SCENE#KEY|%.3f,UNIT}. The part from | on is optional.
 struct Quote {
   std::string scene;
-  std::string key;     // dotted path in inspection(); units and "derived." may be omitted
-  std::string format;  // "%", perhaps "." and digits, then e, f or g: "%.3f"; by default "%.4g"
+  std::string key;  // dotted path in inspection(); units and "derived." may be omitted
+  // "%", perhaps "." and one or two digits, then e, f or g: "%.3f"; "%.4g" if the quote gives none
+  std::string format;
   // unit to convert to: deg, rpm, ms, cm, g …; "none": no unit; empty: the key's own
   std::string unit;
 };
@@ -31,7 +32,7 @@ struct Quoted {
 
 // The formatted value of the quote's key in `inspection`, the result of inspection(). Throws Error
 // (input), without a place, for an unknown key (suggesting the nearest), for a key that names a
-// group of values, and for a unit that the value cannot be converted to.
+// group of values or has none (null), and for a unit that the value cannot be converted to.
 Quoted quoted(const Json& inspection, const Quote& quote);
 
 // Splits a key of inspect into name and unit: "flip_time_s" into {"flip_time", "s"}. The unit is as

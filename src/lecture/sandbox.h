@@ -31,7 +31,8 @@ std::filesystem::path trusted_scene(const DeckRoot& root, const std::string& nam
 void check_link(const std::string& target);
 
 // Throws Error (input), without a place, for TeX that is not mathematics: commands that read,
-// write, define or run something, "^^", and control characters other than white space.
+// write, define, link or run something (the list is in sandbox.cpp), "^^", and control characters
+// other than tabs and line breaks.
 void check_formula(const std::string& tex);
 
 // Replaces the escapes of a URL by the bytes they stand for ("a%20b" becomes "a b"); "%" without
