@@ -14,8 +14,9 @@ namespace polhode {
 // `seconds`: wall time of the run; the rate counts the frames of this run only.
 std::string closing_line(const Made& made, double seconds);
 
-// The line as one JSON object: the keys of a line of `--progress json` (base/system/progress.h),
-// plus "output", "frames" and "seconds". `seconds` as above.
+// The line as one JSON object, without line break: the keys of a line of `--progress json`
+// (base/system/progress.h), in which "done" and "total" are Made::frames, plus "output", "frames"
+// (in the output) and "seconds". `seconds` as above.
 std::string closing_json(const Made& made, double seconds);
 
 // Runs `make`, measures its time, and prints the line in the form that the options ask for (none

@@ -20,11 +20,11 @@ struct Command {
   const char* doc;      // one phrase, for --help and the manual page
   const char* example;  // the shortest useful call
   // adds the options to the subcommand `command` and returns what to run after parsing; does not
-  // run anything itself
+  // run anything itself. `command` must outlive the Action, which may refer to it.
   Action (*define)(CLI::App& command);
 };
 
-// All commands, in the order of --help.
+// All commands, in the order of --help. The table exists until the program ends.
 const std::vector<Command>& commands();
 
 // The `define` functions of the table, one per command; each has its file in cli/commands/, except
