@@ -23,8 +23,8 @@ struct InspectJob {
 // The values as JSON, with their unit as suffix of the key; docs/inspect.md explains each. Vectors
 // are in body axes B. Principal moments are in ascending order, about the point that "reference"
 // names; "principal_axes" are their unit vectors in the same order. "evaluations_of_ode" counts
-// those of an extra run with the model "ode" to the same accuracy; it is null if that run is not
-// possible or cannot reach the accuracy. If the motion itself was computed with the model "ode" or
+// those of an extra run with the model "ode" to the same accuracy; it is null if that run fails, as
+// when it cannot reach the accuracy. If the motion itself was computed with the model "ode" or
 // "ode6", it is the count of that run. Throws Error (interrupted).
 nlohmann::ordered_json inspection(const Solved& solved);
 
