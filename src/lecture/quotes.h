@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces quotes in a deck, such as {inspect:scene.toml#key}, by the number that
-// `polhode inspect` gives.
+// Replaces quotes in a deck, such as {inspect:scene.toml#key}, by the number that `polhode inspect`
+// gives.
 #pragma once
 
 #include <functional>

@@ -27,8 +27,8 @@ struct FilmEncoder {
   bool presets = false;         // accepts --preset
   int worst_crf = 0;            // --crf is 1 (best) to this value; 0: it accepts none
   std::array<int, 3> crf = {};  // defaults for Grade draft, lecture, archive
-  // The AVPixelFormat of its frames, with or without alpha, in the finest or the
-  // most compatible form.
+  // The AVPixelFormat of its frames, with or without alpha, in the finest or the most compatible
+  // form.
   int (*pixels)(bool alpha, bool finest) = nullptr;
   // Sets the options of the encoder before it opens; size, rate and colour tags are already set.
   void (*configure)(const EncoderSettings&, AVCodecContext&, LibavOptions&) = nullptr;
