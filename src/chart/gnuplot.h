@@ -14,8 +14,8 @@ std::string gnuplot_text(const std::string& text);
 // A number for gnuplot, with 17 digits; "NaN" if it is not finite.
 std::string gnuplot_number(double value);
 
-// The version of the installed gnuplot, such as "gnuplot 5.4 patchlevel 4"; empty if there is none.
-// Throws Error (interrupted).
+// The version of the installed gnuplot, such as "gnuplot 5.4 patchlevel 4"; empty if there is none
+// or it cannot be run. Throws Error (interrupted).
 std::string gnuplot_version();
 
 // Throws Error (environment), with what to install, if gnuplot is missing, and (interrupted). Call

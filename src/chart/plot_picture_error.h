@@ -27,9 +27,10 @@ struct PicturePanel {
   std::vector<PicturePoint> points;
 };
 
-// The bytes of a picture file with one panel per scene: RMS error (vertical) against time per
-// frame, both logarithmic, with the settings in a legend. Every panel needs at least one point.
-// Throws Error (environment) and (interrupted) as draw_with_gnuplot does.
+// The bytes of a picture file with one panel per scene (at least one): RMS error (vertical) against
+// time per frame, both logarithmic, with the settings in a legend. Every panel needs at least one
+// point; points without error are not drawn. Throws Error (environment) and (interrupted) as
+// draw_with_gnuplot does.
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format);
 
 // The points as CSV, one row each, with the header

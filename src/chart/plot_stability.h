@@ -15,12 +15,12 @@ namespace polhode {
 struct MapAxis {
   std::string key;               // dotted path such as "numerics.step", or "spin", see StabilityJob
   double from = 0.1, to = 10.0;  // values of the first and the last cell; from < to
-  int cells = 64;                // number of cells along the axis
+  int cells = 64;                // number of cells along the axis, at least 1
 
   // True if neighbouring values have equal ratios, which is so if both ends are positive; else they
   // have equal differences.
   bool logarithmic() const { return from > 0.0 && to > 0.0; }
-  // The value of cell i, 0 <= i < cells.
+  // The value of cell i, 0 <= i < cells; `from` if there is only one.
   double at(int i) const;
 };
 

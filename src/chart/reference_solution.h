@@ -14,8 +14,8 @@ namespace polhode {
 // two accurate runs with methods of different kinds. Immutable, so any thread may use it.
 class ReferenceSolution {
  public:
-  // Computes the states from t = 0 to `duration` (s). Throws Error (interrupted) only: if the runs
-  // fail, the uncertainty is infinite.
+  // Computes the states from t = 0 to `duration` (s, positive). Throws Error (interrupted) only: if
+  // the runs fail, the uncertainty is infinite.
   ReferenceSolution(const BodyModel& model, const State& start, double duration);
 
   // Where it comes from, as text: "closed form (asymmetric)", "dop853 and kick_srkn11 agree".
@@ -33,7 +33,8 @@ class ReferenceSolution {
   const std::vector<double>& times() const { return times_; }
   const std::vector<State>& states() const { return states_; }
   // The largest deviation() (motion/scales.h) of a run from the reference at these times, rad; NaN
-  // if one is NaN. The run must cover the whole duration.
+  // if one is NaN. It means nothing if the uncertainty is infinite. The run must cover the whole
+  // duration. Throws Error (check_failed) as Trajectory::at does.
   double error_of(const Trajectory& run) const;
   // The deviation() of a state from the last state of the reference, rad. Requires a finite
   // uncertainty.

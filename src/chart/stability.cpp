@@ -45,7 +45,7 @@ class Pointing {
   Eigen::Index axis_ = 0;
 };
 
-// the states at the times of the reference, one after the other; false when they end early
+// the states at the times of the reference, one after the other, until `visit` returns false
 template <class Visit>
 void states_at(const std::vector<double>& times,
                const Stepper& stepper,

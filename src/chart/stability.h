@@ -15,13 +15,17 @@ namespace polhode {
 // direction from the fixed point to the centre of mass or, without a torque of gravity, between the
 // angular momentum and the principal axis to which it is closest at the start. It counts as
 // opposite if the signs differ and both cosines exceed 0.3 in size.
+//
+// A run with too large an error has the first of these outcomes that applies: energy_grows,
+// energy_decays, flips_wrongly, phase_wrong. Energy grows or decays if it drifts by more than 2% of
+// its scale; the sign is that of the drift at the end.
 enum class RunOutcome {
   fine,           // the error is within the allowed one
   phase_wrong,    // too large an error, but none of the failures below
   flips_wrongly,  // at some time the body points the opposite way from the reference
-  energy_grows,   // too large an error; the energy has risen by more than 2% of its scale
-  energy_decays,  // too large an error; the energy has fallen by more than 2% of its scale
-  solver_failed,  // the equations of an implicit step have no solution
+  energy_grows,
+  energy_decays,
+  solver_failed,  // a step has no solution (Stepper::step)
   not_a_number,   // the state became NaN or infinite
 };
 inline constexpr int kRunOutcomes = 7;  // number of outcomes
@@ -33,7 +37,7 @@ RunOutcome parse_run_outcome(const std::string& name);
 
 // A motion to test methods on, with its reference solution.
 struct StabilityProblem {
-  // Computes the reference; `duration` in s. Throws Error (interrupted).
+  // Computes the reference; `duration` in s, positive. Throws Error (interrupted).
   StabilityProblem(const BodyModel& model, const State& start, double duration);
 
   BodyModel model;
@@ -52,10 +56,12 @@ struct StabilityCell {
   double momentum_drift = 0.0;  // largest Drift::momentum
 };
 
-// Runs the method with fixed steps h (s) over the whole motion and looks at it at the times of the
-// reference. The outcome is `fine` if the deviation never exceeds allowed_rad or, without a usable
-// reference, if energy and momentum drift by at most 1e-3. A run whose energy drift exceeds 1e6 is
-// ended as energy_grows. Throws Error (interrupted) only. Thread-safe.
+// Runs the method with fixed steps h (s, positive) over the whole motion and looks at it at the
+// times of the reference. The outcome is `fine` if the deviation never exceeds allowed_rad or,
+// without a usable reference, if energy and momentum, where the loads conserve them, drift by at
+// most 1e-3. A run whose energy drift exceeds 1e6 is ended as energy_grows. The method must be able
+// to integrate the model (why_not), and the reference must have states. Throws Error (interrupted)
+// only. Thread-safe.
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,

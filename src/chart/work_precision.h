@@ -16,14 +16,14 @@ struct WorkPoint {
   std::string method;           // StepperInfo::name
   int order = 0;                // of the method
   double step = 0.0;            // s; for adaptive methods the tolerance (relative)
-  long evaluations = 0;         // as counted by Work in motion/stepper.h; 0 if the run failed
+  long evaluations = 0;         // as counted by Work in motion/stepper.h; 0 if integrating failed
   double time_us = 0.0;         // microseconds for the whole motion, median of repeated runs
   double error_rad = 0.0;       // largest deviation() from the reference
-  double energy_drift = 0.0;    // largest Drift::energy of the run (motion/trajectory.h)
+  double energy_drift = 0.0;    // largest |Drift::energy| of the run (motion/trajectory.h)
   double momentum_drift = 0.0;  // largest Drift::momentum of the run
   // "ok"; "below_judge": the error is below ReferenceSolution::least_error(), so it is not known
-  // exactly; "no_judge": there is no usable reference; "no_solution" (an implicit step has no
-  // solution, or a tolerance cannot be reached) or "not_a_number": the run failed.
+  // exactly; "no_judge": there is no usable reference; "no_solution" (a step has no solution, or a
+  // tolerance cannot be reached) or "not_a_number": the run failed.
   std::string status;
 };
 
@@ -35,7 +35,7 @@ inline constexpr const char* kPointBelowReference = "below_judge";
 struct WorkProblem {
   BodyModel model;
   State start;
-  double duration = 0.0;  // s
+  double duration = 0.0;  // s, positive
 };
 
 // How long and how far to measure.
@@ -49,20 +49,23 @@ struct WorkOptions {
 };
 
 // The points of a method, from steps that are too coarse to be useful down to steps where round-off
-// dominates. `reference` must be that of `problem`. A run that fails is a point with its status,
-// not an error. Throws Error (interrupted), and (input) as integrate_fixed and integrate_adaptive
-// do. The times are only right if nothing else uses the processor.
+// dominates, a run takes longer than most_run_s, or 13 runs in a row have failed. The method must
+// be able to integrate the model (why_not); `reference` must be that of `problem`. A run that fails
+// is a point with its status, not an error. Throws Error (interrupted), and (input) as
+// integrate_fixed and integrate_adaptive do. The times are only right if nothing else uses the
+// processor.
 std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkProblem& problem,
                                       const ReferenceSolution& reference,
                                       const WorkOptions& options = {});
 
-// The fastest of the points with the status "ok" or "below_judge" and an error of at most
-// `error_rad`; null if there is none. It points into `points`.
+// The point with the least time_us among those with the status "ok" or "below_judge" and an error
+// of at most `error_rad`; null if there is none. It points into `points`.
 const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error_rad);
 
 // The median time of one call of `run`, in microseconds, over at least three batches of calls that
-// take at least `least_work_s` seconds in total. Throws what `run` throws.
+// take at least `least_work_s` seconds in total; one call before them is not counted. Throws what
+// `run` throws.
 double median_time_us(const std::function<void()>& run, double least_work_s);
 
 }  // namespace polhode
