@@ -15,7 +15,7 @@ namespace polhode {
 
 // The run of one method of numerics.compare.
 struct Contender {
-  std::string method;  // as in numerics.compare: a stepper, or "exact"
+  std::string method;  // as in numerics.compare, one of method_names()
   SimulationReport report;
   Motion motion;        // stands still after `end`
   double end = 0.0;     // s of motion: how far the method came; the whole duration unless it failed
@@ -26,13 +26,14 @@ struct Contender {
 };
 
 // The runs of all methods of numerics.compare, and the reference motion that they are compared
-// with: the closed form or, if there is none, a run with a thousandth of the allowed error.
-// Immutable, so any thread may use it.
+// with: the closed form or, if there is none, a run with a thousandth of the allowed error, but not
+// less than 1e-12 rad. Immutable, so any thread may use it.
 class Comparison {
  public:
-  // Computes all runs. `truth` is the solved scene; frame_s is the time between frames, s of
-  // motion. Throws Error (input), with the line of numerics.compare, for a method that cannot
-  // handle the scene, and (interrupted). A run that fails is not an error, see Contender::failure.
+  // Computes all runs. `truth` is the solved scene and is not kept; frame_s is the time between
+  // frames, s of motion, positive. Throws Error (input), with the line of numerics.compare, for a
+  // method that cannot handle the scene, its step, tolerance or accuracy, and (interrupted). A run
+  // that fails is not an error, see Contender::failure.
   Comparison(const Solved& truth, double frame_s);
 
   // In the order of numerics.compare; valid as long as this object.

@@ -30,8 +30,8 @@ class DrawingProcess {
   // object. Throws Error as next() does.
   const RendererInfo& info();
   // Waits for the next of `frames` and copies it into `image`, which is resized if needed. Call it
-  // once per frame. Throws the Error that ended the child, Error (environment) if the child was
-  // killed, and (interrupted).
+  // once per frame. Throws the Error that ended the child, Error (environment) if the child ended
+  // without one, for example because it was killed, and (interrupted).
   void next(Image& image);
   // The child's drawing times, up to the last frame that next() has read.
   const DrawingTimes& times() const { return times_; }

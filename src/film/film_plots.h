@@ -13,8 +13,8 @@ namespace polhode {
 double width_of_plots(const ShowSpec& show);
 
 // The plots of show.plots over the whole motion, one below the other in the order of the list;
-// empty if there are none. Throws Error (environment) if gnuplot is missing or fails, and
-// (interrupted).
+// empty if there are none. Throws Error (environment) if gnuplot is missing or fails,
+// (interrupted), and (check_failed) as Motion::at does.
 std::vector<FilmPlot> make_plots(const Solved& solved);
 
 }  // namespace polhode

@@ -20,10 +20,11 @@ class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
   // Renders frame `index` (0 is the first of FrameTimes) into `image`, which is resized if needed.
-  // Throws Error (environment) if drawing fails, and (interrupted).
+  // Throws Error as Film::at and Renderer::draw do; with worker processes also (interrupted) and
+  // what a process has thrown, for example when it opened its renderer (open_local_renderer).
   virtual void render(int index, Image& image) = 0;
-  // Back end and OpenGL that draw. Throws Error as render() does, if a worker process could not
-  // open them. Valid as long as the renderer.
+  // Back end and OpenGL that draw. Waits until a worker process has opened them, and then throws
+  // Error as render() does. Valid as long as the renderer.
   virtual const RendererInfo& info() const = 0;
   // Time spent so far.
   virtual DrawingTimes times() const = 0;

@@ -23,8 +23,8 @@ struct Overrides {
 
 // Loads a scene and applies the overrides. A method also removes numerics.compare and, if it is not
 // the scene's own, the scene's step and tolerance. Scene::options records which options have
-// replaced a key. Throws Error (input) as load_scene does, and with the option (--method, --step,
-// --tolerance, --accuracy, --size, --fps) as key for an invalid value.
+// replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
+// (--method, --step, --tolerance, --accuracy, --size, --fps) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

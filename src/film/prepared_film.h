@@ -18,7 +18,7 @@ namespace polhode {
 class PreparedFilm {
  public:
   // Computes everything; `plan` is not kept. Throws Error as solve, plan_frame_times, Comparison,
-  // make_plots and make_film do, with file and line of the scene.
+  // make_plots and make_film do; errors that name a key of the scene have its file and line.
   explicit PreparedFilm(const RenderPlan& plan);
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;
@@ -32,8 +32,9 @@ class PreparedFilm {
   // The runs of numerics.compare; null if no methods are compared.
   const Comparison* comparison() const { return comparison_.get(); }
 
-  // Logs warnings about the film: missing fonts, a loop that does not close, a camera that sees
-  // nothing, a body that seems to turn backwards. It opens fonts, so call it after any fork.
+  // Logs warnings about the film: missing fonts, a loop that does not close, those of
+  // Composer::warnings() for the first panel, a body that seems to turn backwards. It opens fonts,
+  // so call it after any fork.
   void warn() const;
 
   // How long the shutter is open for each frame (s of film; 0: an instant), and the number of

@@ -20,7 +20,7 @@ namespace polhode {
 struct Quality {
   std::string name;              // "draft", "lecture" or "archive"
   std::string doc;               // one phrase: its purpose
-  int shrink = 1;                // divides the sides of the picture
+  int shrink = 1;                // divides the sides of the picture, to even numbers of pixels
   std::string preset;            // effort of the encoder, one of encoder_presets()
   Grade grade = Grade::lecture;  // selects the codec's constant rate factor and pixel format
 };

@@ -25,7 +25,8 @@ class RenderOutput {
 
   // Called once, when the film is prepared and before the first frame; `film` is not kept. Throws
   // Error (input) with --shard as key if there are more shards than frames, and with --resume as
-  // key for segments of another film; otherwise as FrameSink::describe and comment_with do.
+  // key for segments of another film or if their folder cannot be created; otherwise as
+  // FrameSink::describe and comment_with do; (interrupted).
   virtual void begin(const PreparedFilm& film) = 0;
 
   // The numbers of the frames that must be pushed into the sink, in this order. They count from 0,

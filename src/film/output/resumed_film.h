@@ -13,9 +13,10 @@
 namespace polhode {
 
 // The segments of film.mp4 are in the folder .film.mp4.parts/ beside it, each about five seconds
-// long. A segment gets its name when it is complete and sealed (video/seal.h). finish() of the sink
-// joins them into the film and removes the folder. Invariant: the folder contains segments of this
-// film only.
+// long. A segment gets its name when it is complete and sealed (video/seal.h). push() of the sink
+// opens them, and also throws Error as make_sink and comment_with do. finish() joins them into the
+// film and removes the folder; it also throws Error as FilmJoiner::join does, and (environment) if
+// a segment has changed. Invariant: the folder contains segments of this film only.
 class ResumedFilm final : public RenderOutput, private FrameSink {
  public:
   // Claims the output. `plan` must outlive this object. Throws Error (input) and (environment) as

@@ -37,7 +37,8 @@ std::string comment_with(const SegmentRecord& record);
 // missing, not a film, or not a part of one.
 SegmentRecord record_in(const std::string& file);
 
-// Why two parts cannot belong to the same film, such as "scenes differ"; empty if they can.
+// Why two parts cannot belong to the same film, such as "scenes differ"; empty if they can. Title,
+// chapters and captions are not compared.
 std::string difference_between(const SegmentRecord& a, const SegmentRecord& b);
 
 // The metadata for the sink of one part: the number of its frames, and its key frames counted from

@@ -69,13 +69,13 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   int samples = 0;                               // per pixel
   std::string edges;  // how edges are antialiased: "outlines" or "samples"
   SimulationReport motion;
-  int frames = 0;    // number of frames made for this output
+  int frames = 0;    // number of frames of this output, with those that an earlier run has made
   PictureSize size;  // pixels
   FrameRate fps;
   double from_s = 0.0, to_s = 0.0;  // s of motion that the whole film covers
   bool transparent = false, text = true, still = false, resume = false;  // as in RenderJob
   std::optional<std::string> shard;  // "K/N"; absent: the whole film
-  int first_frame = 0;               // number of the first frame; not 0 only for shards
+  int first_frame = 0;               // number of the first frame in the film; 0 except for shards
   int jobs = 1;                      // processes that drew
   std::vector<std::optional<std::string>> captions;  // of each step of the story; absent: none
   EncoderRecord encoder;

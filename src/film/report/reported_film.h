@@ -18,9 +18,9 @@ struct ReportedFilm {
   std::optional<std::string> broken;  // how the report contradicts itself; absent: it does not
 };
 
-// Reads the report in that file. Throws Error (input), with the file as place, if it is missing,
+// Reads the report in that file. Throws Error, with the file as place: (input) if it is missing,
 // not a report or longer than 1 GiB, if it was written with other versions(), or if it has a value
-// that no scene, option or encoder accepts.
+// that no scene, option or encoder accepts; (environment) as settle_encoder does.
 ReportedFilm read_report(const std::string& file);
 
 }  // namespace polhode
