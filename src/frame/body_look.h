@@ -19,10 +19,10 @@ struct LookPart {
 };
 
 // The meshes of a [body] table: its look if there is one, else its solids or points, else (moments
-// or a tensor) the homogeneous ellipsoid that has them. Thin discs, rings, rods and ellipsoids get
-// a thickness that can be seen. `model` is that of `spec`. segments: straight pieces that stand for
-// a full circle as large as the body. Throws Error (input) naming body.look or a key in it for a
-// look that is impossible or has a mass.
+// or a tensor) the homogeneous ellipsoid that has them. Thin discs, rings, rods and that ellipsoid
+// get a thickness that can be seen. `model` is that of `spec`. segments: straight pieces that stand
+// for a full circle as large as the body. Throws Error (input) naming body.look or a key in it for
+// a look that is impossible or has a mass.
 std::vector<LookPart> body_look(const BodySpec& spec,
                                 const BodyModel& model,
                                 const Theme& theme,
@@ -33,7 +33,8 @@ std::vector<LookPart> body_look(const BodySpec& spec,
 // pieces that stand for a full circle as large as the solid.
 Mesh solid_mesh(const SolidSpec& solid, int segments);
 
-// The drawn length of the longest vector of a film, in units of body_radius().
+// The drawn length of the longest angular momentum of a film, in units of Scale::body
+// (frame/scenery.h); no other vector is drawn longer by its scale.
 inline constexpr double kReachOfVectors = 1.5;
 
 // The distance of the farthest vertex of the body from the reference point, m.

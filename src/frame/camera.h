@@ -29,8 +29,8 @@ struct DrawingFrame {
   double length(double metres) const { return metres / unit; }
 };
 
-// A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is
-// +Z of S.
+// A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is +Z of
+// S, unless the camera has been moved().
 class Camera {
  public:
   // eye, target (different from eye), center and radius in S, m; fov: vertical field of view, rad.
@@ -46,18 +46,19 @@ class Camera {
   // Pixel coordinates of a point in front of the camera: x to the right, y down, with (0, 0) at the
   // upper left corner of the upper left pixel.
   Vec2 project(const Vec3& point_S) const;
-  // Pixels per metre perpendicular to the line of sight, at the depth of a point in front
-  // of the camera.
+  // Pixels per metre perpendicular to the line of sight, at the depth of a point in front of the
+  // camera.
   double pixels_per_metre(const Vec3& point_S) const;
-  // In S, m.
+  // The position, in S, m; a reference to a member.
   const Vec3& eye() const { return eye_; }
   // Whether the point is in front of the camera and inside the picture.
   bool sees(const Vec3& point_S) const;
-  // The camera moved with its rig. rig_from_space maps space to the frame in which the rig
-  // is at rest.
+  // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at
+  // rest.
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
-  // The camera at the fraction `part` (0..1) of the way from a to b: directions turn at a constant
-  // rate, the distance to `focus` (S, m) changes linearly. a and b have the same picture size.
+  // The camera at the fraction `part` (0..1) of the way from a to b: its axes turn at a constant
+  // rate; field of view and the position of `focus` (S, m) in its axes change linearly. a and b
+  // have the same picture size.
   static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
   // The view of a draw list in the coordinates of `frame`. The lights move with the camera.
   View view(const DrawingFrame& frame = {}) const;

@@ -16,7 +16,7 @@ namespace polhode {
 // A label as a camera sees it. Positions are in pixels from the upper left corner of the camera's
 // picture, x to the right, y down.
 struct SeenLabel {
-  Vec2 from;  // foot of the vector that it names; `at` if it names a point
+  Vec2 from;  // foot of the vector that it names; `at` if it names a point or the foot is not seen
   Vec2 at;
   Vec2 away;           // unit vector from `at` towards the label
   std::string markup;  // see text/typesetter.h
@@ -43,10 +43,11 @@ struct Staging {
 // drawing frame.
 class Composer {
  public:
-  // Throws Error (input) naming the key: show.NAME for an element that this motion does not have,
-  // show.body_opacity with cones, camera.eye or camera.direction (shots[i].* for a shot),
-  // motion.position for a body too small to be drawn so far from the origin; and as make_scenery
-  // does. `body` is that of the motion; size: of the camera's picture.
+  // Throws Error (input) naming the key: show.NAME for an element that is asked for but that this
+  // motion does not have, show.body_opacity below 1 with cones, camera.eye at the target, a
+  // camera.direction of zero (shots[i].* for a shot), motion.position for a body too small to be
+  // drawn so far from the origin; and Error as make_scenery does. `body` is that of the motion;
+  // size: of the camera's picture.
   Composer(const Motion& motion,
            const BodySpec& body,
            const Staging& staging,
@@ -60,17 +61,17 @@ class Composer {
            const ShowSpec& show,
            const ThemeSpec& theme,
            PictureSize size);
-  // Another motion of the same body with the same cameras and scales. The drawn paths are those of
-  // the new motion.
+  // Another motion of the same body with the same cameras and scales. The drawn paths, and what
+  // CameraSpec::follow follows, are those of the new motion. Throws Error as make_paths does.
   Composer(const Composer& other, const Motion& motion);
 
   // The view at the time `film` (s of film). After `end` (s of motion) the motion stands still.
   CameraView camera_view(double film, double end) const;
   // The draw list at the time t (s of motion).
   DrawList at(double t) const;
-  // Warnings, which are not thrown, with the key concerned: camera.eye for a camera that
-  // sees nothing or comes inside the body, camera for a body that is always smaller than a
-  // pixel. Empty: none.
+  // Warnings, which are not thrown, with the key concerned: camera.eye for a camera that sees
+  // nothing or comes inside the body, camera for a body that is always smaller than a pixel. Empty:
+  // none.
   std::vector<Error> warnings() const;
 
   // The camera at the start of the film.
@@ -82,8 +83,8 @@ class Composer {
   const Scenery& scenery() const { return scenery_; }
   // Whether the element is shown in this film; `name` is one of elements().
   bool shows(const std::string& name) const { return shown_.at(name); }
-  // The glyphs of a moment; `film` in s of film, by default the last film time that
-  // shows the sample.
+  // The glyphs of a moment; `film` in s of film, by default the last film time that shows the
+  // sample.
   Glyphs glyphs_at(const Sample& sample) const;
   Glyphs glyphs_at(const Sample& sample, double film) const;
 
@@ -120,9 +121,10 @@ class Composer {
 };
 
 // The attitude error, rad, that moves no drawn point by more than `pixels` in a picture of that
-// size. It needs no motion, because everything drawn is within kReachOfVectors times body_radius
-// (m) of the reference point. A target that is not given counts as the origin. Throws Error
-// (input), naming camera.eye, if the camera is at its target.
+// size. It needs no motion: an automatic camera keeps all points in the picture; for one with
+// camera.eye, points are taken to be within kReachOfVectors times body_radius (m) of the target
+// (points of the scene farther out are not considered). A target that is not given counts as the
+// origin. Throws Error (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,

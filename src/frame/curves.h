@@ -10,8 +10,7 @@
 
 namespace polhode {
 
-// Points of a curve at ascending parameters (for a path in time: s), as many of the one as
-// of the other.
+// Points of a curve at ascending parameters (for a path in time: s); both lists are equally long.
 struct Path {
   std::vector<double> parameters;
   std::vector<Vec3> points;
@@ -34,8 +33,8 @@ Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool 
 class Trail {
  public:
   Trail() = default;  // empty
-  // Points (S or B) and tube radius in m. unit: metres per unit of the meshes. sides:
-  // as for tube_along().
+  // Points (S or B) and tube radius in m. unit: metres per unit of the meshes. sides: as for
+  // tube_along().
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
@@ -60,7 +59,8 @@ class Trail {
 // (twice the kinetic energy) and |y|^2 are constant, y = I w (Landau and Lifshitz, Mechanics,
 // section 37). The result has `pieces` points (rad/s) at equal steps of the angle around the axis
 // that the curve encircles; the last is not the first again. moments: kg m^2, all positive; w_P: a
-// point of the curve, rad/s. Empty for a body at rest and for a rotation about a principal axis.
+// point of the curve, rad/s. Empty for a body at rest and for a rotation about the axis of the
+// least or the greatest moment, where the curve is a point.
 std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces);
 
 }  // namespace polhode

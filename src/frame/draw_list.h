@@ -23,7 +23,8 @@ struct Material {
   float alpha = 1.0f;          // 0..1; below 1: translucent, belongs in DrawList::translucent
   float gloss = 0.3f;          // strength of the highlight, 0..1
   glm::vec3 mark_color{0.0f};  // of the strip that makes the spin visible
-  float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units; 0: none
+  float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units, and the half x < 0
+                               // is darker; 0: neither
   Finish finish = Finish::plain;
   bool flat = false;  // unlit: the same colour and alpha from every direction
   bool soft = false;  // for a flat disc: alpha falls to 0 at the rim
@@ -66,8 +67,8 @@ struct Panel {
   DrawList list;
 };
 
-// A whole frame: panels that cover it without overlap, and stamps that are drawn over them
-// in this order.
+// A whole frame: panels that cover it without overlap, and stamps that are drawn over them in this
+// order.
 struct Picture {
   std::vector<Panel> panels;
   std::vector<Stamp> stamps;

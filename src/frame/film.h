@@ -51,9 +51,9 @@ struct FilmText {
 // per second of film.
 FilmText film_text(const ShowSpec& show, const std::string& title, double time_scale);
 
-// The rectangles (pixels) of `count` panels that cover the frame in rows of equal height. There are
-// as many columns as make the panels nearest to square with few gaps; the panels of an incomplete
-// last row are wider.
+// The rectangles (pixels) of `count` (at least 1) panels that cover the frame in rows of equal
+// height. There are as many columns as make the panels nearest to square with few gaps; the panels
+// of an incomplete last row are wider.
 std::vector<PixelBox> panel_places(PictureSize size, int count);
 
 // The margins that text needs in one panel of a frame of that size, for the automatic camera.
@@ -73,13 +73,14 @@ class Film {
        PictureSize size,
        std::vector<FilmPlot> plots = {});
 
-  // The picture at the time `film` (s of film). Throws Error (environment) as Typesetter does.
+  // The picture at the time `film` (s of film). Throws Error (environment) as Typesetter does, and
+  // (check_failed) as Motion::at does. Opens fonts, so call it after any fork.
   Picture at(double film) const;
   // The picture at that time without text, plots and separator lines.
   Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
-  // The rectangles (pixels of the frame) of all plots and text at this moment, labels
-  // last; for tests.
+  // The rectangles (pixels of the frame) of all plots and text at this moment, labels last; for
+  // tests. Throws Error as at() does.
   std::vector<TextRoom> text_rooms(double film) const;
 
  private:

@@ -71,7 +71,8 @@ struct Glyphs {
   std::vector<MeshGlyph> shells;  // translucent convex surfaces around all cones, outermost first
   std::vector<SheetGlyph> sheets;
   Vec3 middle = Vec3::Zero();  // the reference point, in S, m
-  std::vector<Vec3> reach;     // points (S, m) whose convex hull contains the meshes, for framing
+  std::vector<Vec3> reach;     // points (S, m) that show how far the meshes, ghosts, shells and
+                               // sheets reach, for framing
   std::vector<LabelGlyph> labels;
 };
 
@@ -87,7 +88,8 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence);
 // The point (S, m) at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcGlyph& arc, double part);
 
-// Appends points (S, m) whose convex hull contains the glyphs.
+// Appends points (S, m) whose convex hull contains the glyphs, but for the thickness of tubes and
+// arrows, shadows and labels.
 void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points);
 
 // The unit meshes that all arrows, rods, arcs and cones share.

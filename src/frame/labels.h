@@ -25,8 +25,8 @@ struct TextShaft {
 // Whether the rectangles have a common area.
 bool overlap(const TextRoom& a, const TextRoom& b);
 
-// A label that should stand beside `at`, in the direction of the unit vector `away`;
-// pixels, y down.
+// A label that should stand beside `at`, in the direction of the unit vector `away`; pixels, y
+// down.
 struct LabelWish {
   Vec2 at;
   Vec2 away;

@@ -35,8 +35,9 @@ int circle_segments(double radius_px);
 // Faces whose normals differ by less than this are shaded as one smooth surface.
 inline constexpr double kCreaseAngle = 0.6;  // rad
 // The surface of revolution of an outline of (radius, z) points about z, in `segments` steps. The
-// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside. crease
-// (rad): edges of the outline that turn by less are shaded as one smooth surface.
+// outline runs counter-clockwise in the (radius, z) half-plane: upwards on the outside. It is not
+// closed: ends off the axis leave the surface open. crease (rad): edges of the outline that turn by
+// less are shaded as one smooth surface.
 Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kCreaseAngle);
 
 // The unit sphere about the origin. Circles of latitude have as many pieces as their size needs.
@@ -51,8 +52,8 @@ Mesh unit_cone(int segments);
 Mesh unit_disc(int segments);
 // A torus about z. radius: distance of the tube's centre from the axis; tube: radius of the tube.
 Mesh torus(double radius, double tube, int segments);
-// The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees,
-// to be scaled).
+// The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be
+// scaled).
 Mesh unit_cone_shell(int segments);
 // A box about the origin with these edge lengths.
 Mesh box(const Vec3& size);

@@ -23,8 +23,8 @@ struct Scale {
   double torque = 1.0;    // metres per N m
 };
 
-// The curves of a film that the scene asks for, made once; those that it does not are
-// empty or null.
+// The curves of a film that the scene asks for, made once; those that it does not ask for, and
+// curves that are a single point, are empty or null.
 struct Paths {
   Trail axis;                     // of the body's axis
   std::vector<Trail> points;      // of the points in ShowSpec::trail_points
@@ -33,11 +33,11 @@ struct Paths {
   std::vector<MeshPtr> polhodes;  // family of polhodes, in the same coordinates
 };
 
-// The radius of the sphere on which the path of the body's axis is drawn, in units of
-// the body's radius.
+// The radius of the sphere on which the path of the body's axis is drawn, in units of the body's
+// radius.
 inline constexpr double kTrailRadius = 1.25;
-// The length of the longest force and of the longest torque of a film, in units of
-// the body's radius.
+// The length of the longest force and of the longest torque of a film, in units of the body's
+// radius.
 inline constexpr double kForceLength = 0.8;
 
 // What all moments of a film share. A value: copies share only the meshes, which never change.
@@ -60,7 +60,7 @@ struct Scenery {
 
 // Makes the scenery. `body` is that of the motion. Scales are chosen for the whole film, so that
 // they stay constant. segments: straight pieces that stand for a circle as large as the picture.
-// Throws Error (input) as body_look and make_theme do.
+// Throws Error (input) as body_look and make_theme do, and (check_failed) as Motion::at does.
 Scenery make_scenery(const Motion& motion,
                      const BodySpec& body,
                      const ThemeSpec& theme,
@@ -71,10 +71,12 @@ Scenery make_scenery(const Motion& motion,
 // as body_look does.
 void make_look(Scenery& scenery, const BodySpec& body, int segments);
 
-// The paths of scenery.motion that scenery.options asks for.
+// The paths of scenery.motion that scenery.options asks for. Throws Error (check_failed) as
+// Motion::at does.
 Paths make_paths(const Scenery& scenery);
 
-// `length` (m), limited so that vectors of a diverging integration still fit into single precision.
+// `length` (m), at most 50 times the body's radius, so that vectors of a diverging integration
+// still fit into single precision.
 double drawn_length(const Scenery& scenery, double length);
 // The tip of a vector from `from` to `end` (S, m) with its length limited in the same way.
 Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
@@ -83,8 +85,8 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
-// Ascending times (s of motion), from 0 to the end, at which the automatic camera looks
-// at the motion.
+// Equally spaced times (s of motion), from 0 to the end, at which the film looks at the motion for
+// scales, elements and shutter.
 std::vector<double> framing_times(const Motion& motion);
 
 }  // namespace polhode

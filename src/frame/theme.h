@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colour themes. A theme gives a quantity the same colour in every scene, so that viewers
-// learn it once.
+// Colour themes. A theme gives a quantity the same colour in every scene, so that viewers learn it
+// once.
 #pragma once
 
 #include <string>

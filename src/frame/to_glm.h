@@ -12,7 +12,7 @@ namespace polhode {
 // An affine map from mesh coordinates to S or B (m): p_S = linear * p_mesh + translation.
 using Placement = Eigen::Affine3d;
 
-// Both round to single precision.
+// Both overloads round to single precision.
 inline glm::vec3 to_glm(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }

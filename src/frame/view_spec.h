@@ -21,7 +21,8 @@ struct CameraSpec {
   double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
   std::optional<Vec3> direction;    // from the scene towards an automatic camera, in S, of any
                                     // length; absent: kDefaultDirection, or L if it follows L
-  double orbit = 0.0;               // about the vertical through the target, rad per s of film
+  double orbit = 0.0;               // about the Z direction of S through the target (absent: the
+                                    // reference point at the start), rad per s of film
   std::string follow = "none";      // one of follow_names(): what the camera moves with
 };
 
@@ -52,8 +53,8 @@ inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
 // What is drawn: the [show] table.
 struct ShowSpec {
-  // Whether an element (frame/elements.h) is drawn, by its name;
-  // absent: Element::by_default decides.
+  // Whether an element (frame/elements.h) is drawn, by its name; absent: Element::by_default
+  // decides.
   std::map<std::string, std::optional<bool>> asked;
   std::vector<Vec3> points;   // points drawn as balls with position vectors, in B, m
   double body_opacity = 1.0;  // below 1: the body is translucent

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Declares the elements and the helpers that they share. Private to
-// frame/elements.cpp and frame/elements/.
+// Declares the elements and the helpers that they share. Private to frame/elements.cpp and
+// frame/elements/.
 #pragma once
 
 #include <string>
@@ -79,8 +79,8 @@ bool has_cones(const Scenery& scenery);
 bool has_forces(const Scenery& scenery);
 bool stays_above_stand(const Scenery& scenery);
 
-// The functions `add` of the table of elements (frame/elements.h); the rows there say
-// what each draws.
+// The functions `add` of the table of elements (frame/elements.h); the rows in frame/elements.cpp
+// say what each draws.
 using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 Add add_body, add_ghosts;
 Add add_body_axes, add_space_axes, add_fixed_frame;
@@ -91,7 +91,8 @@ Add add_stand, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 
-// Adds the part of a path in S between two times (s of motion).
+// Adds the part of a path in S between two times (s of motion); the whole path is framed. color:
+// sRGB-encoded, 0..1.
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
 
 }  // namespace polhode
