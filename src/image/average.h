@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-// Averages the squares of the colour values, weighted by alpha: a gamma of 2, close to sRGB. Alpha
-// itself is averaged linearly. Not thread-safe.
+// Averages the squares of the colour values, weighted by alpha, and takes the root: a gamma of 2,
+// close to sRGB. Alpha itself is averaged linearly. Not thread-safe.
 class AveragePicture {
  public:
   // Adds one picture. All pictures of an average must have the same size.

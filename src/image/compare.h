@@ -36,8 +36,8 @@ inline constexpr int kDifferenceGain = 16;
 Image difference_picture(const Image& a, const Image& b, int gain);
 
 // The rectangle of width x height pixels (at most the picture) with the greatest sum of
-// differences, located to within eight pixels. Throws Error (input), without a place, if
-// the sizes differ.
+// differences, located to within eight pixels; at the upper left if the pictures are equal. Throws
+// Error (input), without a place, if the sizes differ.
 PixelBox worst_region(const Image& a, const Image& b, int width, int height);
 
 // A copy of that part of the picture, without `ground`. `region` must lie inside the picture.

@@ -25,14 +25,14 @@ struct FlipMap {
 // with the paper's constants: colours are filtered by contrast sensitivity and compared by the HyAB
 // distance in Hunt-adjusted L*a*b*; differences of edges and points increase the error. Translucent
 // pictures are compared over black and over white, and the map with the greater mean is returned.
-// `jobs` is the number of threads, 0 for one per processor; the values do not depend on it. Throws
-// Error (input), without a place, if the sizes differ, (interrupted).
+// pixels_per_degree: positive. `jobs` is the number of threads, 0 for one per processor; the values
+// do not depend on it. Throws Error (input), without a place, if the sizes differ, (interrupted).
 FlipMap flip(const Image& reference,
              const Image& test,
              double pixels_per_degree = kPixelsPerDegree,
              int jobs = 0);
 
-// The map in the magma colours used in the paper, from black (0) to pale yellow (1).
+// The map in the magma colours used in the paper, from black (0) to pale yellow (1); opaque.
 Image heat_picture(const FlipMap& map);
 
 }  // namespace polhode

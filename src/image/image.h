@@ -41,15 +41,15 @@ struct Image {
     return const_cast<std::uint8_t*>(std::as_const(*this).at(x, y));
   }
 
-  // Sets the size to w x h, fills the picture with one colour (R, G, B, A), and makes that
-  // its ground. The boxes in `kept` may be left as they are: the caller will overwrite every
-  // pixel in them.
+  // Sets the size to w x h, fills the picture with one colour (R, G, B, A), makes that its ground,
+  // and empties `painted`. The boxes in `kept` may be left as they are: the caller will overwrite
+  // every pixel in them.
   void wipe(int w,
             int h,
             const std::array<std::uint8_t, 4>& color,
             const std::vector<PixelBox>& kept = {});
-  // Fills a box, which must lie inside the picture, with one colour. Does not change
-  // ground or painted.
+  // Fills a box, which must lie inside the picture, with one colour (R, G, B, A). Does not change
+  // `ground` and `painted`.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };
 

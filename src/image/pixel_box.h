@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-// Pixels [x, right()) x [y, bottom()), rows counted from the top. Empty if width or height
-// is not positive.
+// Pixels [x, right()) x [y, bottom()), rows counted from the top. Empty if width or height is not
+// positive.
 struct PixelBox {
   int x = 0, y = 0;           // of the upper left pixel
   int width = 0, height = 0;  // pixels
@@ -36,9 +36,9 @@ inline PixelBox around(const PixelBox& a, const PixelBox& b) {
 // The part of `a` outside all of `others`, as boxes that do not overlap.
 std::vector<PixelBox> without(const PixelBox& a, const std::vector<PixelBox>& others);
 
-// Boxes that do not overlap and cover all of `boxes` (inside the picture) and little more. Each
-// lies within one band of `rows` rows, counted from row 0; boxes of a band that overlap or touch
-// sideways become one.
+// Boxes that do not overlap and cover all of `boxes` (with x, y >= 0) and little more. Each lies
+// within one band of `rows` rows (positive), counted from row 0; boxes of a band that overlap or
+// touch sideways become one.
 std::vector<PixelBox> in_bands(const std::vector<PixelBox>& boxes, int rows);
 
 }  // namespace polhode

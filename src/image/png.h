@@ -15,9 +15,9 @@ class AtomicFile;
 // Files with more pixels than this (16384 x 16384, a gigabyte in memory) are refused.
 inline constexpr std::size_t kMostPngPixels = std::size_t{1} << 28;
 
-// Writes a picture of at least one pixel as 8-bit RGB, or RGBA if with_alpha. The file appears
-// complete or not at all. Throws Error (input) as AtomicFile does, (environment), with the file as
-// place, if writing fails.
+// Writes a picture of at least one pixel as 8-bit RGBA if with_alpha, else as RGB, without its
+// alpha. The file appears complete or not at all. Throws Error (input) as AtomicFile does,
+// (environment), with the file as place, if writing fails.
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha);
 
 // Writes to the temporary file of `file`, which the caller will commit. Throws Error (environment),
@@ -28,7 +28,8 @@ void write_png(const AtomicFile& file, const Image& image, bool with_alpha);
 std::string encode_png(const Image& image, bool with_alpha);
 
 // Decodes the bytes of any PNG file to 8-bit RGBA. `name` is the file name for messages. Throws
-// Error (input), with `name` as place, if it is not a PNG or has more than kMostPngPixels.
+// Error (input), with `name` as place, if it is not a PNG, is damaged or has more than
+// kMostPngPixels.
 Image decode_png(const std::string& bytes, const std::string& name);
 
 // Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file and decode_png do.

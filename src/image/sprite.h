@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-// 8-bit RGBA, sRGB-encoded colour premultiplied by alpha, rows from top to bottom, without
-// padding: pixels.size() == 4 * width * height.
+// 8-bit RGBA, sRGB-encoded colour premultiplied by alpha, rows from top to bottom, without padding:
+// pixels.size() == 4 * width * height.
 struct Sprite {
   int width = 0;   // pixels
   int height = 0;  // pixels
@@ -33,7 +33,7 @@ struct Stamp {
   SpritePtr sprite;      // not null when drawn
   int x = 0, y = 0;      // pixels: position of its upper left pixel; may lie outside the picture
   double opacity = 1.0;  // 0..1
-  int columns = -1;      // how many columns from the left are shown; -1: all
+  int columns = -1;      // how many columns from the left are shown; negative: all
 };
 
 // Composites the stamp over a picture with straight alpha (Porter-Duff "over", on encoded values)

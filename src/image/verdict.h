@@ -62,7 +62,7 @@ struct Verdict {
 
 // Compares `b` with the reference `a`. SSIM and FLIP are measured if `also` or a threshold asks for
 // them. `jobs` is the number of threads, 0 for one per processor. Throws Error (input), without a
-// place, if the sizes differ, (interrupted).
+// place, if the sizes differ, and (interrupted) while it measures FLIP.
 Verdict judge(
     const Image& a, const Image& b, const Thresholds& thresholds, Measures also = {}, int jobs = 0);
 
