@@ -10,13 +10,14 @@ namespace polhode {
 // one may be 0 (B. C. Carlson, Numer. Algorithms 10 (1995) 13; DLMF 19.36).
 double carlson_rf(double x, double y, double z);
 
-// Complete integral of the first kind K(m), from m1 = 1 - m by the arithmetic-geometric mean;
-// infinite for m1 = 0.
+// Complete integral of the first kind K(m), from m1 = 1 - m, 0 <= m1 <= 1, by the
+// arithmetic-geometric mean (DLMF 19.8.5); infinite for m1 = 0.
 double elliptic_k(double m1);
 
 // Incomplete integral of the first kind F(phi | m) for the angle phi in [-pi, pi] of the point (c,
 // s), which need not be on the unit circle. Taking the point instead of phi keeps all digits near
-// phi = pi/2. Requires m + m1 = 1. Infinite for |phi| = pi/2 and m1 = 0.
+// phi = pi/2. Requires 0 <= m, m1 and m + m1 = 1. 0 for (0, 0); infinite for |phi| >= pi/2 and
+// m1 = 0.
 double elliptic_f(double s, double c, double m, double m1);
 
 // Jacobi's sn, cn and dn of one argument.
@@ -47,7 +48,8 @@ class EllipticParameter {
   // v - 2 K j with the integer j for which |result| <= K. `odd` is set to whether j is odd.
   double reduced(double v, bool& odd) const;
 
-  // sn, cn and dn at v, as quotients of theta functions (DLMF 22.2.4-6 and, for m near 1, 22.6.1).
+  // sn, cn and dn at v, as quotients of theta functions (DLMF 22.2.4-6 and, if not direct(),
+  // Jacobi's imaginary transformation, DLMF 22.6(iv)).
   SnCnDn at(double v) const;
 
  private:

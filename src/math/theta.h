@@ -2,7 +2,8 @@
 // Theta functions (DLMF 20.2) of a complex argument, for the attitude of a top. Their phases give
 // Legendre's elliptic integrals of the third kind without quadrature (Jacobi; Klein and Sommerfeld,
 // Theorie des Kreisels, VI). Only the phase is needed, so positive factors that depend on v are
-// left out. The results are smooth in v and bounded.
+// left out. The results are smooth in v and bounded. K and K' are the quarter periods of the
+// parameter, and q = exp(-pi K'/K) is its nome.
 #pragma once
 
 #include "math/elliptic.h"
@@ -20,9 +21,9 @@ struct ThetaValue {
 class ThetaPhase {
  public:
   ThetaPhase(const EllipticParameter& parameter, double eta);
-  // The value at v; its slopes are not set.
+  // The value at v; its slopes are 0, whatever the derivative.
   ThetaValue at(double v) const;
-  // d arg / dv at v = 0.
+  // d arg / dv at v = 0, rad.
   double rate() const;
 
  private:
@@ -43,7 +44,7 @@ class ThetaPair {
   ThetaPair(const EllipticParameter& parameter, double eta_first, double eta_second);
   // The values at v, with their slopes.
   void at(double v, ThetaValue& first, ThetaValue& second) const;
-  // d arg / dv of theta_1 at v = K, and of theta_2 at v = 0.
+  // d arg / dv of theta_1 at v = K, and of theta_2 at v = 0, rad.
   double rate_first() const { return rate(eta_first_); }
   double rate_second() const { return rate(eta_second_); }
 
