@@ -27,7 +27,8 @@ struct TopKind {
   std::string name() const;
 };
 
-// Moments that differ by less than this, relative to the largest, count as equal.
+// Moments that differ by at most this, relative to the largest, count as equal, and a moment of at
+// most this as zero.
 inline constexpr double kEqualMoments = 1e-12;
 
 // Made by make_model(); a value that is not changed afterwards, so any thread may read it.
@@ -41,10 +42,11 @@ struct BodyModel {
   Vec3 moments = Vec3::Ones();          // about the reference point, kg m^2, along P
   Vec3 inverse_moments = Vec3::Ones();  // 1/moments, 1/(kg m^2); 0 for the zero moment of a rotator
   TopKind kind;
-  Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity
+  Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity; +Z without gravity
   Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
   Loads loads;                    // torques and forces besides gravity
-  bool with_translation = false;  // six degrees of freedom, not three
+  bool with_translation = false;  // six degrees of freedom, not three; make_model() leaves it
+                                  // unset, see with_needed_degrees() in motion/solution_method.h
 
   // The fixed point or, for a free body, the centre of mass; in B, m.
   const Vec3& reference_B() const { return on_pivot ? pivot_B : body.center; }
@@ -59,14 +61,17 @@ struct State {
   Vec3 linear_momentum_S = Vec3::Zero();  // mass times velocity of the centre of mass, kg m/s
 };
 
-// Mass properties of a [body] table, in B. Throws Error (input) naming the key under body, for
-// example body.mass, body.about, body.tensor, or a dimension of body.solid or body.parts[i].
+// Mass properties of a [body] table, in B. Throws Error (input) naming body.mass,
+// body.center_of_mass or body.about if it is given without moments or tensor; body.moments or
+// body.tensor for a tensor that is not symmetric or, about the pivot, too small; and as
+// mass_properties in model/solids.h does for body.solid and body.parts[i].
 MassProperties mass_properties(const BodySpec& spec);
 
 // The model of a body in the given gravity (in S, m/s^2). Throws Error (input) as mass_properties
 // and make_loads do; naming the key that gives the mass distribution (body.moments, body.points,
-// ...) for moments that no body can have and for a body without extent; and naming
-// motion.torque[i].KEY for a torque about the line of a rotator.
+// ...) for a body without extent and for moments that no body can have (with BodySpec::mathematical
+// they may break the triangle inequality); and naming motion.torque[i].KEY for a torque about the
+// line of a rotator.
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
@@ -85,8 +90,8 @@ inline Vec3 angular_velocity(const BodyModel& m, const Vec3& y) {
   return m.inverse_moments.cwiseProduct(y);
 }
 
-// Whether the body is symmetric and its centre of mass lies on the symmetry axis through the
-// reference point.
+// Whether the body is symmetric and chi_P is along the symmetry axis or zero: gravity has no torque
+// about that axis.
 bool center_on_symmetry_axis(const BodyModel& model);
 
 // The unit vector against gravity in P: gamma = q^-1 up_S.
@@ -112,16 +117,17 @@ Vec3 torque(const BodyModel& m, double t, const State& s);
 // The total force on a free body in S at time t (s), gravity included, N.
 Vec3 force(const BodyModel& m, double t, const State& s);
 
-// Kinetic energy of rotation plus potential energy, J: y.w/2 + chi.gamma + potential of the loads.
-// With six degrees of freedom also the kinetic and potential energy of the centre of mass.
+// Kinetic energy of rotation about the reference point plus potential energy, J: y.w/2 + chi.gamma
+// + potential_of() of the loads. With six degrees of freedom also the kinetic energy of the centre
+// of mass and potential_of_place().
 double energy(const BodyModel& m, const State& s);
 
 // Potential energy of gravity and of constant forces for a free body with its centre of mass at
-// center_S (m), J.
+// center_S (m), J; 0 at the origin.
 double potential_of_place(const BodyModel& m, const Vec3& center_S);
 
-// Whether the motion conserves energy, and angular momentum (on a pivot with gravity
-// its vertical component).
+// Whether the motion conserves energy(), and angular momentum about the reference point (with a
+// torque of gravity its vertical component).
 bool keeps_energy(const BodyModel& m);
 bool keeps_momentum(const BodyModel& m);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The [body] table of a scene: how mass is distributed, and what is drawn. Lengths are in
-// body axes B.
+// The [body] table of a scene: how mass is distributed, and what is drawn. Positions are in body
+// axes B, from the body origin.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,8 @@ struct SolidSpec {
   std::optional<std::string> file;           // mesh: an OBJ or STL file, relative to the scene file
   std::optional<double> scale;               // mesh: metres per unit of its file; 1 when absent
   std::shared_ptr<const TriangleMesh> mesh;  // the content of `file`; set by load_meshes()
-  std::vector<Vec2> profile;                 // lathe: (radius, z) points, m; empty: not given
+  std::vector<Vec2> profile;                 // lathe: (radius, z) points, m, 2 to 2000, or to
+                                             // kMostSmooth if smooth; empty: not given
   bool smooth = false;               // lathe: a curve through them instead of straight lines
   Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
   Vec3 turn = Vec3::Zero();          // turns about the body's x, then y, then z axis, rad
@@ -46,7 +47,7 @@ struct PointSpec {
 
 // The table itself.
 struct BodySpec {
-  // Exactly one of these five gives the mass distribution.
+  // Exactly one of these five is given: the mass distribution.
   std::optional<Vec3> moments;  // principal moments, body axes = principal axes, kg m^2
   std::optional<Mat3> tensor;   // inertia tensor in body axes, kg m^2
   std::vector<PointSpec> points;

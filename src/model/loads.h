@@ -28,7 +28,7 @@ struct Load {
   enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring };
   Kind kind = Kind::torque;
   bool in_body = false;        // true: `vector` is in P; false: in S
-  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), times cos(rate t + phase)
+  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), to be multiplied by cos(rate t + phase)
   Vec3 arm_P = Vec3::Zero();   // lever arm from the reference point, for a couple from the opposite
                                // force to the force, m
   Vec3 at_P = Vec3::Zero();    // point of action, from the reference point, m
@@ -37,7 +37,7 @@ struct Load {
   double length = 0.0;           // length of the unstretched spring, m
   double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
   double rate = 0.0;             // rad/s
-  double phase = 0.0;            // rad
+  double phase = 0.0;            // rad; 0 without a rate: then `vector` contains the cosine
 
   // Whether the load has a potential: a spring, or a force or couple that is constant in space.
   bool conservative() const;
@@ -55,14 +55,14 @@ struct Push {
 struct Loads {
   std::vector<Load> turning;  // have a torque about the reference point, or a force that depends on
                               // attitude or place
-  std::vector<Push> pushes;   // for free bodies
+  std::vector<Push> pushes;   // the forces in space axes on a free body
   std::vector<Load> listed;   // all, in the order of the scene, for drawing
   // True: a force on a free body depends on its attitude or place, so six degrees of freedom must
   // be integrated.
   bool need_place = false;
 
   bool empty() const { return turning.empty() && pushes.empty(); }
-  // Whether the only torque is damping -c L; momentum_damping() is the sum of the c, in 1/s.
+  // Whether no torque acts besides damping -c L; momentum_damping() is the sum of the c, in 1/s.
   bool only_damp_momentum() const;
   double momentum_damping() const;
 };
@@ -83,8 +83,9 @@ struct Wrench {
   Vec3 force_S = Vec3::Zero();   // N
 };
 
-// The sum of the loads. force_S leaves out what Loads::pushes contains. t in s; q rotates P to S;
-// y: angular momentum in P, kg m^2/s; w_P: angular velocity, rad/s; place_S: reference point, m.
+// The sum of the loads. force_S leaves out forces given in space axes (Loads::pushes). t in s; q
+// rotates P to S; y: angular momentum in P, kg m^2/s; w_P: angular velocity in P, rad/s; place_S:
+// reference point, m.
 Wrench wrench_of(const std::vector<Load>& loads,
                  double t,
                  const Quat& q,

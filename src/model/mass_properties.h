@@ -25,8 +25,8 @@ Mat3 tensor_about(const MassProperties& body, const Vec3& about);
 // The body rotated by R and moved by `shift` (m): a point r goes to R r + shift.
 MassProperties moved(const MassProperties& body, const Mat3& R, const Vec3& shift);
 
-// Several bodies with given places, combined to one rigid body. The sum of their masses
-// must be positive.
+// Several bodies with given places, combined to one rigid body. The sum of their masses must be
+// positive.
 MassProperties composed(const std::vector<MassProperties>& parts);
 
 // A point mass.
@@ -34,7 +34,7 @@ struct PointMass {
   double mass;  // kg
   Vec3 at;      // m
 };
-// The mass properties of point masses (lecture notes, eqs. 6 and 8; see
+// The mass properties of point masses, whose sum must be positive (lecture notes, eqs. 6 and 8; see
 // docs/theory.md).
 MassProperties of_points(const std::vector<PointMass>& points);
 

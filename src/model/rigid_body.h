@@ -15,7 +15,7 @@ namespace polhode {
 Vec3 point_velocity(const Vec3& V, const Vec3& Omega, const Vec3& r);
 
 // Sum of m (s^2 1 - s s^T) with s = r - origin, kg m^2: the inertia tensor of point masses about
-// any origin (notes eqs. 6 and 8; the printed element yz of eq. 8 repeats xz).
+// any origin (m) (notes eqs. 6 and 8; the printed element yz of eq. 8 repeats xz).
 Mat3 inertia_tensor(const std::vector<PointMass>& points, const Vec3& origin);
 
 // A tensor carried from origin O to O + a, where O need not be the centre of mass (notes eq. 11,

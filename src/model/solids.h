@@ -17,7 +17,7 @@ struct SolidKind {
   std::vector<std::string> needs;      // dimensions that must be given
   std::vector<std::string> takes;      // dimensions that may be given
   double (*volume)(const SolidSpec&);  // m^3; 0 for a thin solid, which then needs a mass
-  // Per kilogram, about its own centre: .mass is 1, .center in the solid's own frame (m),
+  // Per kilogram, about its own centre of mass: .mass is 1, .center in the solid's own frame (m),
   // .tensor in m^2.
   MassProperties (*per_mass)(const SolidSpec&);
 };
@@ -36,14 +36,14 @@ void check_dimensions(const SolidSpec& solid, const std::string& path);
 void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 
 // Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error
-// (input) as check_dimensions does, and naming `path` or `path`.density unless exactly one of mass
-// and density is given and can be used.
+// (input) as check_dimensions does, naming `path` unless exactly one of mass and density is given,
+// and naming `path`.density for the density of a thin solid.
 MassProperties mass_properties(const SolidSpec& solid, const std::string& path);
 
-// The outline of a lathe solid as (radius, z) points, m: its profile or, if it is smooth, a
-// centripetal Catmull-Rom curve through it (Barry and Goldman, SIGGRAPH 1988; Yuksel and others,
-// Computer-Aided Design 43 (2011) 747) in straight pieces. Mass properties and the drawn mesh use
-// the same outline.
+// The outline of a lathe solid as (radius, z) points, m: its profile or, if it is smooth and has at
+// least three points, a centripetal Catmull-Rom curve through it (Barry and Goldman, SIGGRAPH 1988;
+// Yuksel and others, Computer-Aided Design 43 (2011) 747) in straight pieces. Mass properties and
+// the drawn mesh use the same outline.
 std::vector<Vec2> lathe_outline(const SolidSpec& solid);
 // The greatest number of points of a smooth profile.
 inline constexpr std::size_t kMostSmooth = 200;

@@ -22,7 +22,8 @@ struct TriangleMesh {
 // A mesh from the bytes of an OBJ or STL file (ASCII or binary); the ending of `name` says which.
 // Its points are in the unit of the file. Vertices at the same place are merged, and convex faces
 // with more than three corners are split into triangles. Throws Error (input), naming the file in
-// the message, for broken files, NaN, indices out of range and files without faces.
+// the message, for another ending, broken files, coordinates that are not finite, indices out of
+// range, faces with fewer than three corners and files without faces.
 TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& name);
 
 // Throws Error (input), with the reason and the place in the mesh, unless the mesh is the surface
@@ -34,12 +35,12 @@ void check_solid(const TriangleMesh& mesh);
 // Volume (m^3) enclosed by a closed mesh of at least one triangle; negative when it is inside out.
 double volume_of(const TriangleMesh& mesh);
 
-// Mass properties of a mesh that passes check_solid(), per kilogram: .mass is 1, .center is
-// the centroid (m, in the axes of the mesh), .tensor in m^2 about it. The volume integrals are
-// sums over triangles by the divergence theorem, exact for the polyhedron (Mirtich, "Fast and
-// accurate computation of polyhedral mass properties", J. Graphics Tools 1(2), 1996; here as
-// signed tetrahedra with a common point of the mesh as apex, which avoids cancellation far
-// from the origin).
+// Mass properties of a mesh that passes check_solid(), per kilogram: .mass is 1, .center is the
+// centroid (m, in the axes of the mesh), .tensor in m^2 about it. The volume integrals are sums
+// over triangles by the divergence theorem, exact for the polyhedron (Mirtich, "Fast and accurate
+// computation of polyhedral mass properties", J. Graphics Tools 1(2), 1996; here as signed
+// tetrahedra with a common point of the mesh as apex, which avoids cancellation far from the
+// origin).
 MassProperties mass_properties_of(const TriangleMesh& mesh);
 
 // Reads a mesh file of at most 64 MiB, multiplies it by `scale` (metres per unit of the file) and
