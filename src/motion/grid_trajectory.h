@@ -19,7 +19,7 @@ struct IntegrationRecord {
   Drift drift;           // the largest over the grid times
 };
 
-// A trajectory and its record.
+// A trajectory (never null) and its record.
 struct Integration {
   std::shared_ptr<const Trajectory> trajectory;
   IntegrationRecord record;
@@ -32,20 +32,24 @@ inline constexpr long kMostSteps = 50'000'000;
 // The least relative tolerance of an adaptive method: about the round-off of one step.
 inline constexpr double kLeastTolerance = 1e-16;
 
-// Fixed steps h (s, positive) from 0 to duration (s, positive). Between grid times, at() makes one
-// partial step from the preceding grid time, so it is as accurate as the method and returns unit
-// quaternions. Memory is bounded: every k-th state is kept, and at() repeats fewer than k steps.
-// Throws Error (input), without a key, for more than kMostSteps; (check_failed), with the time in
-// the message, if a step has no solution or a state is not finite; (interrupted).
+// Fixed steps h (s, positive) from 0 to the last multiple of h within duration (s, positive). From
+// one grid time to the next and after the last one, at() makes one partial step from the preceding
+// grid time, so it is as accurate as the method and returns unit quaternions. Memory is bounded:
+// every k-th state is kept (at most about 100,000), and at() repeats fewer than k steps. The method
+// must be able to integrate the model (why_not). Throws Error (input), without a key, for more than
+// kMostSteps; (check_failed), with the time in the message, if a step has no solution or a state is
+// not finite; (interrupted).
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
                             double duration,
                             double h);
 
-// Steps whose estimated local error stays below `tolerance` (see Stepper::step_with_error).
-// Requires method.adaptive. Throws Error as walk_adaptive does, (interrupted), and (input), without
-// a key, for a tolerance below kLeastTolerance and for more than kMostSteps / 8 steps.
+// Steps whose estimated local error is at most `tolerance` (positive; see
+// Stepper::step_with_error), from 0 to duration (s). at() is as for integrate_fixed. Requires
+// method.adaptive, and that the method can integrate the model. Throws Error (check_failed) as
+// walk_adaptive does, (interrupted), and (input), without a key, for a tolerance below
+// kLeastTolerance and for more than kMostSteps / 8 steps.
 Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,

@@ -19,7 +19,8 @@ struct Sample {
   Vec3 center_S = Vec3::Zero();              // centre of mass, m
   Vec3 reference_S = Vec3::Zero();           // fixed point (the origin) or centre of mass, m
   Vec3 reference_velocity_S = Vec3::Zero();  // of the reference point, m/s; zero on a pivot
-  double energy = 0.0;                       // kinetic (rotation, translation) + potential, J
+  double energy = 0.0;                       // kinetic (rotation, translation) + potential, J; the
+                                             // potential of gravity is 0 at the origin of S
 };
 
 // Immutable; at() may be called from any thread.
@@ -31,10 +32,11 @@ class Motion {
          std::shared_ptr<const Trajectory> trajectory,
          const MotionSpec& spec);
 
-  // The quantities at t (s), 0 <= t <= duration().
+  // The quantities at t (s), 0 <= t <= duration(). Throws Error (check_failed) as Trajectory::at
+  // does.
   Sample at(double t) const;
   // The state of the rotation at that time; its place and linear momentum are those of the motion
-  // with six degrees of freedom only.
+  // with six degrees of freedom only. Throws Error likewise.
   State state_at(double t) const { return trajectory_->at(t); }
   // A reference to a member.
   const BodyModel& model() const { return model_; }
@@ -51,14 +53,15 @@ class Motion {
 };
 
 // The drift of the conserved quantities between the start and t (s), as DriftWatch::of() gives it.
+// Throws Error (check_failed) as Motion::at does.
 Drift drift_at(const Motion& motion, double t);
 
 // Position in S (m) of the point r_B of the body (m, from the body origin).
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
-// Velocity in S (m/s) of the point r_B of the body (m, from the body origin): V + Omega x r,
-// with V the velocity of the reference point and r the position from there (lecture notes, eq.
-// 2; see docs/theory.md).
+// Velocity in S (m/s) of the point r_B of the body (m, from the body origin): V + Omega x r, with V
+// the velocity of the reference point and r the position from there (lecture notes, eq. 2; see
+// docs/theory.md).
 Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
 // The model of a body with the pivot, gravity and loads of a [motion] table. Throws Error (input)
@@ -69,8 +72,9 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion);
 // on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);
 
-// The state at t = 0. Throws Error (input), naming motion.spin, for a rotator that spins about its
-// own axis, and naming motion.position or motion.velocity if a body on a pivot has one.
+// The state at t = 0, with place and linear momentum. Throws Error (input), naming motion.spin, for
+// a rotator that spins about its own axis, and naming motion.position or motion.velocity if it is
+// not zero for a body on a pivot.
 State start_state(const BodyModel& model, const MotionSpec& spec);
 
 }  // namespace polhode

@@ -12,18 +12,21 @@
 
 namespace polhode {
 
-// Attitude at t = 0: one of the two, or neither for R_SB = 1.
+// Attitude at t = 0: one of the two. If the scene gives no attitude, neither is set, and R_SB = 1.
 struct AttitudeSpec {
   std::optional<Vec3> zxz;                    // Euler angles (phi, theta, psi), rad
-  std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), rotates B to S; scaled to unit length
+  std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), rotates B to S; not zero; start_state
+                                              // scales it to unit length
 };
 
-// Angular velocity at t = 0: one of these, or none for a body at rest.
+// Angular velocity at t = 0: one of these. If the scene gives no spin, none is set, and the body is
+// at rest.
 struct SpinSpec {
   std::optional<Vec3> body;           // rad/s in body axes
   std::optional<Vec3> space;          // rad/s in space axes
   std::optional<Vec3> momentum_body;  // angular momentum in body axes, kg m^2/s
-  std::optional<Vec3> rates;          // (phi', theta', psi') of the zxz angles, rad/s
+  std::optional<Vec3> rates;          // (phi', theta', psi') of the zxz angles, rad/s; the angles
+                                      // are AttitudeSpec::zxz, else zxz_angles() of the attitude
 };
 
 // The [motion] table.

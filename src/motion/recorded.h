@@ -16,6 +16,7 @@ struct Recorded {
   std::string unit;                 // of the plotted values: "rad/s", "°"; "" for ratios
   std::vector<std::string> curves;  // the name of each curve
   // The value of each curve at the moment of `sample`, in `unit`; NaN where it is not defined.
+  // Throws Error (check_failed) as drift_at does.
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
 };
 

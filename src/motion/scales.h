@@ -18,8 +18,8 @@ double momentum_scale(const BodyModel& model, const State& start);
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);
 
 // The distance of two states: the angle between their attitudes, rad, or, with six degrees of
-// freedom and if larger, the distance of their positions in radii of gyration. NaN if a state
-// contains NaN.
+// freedom and if larger, the distance of their positions in radii of gyration, sqrt(greatest moment
+// / mass). NaN if an attitude or, with six degrees of freedom, a position is NaN.
 double deviation(const BodyModel& model, const State& a, const State& b);
 
 }  // namespace polhode

@@ -26,7 +26,7 @@ struct StepperInfo {
   bool keeps_momentum_space = false;  // L in space of a free body, L.up of a heavy one
   bool symplectic = false;            // keeps the canonical form of (q, y)
   bool reversible = false;            // a step by -h undoes a step by h, to round-off
-  bool exact_when_free = false;       // exact to round-off without gravity
+  bool exact_when_free = false;       // exact to round-off for a free body, whatever the step
   bool takes_heavy = false;           // gravity on a pivot
   bool takes_loads = false;           // other torques and forces, and six degrees of freedom
   bool takes_rotator = false;         // bodies with all mass on a line
@@ -35,24 +35,25 @@ struct StepperInfo {
   StepLimit limit_of = StepLimit::none;
   double limit_turn = 0.0;  // the greatest angle of that kind per step, rad
   std::string source = {};  // paper or book
-  // Applies the method to a model, of which it keeps copies. momentum_scale: a typical |y| for the
-  // error norm, kg m^2/s.
+  // Applies the method to a model, of which it keeps copies. Call it only if why_not() is empty:
+  // otherwise loads or gravity may be ignored. momentum_scale: a typical |y| for the error norm, kg
+  // m^2/s.
   std::unique_ptr<Stepper> (*make)(const BodyModel& model, double momentum_scale) = nullptr;
 };
 
-// All methods; the table exists until the program ends, and so do the references
-// and pointers below.
+// All methods; the table exists until the program ends, and so do the references and pointers
+// below.
 const std::vector<StepperInfo>& stepper_table();
 
 // The row of that name. Throws Error (input), without a key, that suggests the nearest name.
 const StepperInfo& find_stepper(const std::string& name);
 
-// The methods of a list such as "rk4,dop853", or all methods for "". Throws Error (input), naming
-// --methods, for an unknown name.
+// The methods of a list such as "rk4,dop853", in its order, or all methods for "". Throws Error
+// (input), naming --methods, for an unknown or empty name.
 std::vector<const StepperInfo*> parse_methods(const std::string& names);
 
-// "" if the method can integrate the model, else the reason why not and the names of
-// methods that can.
+// "" if the method can integrate the model, else the reason why not and the names of methods that
+// can.
 std::string why_not(const StepperInfo& method, const BodyModel& model);
 
 }  // namespace polhode

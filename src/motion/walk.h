@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stepping loops that trajectories and charts share. They store no states and
-// allocate no memory.
+// The stepping loops that trajectories and charts share. They store no states and allocate no
+// memory.
 #pragma once
 
 #include <algorithm>
@@ -19,15 +19,16 @@ struct WalkRecord {
 
 // Whether every number of the state is finite.
 bool is_finite(const State& s);
-// Throws Error (check_failed), with method and time t (s) in the message, if the state
-// is not finite.
+// Throws Error (check_failed), with method and time t (s) in the message, if the state is not
+// finite.
 void refuse_nan(const State& s, const StepperInfo& method, double t);
 // Throws Error (check_failed) that says that at t (s) the step of an adaptive method fell below
 // round-off with this tolerance.
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
 // Takes `steps` steps of h (s) from time 0, starting from s, which is advanced to the end. Calls
-// visit(i, s) with the state after step i = 1, 2, ... Throws what the stepper and `visit` throw.
+// visit(i, s) with the state after step i = 1, 2, ... States that are not finite are not refused.
+// Throws what the stepper and `visit` throw.
 template <class Visit>
 WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Visit&& visit) {
   WalkRecord record;

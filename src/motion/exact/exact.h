@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Closed-form rotations as trajectories, without the motion of the centre of mass. The caller must
-// check the requirements stated here, as motion/solution_method.cpp does. Frames and letters:
-// math/notation.h; start: the state at t = 0.
+// check the requirements stated here, as motion/solution_method.cpp does; loads of the model are
+// ignored. at() does not throw. Frames and letters: math/notation.h; start: the state at t = 0;
+// exp(v): the rotation by |v| radians about v.
 #pragma once
 
 #include <memory>
@@ -14,9 +15,9 @@ namespace polhode {
 std::unique_ptr<Trajectory> exact_spherical(const BodyModel& model, const State& start);
 
 // Free symmetric top, and the free rotator as its limit. Requires a symmetric model and chi = 0.
-// With the symmetry axis as the third, y(t) = Rz(-beta t) y0 and q(t) = q0 o exp(t y0 / (2 I1)) o
-// exp(beta t e3 / 2), beta = (1/I3 - 1/I1) y3: precession about L at |L|/I1 (Landau and Lifshitz,
-// Mechanics, eq. 33.2), combined with a rotation about the symmetry axis.
+// With the symmetry axis as the third, y(t) = Rz(-beta t) y0 and q(t) = q0 o exp(t y0 / I1) o
+// exp(beta t e3), beta = (1/I3 - 1/I1) y3: precession about L at |L|/I1 (Landau and Lifshitz,
+// Mechanics, section 33), combined with a rotation about the symmetry axis.
 std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State& start);
 
 // Free asymmetric top for any start: tumbling, rotation about the axis of the least or greatest
@@ -24,10 +25,10 @@ std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State&
 // Sources: motion/exact/asymmetric.cpp.
 std::unique_ptr<Trajectory> exact_asymmetric(const BodyModel& model, const State& start);
 
-// Heavy symmetric top on a pivot with its centre of mass on the symmetry axis (Lagrange's
-// top), for gravity in any direction. Includes the rotator (spherical pendulum) and the
-// planar pendulum. Requires chi != 0, along the symmetry axis unless the top is
-// spherical. Sources: motion/exact/heavy_symmetric.cpp.
+// Heavy symmetric top on a pivot with its centre of mass on the symmetry axis (Lagrange's top), for
+// gravity in any direction. Includes the rotator (spherical pendulum) and the planar pendulum.
+// Requires a spherical model, or a symmetric one with chi along the symmetry axis; aborts for chi =
+// 0. Sources: motion/exact/heavy_symmetric.cpp.
 std::unique_ptr<Trajectory> exact_heavy_symmetric(const BodyModel& model, const State& start);
 
 // Any of the free bodies above with the damping torque -c L, c > 0 in 1/s. With s = (1 - exp(-c
@@ -49,8 +50,9 @@ struct Nutation {
   double precession_at_greatest = 0.0;
 };
 
-// Same requirements as exact_heavy_symmetric. The tilt is an elliptic function of time with period
-// 2 K / kappa (Landau and Lifshitz, Mechanics, 35, problem 1).
+// Same requirements as exact_heavy_symmetric. The cosine of the tilt is an elliptic function of
+// time with the period 2 K / kappa, kappa as in motion/exact/heavy_symmetric.cpp (Landau and
+// Lifshitz, Mechanics, section 35, problem 1).
 Nutation nutation_of(const BodyModel& model, const State& start);
 
 }  // namespace polhode

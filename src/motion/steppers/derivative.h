@@ -58,9 +58,9 @@ void set_state(const StateVector<N>& v, State& s) {
   }
 }
 
-// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With
-// it, d gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic
-// invariants there too.
+// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With it,
+// d gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic invariants
+// there too.
 inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
   return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The error of an implicit step that has no solution.
+// The error of a step that has no solution.
 #pragma once
 
 #include <cmath>

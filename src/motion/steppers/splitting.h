@@ -18,13 +18,13 @@ struct SplittingScheme {
   std::size_t flows = 0;                  // n
   std::array<double, kMostFlows> a = {};  // fractions of the step for flows; the first n are used
   std::array<double, kMostFlows + 1> b = {};  // for kicks; the first n + 1 are used
-  // The middle kick adds this times h^3 times the gradient of torque . I^-1 torque / 2; 0:
-  // no such term.
+  // The middle kick adds this times h^3 times the gradient of torque . I^-1 torque / 2; 0: no such
+  // term.
   double gradient = 0.0;
 };
 
-// The composition of (kick h/2, flow h, kick h/2) with these fractions of the step, which
-// must be symmetric.
+// The composition of (kick h/2, flow h, kick h/2) with these fractions of the step, which must be
+// symmetric and at most kMostFlows.
 template <std::size_t N>
 constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   SplittingScheme scheme;
@@ -37,10 +37,10 @@ constexpr SplittingScheme composition(const std::array<double, N>& fractions) {
   return scheme;
 }
 
-// A stepper made of kicks and flows. Flow is constructed from a BodyModel; flow(h, q, y) is the
-// motion of the free body, exact or of second order, and symmetric in time. A kick keeps L.up and a
-// flow keeps L in space. Kicks are symplectic maps, so the method is symplectic if Flow is. Torques
-// other than that of gravity are ignored. The scheme has at most kMostFlows flows.
+// A stepper made of kicks and flows. Flow is constructed from a BodyModel; flow(h, q, y) advances q
+// and y by the motion of the free body, exactly or to second order, symmetric in time. A kick keeps
+// L.up and a flow keeps L in space. Kicks are symplectic maps, so the method is symplectic if Flow
+// is. Torques other than that of gravity are ignored.
 template <class Flow>
 class Splitting final : public Stepper {
  public:
