@@ -53,7 +53,7 @@ class Program {
   GLuint id_ = 0;
 };
 
-// A framebuffer with RGBA8 colour and optional 32-bit depth.
+// A framebuffer with RGBA8 colour and optional 32-bit floating-point depth.
 class Framebuffer {
  public:
   // Sizes in pixels; samples: per pixel, 0 without multisampling. Throws Error (environment) if
@@ -77,8 +77,8 @@ class Framebuffer {
   GLuint depth_ = 0;
 };
 
-// The text of a file of shaders/, embedded at build time; valid until the program ends.
-// `file` must exist.
+// The text of a file of shaders/, embedded at build time; valid until the program ends. Aborts if
+// there is no such file.
 const std::string& shader_source(const std::string& file);
 // The texts of all shader files by name; defined in a file that CMake generates.
 const std::map<std::string, std::string>& embedded_shaders();

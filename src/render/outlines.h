@@ -63,7 +63,7 @@ class MeshEdges {
 };
 
 // Collects the outlines of one panel and antialiases them. Call begin(), add() for every item, then
-// covered() and smooth().
+// covered() and smooth(). It needs no OpenGL.
 class OutlineSmoother {
  public:
   // Starts a panel at `place` (pixels of the picture), and forgets the one before.

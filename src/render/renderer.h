@@ -39,7 +39,8 @@ inline constexpr int kOutlinePixels = 960 * 540;
 struct RenderSettings {
   int width = 1920;          // pixels
   int height = 1080;         // pixels
-  int samples = 4;           // per pixel, without outlines; fewer if the driver supports fewer
+  int samples = 4;           // per pixel, where outlines are not used; fewer if the driver supports
+                             // fewer
   bool transparent = false;  // the background has alpha 0
   Edges edges = Edges::by_size;
 };
@@ -48,18 +49,18 @@ struct RenderSettings {
 // the thread of the context, which must outlive it.
 class Renderer {
  public:
-  // Throws Error (environment) if OpenGL lacks a function, (input), without a place, if the picture
-  // is larger than OpenGL can draw.
+  // `context` must be current. Throws Error (environment) if OpenGL lacks a function, (input),
+  // without a place, if the picture is larger than OpenGL can draw.
   Renderer(const Context& context, const RenderSettings& settings);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
   // Draws into `image`, which is resized if needed and should hold an earlier picture of this
-  // renderer or nothing; sets its ground and painted boxes. The picture has at least one panel.
-  // Its meshes are kept in GPU memory until a picture does without them. The same picture
-  // always gives the same pixels. Throws Error (environment) on an OpenGL error and if a shader
-  // does not compile.
+  // renderer or nothing; sets its ground and painted boxes. The picture has at least one panel. Its
+  // meshes are kept in GPU memory until a picture does without them. The same picture always gives
+  // the same pixels. Throws Error (environment) on an OpenGL error and if a shader does not compile
+  // or a framebuffer cannot be made.
   void draw(const Picture& picture, Image& image);
   // Draws a picture with a single panel that covers it. Throws Error likewise.
   void draw(const DrawList& list, Image& image);
