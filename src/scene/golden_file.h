@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The file formats of a folder of golden pictures: cases.toml, and a sidecar file
-// beside every reference.
+// The file formats of a folder of golden pictures: cases.toml, and a sidecar file beside every
+// reference.
 #pragma once
 
 #include <filesystem>
@@ -94,14 +94,15 @@ void fields(Visitor& v, GoldenSidecar& s) {
   v.field("verdict", s.verdict, Doc{"thresholds for comparing with this reference"});
 }
 
-// Reads cases.toml. Throws Error (input) with file, line and key, also for invalid or duplicate
-// names of cases.
+// Reads cases.toml. Throws Error (input) as read_file and parse_toml do, with file, line and key as
+// Reader does, and with file and key for invalid or duplicate names of cases.
 GoldenFile load_golden_file(const std::filesystem::path& file);
 
-// Reads a sidecar. Throws Error (input) with file, line and key.
+// Reads a sidecar. Throws Error (input) as read_file and parse_toml do, and with file, line and key
+// as Reader does.
 GoldenSidecar load_golden_sidecar(const std::filesystem::path& file);
 
-// The text of a sidecar file.
+// The text of a sidecar file, which load_golden_sidecar() reads back.
 std::string sidecar_text(const GoldenSidecar& sidecar);
 
 // Whether the name consists of letters, digits, _ and - only.

@@ -40,7 +40,7 @@ struct KeyList {
   std::vector<Key> keys;
   std::vector<KeyGroup> groups;
 
-  // The key of that name, which must exist; valid as long as this list.
+  // The key of that name; valid as long as this list. Aborts if there is none.
   const Key& find(const std::string& name) const;
   // All spellings of all keys.
   std::vector<std::string> all_spellings() const;

@@ -52,8 +52,9 @@ void fields(Visitor& v, Scene& s) {
   v.merged("video", s.video, s.theme, Doc{"size, frame rate, time scale and colours of the film"});
 }
 
-// Reads a scene and its mesh files. Throws Error (input) as read_file and parse_toml do, and
-// with file, line and key for any fault in a key or value. Keys are dotted paths; lists count
+// Reads a scene and its mesh files. Throws Error (input) as read_file and parse_toml do, and with
+// file, line and key as Reader (scene/reader.h) and load_meshes do. Whether the values together
+// make sense is checked later, by make_model and start_state. Keys are dotted paths; lists count
 // from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
 // Numbers that replace those in the file, by the path of the key as the file spells it:
@@ -67,14 +68,14 @@ Scene load_scene(const std::filesystem::path& file, const Replacements& numbers)
 // Error (input) as read_file and parse_toml do, and, without a place, for a path that is not a key.
 std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
 // A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
-// Throws Error as load_scene does.
+// Throws Error (input) as parse_toml and Reader do.
 Scene parse_scene(std::string_view text, const std::string& name);
 // The mesh files that a scene names, as spelled there, without opening them. Throws Error (input)
 // as load_scene does for the scene file itself.
 std::vector<std::string> mesh_files(const std::filesystem::path& file);
 
-// The line of a key such as "body.parts[1].radius", or else of the innermost enclosing table that
-// is in the file; 0 if there is none. For errors found after reading.
+// The line of a key such as "body.parts[1].radius", or else of the innermost key around it that is
+// in the file; 0 if there is none. For errors found after reading.
 int line_of(const Scene& scene, const std::string& key);
 
 // The hash (content_hash) of the scene's values, defaults included, and of its meshes. Comments,

@@ -14,9 +14,9 @@ namespace polhode {
 inline constexpr std::size_t kLargestScene = 16'000'000;  // bytes
 inline constexpr int kDeepestNesting = 32;                // nested brackets, or dots in one key
 
-// Parses a TOML text; `name` is the file name for messages. Throws Error (input) with file and line
-// for empty or too large text, bytes that are not UTF-8, nesting deeper than kDeepestNesting, and
-// syntax errors.
+// Parses a TOML text; `name` is the file name for messages. Throws Error (input) with the file for
+// empty text and text of more than kLargestScene bytes; with file and line for bytes that are not
+// UTF-8, nesting deeper than kDeepestNesting, and syntax errors.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
 // At most the first `most` bytes of a user's text, for messages, followed by "..." if something is
