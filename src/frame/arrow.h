@@ -18,8 +18,8 @@ struct ArrowMeshes {
 // The arguments are the numbers of straight pieces that stand for a full circle.
 ArrowMeshes arrow_meshes(int around_shaft, int around_head);
 
-// The sizes of an arrow. If the head is longer than two thirds of the vector, all sizes shrink
-// until it is not.
+// The sizes of an arrow, in the unit of its positions (in frame/elements/parts.h in radii of the
+// body). If the head is longer than two thirds of the vector, all sizes shrink until it is not.
 struct ArrowShape {
   double shaft_radius = 0.01;
   double head_radius = 0.03;

@@ -35,9 +35,9 @@ std::vector<std::string> backend_names();
 
 // Opens the named back end, one of backend_names(), on the calling thread. Throws Error (input),
 // naming --backend, for an unknown name; (environment) if there is no context or the limit of
-// memory (ulimit -v) is below 768 MiB. With "auto" the message has the reason of each back end. Sets
-// the environment variable EGL_LOG_LEVEL unless it is set, so call it while no other thread uses
-// the environment.
+// memory (ulimit -v) is below 768 MiB. With "auto" the message has the reason of each back end.
+// Sets the environment variable EGL_LOG_LEVEL unless it is set, so call it while no other thread
+// uses the environment.
 std::unique_ptr<Context> open_context(const std::string& backend);
 
 // Open one back end, for the table. Throw Error (environment) that says what is missing.

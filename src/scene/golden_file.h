@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-// Thresholds and the reason for them.
+// Thresholds and the reason for them; the keys of both are in one table.
 struct GoldenVerdict {
   Thresholds thresholds;
   std::string reason;  // for people; empty: not given
@@ -30,7 +30,7 @@ struct GoldenCase {
   std::string name;                           // of its reference NAME.png; letters, digits, _ and -
   std::string scene;                          // file, relative to the folder of cases.toml
   std::string guards;                         // what it tests
-  double still = 0.0;                         // s of motion
+  double still = 0.0;                         // time of the picture, s of motion
   PictureSize size{320, 180};                 // pixels
   bool text = false;                          // with labels, clock, title and caption
   bool transparent = false;                   // without background
@@ -71,7 +71,7 @@ struct GoldenSidecar {
   int format = 1;          // version of this format; only 1 is known
   std::string cause;       // why there is another reference: "mesa-25"; empty for the first
   std::string polhode;     // version
-  std::string backend;     // "osmesa"
+  std::string backend;     // Context::backend(): "osmesa" or "egl"
   std::string renderer;    // GL_RENDERER
   std::string opengl;      // GL_VERSION, which includes Mesa's version
   std::string llvm;        // version; empty if unknown
