@@ -85,6 +85,7 @@ void ReferenceSolution::by_two_methods(const State& start) {
     }
   } catch (const Error& error) {
     if (error.fault() == Fault::interrupted) throw;
+    states_.assign(times_.size(), start);  // of no use, but there
     uncertainty_ = std::numeric_limits<double>::infinity();
   }
   if (uncertainty_ <= kHopeless) return;

@@ -24,6 +24,7 @@ const std::vector<MethodCost>& method_costs() {
 }
 
 std::vector<MethodCost> cheapest_methods(const BodyModel& model,
+                                         const NumericsSpec& numerics,
                                          double accuracy_rad,
                                          bool splittings_only) {
   const ProblemKind kind = problem_kind(model);
@@ -46,6 +47,11 @@ std::vector<MethodCost> cheapest_methods(const BodyModel& model,
     if ((splittings_only && !method.symplectic) || !why_not(method, model).empty()) continue;
     able.push_back(row);
   }
+  const auto uses_no = [&](const MethodCost& row) {
+    const bool adaptive = find_stepper(row.method).adaptive;
+    return adaptive ? numerics.step.has_value() : numerics.tolerance.has_value();
+  };
+  if (!std::all_of(able.begin(), able.end(), uses_no)) std::erase_if(able, uses_no);
   std::stable_sort(able.begin(), able.end(), [](const MethodCost& a, const MethodCost& b) {
     return a.ns_per_rad < b.ns_per_rad;
   });

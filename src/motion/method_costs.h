@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/body_model.h"
+#include "motion/motion_spec.h"
 
 namespace polhode {
 
@@ -33,10 +34,12 @@ struct MethodCost {
 const std::vector<MethodCost>& method_costs();
 
 // The methods that can integrate the model and reach the accuracy, cheapest first, as measured at
-// the coarsest accuracy that is fine enough. With splittings_only, symplectic methods only. For
+// the coarsest accuracy that is fine enough. If `numerics` gives a step or a tolerance, only
+// methods that use it, unless there are none. With splittings_only, symplectic methods only. For
 // accuracies finer than all measured ones, the methods that reached the finest. For a free body,
 // methods that are exact without gravity are left out.
 std::vector<MethodCost> cheapest_methods(const BodyModel& model,
+                                         const NumericsSpec& numerics,
                                          double accuracy_rad,
                                          bool splittings_only);
 

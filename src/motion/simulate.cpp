@@ -10,76 +10,21 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/numbers.h"
+#include "motion/conditioning.h"
 #include "motion/method_costs.h"
+#include "motion/refinement.h"
 #include "motion/scales.h"
 #include "motion/stepper_table.h"
 
 namespace polhode {
 namespace {
 
-constexpr int kSamplesCompared = 257;     // times at which two runs are held against each other
 constexpr double kLeastAccuracy = 1e-13;  // rad
-constexpr long kMostStepsRefined = 4'000'000;
-
-// largest deviation of two trajectories from each other over the motion
-double difference(const BodyModel& model,
-                  const Trajectory& a,
-                  const Trajectory& b,
-                  double duration) {
-  double largest = 0.0;
-  for (int i = 0; i < kSamplesCompared; ++i) {
-    const double t = duration * i / (kSamplesCompared - 1);
-    largest = std::max(largest, deviation(model, a.at(t), b.at(t)));
-  }
-  return largest;
-}
-
-// one integration with a given fineness: the step of fixed-step methods, the tolerance of adaptive
-// ones
-Integration run(const StepperInfo& method,
-                const BodyModel& model,
-                const State& start,
-                double duration,
-                double fineness) {
-  return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness)
-                         : integrate_fixed(method, model, start, duration, fineness);
-}
-
-// refines until two runs agree within the accuracy; the finer one is the answer
-Integration refine(const StepperInfo& method,
-                   const BodyModel& model,
-                   const State& start,
-                   double duration,
-                   SimulationReport& report) {
-  const double rate = typical_rate(model, start) + 1.0 / duration;
-  const double factor = method.adaptive ? 1.0 / 32.0 : 0.5;
-  double fineness = method.adaptive
-                        ? 0.1 * report.accuracy_rad
-                        : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
-  Integration coarse = run(method, model, start, duration, fineness);
-  while (true) {
-    fineness *= factor;
-    const bool too_fine =
-        method.adaptive ? fineness < 1e-15 : duration / fineness > kMostStepsRefined;
-    if (too_fine) {
-      throw input_error(
-          "{} cannot reach an attitude accuracy of {:.3g} rad over {} s with reasonable effort; "
-          "give a step or tolerance yourself, a looser accuracy, or another method",
-          method.name,
-          report.accuracy_rad,
-          duration)
-          .at({{}, 0, "numerics.accuracy"});
-    }
-    Integration fine = run(method, model, start, duration, fineness);
-    const double apart = difference(model, *coarse.trajectory, *fine.trajectory, duration);
-    if (apart <= report.accuracy_rad) {
-      (method.adaptive ? report.tolerance : report.step) = fineness;
-      report.error_estimate_rad = apart;
-      return fine;
-    }
-    coarse = std::move(fine);
-  }
-}
+// relative distance of the neighbours that show the conditioning: for integrations well above
+// their round-off, for closed forms the last digit
+constexpr double kNudge = 1e-13;
+constexpr double kLastDigit = 0x1p-52;
+constexpr int kTimesOfDrift = 257;
 
 void refuse_wrong_fineness(const StepperInfo& method, const NumericsSpec& numerics) {
   if (method.adaptive && numerics.step) {
@@ -109,7 +54,7 @@ Integration integrate_by(const StepperInfo& method,
     report.step = numerics.step;
     report.tolerance = numerics.tolerance;
     return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"},
-                    [&] { return run(method, model, start, duration, *given); });
+                    [&] { return integrate_with(method, model, start, duration, *given); });
   }
   if (report.accuracy_rad < kLeastAccuracy) {
     throw input_error(
@@ -119,11 +64,26 @@ Integration integrate_by(const StepperInfo& method,
         kLeastAccuracy)
         .at({{}, 0, "numerics.accuracy"});
   }
-  Integration found = at_place({{}, 0, "numerics.accuracy"},
-                               [&] { return refine(method, model, start, duration, report); });
+  Refined found = at_place({{}, 0, "numerics.accuracy"}, [&] {
+    return refine(method, model, start, duration, report.accuracy_rad);
+  });
+  (method.adaptive ? report.tolerance : report.step) = found.fineness;
+  report.error_estimate_rad = found.error_estimate;
   report.method_reason +=
-      fmt::format("; refined until two runs agree within {:.3g} rad", report.accuracy_rad);
-  return found;
+      fmt::format("; refined until runs converge within {:.3g} rad", report.accuracy_rad);
+  // a coarser run shows as well how neighbours part
+  const double coarser = found.fineness * (method.adaptive ? 32.0 : 2.0);
+  const auto solve = [&](const State& from) {
+    return integrate_with(method, model, from, duration, coarser).trajectory;
+  };
+  report.conditioning = conditioning_of(model,
+                                        *solve(start),
+                                        duration,
+                                        {neighbour_of(start, kNudge)},
+                                        kNudge,
+                                        report.accuracy_rad,
+                                        solve);
+  return std::move(found.integration);
 }
 
 // "cheapest method measured at 1e-06 rad: 180 ns per radian turned, then ..."
@@ -138,6 +98,23 @@ std::string reason_for(const std::vector<MethodCost>& able, const char* what) {
   return reason;
 }
 
+// what the cheapest method of the other family would cost, if the model can be solved by both
+std::string reason_against_others(const BodyModel& model,
+                                  const SolutionMethod& chosen,
+                                  const NumericsSpec& numerics,
+                                  double accuracy_rad) {
+  if (chosen.splits) {
+    const MethodCost any = cheapest_methods(model, numerics, accuracy_rad, false).front();
+    if (find_stepper(any.method).symplectic) return {};
+    return fmt::format("; model = \"ode\" would take {}, {:.2g}", any.method, any.ns_per_rad);
+  }
+  const std::vector<MethodCost> splittings = cheapest_methods(model, numerics, accuracy_rad, true);
+  if (!can_split(model) || splittings.empty()) return {};
+  return fmt::format("; the cheapest splitting is {}, {:.2g}",
+                     splittings.front().method,
+                     splittings.front().ns_per_rad);
+}
+
 // the cheapest method of those measured on such bodies, or if it fails the next
 Integration integrate_by_cheapest(const BodyModel& model,
                                   const SolutionMethod& chosen,
@@ -145,24 +122,15 @@ Integration integrate_by_cheapest(const BodyModel& model,
                                   double duration,
                                   const NumericsSpec& numerics,
                                   SimulationReport& report) {
-  std::vector<MethodCost> able = cheapest_methods(model, report.accuracy_rad, chosen.splits);
-  // a step or a tolerance that is given must be of use
-  const auto of_no_use = [&](const MethodCost& row) {
-    const bool adaptive = find_stepper(row.method).adaptive;
-    return adaptive ? numerics.step.has_value() : numerics.tolerance.has_value();
-  };
-  if (!std::all_of(able.begin(), able.end(), of_no_use)) std::erase_if(able, of_no_use);
+  std::vector<MethodCost> able =
+      cheapest_methods(model, numerics, report.accuracy_rad, chosen.splits);
   CHECK(!able.empty());
   // what three cannot do, the rest will not, and slower
   constexpr std::size_t kMostTried = 3;
   able.erase(able.begin() + static_cast<long>(std::min(able.size(), kMostTried)), able.end());
   for (;; able.erase(able.begin())) {
     report.method_reason = reason_for(able, chosen.splits ? "splitting" : "method");
-    if (chosen.splits) {
-      const MethodCost any = cheapest_methods(model, report.accuracy_rad, false).front();
-      report.method_reason +=
-          fmt::format("; model = \"ode\" would take {}, {:.2g}", any.method, any.ns_per_rad);
-    }
+    report.method_reason += reason_against_others(model, chosen, numerics, report.accuracy_rad);
     const StepperInfo& method = find_stepper(able.front().method);
     try {
       return integrate_by(method, model, start, duration, numerics, report);
@@ -190,6 +158,16 @@ Integration integrate(const BodyModel& model,
   return integrate_by(method, model, start, duration, numerics, report);
 }
 
+void doubt_conditioning(SimulationReport& report) {
+  if (!report.conditioning || !report.conditioning->exceeds_limit) return;
+  report.reliability.doubts.push_back(fmt::format(
+      "rounding the start moves the attitude by up to {:.2g} rad, and the scene allows {:.2g} "
+      "(until {:.4g} s it is less): the motion is chaotic or close to a separatrix",
+      report.conditioning->effect,
+      report.accuracy_rad,
+      report.conditioning->exceeded_at));
+}
+
 }  // namespace
 
 std::vector<std::string> method_names() {
@@ -205,7 +183,8 @@ Simulation simulate(const BodyModel& body,
                     double accuracy_rad) {
   SimulationReport report;
   report.accuracy_rad = accuracy_rad;
-  const SolutionMethod& chosen = choose_solution_method(body, numerics, report.model_reason);
+  const SolutionMethod& chosen =
+      choose_solution_method(body, numerics, accuracy_rad, report.model_reason);
   BodyModel model = body;
   model.with_translation = chosen.with_translation;
   const State start = start_state(model, motion);
@@ -219,6 +198,7 @@ Simulation simulate(const BodyModel& body,
     Integration found = integrate(model, chosen, start, motion.duration, numerics, report);
     report.record = found.record;
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
+    doubt_conditioning(report);
     return {Motion(model, found.trajectory, motion), report};
   }
 
@@ -238,10 +218,21 @@ Simulation simulate(const BodyModel& body,
   report.method_reason = "closed form";
   std::shared_ptr<const Trajectory> trajectory = chosen.make(model, start);
   DriftWatch drift(model, start);
-  for (int i = 0; i < kSamplesCompared; ++i) {
-    drift.look_at(trajectory->at(motion.duration * i / (kSamplesCompared - 1)));
+  for (int i = 0; i < kTimesOfDrift; ++i) {
+    drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
   }
   report.record.drift = drift.worst();
+  report.conditioning =
+      conditioning_of(model,
+                      *trajectory,
+                      motion.duration,
+                      neighbours_of(start, kLastDigit),
+                      kLastDigit,
+                      accuracy_rad,
+                      [&](const State& from) {
+                        return std::shared_ptr<const Trajectory>(chosen.make(model, from));
+                      });
+  doubt_conditioning(report);
   return {Motion(model, trajectory, motion), report};
 }
 

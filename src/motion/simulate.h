@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/conditioning.h"
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
 #include "motion/reliability.h"
@@ -22,9 +23,11 @@ struct SimulationReport {
   std::optional<double> step;                // s; absent for a closed form and adaptive methods
   std::optional<double> tolerance;           // local error per step; for adaptive methods
   double accuracy_rad = 0.0;                 // as requested
-  std::optional<double> error_estimate_rad;  // difference from a coarser run; absent: not estimated
+  std::optional<double> error_estimate_rad;  // of the attitude; absent: not estimated
+  // absent for integrations with a given step or tolerance
+  std::optional<Conditioning> conditioning;
   IntegrationRecord record;
-  Reliability reliability;  // without doubts for a closed form
+  Reliability reliability;
 };
 
 // A motion with its report.

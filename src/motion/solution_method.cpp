@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "motion/exact/exact.h"
+#include "motion/method_costs.h"
 #include "motion/stepper_table.h"
 
 namespace polhode {
@@ -74,6 +75,13 @@ bool is_splitting(const std::string& method) {
   return std::any_of(table.begin(), table.end(), [&](const StepperInfo& row) {
     return row.name == method && row.symplectic;
   });
+}
+
+bool splitting_is_cheapest(const BodyModel& model,
+                           const NumericsSpec& numerics,
+                           double accuracy_rad) {
+  const std::vector<MethodCost> able = cheapest_methods(model, numerics, accuracy_rad, false);
+  return !able.empty() && find_stepper(able.front().method).symplectic;
 }
 
 const SolutionMethod& find_model(const std::string& name) {
@@ -162,6 +170,7 @@ std::vector<std::string> model_names() {
 
 const SolutionMethod& choose_solution_method(const BodyModel& model,
                                              const NumericsSpec& numerics,
+                                             double accuracy_rad,
                                              std::string& reason) {
   if (numerics.model != "auto") {
     const SolutionMethod& asked = find_model(numerics.model);
@@ -186,6 +195,8 @@ const SolutionMethod& choose_solution_method(const BodyModel& model,
     if (wants_stepper && row.closed_form) continue;
     if (wants_stepper && row.splits && !is_splitting(numerics.method)) continue;
     if (!row.why_not(model).empty()) continue;
+    if (row.splits && !wants_stepper && !splitting_is_cheapest(model, numerics, accuracy_rad))
+      continue;
     reason = reason_for(row, model);
     if (wants_stepper && !row.with_translation) {
       reason = "method " + numerics.method + " integrates the equations of motion";
@@ -195,9 +206,12 @@ const SolutionMethod& choose_solution_method(const BodyModel& model,
   throw Error(Fault::input, "no model takes this scene");
 }
 
+bool can_split(const BodyModel& model) {
+  return why_not_splitting(model).empty();
+}
+
 BodyModel with_needed_degrees(BodyModel model) {
-  std::string reason;
-  model.with_translation = choose_solution_method(model, {}, reason).with_translation;
+  model.with_translation = !why_not_ode(model).empty();
   return model;
 }
 

@@ -30,12 +30,17 @@ struct SolutionMethod {
 const std::vector<SolutionMethod>& solution_methods();
 
 // The method that numerics.model names or, for "auto", the first of the table that can handle the
-// model and uses numerics.method, if that is given; `reason` is set to one phrase that says why.
+// model and uses numerics.method, if that is given; but "splitting" only if the cheapest stepper at
+// accuracy_rad (motion/method_costs.h) is a splitting. `reason` is set to one phrase that says why.
 // Throws Error (input): naming numerics.model if the requested one is unknown or cannot handle the
 // model, naming numerics.method if "splitting" is requested with a method that is not symplectic.
 const SolutionMethod& choose_solution_method(const BodyModel& model,
                                              const NumericsSpec& numerics,
+                                             double accuracy_rad,
                                              std::string& reason);
+
+// Whether the model can be split into kicks and free motions.
+bool can_split(const BodyModel& model);
 
 // The model with BodyModel::with_translation set as its loads require.
 BodyModel with_needed_degrees(BodyModel model);

@@ -52,7 +52,7 @@ TEST(MethodCosts, TheCheapestFirstAtEveryAccuracy) {
                                  make_model(body_with({1, 1.3, 1.6}), spec)}) {
     double last = 0.0;
     for (const double accuracy : {1.0, 3e-3, 1e-4, 1e-7, 1e-10, 1e-13}) {
-      const std::vector<MethodCost> able = cheapest_methods(model, accuracy, false);
+      const std::vector<MethodCost> able = cheapest_methods(model, {}, accuracy, false);
       ASSERT_FALSE(able.empty());
       for (std::size_t i = 1; i < able.size(); ++i)
         EXPECT_LE(able[i - 1].ns_per_rad, able[i].ns_per_rad);
@@ -60,7 +60,7 @@ TEST(MethodCosts, TheCheapestFirstAtEveryAccuracy) {
       last = able[0].ns_per_rad;
     }
   }
-  for (const MethodCost& row : cheapest_methods(heavy_asymmetric().model, 1e-6, true))
+  for (const MethodCost& row : cheapest_methods(heavy_asymmetric().model, {}, 1e-6, true))
     EXPECT_TRUE(find_stepper(row.method).symplectic) << row.method;
 }
 
@@ -72,7 +72,7 @@ TEST(MethodCosts, TheReportExplainsTheChoice) {
     numerics.model = model;
     const SimulationReport report = simulate(p.model, spec, numerics, 1e-6).report;
     const bool splits = report.model == "splitting";
-    const std::vector<MethodCost> able = cheapest_methods(p.model, 1e-6, splits);
+    const std::vector<MethodCost> able = cheapest_methods(p.model, {}, 1e-6, splits);
     EXPECT_EQ(report.method, able[0].method);
     EXPECT_NE(report.method_reason.find("ns per radian"), std::string::npos);
     EXPECT_NE(report.method_reason.find(able[1].method), std::string::npos);

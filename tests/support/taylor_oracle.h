@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The judge: dy/dt = y x w + gamma x chi, dgamma/dt = gamma x w, dq/dt = q o (0, w)/2 by Taylor
-// series of order 30 in 64-bit-mantissa arithmetic. Shares no code with the program.
+// series of order 30, in numbers with a mantissa of 64 bits or more. Shares no code with the
+// program.
 #pragma once
 
 #include <array>
@@ -11,43 +12,49 @@
 
 namespace polhode::test {
 
-class TaylorOracle {
+// for every type of numbers
+using std::abs;
+using std::ceil;
+using std::sqrt;
+
+template <class Number>
+class BasicTaylorOracle {
  public:
-  using Real = long double;
+  using Real = Number;
   static constexpr int kOrder = 30;
   static_assert(std::numeric_limits<Real>::digits >= 64, "the oracle needs extended precision");
 
   using Triple = std::array<Real, 3>;
 
   // moments (0: a rotator's), chi, y, q as (w, x, y, z) of any length
-  TaylorOracle(const Triple& moments,
-               const Triple& chi,
-               const Triple& y,
-               const std::array<Real, 4>& q,
-               const Vec3& up_S)
+  BasicTaylorOracle(const Triple& moments,
+                    const Triple& chi,
+                    const Triple& y,
+                    const std::array<Real, 4>& q,
+                    const Vec3& up_S)
       : chi_(chi) {
     for (int i = 0; i < 3; ++i) {
       inverse_[i] = moments[i] > 0 ? 1 / moments[i] : 0;
       now_[i] = y[i];
     }
-    const Real n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    const Real n = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     for (int i = 0; i < 4; ++i)
       now_[6 + i] = q[i] / n;
     look_up(up_S);
   }
 
-  TaylorOracle(const BodyModel& model, const State& start)
-      : TaylorOracle(triple(model.moments),
-                     triple(model.chi_P),
-                     triple(start.y),
-                     {start.q.w(), start.q.x(), start.q.y(), start.q.z()},
-                     model.up_S) {}
+  BasicTaylorOracle(const BodyModel& model, const State& start)
+      : BasicTaylorOracle(triple(model.moments),
+                          triple(model.chi_P),
+                          triple(start.y),
+                          {start.q.w(), start.q.x(), start.q.y(), start.q.z()},
+                          model.up_S) {}
 
   // Advances to time t (forwards or backwards) in equal steps and gives the state there.
   State at(Real t) {
     const Real rate = rate_of_change();
-    const Real most = rate > 0 ? Real(0.5) / rate : std::abs(t - t_);
-    const long n = static_cast<long>(std::ceil(std::abs(t - t_) / most));
+    const Real most = rate > 0 ? Real(0.5) / rate : Real(abs(t - t_));
+    const long n = static_cast<long>(ceil(abs(t - t_) / most));
     const Real h = n > 0 ? (t - t_) / n : 0;
     for (long i = 0; i < n; ++i)
       step(h);
@@ -57,8 +64,12 @@ class TaylorOracle {
 
   State state() const {
     State s;
-    s.y = Vec3(double(now_[0]), double(now_[1]), double(now_[2]));
-    s.q = Quat(double(now_[6]), double(now_[7]), double(now_[8]), double(now_[9]));
+    s.y = Vec3(
+        static_cast<double>(now_[0]), static_cast<double>(now_[1]), static_cast<double>(now_[2]));
+    s.q = Quat(static_cast<double>(now_[6]),
+               static_cast<double>(now_[7]),
+               static_cast<double>(now_[8]),
+               static_cast<double>(now_[9]));
     return s;
   }
 
@@ -72,7 +83,7 @@ class TaylorOracle {
   void look_up(const Vec3& up) {
     const Real w = now_[6], x = now_[7], y = now_[8], z = now_[9];
     Real u[3] = {up[0], up[1], up[2]};
-    const Real n = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    const Real n = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     for (Real& c : u)
       c /= n;
     now_[3] =
@@ -91,7 +102,7 @@ class TaylorOracle {
       chi += chi_[i] * chi_[i];
       least = std::max(least, inverse_[i]);
     }
-    return std::sqrt(2 * (energy + 2 * std::sqrt(chi)) * least);
+    return sqrt(2 * (energy + 2 * sqrt(chi)) * least);
   }
 
   // coefficient k of component i of a x b
@@ -151,5 +162,7 @@ class TaylorOracle {
   std::array<Real, 10> now_{};
   Real t_ = 0;
 };
+
+using TaylorOracle = BasicTaylorOracle<long double>;
 
 }  // namespace polhode::test

@@ -7,6 +7,13 @@
 
 namespace polhode {
 
+template <class Visitor>
+void report_fields(Visitor& v, Conditioning& s) {
+  v.field("rounding_moves_rad", s.effect);
+  v.field("exceeds_accuracy", s.exceeds_limit);
+  v.field("exceeds_accuracy_at_s", s.exceeded_at);
+}
+
 // Lists the keys of the report about the motion; docs/render.md documents them.
 template <class Visitor>
 void report_fields(Visitor& v, SimulationReport& s) {
@@ -21,6 +28,7 @@ void report_fields(Visitor& v, SimulationReport& s) {
   v.field("evaluations", s.record.evaluations);
   v.field("accuracy_rad", s.accuracy_rad);
   v.field("error_estimate_rad", s.error_estimate_rad);
+  v.optional("conditioning", s.conditioning);
   v.field("energy_drift", s.record.drift.energy);
   v.field("momentum_drift", s.record.drift.momentum);
   v.field("attitude_error_rad", s.reliability.attitude_error_rad);

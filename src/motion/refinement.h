@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Refines an integration until the error of its answer is below a given accuracy.
+#pragma once
+
+#include "motion/grid_trajectory.h"
+
+namespace polhode {
+
+// The fineness of an integration is the step (s) of a fixed-step method, and the tolerance of an
+// adaptive one. Throws Error as integrate_fixed and integrate_adaptive do.
+Integration integrate_with(const StepperInfo& method,
+                           const BodyModel& model,
+                           const State& start,
+                           double duration,
+                           double fineness);
+
+// An integration whose error was estimated.
+struct Refined {
+  Integration integration;
+  double fineness = 0.0;        // s, or relative tolerance
+  double error_estimate = 0.0;  // rad: of this integration's attitude over the whole motion
+};
+
+// Makes runs of increasing fineness until the estimated error of the last one is at most
+// `accuracy` (rad). The estimate needs three runs: the differences of successive runs must fall as
+// the order of the method demands; a smaller difference is taken for chance. Each pair of runs is
+// compared at times that no other pair was compared at. duration in s. Throws Error (input),
+// without a key, if the accuracy cannot be reached: because the runs stop converging before, as
+// they do where round-off has grown too much, or because too many steps are needed. Throws Error
+// as integrate_with does.
+Refined refine(const StepperInfo& method,
+               const BodyModel& model,
+               const State& start,
+               double duration,
+               double accuracy);
+
+}  // namespace polhode

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "motion/conditioning.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/simulate.h"
+#include "support/expect_error.h"
+#include "support/tops.h"
+
+namespace polhode {
+namespace {
+
+using namespace test;
+
+SimulationReport report_of(const BodyModel& model, const Vec3& w_B, double duration) {
+  MotionSpec spec;
+  spec.duration = duration;
+  spec.spin.body = w_B;
+  return simulate(model, spec, {}, 1e-6).report;
+}
+
+TEST(Conditioning, NeighboursDifferInOneNumberEach) {
+  const State start{exp_rotation({0.1, 0.2, 0.3}), {1.0, 2.0, 3.0}};
+  const std::vector<State> neighbours = neighbours_of(start, 1e-6);
+  ASSERT_EQ(neighbours.size(), 6U);
+  for (const State& s : neighbours) {
+    const double turned = rotation_angle_between(s.q, start.q);
+    const double changed = (s.y - start.y).cwiseQuotient(start.y).norm();
+    EXPECT_NEAR(std::max(turned, changed), 1e-6, 1e-12);
+    EXPECT_NEAR(std::min(turned, changed), 0.0, 1e-12);
+  }
+  EXPECT_NEAR(
+      rotation_angle_between(neighbour_of(start, 1e-6).q, start.q), 1e-6 * std::sqrt(3.0), 1e-12);
+}
+
+// a free sphere: a change of the rate by one part grows with the angle turned
+TEST(Conditioning, GrowsWithTheTurnsOfASphere) {
+  const SimulationReport report = report_of(free_body({1, 1, 1}), {0, 0, 2.0}, 1000.0);
+  ASSERT_TRUE(report.conditioning);
+  EXPECT_GT(report.conditioning->effect, 0.5 * 2000.0 * 0x1p-53);
+  EXPECT_LT(report.conditioning->effect, 4.0 * 2000.0 * 0x1p-53);
+  EXPECT_FALSE(report.conditioning->exceeds_limit);
+  EXPECT_TRUE(report.reliability.doubts.empty());
+}
+
+// from its start on, the separatrix leaves a neighbour as exp(growth t)
+TEST(Conditioning, SeparatrixIsDoubted) {
+  const SimulationReport report = report_of(free_body({1, 2, 3}), {std::sqrt(3.0), 1.0, 1.0}, 60.0);
+  ASSERT_TRUE(report.conditioning);
+  EXPECT_TRUE(report.conditioning->exceeds_limit);
+  EXPECT_GT(report.conditioning->effect, 1e-6);
+  EXPECT_GT(report.conditioning->exceeded_at, 1.0);
+  ASSERT_EQ(report.reliability.doubts.size(), 1U);
+  EXPECT_NE(report.reliability.doubts[0].find("separatrix"), std::string::npos);
+}
+
+TEST(Conditioning, IsNotDoubtedAwayFromIt) {
+  EXPECT_TRUE(report_of(free_body({1, 2, 3}), {1.0, 0.3, 0.5}, 60.0).reliability.doubts.empty());
+}
+
+}  // namespace
+}  // namespace polhode
