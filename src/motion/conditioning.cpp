@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kTimes = 256;
+constexpr int kTimesOfNeighbours = 256;
 constexpr double kRounding = 0x1p-53;
 
 State changed(const State& start, const Vec3& momentum, const Vec3& turn) {
@@ -31,28 +31,32 @@ std::vector<State> neighbours_of(const State& start, double size) {
   return neighbours;
 }
 
-State neighbour_of(const State& start, double size) {
-  return changed(start, size * Vec3(1, -1, 1), size * Vec3(1, 1, -1));
+State neighbour_of(const BodyModel& model, const State& start, double size) {
+  State s = start;
+  s.y += size * momentum_scale(model, start) * Vec3(1, -1, 1);
+  s.q = start.q * exp_rotation(size * Vec3(1, 1, -1));
+  return s;
 }
 
 Conditioning conditioning_of(
     const BodyModel& model,
     const Trajectory& motion,
     double duration,
-    const std::vector<State>& neighbours,
-    double size,
+    const Neighbours& neighbours,
+    double roundings,
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve) {
   std::vector<std::shared_ptr<const Trajectory>> others;
-  others.reserve(neighbours.size());
-  for (const State& start : neighbours)
+  others.reserve(neighbours.starts.size());
+  for (const State& start : neighbours.starts)
     others.push_back(solve(start));
+  const double factor = roundings * kRounding / neighbours.size;
   Conditioning found;
-  for (int i = 1; i <= kTimes; ++i) {
-    const double t = duration * i / kTimes;
+  for (int i = 1; i <= kTimesOfNeighbours; ++i) {
+    const double t = duration * i / kTimesOfNeighbours;
     const State here = motion.at(t);
     for (const std::shared_ptr<const Trajectory>& other : others) {
-      const double effect = deviation(model, here, other->at(t)) * kRounding / size;
+      const double effect = deviation(model, here, other->at(t)) * factor;
       if (!(effect <= found.effect)) found.effect = effect;
     }
     if (!found.exceeds_limit && !(found.effect <= limit)) {

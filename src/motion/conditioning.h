@@ -14,26 +14,33 @@ namespace polhode {
 // and the attitude turned by `size` (rad) about each principal axis.
 std::vector<State> neighbours_of(const State& start, double size);
 
-// One start next to `start`, with all six changes at once.
-State neighbour_of(const State& start, double size);
+// One start next to `start`: the fraction `size` of momentum_scale() (motion/scales.h) is added to
+// each component of the momentum, and the attitude is turned by `size` about each principal axis.
+State neighbour_of(const BodyModel& model, const State& start, double size);
 
-// What one rounding (2^-53) of the start does.
+// Starts next to a start, and how far from it they are.
+struct Neighbours {
+  std::vector<State> starts;
+  double size = 0.0;
+};
+
+// What roundings (2^-53 each) of the start do to the motion.
 struct Conditioning {
   double effect = 0.0;       // rad: largest change of the attitude over the motion
-  double exceeded_at = 0.0;  // s: first time found at which the change exceeds the limit
+  double exceeded_at = 0.0;  // s: first time found at which the change exceeds the limit, else 0
   bool exceeds_limit = false;
 };
 
 // Compares `motion` with the motions of its neighbours, which `solve` finds in the same way as
-// `motion` was found. Their distance (`size` in neighbours_of) may be larger than a rounding, as
-// long as the change stays small: it is scaled. `limit` in rad, duration in s. Throws what `solve`
-// throws.
+// `motion` was found. The change is scaled from the distance of the neighbours to that of so many
+// `roundings`; it must be small for this to be true. `limit` in rad, duration in s. Throws what
+// `solve` throws.
 Conditioning conditioning_of(
     const BodyModel& model,
     const Trajectory& motion,
     double duration,
-    const std::vector<State>& neighbours,
-    double size,
+    const Neighbours& neighbours,
+    double roundings,
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve);
 

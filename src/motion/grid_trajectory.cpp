@@ -51,6 +51,17 @@ class GridTrajectory final : public Trajectory {
     return s;
   }
 
+  // Keeps the state after so many steps, if it is its turn; of too many states every second goes.
+  void keep(long index, const State& s) {
+    if (index % stride != 0) return;
+    states.push_back(s);
+    if (static_cast<long>(states.size()) <= 2 * kMostKeptStates) return;
+    for (std::size_t i = 0; 2 * i < states.size(); ++i)
+      states[i] = states[2 * i];
+    states.resize((states.size() + 1) / 2);
+    stride *= 2;
+  }
+
   // the very step that the integration took, so that walking again gives the same bits
   double step_length(long i) const { return times.empty() ? h : time(i + 1) - time(i); }
 
@@ -125,8 +136,8 @@ Integration integrate_adaptive(const StepperInfo& method,
       [&](double t, const State& now) {
         drift.look_at(now);
         grid->times.push_back(t);
-        grid->states.push_back(now);
-        const auto steps = static_cast<long>(grid->states.size());
+        const auto steps = static_cast<long>(grid->times.size()) - 1;
+        grid->keep(steps, now);
         if (steps % kStepsBetweenInterruptChecks == 0) stop_if_interrupted();
         if (steps <= kMostSteps / 8) return;
         throw input_error(

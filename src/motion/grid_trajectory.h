@@ -25,8 +25,8 @@ struct Integration {
   IntegrationRecord record;
 };
 
-// The greatest number of fixed steps of one integration. Adaptive methods, which keep every state,
-// may take an eighth of it.
+// The greatest number of fixed steps of one integration. Adaptive methods, which keep every
+// time, may take an eighth of it.
 inline constexpr long kMostSteps = 50'000'000;
 
 // The least relative tolerance of an adaptive method: about the round-off of one step.

@@ -2,6 +2,7 @@
 // Refines an integration until the error of its answer is below a given accuracy.
 #pragma once
 
+#include "motion/conditioning.h"
 #include "motion/grid_trajectory.h"
 
 namespace polhode {
@@ -17,17 +18,20 @@ Integration integrate_with(const StepperInfo& method,
 // An integration whose error was estimated.
 struct Refined {
   Integration integration;
-  double fineness = 0.0;        // s, or relative tolerance
-  double error_estimate = 0.0;  // rad: of this integration's attitude over the whole motion
+  double fineness = 0.0;  // s, or relative tolerance
+  // rad: truncation and round-off of this integration's attitude over the whole motion
+  double error_estimate = 0.0;
+  // what round-off may do to it; it may exceed the accuracy
+  Conditioning conditioning;
 };
 
 // Makes runs of increasing fineness until the estimated error of the last one is at most
 // `accuracy` (rad). The estimate needs three runs: the differences of successive runs must fall as
-// the order of the method demands; a smaller difference is taken for chance. Each pair of runs is
-// compared at times that no other pair was compared at. duration in s. Throws Error (input),
-// without a key, if the accuracy cannot be reached: because the runs stop converging before, as
-// they do where round-off has grown too much, or because too many steps are needed. Throws Error
-// as integrate_with does.
+// the order of the method demands; a smaller difference is taken for chance. The last difference
+// must be clearly below the accuracy, too. Each pair of runs is compared at times that no other
+// pair was compared at. duration in s. Throws Error (input), without a key, if the accuracy cannot
+// be reached: because the runs stop converging before, as they do where round-off has grown too
+// much, or because too many steps are needed. Throws Error as integrate_with does.
 Refined refine(const StepperInfo& method,
                const BodyModel& model,
                const State& start,

@@ -20,10 +20,7 @@ namespace polhode {
 namespace {
 
 constexpr double kLeastAccuracy = 1e-13;  // rad
-// relative distance of the neighbours that show the conditioning: for integrations well above
-// their round-off, for closed forms the last digit
-constexpr double kNudge = 1e-13;
-constexpr double kLastDigit = 0x1p-52;
+constexpr double kLastDigit = 0x1p-52;    // of the start: neighbours of closed forms
 constexpr int kTimesOfDrift = 257;
 
 void refuse_wrong_fineness(const StepperInfo& method, const NumericsSpec& numerics) {
@@ -71,18 +68,7 @@ Integration integrate_by(const StepperInfo& method,
   report.error_estimate_rad = found.error_estimate;
   report.method_reason +=
       fmt::format("; refined until runs converge within {:.3g} rad", report.accuracy_rad);
-  // a coarser run shows as well how neighbours part
-  const double coarser = found.fineness * (method.adaptive ? 32.0 : 2.0);
-  const auto solve = [&](const State& from) {
-    return integrate_with(method, model, from, duration, coarser).trajectory;
-  };
-  report.conditioning = conditioning_of(model,
-                                        *solve(start),
-                                        duration,
-                                        {neighbour_of(start, kNudge)},
-                                        kNudge,
-                                        report.accuracy_rad,
-                                        solve);
+  report.conditioning = found.conditioning;
   return std::move(found.integration);
 }
 
@@ -159,13 +145,15 @@ Integration integrate(const BodyModel& model,
 }
 
 void doubt_conditioning(SimulationReport& report) {
-  if (!report.conditioning || !report.conditioning->exceeds_limit) return;
+  const std::optional<Conditioning>& found = report.conditioning;
+  if (!found || !found->exceeds_limit) return;
   report.reliability.doubts.push_back(fmt::format(
-      "rounding the start moves the attitude by up to {:.2g} rad, and the scene allows {:.2g} "
-      "(until {:.4g} s it is less): the motion is chaotic or close to a separatrix",
-      report.conditioning->effect,
+      "{} may move the attitude by {:.2g} rad, and the scene allows {:.2g} (reached at {:.4g} s): "
+      "the motion is chaotic or close to a separatrix",
+      report.method == "exact" ? "one rounding of the start" : "round-off",
+      found->effect,
       report.accuracy_rad,
-      report.conditioning->exceeded_at));
+      found->exceeded_at));
 }
 
 }  // namespace
@@ -222,16 +210,16 @@ Simulation simulate(const BodyModel& body,
     drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
   }
   report.record.drift = drift.worst();
-  report.conditioning =
-      conditioning_of(model,
-                      *trajectory,
-                      motion.duration,
-                      neighbours_of(start, kLastDigit),
-                      kLastDigit,
-                      accuracy_rad,
-                      [&](const State& from) {
-                        return std::shared_ptr<const Trajectory>(chosen.make(model, from));
-                      });
+  const auto solve = [&](const State& from) {
+    return std::shared_ptr<const Trajectory>(chosen.make(model, from));
+  };
+  report.conditioning = conditioning_of(model,
+                                        *trajectory,
+                                        motion.duration,
+                                        {neighbours_of(start, kLastDigit), kLastDigit},
+                                        1.0,
+                                        accuracy_rad,
+                                        solve);
   doubt_conditioning(report);
   return {Motion(model, trajectory, motion), report};
 }

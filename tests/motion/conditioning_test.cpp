@@ -29,8 +29,9 @@ TEST(Conditioning, NeighboursDifferInOneNumberEach) {
     EXPECT_NEAR(std::max(turned, changed), 1e-6, 1e-12);
     EXPECT_NEAR(std::min(turned, changed), 0.0, 1e-12);
   }
-  EXPECT_NEAR(
-      rotation_angle_between(neighbour_of(start, 1e-6).q, start.q), 1e-6 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(rotation_angle_between(neighbour_of(free_body({1, 2, 3}), start, 1e-6).q, start.q),
+              1e-6 * std::sqrt(3.0),
+              1e-12);
 }
 
 // a free sphere: a change of the rate by one part grows with the angle turned

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/scales.h"
 #include "motion/stepper_table.h"
+#include "motion/walk.h"
 #include "support/expect_error.h"
 #include "support/residual.h"
 #include "support/stepper_rows.h"
@@ -92,6 +94,29 @@ TEST(Stride, WalkingGivesTheSameBitsAsStepping) {
     stepper->step(t, h, s);
   }
   EXPECT_GE(compared, 30);
+}
+
+// an adaptive run of more steps than states are kept
+TEST(Stride, WalkingAnAdaptiveGridGivesTheSameStates) {
+  const Problem p = hairer_vilmart();
+  const StepperInfo& row = find_stepper("dopri5");
+  constexpr double kTolerance = 1e-14;
+  const double duration = 1600.0;
+  const Integration found = integrate_adaptive(row, p.model, p.start, duration, kTolerance);
+  ASSERT_GT(found.record.steps, 400'000);
+  const std::unique_ptr<Stepper> stepper = row.make(p.model, momentum_scale(p.model, p.start));
+  State s = p.start;
+  long step = 0;
+  walk_adaptive(row,
+                *stepper,
+                s,
+                duration,
+                kTolerance,
+                first_step(p.model, p.start, kTolerance, row.order),
+                [&](double t, const State& now) {
+                  if (++step % 9973 != 0) return;
+                  EXPECT_TRUE(same_bits(found.trajectory->at(t), now)) << "step " << step;
+                });
 }
 
 TEST(FixedSteps, ADurationThatIsNoMultipleOfTheStepIsReached) {

@@ -3,32 +3,43 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "film/overrides.h"
 #include "motion/derived.h"
+#include "motion/scales.h"
 
 namespace polhode {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kFinest = 1e-12;  // rad: what is worth pricing
+
 Json list_of(const Vec3& v) {
   // adding zero turns -0 into 0
   return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0};
 }
 
-// evaluations that the equations of motion would take at the scene's accuracy; null: out of reach
+// Evaluations that the equations of motion would take at the scene's accuracy; null: out of reach.
+// A long motion is priced by its beginning, which may err by its part of the accuracy.
 Json evaluations_of_ode(const Solved& solved) {
   const SimulationReport& report = solved.simulation.report;
   if (report.model == "ode" || report.model == "ode6") return report.record.evaluations;
   NumericsSpec numerics;
   numerics.model = "ode";
+  MotionSpec beginning = solved.scene.motion;
+  constexpr double kTurned = 500.0;  // rad
+  const double rate = typical_rate(solved.model, start_state(solved.model, beginning));
+  const double parts = std::max(1.0, beginning.duration * rate / kTurned);
+  beginning.duration /= parts;
   try {
-    return simulate(solved.model, solved.scene.motion, numerics, report.accuracy_rad)
-        .report.record.evaluations;
+    const Simulation found =
+        simulate(solved.model, beginning, numerics, std::max(report.accuracy_rad / parts, kFinest));
+    return std::llround(static_cast<double>(found.report.record.evaluations) * parts);
   } catch (const Error& error) {
     if (error.fault() == Fault::interrupted) throw;
     return nullptr;

@@ -161,9 +161,10 @@ void fill(StabilityMaps& all,
   }
   for (MappedScene& place : places)
     prepare_place(place, job);
-  Progress progress(job.progress, static_cast<int>(all.maps.size()) * rows, "rows");
+  const int there = static_cast<int>(done.size());
+  Progress progress(job.progress, static_cast<int>(all.maps.size()) * rows, "rows", there);
   std::mutex lock;
-  int count = static_cast<int>(done.size());
+  int count = 0;
   try {
     parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
       const auto [map, row] = left[static_cast<std::size_t>(i)];

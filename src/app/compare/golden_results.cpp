@@ -76,7 +76,10 @@ std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<Loade
       hold_against_references(one, result);
     } catch (const Error& error) {
       if (error.fault() == Fault::environment || error.fault() == Fault::interrupted) throw;
-      result.drawn.reset();
+      // an unreadable reference, too, leaves nothing that could pass for a result
+      const GoldenVerdict rule = result.rule;
+      result = {};
+      result.rule = rule;
       result.error = error.what();
     }
     const std::lock_guard lock(showing);

@@ -9,7 +9,7 @@ namespace polhode {
 
 template <class Visitor>
 void report_fields(Visitor& v, Conditioning& s) {
-  v.field("rounding_moves_rad", s.effect);
+  v.field("round_off_rad", s.effect);
   v.field("exceeds_accuracy", s.exceeds_limit);
   v.field("exceeds_accuracy_at_s", s.exceeded_at);
 }

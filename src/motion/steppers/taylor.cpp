@@ -101,10 +101,10 @@ class Taylor : public Stepper {
   }
 
  protected:
-  // p, e and v at the end of the step; the estimate is the size of the last term
+  // p at the end of the step and the change of v; the estimate is the size of the last term
   struct Sum {
     Quat p;
-    Vec3 v;
+    Vec3 change_of_v;
     double last;
   };
   Sum sum(const Quat& p, const Vec3& e, const Vec3& v, double h) const {
@@ -121,16 +121,17 @@ class Taylor : public Stepper {
       expand_free(series, order_, h);
     }
     // the small terms first
-    Four end = {}, end_v = {};
-    for (std::size_t k = order_ + 1; k-- > 0;) {
+    Four end = {}, change_of_v = {};
+    for (std::size_t k = order_; k > 0; --k) {
       end += series.p[k];
-      end_v += series.v[k];
+      change_of_v += series.v[k];
     }
+    end += series.p[0];
     const Four& last = series.p[order_];
     StateVector<kThreeDegrees> size;
     size << last[0], last[1], last[2], last[3], model_.moments.cwiseProduct(vec(series.v[order_]));
     return {normalized(Quat(end[3], end[0], end[1], end[2])),
-            vec(end_v),
+            vec(change_of_v),
             norm_.of<kThreeDegrees>(size)};
   }
 
@@ -157,7 +158,9 @@ class TaylorInBody final : public Taylor {
     const Sum end =
         sum(s.q.conjugate(), up_in_body(model_, s.q), -angular_velocity(model_, s.y), h);
     s.q = end.p.conjugate();
-    s.y = -model_.moments.cwiseProduct(end.v);
+    // y itself is not divided by the moments and multiplied again: in a steady motion the same
+    // rounding at each step would add up
+    s.y -= model_.moments.cwiseProduct(end.change_of_v);
     ++work.evaluations;
     return end.last;
   }
@@ -178,9 +181,10 @@ class TaylorInSpace final : public Taylor {
 
   double step_with_error(double, double h, State& s, Work& work) const override {
     const double spin = s.y[axis_];
-    const Sum end = sum(s.q, s.q * Vec3::Unit(axis_), across_ * momentum_in_space(s), h);
+    const Vec3 v = across_ * momentum_in_space(s);
+    const Sum end = sum(s.q, s.q * Vec3::Unit(axis_), v, h);
     s.q = end.p;
-    s.y = s.q.conjugate() * (end.v / across_);
+    s.y = s.q.conjugate() * ((v + end.change_of_v) / across_);
     s.y[axis_] = spin;
     turn_about_axis(axis_, h * difference_ * spin, s.q, s.y);
     ++work.evaluations;

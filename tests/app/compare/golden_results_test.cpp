@@ -92,6 +92,17 @@ TEST_F(ResultOfACase, ThatCannotBeDrawnIsItsError) {
   EXPECT_EQ(results_.at(1).outcome(), "same");
 }
 
+// after a reference that the picture matches
+TEST_F(ResultOfACase, AnUnreadableReferenceIsItsError) {
+  folder_.accept("top.png", drawn_.image);
+  test::write_text(folder_ / "top.arm.png", "no picture");
+  const CaseResult& one = result();
+  EXPECT_EQ(one.outcome(), "error");
+  EXPECT_FALSE(one.same());
+  EXPECT_FALSE(one.verdict);
+  EXPECT_NE(one.reason().find("top.arm.png"), std::string::npos);
+}
+
 TEST_F(ResultOfACase, AWrongBackEndIsTheUsersErrorNotTheCases) {
   job_.backend = "osmsea";
   test::expect_input_error([&] { result(); }, "--backend", "did you mean 'osmesa'?");
