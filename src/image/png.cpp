@@ -47,6 +47,22 @@ png_image header_of(const Image& image, bool with_alpha) {
   return png;
 }
 
+// libpng shows what there is of a picture that was cut off behind its pixels. Chunks are a length,
+// a type, so many bytes and a checksum.
+void refuse_cut_off(const std::string& bytes, const Place& place) {
+  constexpr std::size_t kSignature = 8, kAround = 12;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<unsigned char>(bytes[i]);
+  };
+  if (!bytes.starts_with("\x89PNG")) return;  // libpng says what is wrong
+  for (std::size_t i = kSignature; i + kAround <= bytes.size();) {
+    if (bytes.compare(i + 4, 4, "IEND") == 0) return;
+    i += kAround + (std::size_t{byte(i)} << 24U | std::size_t{byte(i + 1)} << 16U |
+                    std::size_t{byte(i + 2)} << 8U | std::size_t{byte(i + 3)});
+  }
+  throw input_error("is not a whole PNG picture: it ends before its last chunk").at(place);
+}
+
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha) {
@@ -100,6 +116,7 @@ Image read_png(const std::filesystem::path& path) {
 
 Image decode_png(const std::string& bytes, const std::string& name) {
   const Place place{name, 0, {}};
+  refuse_cut_off(bytes, place);
   Reader png;
   const auto refuse = [&] {
     return input_error("is not a PNG picture: {}", png.message).at(place);

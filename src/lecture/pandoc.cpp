@@ -28,6 +28,18 @@ std::vector<std::string> formulas_in(const std::string& warnings) {
   return found;
 }
 
+// Every level of a list, a quotation or emphasis is some levels of the tree. What walks over the
+// tree is recursive.
+nlohmann::ordered_json parsed(const std::string& text) {
+  static constexpr int kDeepest = 400;
+  const auto look = [](int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
+    if (depth > kDeepest)
+      throw input_error("the deck is nested deeper than {} levels of pandoc's tree", kDeepest);
+    return true;
+  };
+  return nlohmann::ordered_json::parse(text, look, false);
+}
+
 }  // namespace
 
 std::string pandoc_version() {
@@ -49,8 +61,19 @@ void require_pandoc() {
 }
 
 nlohmann::ordered_json read_markdown(const std::string& text) {
-  const ChildResult ran = run_child({"pandoc", "--sandbox", "-f", kMarkdown, "-t", "json"}, text);
-  nlohmann::ordered_json tree = nlohmann::ordered_json::parse(ran.out, nullptr, false);
+  // many times what a lecture of a hundred pages takes; aliases of YAML and brackets that nobody
+  // closes can take all there is
+  constexpr ChildLimits kLimits{.seconds = 30.0, .memory = 1U << 30U, .output = 64U << 20U};
+  const ChildResult ran =
+      run_child({"pandoc", "--sandbox", "-f", kMarkdown, "-t", "json"}, text, kLimits);
+  // what the run-time system of pandoc says when it gets no more memory
+  const bool no_memory = ran.status != 0 && ran.err.find("commit") != std::string::npos;
+  if (!ran.exceeded.empty() || no_memory) {
+    throw input_error(
+        "pandoc {} to read this deck; are brackets left open, or is its metadata a list of lists?",
+        no_memory ? "needs more than 1 GiB of memory" : ran.exceeded);
+  }
+  nlohmann::ordered_json tree = parsed(ran.out);
   if (ran.status == 0 && tree.is_object() && tree.contains("blocks")) return tree;
   const std::string words = ran.err.substr(0, ran.err.find('\n'));
   throw input_error("pandoc cannot read this deck: {}", words.empty() ? "no reason given" : words);
@@ -64,7 +87,9 @@ Written write_document(const nlohmann::ordered_json& tree,
   command.insert(command.end(), words.begin(), words.end());
   ChildResult ran = run_child(command, tree.dump());
   if (ran.status != 0) {
-    throw environment_error("pandoc failed: {}", ran.err.substr(0, ran.err.find('\n')));
+    throw environment_error(
+        "pandoc failed: {}",
+        ran.exceeded.empty() ? ran.err.substr(0, ran.err.find('\n')) : "it " + ran.exceeded);
   }
   return {std::move(ran.out), formulas_in(ran.err)};
 }

@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <compare>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include "base/error.h"
+#include "base/system/interrupt.h"
 #include "model/triangle_mesh.h"
 
 namespace polhode {
@@ -59,26 +63,6 @@ void read_soup(const std::string& bytes,
   if (faces.empty()) throw input_error("'{}' has no faces", name);
 }
 
-// boxes of triangles that overlap are found by a sweep along x
-struct Extent {
-  Eigen::AlignedBox3d box;
-  std::size_t triangle;
-};
-
-std::vector<Extent> extents_along_x(const TriangleMesh& mesh) {
-  std::vector<Extent> extents;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Extent extent{{}, t};
-    for (int i = 0; i < 3; ++i)
-      extent.box.extend(corner(mesh, mesh.triangles[t], i));
-    extents.push_back(extent);
-  }
-  std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
-    return a.box.min().x() < b.box.min().x();
-  });
-  return extents;
-}
-
 // do two triangles touch anywhere but at the corners they share?
 bool cross(const TriangleMesh& mesh, Triangle s, Triangle t) {
   // shared corners first, in the same order in both
@@ -107,47 +91,85 @@ bool cross(const TriangleMesh& mesh, Triangle s, Triangle t) {
                              point(s, 0), point(s, 1), point(s, 2), point(t, 2)) == CGAL::POSITIVE);
 }
 
+// Triangles whose boxes overlap are found by CGAL (Zomorodian and Edelsbrunner, Int. J. Comput.
+// Geom. Appl. 12 (2002) 143). A fan of long needles has as many such pairs as it has pairs.
 void refuse_crossings(const TriangleMesh& mesh) {
-  const std::vector<Extent> extents = extents_along_x(mesh);
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    const Extent& a = extents[i];
-    for (std::size_t j = i + 1; j < extents.size(); ++j) {
-      const Extent& b = extents[j];
-      if (b.box.min().x() > a.box.max().x()) break;
-      if (!a.box.intersects(b.box)) continue;
-      if (!cross(mesh, mesh.triangles[a.triangle], mesh.triangles[b.triangle])) continue;
-      throw input_error("the mesh crosses itself: triangles {} and {}, near {}",
-                        std::min(a.triangle, b.triangle) + 1,
-                        std::max(a.triangle, b.triangle) + 1,
-                        text(a.box.intersection(b.box).center()));
-    }
+  constexpr std::size_t kMostPairs = 250'000'000;  // some ten seconds
+  constexpr std::size_t kPairsBetweenLooks = 1 << 16;
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& triangle = mesh.triangles[t];
+    boxes.emplace_back(cgal(corner(mesh, triangle, 0)).bbox() +
+                           cgal(corner(mesh, triangle, 1)).bbox() +
+                           cgal(corner(mesh, triangle, 2)).bbox(),
+                       t);
   }
+  std::size_t pairs = 0;
+  std::optional<std::pair<std::size_t, std::size_t>> first;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    if (++pairs % kPairsBetweenLooks == 0) stop_if_interrupted();
+    if (pairs > kMostPairs) {
+      throw input_error(
+          "the mesh has so many long, thin triangles side by side that it cannot be checked for "
+          "crossings (over {} pairs among {} triangles); give it rounder triangles",
+          kMostPairs,
+          mesh.triangles.size());
+    }
+    const std::pair<std::size_t, std::size_t> pair = std::minmax(a.info(), b.info());
+    if (first && *first < pair) return;
+    if (cross(mesh, mesh.triangles[pair.first], mesh.triangles[pair.second])) first = pair;
+  });
+  if (!first) return;
+  Eigen::AlignedBox3d common[2];
+  const std::size_t both[2] = {first->first, first->second};
+  for (int k = 0; k < 2; ++k) {
+    for (int i = 0; i < 3; ++i)
+      common[k].extend(corner(mesh, mesh.triangles[both[k]], i));
+  }
+  throw input_error("the mesh crosses itself: triangles {} and {}, near {}",
+                    first->first + 1,
+                    first->second + 1,
+                    text(common[0].intersection(common[1]).center()));
 }
 
 // each directed edge once, and its reverse once
 void refuse_open_edges(const TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, std::size_t> owner;
+  struct Edge {
+    int from, to;
+    std::size_t triangle;
+    auto operator<=>(const Edge&) const = default;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int from = mesh.triangles[t][i];
-      const int to = mesh.triangles[t][(i + 1) % 3];
-      const auto [place, fresh] = owner.try_emplace({from, to}, t);
-      if (fresh) continue;
-      throw input_error(
-          "triangles {} and {} run the same way along the edge {} - {}: one is turned "
-          "over, or more than two meet there",
-          place->second + 1,
-          t + 1,
-          text(mesh.points[static_cast<std::size_t>(from)]),
-          text(mesh.points[static_cast<std::size_t>(to)]));
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back({mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3], t});
   }
-  for (const auto& [edge, t] : owner) {
-    if (owner.contains({edge.second, edge.first})) continue;
-    throw input_error("the mesh is open: triangle {} has no neighbour along the edge {} - {}",
-                      t + 1,
-                      text(mesh.points[static_cast<std::size_t>(edge.first)]),
-                      text(mesh.points[static_cast<std::size_t>(edge.second)]));
+  std::sort(edges.begin(), edges.end());
+  const auto where = [&](const Edge& edge) {
+    return fmt::format("{} - {}",
+                       text(mesh.points[static_cast<std::size_t>(edge.from)]),
+                       text(mesh.points[static_cast<std::size_t>(edge.to)]));
+  };
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const Edge& edge = edges[i];
+    const Edge& next = edges[i + 1];
+    if (edge.from != next.from || edge.to != next.to) continue;
+    throw input_error(
+        "triangles {} and {} run the same way along the edge {}: one is turned over, or more than "
+        "two meet there",
+        edge.triangle + 1,
+        next.triangle + 1,
+        where(edge));
+  }
+  for (const Edge& edge : edges) {
+    const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{edge.to, edge.from, 0});
+    if (found != edges.end() && found->from == edge.to && found->to == edge.from) continue;
+    throw input_error("the mesh is open: triangle {} has no neighbour along the edge {}",
+                      edge.triangle + 1,
+                      where(edge));
   }
 }
 
@@ -204,6 +226,9 @@ void check_solid(const TriangleMesh& mesh) {
   refuse_open_edges(mesh);
   refuse_crossings(mesh);
   const double volume = volume_of(mesh);
+  if (!std::isfinite(volume)) {
+    throw input_error("the mesh is too large: its volume in m^3 is beyond the range of numbers");
+  }
   if (!(volume > 0.0)) {
     throw input_error(
         "the mesh is inside out: its volume is {:.6g} m^3; list the corners of each triangle the "

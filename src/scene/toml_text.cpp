@@ -36,7 +36,9 @@ std::size_t skip_string(std::string_view text, std::size_t i) {
     if (quote == '"' && text[i] == '\\') {
       ++i;
     } else if (multi_line && text.substr(i, 3) == three) {
-      return i + 3;
+      // up to two quotes before the closing three belong to the string
+      const std::size_t quotes = std::min(text.find_first_not_of(quote, i), text.size()) - i;
+      return i + std::min<std::size_t>(quotes, 5);
     } else if (!multi_line && (text[i] == quote || text[i] == '\n')) {
       return i + 1;
     }

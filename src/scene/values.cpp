@@ -165,6 +165,11 @@ void read_value(const Found& found, const Doc& doc, std::string& value) {
       doc.choices.empty() ? doc.color ? "#ff8800" : "a title" : doc.choices.front();
   if (!found.node.is_string()) refuse_type(found, fmt::format("text, such as \"{}\"", example));
   value = found.node.as_string()->get();
+  if (value.size() > kLongestText) {
+    refuse(
+        found,
+        fmt::format("is a text of {} bytes; at most {} are allowed", value.size(), kLongestText));
+  }
   if (!doc.choices.empty() &&
       std::find(doc.choices.begin(), doc.choices.end(), value) == doc.choices.end()) {
     refuse(found, fmt::format("'{}' is not known{}", cut(value), suggestion(value, doc.choices)));

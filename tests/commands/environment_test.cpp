@@ -132,6 +132,14 @@ TEST(Environment, AReaderWhoHasHadEnoughIsNoFailure) {
   EXPECT_EQ(test::read_text(folder / "err"), "");
 }
 
+TEST(Environment, AFileThatLinksToItselfIsNotMissing) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("loop.toml", folder / "loop.toml");
+  const Ran ran = run_polhode("inspect '" + (folder / "loop.toml") + "'");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("Too many levels of symbolic links"), std::string::npos) << ran.err;
+}
+
 // the number of a closed stream must not become that of the film
 TEST(Environment, ClosedStreamsChangeNothingElse) {
   const TemporaryFolder folder;

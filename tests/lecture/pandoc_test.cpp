@@ -50,6 +50,17 @@ TEST(Pandoc, WritesDocumentsAndTellsFormulasThatItCannotRead) {
   EXPECT_TRUE(write_document(good, {"-t", "html5", "--mathml"}).bad_formulas.empty());
 }
 
+TEST(Pandoc, DeepNestingIsRefused) {
+  EXPECT_NO_THROW(read_markdown(std::string(50, '>') + " word\n"));
+  try {
+    read_markdown(std::string(3000, '>') + " word\n");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_NE(error.message().find("nested deeper"), std::string::npos) << error.message();
+  }
+}
+
 TEST(Pandoc, WhatItRefusesIsAnErrorOfTheEnvironment) {
   try {
     write_document(read_markdown("a\n"), {"-t", "nothing"});

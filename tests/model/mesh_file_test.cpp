@@ -57,6 +57,14 @@ TEST(MeshFile, RefusesWhatBoundsNoSolid) {
       "",
       "inside out");
   expect_input_error(
+      [&] {
+        solid(
+            "v 0 0 0\nv 1e150 0 0\nv 0 1e150 0\nv 0 0 1e150\n"
+            "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+      },
+      "",
+      "too large");
+  expect_input_error(
       [&] { solid("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"); },
       "",
       "turned over");

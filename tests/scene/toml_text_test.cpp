@@ -80,7 +80,11 @@ TEST(Text, RefusesDeepNestingOfEveryKind) {
                                   "a = " + repeated("{ a = ", deep),
                                   repeated("a.", deep) + "a = 1",
                                   "[" + repeated("a.", deep) + "a]",
-                                  "[[" + repeated("\"a\" . ", deep) + "a]]"}) {
+                                  "[[" + repeated("\"a\" . ", deep) + "a]]",
+                                  // behind strings that end in quotes of their own
+                                  "x = {s = \"\"\"a\"\"\"\", " + repeated("a.", deep) + "a = 1}",
+                                  "x = {s = \"\"\"\"\"\"\"\", " + repeated("a.", deep) + "a = 1}",
+                                  "x = {s = '''a''''', " + repeated("a.", deep) + "a = 1}"}) {
     EXPECT_NE(error_of(text).find(deeper), std::string::npos);
   }
   // brackets and dots in strings and comments are no nesting
@@ -98,6 +102,12 @@ TEST(Text, RefusesDeepNestingOfEveryKind) {
 TEST(Text, RefusesTooMuch) {
   const std::string error = error_of(kBody + "#" + std::string(kLargestScene, ' '));
   EXPECT_NE(error.find("is larger than 16000000 bytes"), std::string::npos) << error;
+}
+
+TEST(Text, RefusesWordsThatFillNoPicture) {
+  EXPECT_EQ(error_of("title = \"" + std::string(2000, 'a') + "\"\n" + kBody), "");
+  const std::string error = error_of("title = \"" + std::string(2001, 'a') + "\"\n" + kBody);
+  EXPECT_NE(error.find("title: is a text of 2001 bytes; at most 2000"), std::string::npos) << error;
 }
 
 TEST(Text, CutsBetweenCharacters) {

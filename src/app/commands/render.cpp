@@ -86,7 +86,13 @@ Made render_film(const RenderJob& job) {
   if (report_file == nullptr) {
     print_out(report);
   } else {
-    report_file->commit_with(report);
+    try {
+      report_file->commit_with(report);
+    } catch (const Error& error) {
+      throw Error(error.fault(),
+                  fmt::format("{}; {} is complete", error.message(), plan.sink.output),
+                  error.place());
+    }
   }
   return made;
 }

@@ -128,8 +128,13 @@ void write_file(const fs::path& target, std::string_view content) {
 
 std::string read_file(const fs::path& path, std::size_t most) {
   const Place place{path.string(), 0, {}};
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw input_error("the file does not exist").at(place);
+  std::error_code ignored, failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found) {
+    throw input_error("the file does not exist").at(place);
+  }
+  // a link to itself, or a folder that may not be entered
+  if (failed) throw input_error("cannot be read ({})", failed.message()).at(place);
   if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
   // a pipe that nobody writes to would be waited for
   if (!fs::is_regular_file(path, ignored)) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "base/error.h"
@@ -83,6 +85,13 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
+  // what it asks for beyond this is refused to it
+  void limit_memory(std::size_t bytes) const {
+    const rlimit limit{bytes, bytes};
+    prlimit(id_, RLIMIT_DATA, &limit, nullptr);
+  }
+  void end_now() const { kill(id_, SIGKILL); }
+
   int wait_for_end() {
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
@@ -105,9 +114,14 @@ bool drain(int file, std::string& text) {
 
 }  // namespace
 
-ChildResult run_child(const std::vector<std::string>& words, std::string_view input) {
+ChildResult run_child(const std::vector<std::string>& words,
+                      std::string_view input,
+                      const ChildLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   Pipe in, out, err;
   Child child(words, in, out, err);
+  child.limit_memory(limits.memory);
   in.close_end(0);
   out.close_end(1);
   err.close_end(1);
@@ -117,6 +131,15 @@ ChildResult run_child(const std::vector<std::string>& words, std::string_view in
   bool out_open = true, err_open = true;
   while (out_open || err_open) {
     stop_if_interrupted();
+    if (std::chrono::duration<double>(Clock::now() - start).count() > limits.seconds) {
+      result.exceeded = fmt::format("took longer than {:g} s", limits.seconds);
+    } else if (result.out.size() + result.err.size() > limits.output) {
+      result.exceeded = fmt::format("wrote more than {} bytes", limits.output);
+    }
+    if (!result.exceeded.empty()) {
+      child.end_now();
+      break;
+    }
     if (input.empty()) in.close_end(1);
     // a negative file descriptor is skipped
     std::array<pollfd, 3> files = {{{out_open ? out.reader() : -1, POLLIN, 0},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "video/libav/libav.h"
 
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -34,6 +35,7 @@ void LibavOptions::refuse_leftovers(const std::string& who) const {
 }
 
 std::string libav_words(int code) {
+  if (code == AVERROR(EPIPE)) return "the program that reads it has ended";
   char words[AV_ERROR_MAX_STRING_SIZE] = {};
   av_strerror(code, words, sizeof words);
   return words;

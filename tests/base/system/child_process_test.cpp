@@ -38,6 +38,22 @@ TEST(ChildProcess, InputMayBeLeftUnread) {
   EXPECT_EQ(run_child({"true"}, std::string(1 << 20, 'x')).status, 0);
 }
 
+TEST(ChildProcess, LimitsEndIt) {
+  ChildLimits limits;
+  limits.seconds = 0.2;
+  const ChildResult slow = run_child({"sleep", "100"}, "", limits);
+  EXPECT_EQ(slow.exceeded, "took longer than 0.2 s");
+  EXPECT_EQ(slow.status, 128 + 9);
+  limits = {};
+  limits.output = 1000;
+  EXPECT_EQ(run_child({"yes"}, "", limits).exceeded, "wrote more than 1000 bytes");
+  limits = {};
+  limits.memory = 50'000'000;
+  const ChildResult large = run_child({"tail", "-c", "200000000", "/dev/zero"}, "", limits);
+  EXPECT_NE(large.status, 0);
+  EXPECT_EQ(large.exceeded, "");
+}
+
 TEST(ChildProcess, AMissingProgramIsTheEnvironment) {
   expect_error([] { run_child({"polhode-no-such-program"}, ""); },
                Fault::environment,
