@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Assertions about the program itself (faults of the user throw Error, see base/error.h). If the
-// condition is false, both print it on stderr and abort the process. CHECK is active in every
-// build, ASSERT in debug builds only: with NDEBUG it does not evaluate its condition. The message
-// names the file without its folder, so the binary does not depend on where it was built.
+// CHECK(condition) and ASSERT(condition): assertions about the program itself (faults of the user
+// throw Error, see base/error.h). If the condition is false, they print it on stderr and abort the
+// process. CHECK is active in every build, ASSERT in debug builds only: with NDEBUG it does not
+// evaluate its condition. The message names the file without its folder, so the binary does not
+// depend on where it was built.
 #pragma once
 
 #include <cstdio>

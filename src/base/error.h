@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The program's only exception type: a message for the user, the place of the fault, and the exit
-// code.
+// The only exception type that the program throws itself: a message for the user, the place of the
+// fault, and the exit code. main() turns all others that reach it, such as std::bad_alloc, into the
+// exit code 3.
 #pragma once
 
 #include <stdexcept>
@@ -14,10 +15,10 @@ namespace polhode {
 // Why a run cannot go on. The value is the exit code of the process. Comments name it in brackets:
 // "Throws Error (input)".
 enum class Fault {
-  check_failed = 1,   // a result failed its check: pictures differ, a motion became NaN
+  check_failed = 1,   // a result failed its check, such as a motion that became NaN
   input = 2,          // bad scene, bad option, bad usage
-  environment = 3,    // no GL, no encoder, disk full
-  interrupted = 130,  // SIGINT, SIGTERM or SIGHUP
+  environment = 3,    // the machine lacks something: a library, a program, memory, disk space
+  interrupted = 130,  // SIGINT, SIGTERM or SIGHUP (base/system/interrupt.h)
 };
 
 // Where in the user's input the fault is; any part may be missing.

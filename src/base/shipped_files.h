@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the files installed with the program. The search starts at the running binary, so no path
-// is compiled in.
+// Finds the files installed with the program. The search starts at the running binary
+// (/proc/self/exe), so no path is compiled in.
 #pragma once
 
 #include <filesystem>

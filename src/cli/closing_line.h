@@ -10,18 +10,19 @@
 
 namespace polhode {
 
-// The line as text, without line break: "film.mp4: 600 frames in 12.3 s (48.8 frames/s)".
-// `seconds`: wall time of the run; the rate counts the frames of this run only.
+// The line as text, without line break: "film.mp4: 600 frames in 12.3 s (48.8 frames/s)"; a
+// single picture has no rate. `seconds`: wall time of the run; the rate counts the frames of this
+// run only.
 std::string closing_line(const Made& made, double seconds);
 
 // The line as one JSON object, without line break: the keys of a line of `--progress json`
-// (base/system/progress.h), in which "done" and "total" are Made::frames, plus "output", "frames"
-// (in the output) and "seconds". `seconds` as above.
+// (docs/render.md), in which "done" and "total" are Made::frames, plus "output", "frames" (in the
+// output) and "seconds". `seconds`: wall time of the run.
 std::string closing_json(const Made& made, double seconds);
 
-// Runs `make`, measures its time, and prints the line in the form that the options ask for (none
-// with --quiet). Returns the exit code 0. Throws what `make` throws, and before it Error (input),
-// with --progress as key, for an unknown kind of progress.
+// Runs `make`, measures its time, and prints the line to stderr: as JSON with `--progress json`,
+// not at all with --quiet, else as text. Returns the exit code 0. Throws what `make` throws, and
+// before it runs Error (input), with --progress as key, for an unknown kind of progress.
 int make_and_tell(const ProgressOptions& options, const std::function<Made()>& make);
 
 }  // namespace polhode

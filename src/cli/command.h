@@ -11,14 +11,15 @@
 namespace polhode {
 
 // Runs a command after its options have been parsed, and returns the exit code of the process. It
-// owns the variables into which the options are parsed. Throws Error.
+// owns the variables into which the options are parsed, so it must be kept until parsing is over.
+// Throws Error.
 using Action = std::function<int()>;
 
 // A row of the table. To add one: see ARCHITECTURE.md.
 struct Command {
   const char* name;     // as typed after `polhode`
   const char* doc;      // one phrase, for --help and the manual page
-  const char* example;  // the shortest useful call
+  const char* example;  // the shortest useful call, with `polhode`
   // adds the options to the subcommand `command` and returns what to run after parsing; does not
   // run anything itself. `command` must outlive the Action, which may refer to it.
   Action (*define)(CLI::App& command);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The allowed values of options, taken from the tables that define them, for manual pages and shell
-// completions.
+// The allowed values of options, taken from the tables that define them, for manual pages and
+// shell completions.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace polhode {
 
 // The values of one option each, in the order of their table.
 std::vector<std::string> backend_words();   // --backend
-std::vector<std::string> codec_words();     // --codec
+std::vector<std::string> codec_words();     // --codec, for endings with a choice (.mp4)
 std::vector<std::string> document_words();  // --to of `lecture`
 std::vector<std::string> method_words();    // --methods; --method also takes "auto" and "exact"
 std::vector<std::string> preset_words();    // --preset

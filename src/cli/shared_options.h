@@ -45,8 +45,8 @@ CLI::Option* add_text(CLI::App& command,
 // Adds the required positional argument SCENE, one scene file. `scene` must outlive parsing.
 void add_scene(CLI::App& command, std::filesystem::path& scene);
 
-// Adds the required positional arguments SCENE, one or more scene files. `scenes` must outlive
-// parsing.
+// Adds the required positional arguments SCENE, one or more scene files. `scenes` must
+// outlive parsing.
 void add_scenes(CLI::App& command, std::vector<std::filesystem::path>& scenes);
 
 // The values of --progress and --quiet.
@@ -56,8 +56,8 @@ struct ProgressOptions {
 };
 // Adds --progress and --quiet. `options` must outlive parsing.
 void add_progress(CLI::App& command, ProgressOptions& options);
-// Adds only --quiet, for commands with a closing line but without progress. `options` must outlive
-// parsing.
+// Adds only --quiet, for commands with a closing line but without progress. `options` must
+// outlive parsing.
 void add_quiet(CLI::App& command, ProgressOptions& options);
 // The kind of progress to show: none with --quiet. Throws Error (input), with --progress as key,
 // for an unknown kind, also with --quiet.

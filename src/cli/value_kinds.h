@@ -20,11 +20,11 @@ struct ValueKind {
   std::vector<std::string> endings;  // of the files to offer, without the dot; empty: any file
 };
 
-// All kinds. The table is static.
+// All kinds. The table exists until the program ends.
 const std::vector<ValueKind>& value_kinds();
 
-// The row of value_kinds() with that name; null for values that cannot be completed, such as
-// numbers.
+// The row of value_kinds() with that name; null for values that cannot be completed, such
+// as numbers.
 const ValueKind* find_value_kind(const std::string& name);
 
 }  // namespace polhode

@@ -9,14 +9,15 @@
 
 namespace polhode {
 
-// Writes chart.csv, with the columns of picture_error_csv(), chart.svg, chart.png and chart.pdf
-// into the folder of the job, together at the end. job.methods is not used. Draws on the calling
-// thread, with an OpenGL context of its own. Each scene is drawn at five times of its motion; the
-// reference pictures are averages over 8x8 drawn pixels with four samples each. A scene with
-// pictures of more than 960x540 pixels is drawn smaller. Returns a summary, one line per scene and
-// setting. Throws Error (input) with --size as key if that option asks for more pixels, and as
-// load_with_overrides, solve and OutputFolder do; (environment) without OpenGL or gnuplot or if a
-// file cannot be written; (check_failed) as solve does; (interrupted).
+// Writes chart.csv, with the columns of picture_error_csv() (chart/plot_picture_error.h),
+// chart.svg, chart.png and chart.pdf into the folder of the job, together at the end. job.methods
+// is not used. Draws on the calling thread, with an OpenGL context of its own. Each scene is drawn
+// at five times of its motion; the reference pictures are averages over 8x8 drawn pixels with four
+// samples each. A scene whose pictures have more pixels than 960x540 is drawn smaller, unless the
+// job sets the size. Returns a summary, one line per scene and setting. Throws Error (input) with
+// --size as key if the job asks for more pixels, and as load_with_overrides, solve
+// (film/solved_scene.h) and OutputFolder (base/system/output_folder.h) do; (environment) without
+// OpenGL or gnuplot or if a file cannot be written; (check_failed) as solve does; (interrupted).
 std::string chart_pictures(const ChartJob& job);
 
 }  // namespace polhode

@@ -19,9 +19,9 @@ struct Diagnosis {
   bool healthy = true;  // false: no back end works, or H.264's encoder libx264 is missing
 };
 
-// Opens every OpenGL back end with its framebuffers, one after the other on the calling thread, and
-// looks for fonts, encoders and gnuplot. `needs` are added to the list. Throws Error (interrupted)
-// only.
+// Opens every OpenGL back end with its framebuffers, one after the other on the calling thread,
+// and looks for fonts, encoders and gnuplot. `needs` are added to the list. Throws Error
+// (interrupted) only.
 Diagnosis examine(const std::vector<ExternalNeed>& needs);
 
 }  // namespace polhode

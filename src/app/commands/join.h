@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command `join`: joins the shards of a film (made by `render --shard K/N`) without
-// re-encoding.
+// The command `join`: joins the shards of a film (made by `render --shard K/N`)
+// without re-encoding.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct JoinJob {
 // message says what differs), for duplicate or damaged shards, for files that are no shards, and
 // for an output with another ending; without a place for an output that is one of the shards or
 // ends in .toml, and if shards are missing (the message lists them); otherwise as FilmJoiner and
-// its join() do.
+// its join() (video/film_joiner.h) do.
 Made join_pieces(const JoinJob& job);
 
 }  // namespace polhode

@@ -11,9 +11,10 @@ namespace polhode {
 std::vector<std::string> list_names();
 
 // The table of that name, as aligned columns with a heading. "scenes" lists the .toml files of the
-// folder named by POLHODE_SCENES, else of a folder `scenes` in the working folder, else of
-// shipped_scenes(). Throws Error (input), without a place, for an unknown name or if there are no
-// scenes, and as load_scene does for a faulty scene.
+// folder `scenes` in the working folder; if there is none, or if the environment variable
+// POLHODE_SCENES is set, those of shipped_scenes() (base/shipped_files.h). Throws Error (input),
+// without a place, for an unknown name or if there are no scenes, and as load_scene (scene/scene.h)
+// does for a faulty scene.
 std::string list_table(const std::string& name);
 
 }  // namespace polhode

@@ -20,8 +20,8 @@ inline constexpr const char* kStepKey = "numerics.step";
 // A motion and the step to integrate it with.
 struct StabilitySetup {
   std::unique_ptr<StabilityProblem> problem;  // never null after prepare_place()
-  // s; used if no axis gives the step: numerics.step of the scene, else 0.1 / typical_rate()
-  // (motion/scales.h)
+  // s; used if no axis gives the step: numerics.step of the scene, else 0.1 /
+  // typical_rate() (motion/scales.h)
   double step = 0.0;
 };
 
@@ -43,11 +43,11 @@ struct MappedScene {
   }
 };
 
-// The scene of that file with the axes that the job asks for, and those of `methods` that can
-// integrate it; `setups` is still empty. Throws Error (input) as load_scene, number_in_scene,
-// make_model and start_state do, with --x, --y, --x-range, --y-range or --cells as key for an
-// impossible axis, with motion.spin as key for a body at rest, and without a place if no method can
-// integrate the scene.
+// The scene of that file with the axes that the job asks for, and those of `methods` (at least one)
+// that can integrate it; `setups` is still empty. Throws Error (input) as load_scene,
+// number_in_scene (scene/scene.h), make_model and start_state (motion/motion.h) do, with --x, --y,
+// --x-range, --y-range or --cells as key for an impossible axis, with motion.spin as key for a body
+// at rest, and without a place if no method can integrate the scene.
 MappedScene make_place(const std::filesystem::path& file,
                        const StabilityJob& job,
                        const std::vector<const StepperInfo*>& methods);
@@ -57,15 +57,15 @@ MappedScene make_place(const std::filesystem::path& file,
 // scene cannot have, and with motion.spin as key for a body at rest; (interrupted).
 void prepare_place(MappedScene& place, const StabilityJob& job);
 
-// Runs the method on one cell, see try_method(); column and row count from 0, allowed_rad is the
-// allowed attitude error. Call it after prepare_place(). Thread-safe. Throws Error (interrupted)
-// only.
+// Runs the method on one cell, see try_method() (chart/stability.h); column and row count from 0,
+// allowed_rad is the allowed attitude error. Call it after prepare_place(). Thread-safe. Throws
+// Error (interrupted) only.
 StabilityCell try_cell(
     const MappedScene& place, const StepperInfo& method, int column, int row, double allowed_rad);
 
-// The method's step limit, see step_limit(), as a curve with one point per row, for maps whose x
-// axis is the step. Empty for other maps, and where theory gives no limit. Call it after
-// prepare_place().
+// The method's step limit, see step_limit() (motion/step_limit.h), as a curve with one point per
+// row, for maps whose x axis is the step. Rows for which theory gives no limit have no point; for
+// other maps the curve is empty. Call it after prepare_place().
 std::vector<LimitPoint> limit_curve(const MappedScene& place, const StepperInfo& method);
 
 }  // namespace polhode

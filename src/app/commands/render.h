@@ -8,13 +8,15 @@
 namespace polhode {
 
 // Makes the output, and the report if job.report names one. No partial files remain after an error,
-// except the segments of --resume. With one job it draws on the calling thread, with an OpenGL
-// context of its own, and may run on several threads at once for different outputs; with more jobs
-// it forks, see open_frame_renderer(). Throws Error (input) as plan_render, open_output,
-// RenderOutput::begin, PreparedFilm, open_frame_renderer and, for the report, AtomicFile do, with
-// --report as key for a report on standard output beside the film, and without a place for an
-// output or report that would overwrite the scene or each other; (environment) if a program,
-// library, memory or disk space is missing; (check_failed) as simulate does; (interrupted).
+// except the finished segments of a film made with --resume. With one job it draws on the calling
+// thread, with an OpenGL context of its own, and may run on several threads at once for different
+// outputs; with more jobs it forks, see open_frame_renderer() (film/frame_workers.h). Throws Error
+// (input) as plan_render, open_output (film/output/open_output.h), RenderOutput::begin,
+// PreparedFilm (film/prepared_film.h), open_frame_renderer and, for the report, AtomicFile
+// (base/system/atomic_file.h) do, with --report as key for a report on standard output beside the
+// film, and without a place for an output or report that would overwrite the scene or each other;
+// (environment) if a program, library, memory or disk space is missing; (check_failed) as simulate
+// (motion/simulate.h) does; (interrupted).
 Made render_film(const RenderJob& job);
 
 }  // namespace polhode

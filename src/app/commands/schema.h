@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-// The JSON Schema of scene files, scene_schema(), as indented JSON. Its descriptions are the Doc
-// texts of the specs (base/fields.h).
+// The JSON Schema of scene files, scene_schema() (scene/schema.h), as indented JSON. Its
+// descriptions are the Doc texts of the specs (base/fields.h).
 std::string schema_text();
 
 }  // namespace polhode

@@ -12,10 +12,11 @@ namespace polhode {
 // stability_SCENE.png and .svg for each scene into the folder, together at the end. If it is
 // interrupted or fails, finished rows of cells are kept there in stability.resume for the next run
 // with the same options. Returns a summary, one line per scene and method. Throws Error (input) as
-// make_place, prepare_place, OutputFolder and KeptRows (for stability.resume) do, with --methods as
-// key for an unknown method, with --y as key for equal axes, and without a place for two scenes of
-// the same name and for an unknown outcome in stability.resume; (environment) without gnuplot or if
-// a file cannot be written; (interrupted).
+// make_place and prepare_place (app/commands/mapped_scene.h), OutputFolder
+// (base/system/output_folder.h) and KeptRows (base/system/kept_rows.h, for stability.resume) do,
+// with --methods as key for an unknown method, with --y as key for equal axes, and without a place
+// for two scenes of the same name and for an unknown outcome in stability.resume; (environment)
+// without gnuplot or if a file cannot be written; (interrupted).
 std::string stability(const StabilityJob& job);
 
 }  // namespace polhode

@@ -28,8 +28,9 @@ struct Verified {
 // calling thread, with an OpenGL context of its own. Throws Error (input), with the file as place,
 // if output or report is missing, if the output is standard output or a kind that writes no file,
 // and if the report was written with other versions or another OpenGL renderer, on which pixels
-// depend; otherwise as find_sink_kind, read_report and render_film do, and (environment) as
-// FilmReader and its next() do.
+// depend; otherwise as find_sink_kind (video/sink_kinds.h), read_report
+// (film/report/reported_film.h) and render_film (app/commands/render.h) do, and (environment) as
+// FilmReader and its next() (video/film_reader.h) do.
 Verified verify(const VerifyJob& job);
 
 }  // namespace polhode

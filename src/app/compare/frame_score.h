@@ -16,15 +16,16 @@ struct FrameScore {
   int index = 0;                     // of the pair, from 0
   std::string label;                 // number or file name; "" for films and single pictures
   double time = 0.0;                 // s after the first frame, for films; else 0
-  Difference values;                 // fraction_over counts pixels over Thresholds::max
+  Difference values;                 // its threshold is Thresholds::max (image/verdict.h)
   std::optional<double> ssim, flip;  // mean SSIM, mean FLIP; absent: not measured
   std::string reason;                // why the frames are different; empty if they are the same
   double badness = 0.0;              // see badness() in image/verdict.h; over 1: different
 };
 
-// The differences of all frames together.
+// The differences of all frames together. `values` holds the largest difference, the mean of the
+// means, the RMS over all values and the mean of the fractions.
 struct DiffSummary {
-  Difference values;  // largest difference, mean of the means, RMS over all values, mean share
+  Difference values;
   std::optional<double> ssim, flip;  // least SSIM, greatest FLIP; absent: measured for no frame
   int different = 0;                 // number of frames with a reason
   std::size_t worst = 0;             // index of the score with the greatest badness

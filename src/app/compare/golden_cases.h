@@ -48,9 +48,10 @@ struct DrawnCase {
   GoldenSidecar sidecar;  // what drew it; cause and verdict are not set
 };
 
-// Renders the case `one` of `folder`. `backend` is for open_context(). Temporary files, named after
-// the case, go into `scratch`. Different cases may be drawn on several threads at once. Throws
-// Error as render_film, read_png and read_file do.
+// Renders the case `one` of `folder`. `backend` is for open_context() (render/context.h). Temporary
+// files, named after the case, go into `scratch`. Different cases may be drawn on several threads
+// at once. Throws Error as render_film (app/commands/render.h), read_png (image/png.h) and
+// read_file (base/system/atomic_file.h) do.
 DrawnCase draw_case(const std::filesystem::path& folder,
                     const GoldenCase& one,
                     const std::string& backend,

@@ -16,7 +16,7 @@ namespace polhode {
 struct GoldenJob {
   std::string folder;            // DIR
   std::string cases;             // names of cases, separated by commas; empty: all
-  std::string backend = "auto";  // for open_context()
+  std::string backend = "auto";  // for open_context() (render/context.h)
   int jobs = 0;                  // cases rendered at the same time; 0: one per processor
   bool json = false;             // true: the result is JSON
   ProgressKind progress = ProgressKind::automatic;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Renders golden cases and compares them with their references, for `golden run` and `golden
-// update`.
+// Renders golden cases and compares them with their references, for `golden run` and
+// `golden update`.
 #pragma once
 
 #include <optional>

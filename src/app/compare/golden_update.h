@@ -17,11 +17,12 @@ namespace polhode {
 // missing sidecar is written only if the pixels are equal.
 //
 // Nothing is written unless all cases could be rendered and all their references read. The exit
-// code is 0. Throws Error as load_cases and draw_cases do; (input) with --cause as key for an
-// invalid name, with the folder as place if git does not track it or its tree has uncommitted
-// changes, unless job.allow_dirty, without a place if a case cannot be rendered or a reference is
-// damaged, and as AtomicFile does for a write-protected reference, an unwritable folder or another
-// run; (environment) if git cannot be started or a file cannot be written.
+// code is 0. Throws Error as load_cases (app/compare/golden_cases.h) and draw_cases
+// (app/compare/golden_results.h) do; (input) with --cause as key for an invalid name, with the
+// folder as place if git does not track it or its tree has uncommitted changes, unless
+// job.allow_dirty, without a place if a case cannot be rendered or a reference is damaged, and as
+// AtomicFile (base/system/atomic_file.h) does for a write-protected reference, an unwritable folder
+// or another run; (environment) if git cannot be started or a file cannot be written.
 GoldenResult golden_update(const GoldenJob& job);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that appear under their name only when they are complete, and reading and writing of whole
-// files.
+// Files that appear under their name only when they are complete, and reading and writing of
+// whole files.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,8 @@ class AtomicFile {
   const std::filesystem::path& part() const { return part_; }
   // The final name; for a symbolic link, the file that it points to.
   const std::filesystem::path& target() const { return target_; }
-  // Renames the finished file to its final name. Throws Error (environment) if that fails.
+  // Renames the finished file to its final name. Call it once. Throws Error (environment) if
+  // that fails.
   void commit();
   // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);

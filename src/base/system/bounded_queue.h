@@ -15,10 +15,10 @@
 namespace polhode {
 
 // For one producer thread and one consumer thread; T is default-constructible and movable. The
-// consumer can give items back, so that the memory of large ones is used again. Invariant: at most
-// `most` items wait, if the producer calls wait_for_place() before each push(); an error is
-// delivered after the items that were pushed before it. The queue must outlive its use by both
-// threads.
+// consumer can give items back, so that the memory of large ones is used again. Invariant: at
+// most `most` items wait, if the producer calls wait_for_place() before each push(); an error
+// is delivered after the items that were pushed before it. The queue must outlive its use by
+// both threads.
 template <class T>
 class BoundedQueue {
  public:
@@ -94,7 +94,7 @@ class BoundedQueue {
   }
 
   // For any thread: how long the producer (first) and the consumer (second) have waited since the
-  // last call.
+  // last call, in waits that have ended.
   std::pair<Duration, Duration> take_waits() {
     const std::lock_guard lock(mutex_);
     return {std::exchange(producer_waited_, {}), std::exchange(consumer_waited_, {})};

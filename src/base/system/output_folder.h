@@ -16,7 +16,8 @@ namespace polhode {
 class OutputFolder {
  public:
   // Creates the folder if needed and claims a file for each of `names` in it. Throws Error (input)
-  // as AtomicFile does, or with `option` as key if the folder cannot be created.
+  // as AtomicFile does, and with `option`, the option that names the folder, as key if the folder
+  // cannot be created.
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");

@@ -32,7 +32,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   // `done`: number of things finished in this run. `limit`: name of the stage that limits the
-  // speed, to print; empty: none is printed.
+  // speed, such as "drawing", to print; empty: none is printed.
   void show(int done, const std::string& limit = "");
 
  private:

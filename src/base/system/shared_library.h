@@ -31,9 +31,9 @@ class SharedLibrary {
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  // The function `name`, valid until the process ends. `Function` is its type as declared in the
-  // library's header; it is not checked. Throws Error (environment) if the library has no such
-  // function.
+  // The function `name`, valid until the process ends. `Function` is its type as declared in
+  // the library's header; it is not checked. Throws Error (environment) if the library has no
+  // such function.
   template <class Function>
   Function* function(const char* name) const {
     void* address = dlsym(handle_, name);

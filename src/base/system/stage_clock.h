@@ -9,10 +9,11 @@
 
 namespace polhode {
 
-// Time spent in one stage.
+// Time spent in one stage. If other threads work for it, such as those of an encoder, the owner of
+// the stage adds their processor time, measured with ThreadClocks.
 struct StageTime {
   double wall_s = 0.0;  // s
-  double cpu_s = 0.0;   // s; of the thread that ran the stage, plus what is added for its helpers
+  double cpu_s = 0.0;   // s; of the thread that ran the stage, plus those that its owner adds
 };
 
 // Adds the time between its construction and its destruction, which must be on the same thread, to
