@@ -16,24 +16,29 @@ namespace polhode {
 struct LectureData {
   struct SceneData {
     std::shared_ptr<DeckScene> scene;  // never null
-    std::string csv;                   // file in media/; empty: the motion could not be computed
+    std::string csv;  // file in FOLDER/media; empty: the motion could not be computed
   };
-  const Deck* deck = nullptr;        // not owned, never null; read by write_data()
-  std::string deck_text;             // contents of the file
-  std::string licence;               // of the deck; empty: unknown
-  std::vector<std::string> outputs;  // LectureOutput::name of those that are made
-  std::string reveal_version;        // empty: no slides
-  bool formula_font = false;         // the pages contain the formula font
+  const Deck* deck = nullptr;  // not owned, never null; read by write_data()
+  std::string deck_text;       // contents of the file
+  std::string licence;         // of the deck, as its author words it; empty: unknown
+  // LectureOutput::name (lecture/lecture.h) of those that are made, for the command in the manifest
+  // that makes the lecture again
+  std::vector<std::string> outputs;
+  std::string reveal_version;  // empty: no slides
+  bool formula_font = false;   // the pages contain Latin Modern Math
   std::vector<SceneData> scenes;
-  // Media::stem_of() and facts of each product that was made.
+  // Media::stem_of() of each product that was made, and its facts as Media::obtain() returns them
+  // (lecture/media.h): "files" is required, "kind" is used.
   std::vector<std::pair<std::string, Json>> products;
 };
 
 // Writes FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative
 // paths; files from outside the deck's folder under their names), motions/NAME.csv (copied from
-// FOLDER/media), and manifest.json last. Files of source/ and motions/ that only the old manifest
-// lists are deleted. Throws Error (input) as trusted_file(), mesh_files(), read_file() and
-// write_file() do, (environment) if a folder cannot be made or the disk is full.
+// FOLDER/media; NAME is the name of the scene file without its ending, with _ appended until it is
+// unique), and manifest.json last. Files of source/ and motions/ that only the old manifest lists
+// are deleted. Throws Error (input) as trusted_file() (lecture/sandbox.h), mesh_files()
+// (scene/scene.h), read_file() and write_file() (base/system/atomic_file.h) do, (environment) if a
+// folder cannot be made or the disk is full.
 void write_data(const LectureData& data, const std::filesystem::path& folder);
 
 }  // namespace polhode

@@ -27,8 +27,8 @@ struct PictureSetting {
   std::string doc;  // what it sets, with its unit, and the default in parentheses
 };
 
-// A class of pictures: what it makes of a scene and which settings it accepts. To add one: see
-// ARCHITECTURE.md.
+// A class of pictures: what it makes of a scene and which settings it accepts. To add one:
+// see ARCHITECTURE.md.
 struct PictureClass {
   PictureKind kind;
   std::string name;  // the class in the deck, without its dot: "film"
@@ -42,14 +42,14 @@ const std::vector<PictureClass>& picture_classes();
 struct DeckPicture {
   PictureKind kind = PictureKind::film;
   std::string name;                 // unique in the deck, for links; letters, digits, - and _
-  std::vector<std::string> scenes;  // as the deck names them; several for a comparison
+  std::vector<std::string> scenes;  // as the deck names them; 2 to 4 for a comparison, else 1
   std::map<std::string, std::string> settings;  // those that the deck gives, not yet parsed
   Json caption = Json::array();                 // inlines of pandoc's tree
   int line = 0;                                 // of the deck, from 1; 0: unknown
 };
 
-// The type of the node that stands for a picture in the tree; its "c" is the index in
-// Deck::pictures.
+// The type of the node that stands for a picture in the tree; its "c" is the index
+// in Deck::pictures.
 inline constexpr const char* kPictureNode = "PolhodePicture";
 
 // A deck that has been read.
@@ -60,7 +60,7 @@ struct Deck {
   Json meta = Json::object();   // only title, subtitle, author, date, lang, description, licence
   Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
-  std::vector<std::string> images;  // ordinary pictures: files, relative to the deck's folder
+  std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder
   std::vector<Error> problems;      // what was left out; place: the deck and the line, if known
 
   // A complete document for pandoc: these blocks with the deck's metadata.
@@ -81,8 +81,8 @@ class LineFinder {
 };
 
 // Reads a deck of at most 4 MiB. Faulty parts are left out and reported in Deck::problems.
-// allow_outside: see DeckRoot. Throws Error (input), with the file as place, if it cannot be read
-// as a deck; (environment) without pandoc; (interrupted).
+// allow_outside: see DeckRoot (lecture/sandbox.h). Throws Error (input), with the file as place, if
+// it cannot be read as a deck; (environment) without pandoc; (interrupted).
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
 // Does the same for a text in memory of any size; `name` is the file name for messages. Errors that
 // it throws have no place.

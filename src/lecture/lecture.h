@@ -12,25 +12,27 @@
 
 namespace polhode {
 
-// A kind of document. To add one: a row in lecture_outputs() and a function in
-// lecture/documents.cpp.
+// A kind of document. To add one: a row in lecture_outputs() and a function
+// in lecture/documents.cpp.
 struct LectureOutput {
   std::string name;  // value of --to
   std::string file;  // file name in the output folder
   std::string doc;   // what it contains
 };
-// All kinds of documents, in the order in which they are made; the table exists until the program
-// ends.
+// All kinds of documents, in the order in which they are made; the table exists until the
+// program ends.
 const std::vector<LectureOutput>& lecture_outputs();
 
 // The options of `lecture`.
 struct LectureJob {
   std::filesystem::path deck;  // a Markdown file
   std::string output;          // folder, created if needed; empty: output/DECK_lecture
-  std::string to;              // comma-separated names; empty: all that this machine can make
-  bool allow_outside = false;  // see DeckRoot
+  std::string to;  // names of documents, separated by commas; empty: all that this machine can make
+  bool allow_outside = false;  // see DeckRoot (lecture/sandbox.h)
   LectureSettings settings;
-  int jobs = 2;  // products made at the same time; 0: one per processor
+  // Products made at the same time; 0: one per processor. Charts and stability maps are made one by
+  // one after the others, because they measure times or use all processors themselves.
+  int jobs = 2;
   ProgressKind progress = ProgressKind::automatic;
 };
 
@@ -43,10 +45,11 @@ struct LectureResult {
 // Makes all documents; they appear together when all are ready. Rendered media are kept in
 // DIR/media and reused while they are valid, also after an error; those that the deck no longer
 // needs are deleted at the end. A picture that cannot be made is one of the problems, not an Error,
-// unless the program is interrupted. Throws Error (input) as read_deck, find_reveal and
-// trusted_file do, naming --to for an unknown output, naming --output for a folder that cannot be
-// written, and as AtomicFile does; (environment) naming --to for an output that this machine cannot
-// make, without pandoc, and if a program fails or the disk is full; (interrupted).
+// unless the program is interrupted. Throws Error (input) as read_deck (lecture/deck.h),
+// find_reveal (lecture/pages.h) and trusted_file (lecture/sandbox.h) do, naming --to for an unknown
+// document, naming --output for a folder that cannot be written, and as AtomicFile
+// (base/system/atomic_file.h) does; (environment) naming --to for an output that this machine
+// cannot make, without pandoc, and if a program fails or the disk is full; (interrupted).
 LectureResult lecture(const LectureJob& job);
 
 // The state of the programs and the font that the outputs need, for the command `doctor`. Throws

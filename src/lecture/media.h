@@ -16,7 +16,7 @@ namespace polhode {
 // A thing to make and cache.
 struct Product {
   std::string name;  // for display and file names: "free_top-film"; letters, digits, - and _
-  std::string key;   // everything that it depends on, as text, with program_identity()
+  std::string key;   // all that it depends on, as text, with program_identity()
   // Writes files whose names begin with `stem` into the folder and returns facts about them, a JSON
   // object. Called on any thread. May throw Error.
   std::function<nlohmann::ordered_json(const std::filesystem::path& folder,
@@ -39,8 +39,8 @@ class Media {
   // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
   // The facts of a product, cached or made now, with "files" (a list of objects with "name",
-  // "bytes" and "hash"). Throws what `make` throws, Error (input) as read_file and AtomicFile do,
-  // and (environment) if a file cannot be written.
+  // "bytes" and "hash"). Throws what `make` throws, Error (input) as read_file and AtomicFile
+  // (base/system/atomic_file.h) do, and (environment) if a file cannot be written.
   nlohmann::ordered_json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }
@@ -59,8 +59,8 @@ class Media {
   int made_ = 0;
 };
 
-// The version of the program, a hash of its binary, and the versions of the libraries that it draws
-// and encodes with, as text. Part of every key. Thread-safe.
+// The version of the program, a hash of its binary ("unknown" without /proc), and the versions of
+// the libraries that it draws and encodes with, as text. Part of every key. Thread-safe.
 std::string program_identity();
 
 }  // namespace polhode

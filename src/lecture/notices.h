@@ -14,8 +14,8 @@ namespace polhode {
 // The file name of the notices in the lecture's folder.
 inline constexpr const char* kNoticesFile = "LICENCES.txt";
 
-// Whether any of these outputs (names from lecture_outputs()) is made from an HTML page, which
-// contains styles, scripts or fonts: html, slides, handout.
+// Whether any of these outputs (names from lecture_outputs() in lecture/lecture.h) is made from an
+// HTML page, which contains styles, scripts or fonts: html, slides, handout.
 bool has_pages(const std::vector<std::string>& outputs);
 
 // The notices for these outputs, as plain text; to be called only if has_pages(outputs). reveal:

@@ -18,7 +18,8 @@ struct Reveal {
 };
 // Looks for reveal.js in the folder named by POLHODE_REVEAL, then in polhode/reveal.js in the data
 // folders of the user (XDG_DATA_HOME, ~/.local/share) and of the system (/usr/local/share,
-// /usr/share). Absent if there is none. Throws Error (input) if one of its files cannot be read.
+// /usr/share). The first folder that has dist/reveal.js and dist/reveal.css is used; absent if
+// there is none. Throws Error (input) if one of its files cannot be read.
 std::optional<Reveal> find_reveal();
 
 // A style sheet that contains the font for formulas (Latin Modern Math, found by fc-match); empty
@@ -32,8 +33,9 @@ struct DeckWords {
 // From the deck's metadata; without a title, the file name of the deck is the title.
 DeckWords words_of(const Deck& deck);
 
-// Complete HTML pages. `body` is pandoc's HTML of the text, `contents` its table of contents. The
-// pages load nothing from the network and run only their own scripts. Throw Error (interrupted).
+// Complete HTML pages. `body` is pandoc's HTML of the text, `contents` that of its table of
+// contents. The pages load nothing from the network and run only their own scripts. Throw
+// Error (interrupted).
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
                          const std::string& contents);

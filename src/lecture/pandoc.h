@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Runs pandoc, which reads the deck and writes the documents. Decks are untrusted: raw HTML, raw
-// TeX and macros are disabled, and pandoc runs with --sandbox unless write_document() is told
-// otherwise. All functions throw Error (interrupted) as run_child does.
+// Runs pandoc, which reads the deck and writes the documents. Decks are untrusted: raw HTML,
+// raw TeX and macros are disabled, and pandoc runs with --sandbox unless write_document() is
+// told otherwise. All functions throw Error (interrupted) as run_child
+// (base/system/child_process.h) does.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@ namespace polhode {
 struct LectureSettings {
   std::optional<std::string> size;  // "1280x720", of every picture that has no setting of its own
   std::optional<std::string> fps;   // "60" or "30000/1001", in the same way
-  std::string quality = "lecture";  // value of --quality
-  std::string backend = "auto";     // value of --backend
+  std::string quality = "lecture";  // a name of qualities() (film/render_plan.h)
+  std::string backend = "auto";     // for open_context() (render/context.h)
 };
 
 // A scene of the deck, checked by trusted_scene() and loaded.
@@ -25,15 +25,15 @@ struct DeckScene {
   std::string name;            // as the deck names it
   std::filesystem::path file;  // its path
   Scene scene;
-  std::string hash;  // scene_hash()
+  std::string hash;  // scene_hash() (scene/scene.h)
 };
 
-// All these return a product with copies of their arguments. They throw Error (input), without a
-// place, for a setting that is not a number and for turns (of stability maps) that are not
-// positive. Product::make throws as render_film, chart, stability, solve or write_csv does, and
-// Error (input) if the scene has changed since it was loaded. Facts that name files contain their
-// names in media/; all facts have "kind": "film" (also of a loop), "still", "chart", "stability",
-// "inspect" or "motion".
+// All these return a product (lecture/media.h) with copies of their arguments. They throw Error
+// (input), without a place, for a setting that is not a number and for turns (of stability maps)
+// that are not positive. Product::make throws as render_film, chart, stability, inspection or
+// write_csv (app/commands/) or solve (film/solved_scene.h) does, and Error (input) if the scene has
+// changed since it was loaded. Facts that name files contain their names in media/; all facts have
+// "kind": "film" (also of a loop), "still", "chart", "stability", "inspect" or "motion".
 
 // A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s of
 // motion), "stills" (a list of objects with "file", "at" in s of motion, and "caption"), "vtt" (the
@@ -47,11 +47,11 @@ Product film_product(const DeckPicture& picture,
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings);
-// A chart or stability maps. Facts: "svg", "png", "csv" (files), "summary" (what the command
-// prints).
+// A chart or stability maps. Facts: "svg", "png", "csv" (files), "summary" (what the
+// command prints).
 Product chart_product(const DeckPicture& picture, const DeckScene& scene);
 Product stability_product(const DeckPicture& picture, const DeckScene& scene);
-// The output of inspect. Facts: "inspection", as inspection() returns it.
+// The output of inspect. Facts: "inspection", as inspection() (app/commands/inspect.h) returns it.
 Product inspect_product(const DeckScene& scene);
 // The motion as a CSV table. Facts: "csv".
 Product motion_product(const DeckScene& scene);

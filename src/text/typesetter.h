@@ -28,12 +28,13 @@ struct TextStyle {
   double halo = 0.0;  // width of an outline around the letters, pixels; 0: none
   Rgb halo_color{0, 0, 0};
   double width = 0.0;     // lines are wrapped at this width, pixels; 0: never
-  bool centered = false;  // true: lines are centred in `width`, else they begin at the left
+  bool centered = false;  // in `width`, or if that is 0 in the widest line; else left-aligned
 };
 
-// The extent of a text in pixels. width and height: of its lines, with the space that the font
-// leaves around letters. ink_* bound the letters without their outline, measured from the upper
-// left corner of the text, x to the right, y down.
+// The extent of a text in pixels. width: from the left edge of the text to the right end of the
+// line that reaches farthest (centred lines begin right of that edge). height: of all lines. Both
+// include the space that the font leaves around letters. ink_* bound the letters without their
+// outline, measured from the upper left corner of the text, x to the right, y down.
 struct TextBox {
   double width = 0.0;
   double height = 0.0;
@@ -62,8 +63,8 @@ class Typesetter {
 
   // The extent of the text in this style.
   TextBox measure(const std::string& markup, const TextStyle& style) const;
-  // The text as a stamp with its upper left corner at (x, y) in pixels of the picture, rounded to a
-  // quarter of a pixel. Throws Error (environment) if Cairo cannot render.
+  // The text as a stamp (image/sprite.h) with its upper left corner at (x, y) in pixels of the
+  // picture, rounded to a quarter of a pixel. Throws Error (environment) if Cairo cannot render.
   Stamp set(const std::string& markup, const TextStyle& style, double x, double y) const;
 
  private:

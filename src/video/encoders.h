@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tables of film formats: containers by their file ending, and codecs with libav's encoders and
-// their options. To add a format: a row in film_formats(), and in film_encoders() for a new
-// encoder.
+// The tables of film formats: containers by their file ending, and codecs with libav's
+// encoders and their options. To add a format: a row in film_formats(), and in film_encoders()
+// for a new encoder.
 #pragma once
 
 #include <array>
@@ -27,15 +27,16 @@ struct FilmEncoder {
   bool presets = false;         // accepts --preset
   int worst_crf = 0;            // --crf is 1 (best) to this value; 0: it accepts none
   std::array<int, 3> crf = {};  // defaults for Grade draft, lecture, archive
-  // The AVPixelFormat of its frames, with or without alpha, in the finest or the most compatible
-  // form.
+  // The AVPixelFormat of its frames, with or without alpha, in the finest or the most
+  // compatible form.
   int (*pixels)(bool alpha, bool finest) = nullptr;
   // Sets the options of the encoder before it opens; size, rate and colour tags are already set.
   void (*configure)(const EncoderSettings&, AVCodecContext&, LibavOptions&) = nullptr;
 };
 
 // All encoders. Of several with the same codec, the first that the installed FFmpeg has is used.
-// The tables exist until the program ends, and so do the rows that the functions below return.
+// This table and film_formats() exist until the program ends, and so do the rows that the functions
+// below return.
 const std::vector<FilmEncoder>& film_encoders();
 
 // A container format, recognised by the ending of the output.
@@ -67,7 +68,7 @@ const FilmEncoder& find_encoder(const FilmFormat& format, const std::string& cod
 // The user's encoder options; absent ones are decided by the grade and the format.
 struct EncoderWish {
   Grade grade = Grade::lecture;
-  std::string preset = "veryfast";    // of the quality, used without `forced`
+  std::string preset = "veryfast";    // of the chosen --quality; not used if `forced` is given
   std::optional<std::string> codec;   // --codec
   std::optional<std::string> forced;  // --preset
   std::optional<int> crf;             // --crf

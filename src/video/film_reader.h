@@ -34,7 +34,7 @@ class FilmReader {
   FilmReader(const FilmReader&) = delete;
   FilmReader& operator=(const FilmReader&) = delete;
 
-  // A reference to a member.
+  // The reference is valid as long as this object.
   const FilmInfo& info() const;
 
   // Gets the next frame, with straight alpha, and its time (s after the first frame); false at

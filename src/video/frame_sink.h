@@ -46,7 +46,7 @@ struct FilmMetadata {
   std::vector<Chapter> chapters;  // by start, the first at 0; may be empty
   std::vector<Caption> captions;  // by start; written to NAME.vtt
   std::string comment = {};       // for the container; empty: SinkJob::comment
-  int first = 0;                  // number of the first frame in file names and lists
+  int first = 0;  // number of the first frame in names of picture files and in lists of hashes
 };
 
 // Time spent in the stages of the sink.
@@ -58,13 +58,13 @@ struct SinkTimes {
 // Takes frames in order. Use it on one thread at a time; run_pipeline() pushes on a thread of its
 // own. The output gets its name in finish(); a sink that is destroyed without finish() leaves
 // nothing behind. push() and finish() throw Error (environment) if writing fails, and
-// (interrupted); push() also throws Error (input) as AtomicFile does if it opens a file per frame
-// or segment.
+// (interrupted); push() also throws Error (input) as AtomicFile (base/system/atomic_file.h) does if
+// it opens a file per frame or segment.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
   // Called at most once, before the first frame. Sinks that cannot use it ignore it. Throws Error
-  // as with_captions() says, and (environment) without memory.
+  // as with_captions() (video/captions.h) says, and (environment) without memory.
   virtual void describe(const FilmMetadata&) {}
   // Takes the next frame, of the size of the job.
   virtual void push(const Image& frame) = 0;

@@ -34,11 +34,11 @@ struct SourceInfo {
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  // A reference to a member.
+  // The reference is valid as long as this object.
   virtual const SourceInfo& info() const = 0;
   // Gets the next frame; false at the end. May reuse the buffer of the image. Throws Error as
-  // read_png or FilmReader::next does: (input) for what is missing or damaged, (environment) if
-  // FFmpeg cannot convert a frame.
+  // read_png (image/png.h) or FilmReader::next (video/film_reader.h) does: (input) for what is
+  // missing or damaged, (environment) if FFmpeg cannot convert a frame.
   virtual bool next(SourceFrame& frame) = 0;
 };
 

@@ -14,8 +14,9 @@ using Produce = std::function<void(int index, Image& image)>;
 
 // Progress of the pipeline.
 struct PipelineStep {
-  int done = 0;              // frames rendered
-  bool writer_waits = true;  // recently the writer waited longer for frames than rendering for it
+  int done = 0;  // frames rendered
+  // recently the writer waited for frames at least as long as rendering waited for the writer
+  bool writer_waits = true;
 };
 
 // Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a

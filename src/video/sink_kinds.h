@@ -33,9 +33,9 @@ const SinkKind& find_sink_kind(const std::string& output);
 // segments). Throws Error (input), with the output as place, for a job that the kind cannot do:
 // transparency, a still as a film, one picture without job.still, odd sizes, an ending without a
 // name before it (".mp4"), "hash:" without a name, a film with a frame number (%d) in its name;
-// (input) also as find_sink_kind and AtomicFile do, with --codec as key for a wrong codec, and
-// without a place for a film to a terminal; (environment) for a missing encoder and, for a GIF, a
-// missing libavfilter.
+// (input) also as find_sink_kind, AtomicFile (base/system/atomic_file.h) and parse_numbered_name
+// (video/png_sink.h) do, with --codec as key for a wrong codec, and without a place for a film to a
+// terminal; (environment) for a missing encoder and, for a GIF, a missing libavfilter.
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job);
 
 }  // namespace polhode

@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-// Frames per second as an exact ratio, e.g. 60/1 or 30000/1001.
+// Frames per second as an exact ratio, such as 60/1 or 30000/1001.
 struct FrameRate {
   int numerator = 60;
   int denominator = 1;
@@ -38,16 +38,18 @@ void check_picture_size(const PictureSize& size);
 // check_picture_size does.
 PictureSize parse_picture_size(const std::string& text);
 
-// The quality of a film, as --quality takes it.
+// The quality of a film, as --quality takes it; qualities() in film/render_plan.h lists the
+// settings of each.
 enum class Grade { draft, lecture, archive };
 
-// How a film is encoded. The number of threads is fixed because x264's output depends on it.
+// How a film is encoded (FilmEncoder: video/encoders.h). The number of threads is fixed because
+// x264's output depends on it.
 struct EncoderSettings {
-  std::string codec;                // "h264", …; empty: the default of the format
+  std::string codec;                // FilmEncoder::codec, "h264"; empty: the default of the format
   std::string preset = "veryfast";  // effort, one of encoder_presets(); empty: the codec has none
-  int crf = 18;                     // constant rate factor, 1 is best; 0: the codec has none
-  bool finest = false;              // 4:4:4 colour where players support it, and the best profile
-  int threads = 2;                  // encoder threads
+  int crf = 18;         // constant rate factor, 1 (best) to FilmEncoder::worst_crf; 0: none
+  bool finest = false;  // 4:4:4 colour where players support it, and the best profile
+  int threads = 2;      // encoder threads, at least 1
 };
 
 // The values of --preset, fastest first: the presets of x264. Other encoders map them to their own
@@ -60,7 +62,7 @@ struct VideoSpec {
   FrameRate fps;                  // of the film
   double time_scale = 1.0;        // seconds of motion per second of film
   bool loop = false;              // end the film where the motion is back at its start
-  double loop_residual = 0.0349;  // allowed Loop::residual, rad
+  double loop_residual = 0.0349;  // rad; allowed Loop::residual (motion/closed_loop.h)
   double shutter = 0.0;  // shutter angle, rad: 2 pi exposes from frame to frame; 0: an instant
 };
 

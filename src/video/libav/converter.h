@@ -14,8 +14,8 @@
 namespace polhode {
 
 // Converts full-range sRGB; YUV formats get limited-range BT.709. Alpha stays straight, and is
-// dropped if the format has none. Only the parts that may differ from the previous picture are
-// converted. Not thread-safe.
+// dropped if the format has none. In YUV formats, only the parts that may differ from the previous
+// picture, by Image::ground and Image::painted (image/image.h), are converted. Not thread-safe.
 class Converter {
  public:
   // Sizes in pixels. Throws Error (environment), without a place, if swscale does not support the

@@ -13,7 +13,8 @@
 
 namespace polhode {
 
-// All functions throw Error (environment) without memory and as check_libav does.
+// The functions throw Error (environment) without memory, if libav lacks the container or one of
+// its options, and otherwise as check_libav does.
 
 // A muxer of that format that writes to `output`, which must outlive it.
 Owned<AVFormatContext> open_container(const FilmFormat& format, const FilmOutput& output);

@@ -29,7 +29,7 @@ class FilmOutput {
 
   // Closes the file, appends a seal with that text (video/seal.h) if given, and gives the file its
   // name; for standard output it only flushes. Called once. Throws Error (environment) if writing
-  // fails, as seal_file does, and (interrupted) as check_libav does.
+  // fails, as seal_file does, and (interrupted) as check_libav (video/libav/libav.h) does.
   void finish(const std::optional<std::string>& seal = std::nullopt);
 
  private:

@@ -16,12 +16,13 @@ namespace polhode {
 // Takes frames in the encoder's pixel format and writes a film of constant rate, with closed groups
 // of pictures of at most a second, tags, title and chapters. Not thread-safe. write() and finish()
 // throw Error (environment) and (interrupted), with the output as place, and finish() also as
-// seal_file does; describe() and set_at_end() throw Error (environment) as check_libav does.
+// seal_file does; describe() and set_at_end() throw Error (environment) as check_libav
+// (video/libav/libav.h) does.
 class FilmWriter {
  public:
   // Opens the output and the encoder; job.output must be a film (find_film_format()). Throws Error
-  // as FilmOutput and find_encoder do, (input), with the output as place, if a side is odd and the
-  // format has subsampled colour, (environment) if the encoder does not open.
+  // as FilmOutput and find_encoder (video/encoders.h) do, (input), with the output as place, if a
+  // side is odd and the format has subsampled colour, (environment) if the encoder does not open.
   explicit FilmWriter(const SinkJob& job);
 
   // The encoder's pixel format.
@@ -40,8 +41,8 @@ class FilmWriter {
   // have been written.
   void finish();
 
-  // The system's ids of the encoder's threads, which live as long as this object; a reference
-  // to a member.
+  // The ids (Linux tid) of the encoder's threads. The threads live, and the reference is valid, as
+  // long as this object.
   const std::set<int>& threads() const { return threads_; }
 
  private:

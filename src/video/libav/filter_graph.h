@@ -21,18 +21,20 @@ struct FilterInput {
   AVPixelFormat format = AV_PIX_FMT_NONE;
 };
 
-// A graph in libavfilter's text form, with one output pad, "out". Times (pts) are in hundredths of
-// a second. libavfilter is loaded when the first graph is made, because with its dependencies it
-// would double the start-up time of the program. Not thread-safe. All members throw Error
-// (environment).
+// A graph in libavfilter's text form, with one output pad, "out". Times (pts) are in hundredths
+// of a second. libavfilter is loaded when the first graph is made, because with its
+// dependencies it would double the start-up time of the program. Not thread-safe. All members
+// throw Error (environment).
 class FilterGraph {
  public:
   // description: as ffmpeg's -filter_complex takes it, with the pads of the inputs in brackets.
   FilterGraph(const std::string& description, const std::vector<FilterInput>& inputs);
 
-  // Pushes a frame, which stays the caller's, to the input of that index; null marks the end.
+  // Pushes a frame, which stays the caller's, to the input of that index, from 0; null marks the
+  // end of that input.
   void push(std::size_t input, AVFrame* frame);
-  // The next output frame, valid until the next call; null if none is ready.
+  // The next output frame, owned by this object and valid until the next call; null if none
+  // is ready.
   AVFrame* pull();
 
  private:

@@ -88,7 +88,8 @@ T* made(T* object) {
   return object;
 }
 
-// Sends libav's warnings and errors to the log, where --verbose shows them, and drops the rest.
+// Sends libav's warnings and errors to the log, where --verbose shows them, and drops the rest. It
+// holds for the whole process and may be called more than once.
 void quieten_libav();
 
 }  // namespace polhode
