@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command `chart --pictures`: the difference of pictures from heavily supersampled ones against
-// the time to draw them, for each drawing setting.
+// the time to draw them, for each drawing setting: without anti-aliasing, with samples, with
+// outlines, or drawn larger and averaged.
 #pragma once
 
 #include <string>

@@ -34,10 +34,11 @@ struct DiffPage {
 // The page as HTML. Throws Error (environment) if a picture cannot be encoded.
 std::string diff_page(const DiffPage& page);
 
-// One case of golden pictures on a page. Texts are plain; golden_page() escapes them.
+// One case of golden pictures (app/compare/golden_job.h) on a page. Texts are plain; golden_page()
+// escapes them.
 struct GoldenSection {
   std::string name;
-  std::string outcome;            // CaseResult::outcome()
+  std::string outcome;            // CaseResult::outcome() (app/compare/golden_results.h)
   bool good = true;               // whether the case passes
   std::string note;               // why it fails; may be empty
   Thresholds thresholds;          // that were applied
