@@ -12,10 +12,10 @@ namespace polhode {
 
 // One measured drawing setting.
 struct PicturePoint {
-  std::string setting;       // name, for the legend
+  std::string setting;       // name, for the legend and the CSV table
   int samples = 0;           // OpenGL samples per drawn pixel; 0: one, without multisampling
   int supersampling = 1;     // width of the drawn picture over that of the finished one
-  double time_ms = 0.0;      // per frame: composing, drawing and downsampling
+  double time_ms = 0.0;      // per frame, positive: composing, drawing and downsampling
   double rmse_levels = 0.0;  // root mean square difference from the best picture, levels of 0..255
   int max_levels = 0;        // largest difference of a value from that picture, levels of 0..255
 };
@@ -29,8 +29,8 @@ struct PicturePanel {
 
 // The bytes of a picture file with one panel per scene (at least one): RMS error (vertical) against
 // time per frame, both logarithmic, with the settings in a legend. Every panel needs at least one
-// point; points without error are not drawn. Throws Error (environment) and (interrupted) as
-// draw_with_gnuplot does.
+// point; points without error are not drawn. Thread-safe. Throws Error (environment) and
+// (interrupted) as draw_with_gnuplot does.
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format);
 
 // The points as CSV, one row each, with the header

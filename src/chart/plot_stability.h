@@ -11,9 +11,10 @@
 namespace polhode {
 
 // One axis of a map: a key of the scene and the values that the cells give it, in the unit in which
-// the scene spells the key.
+// the scene spells the key. The key "spin" is a factor on the angular momentum at the start
+// (app/commands/stability_job.h).
 struct MapAxis {
-  std::string key;               // dotted path such as "numerics.step", or "spin", see StabilityJob
+  std::string key;               // dotted path such as "numerics.step", or "spin"
   double from = 0.1, to = 10.0;  // values of the first and the last cell; from < to
   int cells = 64;                // number of cells along the axis, at least 1
 
@@ -41,8 +42,9 @@ struct StabilityMap {
 };
 
 // The bytes of a picture file with one map, or with several in a grid: a colour per outcome, and
-// the limit as a dashed curve. At least one map, none null; all share the axes. Thread-safe. Throws
-// Error (environment) and (interrupted) as draw_with_gnuplot does.
+// the limit as a dashed curve. With several maps, the title of the first is the heading of the
+// grid, and each panel is named by its method. At least one map, none null; all share the axes.
+// Thread-safe. Throws Error (environment) and (interrupted) as draw_with_gnuplot does.
 std::string plot_stability(const std::vector<const StabilityMap*>& maps,
                            const MapAxis& x,
                            const MapAxis& y,

@@ -47,8 +47,8 @@ struct StabilityProblem {
 };
 
 // The result of one run. Drifts are relative, see Drift in motion/trajectory.h. Unknown numbers are
-// NaN: all if the run failed, the error if the reference is unusable or the energy exploded, a
-// drift if the loads do not conserve the quantity.
+// NaN: all if the run failed (solver_failed, not_a_number), the error if the reference is unusable
+// or the energy exploded, a drift if the loads do not conserve the quantity.
 struct StabilityCell {
   RunOutcome outcome = RunOutcome::fine;
   double error_rad = 0.0;       // largest deviation() from the reference (motion/scales.h), rad
@@ -60,8 +60,8 @@ struct StabilityCell {
 // times of the reference. The outcome is `fine` if the deviation never exceeds allowed_rad or,
 // without a usable reference, if energy and momentum, where the loads conserve them, drift by at
 // most 1e-3. A run whose energy drift exceeds 1e6 is ended as energy_grows. The method must be able
-// to integrate the model (why_not), and the reference must have states. Throws Error (interrupted)
-// only. Thread-safe.
+// to integrate the model (why_not() in motion/stepper_table.h). Throws Error (interrupted) only.
+// Thread-safe.
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,

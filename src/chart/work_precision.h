@@ -18,7 +18,7 @@ struct WorkPoint {
   double step = 0.0;            // s; for adaptive methods the tolerance (relative)
   long evaluations = 0;         // as counted by Work in motion/stepper.h; 0 if integrating failed
   double time_us = 0.0;         // microseconds for the whole motion, median of repeated runs
-  double error_rad = 0.0;       // largest deviation() from the reference
+  double error_rad = 0.0;       // largest deviation() (motion/scales.h) from the reference
   double energy_drift = 0.0;    // largest |Drift::energy| of the run (motion/trajectory.h)
   double momentum_drift = 0.0;  // largest Drift::momentum of the run
   // "ok"; "below_judge": the error is below ReferenceSolution::least_error(), so it is not known
@@ -43,17 +43,17 @@ struct WorkOptions {
   double least_work_s = 5e-3;       // s; each point is timed at least this long in total
   double most_run_s = 0.05;         // s; no finer steps are tried once a run takes longer
   bool judge_the_end_only = false;  // true: error_rad is the deviation at the end only
-  // called after each point, on the same thread, for example to show progress
+  // called after each point, on the same thread; not empty
   std::function<void()> after_point = [] {
   };
 };
 
 // The points of a method, from steps that are too coarse to be useful down to steps where round-off
 // dominates, a run takes longer than most_run_s, or 13 runs in a row have failed. The method must
-// be able to integrate the model (why_not); `reference` must be that of `problem`. A run that fails
-// is a point with its status, not an error. Throws Error (interrupted), and (input) as
-// integrate_fixed and integrate_adaptive do. The times are only right if nothing else uses the
-// processor.
+// be able to integrate the model (why_not() in motion/stepper_table.h); `reference` must be that of
+// `problem`. A run that fails is a point with its status, not an error. Throws Error (interrupted),
+// and (input) as integrate_fixed and integrate_adaptive in motion/grid_trajectory.h do. The times
+// are only right if nothing else uses the processor.
 std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkProblem& problem,
                                       const ReferenceSolution& reference,

@@ -15,13 +15,13 @@ namespace polhode {
 
 // The run of one method of numerics.compare.
 struct Contender {
-  std::string method;  // as in numerics.compare, one of method_names()
-  SimulationReport report;
-  Motion motion;        // stands still after `end`
+  std::string method;       // as in numerics.compare, one of method_names()
+  SimulationReport report;  // if the first step failed: method and step only
+  Motion motion;            // stands still after `end`
   double end = 0.0;     // s of motion: how far the method came; the whole duration unless it failed
   std::string failure;  // why it failed; empty: it did not
   // s of motion: the first frame with an attitude error over the allowed one or, without a
-  // reference motion, with a drift over kTrustedDrift; absent: there is none
+  // reference motion, with a drift over kTrustedDrift (motion/reliability.h); absent: there is none
   std::optional<double> untrusted_from;
 };
 
@@ -33,20 +33,22 @@ class Comparison {
   // Computes all runs. `truth` is the solved scene and is not kept; frame_s is the time between
   // frames, s of motion, positive. Throws Error (input), with the line of numerics.compare, for a
   // method that cannot handle the scene, its step, tolerance or accuracy, and (interrupted). A run
-  // that fails is not an error, see Contender::failure.
+  // that fails (check_failed) is not an error, see Contender::failure.
   Comparison(const Solved& truth, double frame_s);
 
   // In the order of numerics.compare; valid as long as this object.
   const std::vector<Contender>& contenders() const { return contenders_; }
-  // The attitude error of a contender at t (s of motion), rad; at its end for later t. Absent
-  // without a reference motion.
+  // The attitude error of a contender at t (s of motion), rad; for later t, that at its end. Absent
+  // without a reference motion. Throws Error (check_failed) as Motion::at does.
   std::optional<double> attitude_error(const Contender& one, double t) const;
   // The notes in the panel of a contender at t (s of motion): method, step or tolerance, drifts,
-  // error, and a stamp from when the motion has ended or cannot be trusted.
+  // error, and a stamp from when the motion has ended or cannot be trusted. Throws Error likewise.
   PanelNotes notes(const Contender& one, double t) const;
   // The number of lines of notes(), including the stamp.
   static constexpr int kNoteLines = 5;
-  // The value of "compare" in the report of a film: a list with one object per method.
+  // The value of "compare" in the report of a film: a list with one object per method, which has
+  // the keys of its SimulationReport (film/report/motion_report.h) and end_s, failure,
+  // untrusted_from_s and attitude_error_at_end_rad, the last two null where absent.
   Json report() const;
 
  private:

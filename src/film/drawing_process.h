@@ -15,9 +15,11 @@ namespace polhode {
 // ends first, and this object reaps it. Not thread-safe.
 class DrawingProcess {
  public:
-  // Forks. The child, in which only the calling thread lives on, calls open(), renders the frames
-  // with the numbers `frames` in this order, and exits. `size` is that of the frames. The arguments
-  // are not kept by the parent. Throws Error (environment) if shared memory or process cannot be
+  // Forks; call it before this process has opened fonts or OpenGL. The child, in which only the
+  // calling thread lives on, closes the parent's files except the standard streams, ignores SIGINT,
+  // SIGTERM and SIGHUP, calls open(), renders the frames with the numbers `frames` in this order,
+  // at most three ahead of the parent, and exits. `size` is that of the frames. The arguments are
+  // not kept by the parent. Throws Error (environment) if shared memory or process cannot be
   // created.
   DrawingProcess(PictureSize size,
                  const std::vector<int>& frames,

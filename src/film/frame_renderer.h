@@ -19,14 +19,15 @@ struct DrawingTimes {
 class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
-  // Renders frame `index` (0 is the first of FrameTimes) into `image`, which is resized if needed.
-  // Throws Error as Film::at and Renderer::draw do; with worker processes also (interrupted) and
-  // what a process has thrown, for example when it opened its renderer (open_local_renderer).
+  // Renders the frame with the number `index`, 0 <= index < FrameTimes::count (film/frame_times.h),
+  // into `image`, which is resized if needed. Throws Error as Film::at and Renderer::draw do; with
+  // worker processes also (interrupted) and what a process has thrown, for example when it opened
+  // its renderer (open_local_renderer() in film/local_renderer.h).
   virtual void render(int index, Image& image) = 0;
   // Back end and OpenGL that draw. Waits until a worker process has opened them, and then throws
   // Error as render() does. Valid as long as the renderer.
   virtual const RendererInfo& info() const = 0;
-  // Time spent so far.
+  // Time spent so far; with worker processes, up to the last frame that each has delivered.
   virtual DrawingTimes times() const = 0;
 };
 

@@ -14,7 +14,7 @@ namespace polhode {
 struct TimeRange {
   std::optional<double> from, to;  // absent: start and end of the motion
   std::optional<double> still;     // time of a single picture; absent: `from`
-  bool one_picture = false;        // true: a single picture, at `still`; `to` is not used
+  bool one_picture = false;        // true: a single picture, at `still`; `to` is only checked
 };
 
 // The times of the frames. Film time counts from the start of the whole film, motion time from the
@@ -23,8 +23,8 @@ struct FrameTimes {
   Timeline timeline;
   double first = 0.0;             // s of film: time of frame 0
   double rate = 60.0;             // frames per second of film
-  int count = 1;                  // number of frames
-  double from = 0.0, to = 0.0;    // s of motion: what the frames cover
+  int count = 1;                  // number of frames; 1 for a single picture
+  double from = 0.0, to = 0.0;    // s of motion: what the frames cover; equal for one picture
   std::optional<Loop> loop = {};  // how well a looping film closes; absent: it does not loop
 
   // The film time (s) that a frame shows; the first frame has the index 0.

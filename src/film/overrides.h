@@ -12,12 +12,13 @@ namespace polhode {
 
 // The values; those that are absent are taken from the scene.
 struct Overrides {
-  std::optional<std::string> method;    // a stepper, "exact" or "auto"
-  std::optional<double> step;           // s
-  std::optional<double> tolerance;      // relative local error per step, of adaptive methods
-  std::optional<std::string> accuracy;  // of the attitude: "0.1px", or radians "1e-6"
-  std::optional<std::string> size;      // pixels, "1920x1080"
-  std::optional<std::string> fps;       // frames per second, "60" or "30000/1001"
+  std::optional<std::string> method;    // name of a stepper (stepper_table()), "exact" or "auto"
+  std::optional<double> step;           // s, positive
+  std::optional<double> tolerance;      // relative local error per step, positive; for adaptive
+                                        // methods
+  std::optional<std::string> accuracy;  // of the attitude: pixels as "0.1px", radians as "1e-6"
+  std::optional<std::string> size;      // of the picture, pixels, as "1920x1080"
+  std::optional<std::string> fps;       // frames per second, as "60" or "30000/1001"
   bool loop = false;                    // true: end the film where the motion is back at its start
 };
 

@@ -21,26 +21,28 @@ struct Quality {
   std::string name;              // "draft", "lecture" or "archive"
   std::string doc;               // one phrase: its purpose
   int shrink = 1;                // divides the sides of the picture, to even numbers of pixels
-  std::string preset;            // effort of the encoder, one of encoder_presets()
+  std::string preset;            // effort of the encoder: encoder_presets() in video/video_spec.h
   Grade grade = Grade::lecture;  // selects the codec's constant rate factor and pixel format
 };
 // All values of --quality.
 const std::vector<Quality>& qualities();
 
-// The options of `render` as the user gave them, not yet checked.
+// The options of `render` as the user gave them, not yet checked. Values: sink_kinds() in
+// video/sink_kinds.h, encoder_presets() in video/video_spec.h, film_formats() in video/encoders.h,
+// backend_names() in render/context.h.
 struct RenderJob {
   std::filesystem::path scene;
-  std::string output;  // see sink_kinds(); empty: output/SCENE.mp4, or .png with `still`
+  std::string output;  // as sink_kinds() says; empty: output/SCENE.mp4, or .png with `still`
   Overrides overrides;
   std::optional<double> from;   // s of motion; absent: 0
   std::optional<double> to;     // s of motion; absent: the end
   std::optional<double> still;  // s of motion: make a single picture; absent: a film, unless the
                                 // output is a .png without a number in its name
   std::string quality = "lecture";    // one of qualities()
-  std::optional<std::string> codec;   // "h264", ...; absent: the default of the format
+  std::optional<std::string> codec;   // one of the format; absent: the default of the format
   std::optional<std::string> preset;  // one of encoder_presets(); absent: that of the quality
   std::optional<int> crf;             // constant rate factor; absent: that of the quality
-  std::string backend = "auto";       // for open_context()
+  std::string backend = "auto";       // one of backend_names()
   bool transparent = false;           // without background
   int jobs = 1;                       // processes that draw, 1 to 64
   bool resume = false;                // work in segments, and continue an earlier run
@@ -52,7 +54,7 @@ struct RenderJob {
 
 // How frames are rendered.
 struct RenderSetup {
-  std::string backend = "auto";  // for open_context()
+  std::string backend = "auto";  // for open_context() in render/context.h
   bool transparent = false;      // the background has alpha 0
   int jobs = 1;                  // processes that render; 1: the calling thread renders
 };
@@ -69,8 +71,8 @@ struct RenderPlan {
   RenderSetup setup;
 };
 
-// The job for make_sink() for a film of that scene: the arguments, and size, rate, title and
-// comment from the scene.
+// The job for make_sink() (video/sink_kinds.h) for a film of that scene: the arguments, and size,
+// rate, title and comment from the scene. still: a single picture.
 SinkJob sink_of(const Scene& scene,
                 const std::string& output,
                 const EncoderSettings& encoder,
@@ -81,9 +83,9 @@ SinkJob sink_of(const Scene& scene,
 std::string film_comment(const std::string& version, const std::string& scene_hash);
 
 // Loads the scene and makes the plan. Without job.output it creates the folder output/. Throws
-// Error (input) as load_with_overrides, check_time_range, settle_encoder and find_sink_kind do, and
-// with --quality, --still, --shard, --resume or --jobs as key for values that are invalid or do not
-// suit the output; (environment) as settle_encoder does.
+// Error (input) as load_with_overrides, check_time_range, settle_encoder (video/encoders.h) and
+// find_sink_kind do, and with --quality, --still, --shard, --resume or --jobs as key for values
+// that are invalid or do not suit the output; (environment) as settle_encoder does.
 RenderPlan plan_render(const RenderJob& job);
 
 }  // namespace polhode

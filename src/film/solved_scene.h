@@ -18,15 +18,15 @@ struct Solved {
   StageTime simulate_time;  // time spent on computing it
 };
 
-// Computes the motion, and logs doubts about it as warnings. If the scene compares methods, its
-// step and tolerance belong to them, and the motion is computed without them, to the accuracy of
-// the scene. Throws Error as make_model, accuracy_in_radians, start_state and simulate do; errors
-// that name a key have the file and line of the scene.
+// Computes the motion, and logs doubts about it (Reliability in motion/reliability.h) as warnings.
+// If the scene compares methods, its step and tolerance belong to them, and the motion is computed
+// without them, to the accuracy of the scene. Throws Error as make_model, accuracy_in_radians,
+// start_state and simulate do; errors that name a key have the file and line of the scene.
 Solved solve(const Scene& scene);
 
 // The attitude error that numerics.accuracy allows, rad. Pixels are converted by
-// attitude_tolerance(), for the scene's camera, picture size and size of the body. Throws Error
-// (input) as body_look, make_theme and attitude_tolerance do.
+// attitude_tolerance() (frame/compose.h), for the scene's camera, picture size and size of the
+// body. Throws Error (input) as body_look, make_theme and attitude_tolerance do.
 double accuracy_in_radians(const Scene& scene, const BodyModel& model);
 
 }  // namespace polhode

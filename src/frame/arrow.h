@@ -27,7 +27,7 @@ struct ArrowShape {
 };
 
 // Adds the items of the arrow from `from` to `tip` to `items`; nothing if it is shorter than a
-// thousandth of the head.
+// thousandth of the head's length.
 void add_arrow(std::vector<DrawItem>& items,
                const ArrowMeshes& meshes,
                const Vec3& from,

@@ -20,28 +20,31 @@ struct LookPart {
 
 // The meshes of a [body] table: its look if there is one, else its solids or points, else (moments
 // or a tensor) the homogeneous ellipsoid that has them. Thin discs, rings, rods and that ellipsoid
-// get a thickness that can be seen. `model` is that of `spec`. segments: straight pieces that stand
-// for a full circle as large as the body. Throws Error (input) naming body.look or a key in it for
-// a look that is impossible or has a mass.
+// get a thickness that can be seen. `model` is that of `spec`, whose meshes must be loaded
+// (load_meshes() in model/solids.h). segments: straight pieces that stand for a full circle as
+// large as the body. Throws Error (input) naming body.look or a key in it for a look that is
+// impossible or has a mass.
 std::vector<LookPart> body_look(const BodySpec& spec,
                                 const BodyModel& model,
                                 const Theme& theme,
                                 int segments);
 
 // The mesh of one solid in its own frame, m, without SolidSpec::at and turn. The dimensions must
-// have passed check_dimensions(), and the mesh of a mesh solid must be loaded. segments: straight
-// pieces that stand for a full circle as large as the solid.
+// have passed check_dimensions() (model/solids.h), and the mesh of a mesh solid must be loaded.
+// segments: straight pieces that stand for a full circle as large as the solid.
 Mesh solid_mesh(const SolidSpec& solid, int segments);
 
 // The drawn length of the longest angular momentum of a film, in units of Scale::body
 // (frame/scenery.h); no other vector is drawn longer by its scale.
 inline constexpr double kReachOfVectors = 1.5;
 
-// The distance of the farthest vertex of the body from the reference point, m.
+// The distance of the farthest vertex of the body from the reference point
+// (BodyModel::reference_B()), m.
 double body_radius(const std::vector<LookPart>& look, const BodyModel& model);
 
-// The vertices (B, m) that are farthest in a set of directions. For framing they replace all
-// vertices, with an error of a few ten-thousandths of the body's size.
+// The vertices (B, m) that lie farthest along each of 500 directions, spread evenly over the
+// sphere: one per direction, with repeats. For framing they replace all vertices, with an error of
+// a few thousandths of the body's size.
 std::vector<Vec3> hull_of(const std::vector<LookPart>& look);
 
 // All vertices (B, m), for framing and scale.

@@ -30,12 +30,11 @@ struct DrawingFrame {
 };
 
 // A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is +Z of
-// S, unless the camera has been moved().
+// S (+Y for a camera that looks along Z), unless the camera has been moved().
 class Camera {
  public:
-  // eye, target (different from eye), center and radius in S, m; fov: vertical field of view, rad.
-  // The clip planes are chosen to contain the ball (center, radius). A camera that looks along Z
-  // has +Y upwards.
+  // eye, target (different from eye), center and radius in S, m; fov: vertical field of view, rad,
+  // in (0, pi). The clip planes are chosen to contain the ball (center, radius).
   Camera(const Vec3& eye,
          const Vec3& target,
          double fov,

@@ -39,8 +39,8 @@ struct Staging {
 };
 
 // Immutable, with copies of all that it is made from. All members are pure functions of time and
-// may be called from any thread. Glyphs and cameras are in S, m; draw lists in the units of their
-// drawing frame.
+// may be called from any thread; those that take a time throw Error (check_failed) as Motion::at
+// does. Glyphs and cameras are in S, m; draw lists in the units of their drawing frame.
 class Composer {
  public:
   // Throws Error (input) naming the key: show.NAME for an element that is asked for but that this
@@ -81,7 +81,7 @@ class Composer {
   // References to members.
   const Timeline& timeline() const { return staging_.timeline; }
   const Scenery& scenery() const { return scenery_; }
-  // Whether the element is shown in this film; `name` is one of elements().
+  // Whether the element is shown in this film; `name` is that of one of elements().
   bool shows(const std::string& name) const { return shown_.at(name); }
   // The glyphs of a moment; `film` in s of film, by default the last film time that shows the
   // sample.
@@ -120,11 +120,11 @@ class Composer {
   std::vector<Rig> rigs_;  // in the order in which they come
 };
 
-// The attitude error, rad, that moves no drawn point by more than `pixels` in a picture of that
-// size. It needs no motion: an automatic camera keeps all points in the picture; for one with
-// camera.eye, points are taken to be within kReachOfVectors times body_radius (m) of the target
-// (points of the scene farther out are not considered). A target that is not given counts as the
-// origin. Throws Error (input), naming camera.eye, if the camera is at its target.
+// The attitude error, rad, that moves no drawn point by more than `pixels` (positive) in a picture
+// of that size. It needs no motion: an automatic camera keeps all points in the picture; for one
+// with camera.eye, points are taken to be within kReachOfVectors times body_radius (m) of the
+// target (points of the scene farther out are not considered). A target that is not given counts as
+// the origin. Throws Error (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           double body_radius,

@@ -19,13 +19,13 @@ struct Path {
 // Samples the curve over [from, to] so that no straight piece is farther from it than about
 // `tolerance` (in the unit of the points; tested at the middle and the quarters of each piece).
 // pieces: into how many equal parts the interval is first divided; they must resolve every turn.
-// Each is halved up to twelve times, until there are 200,000 points; then points that lie on the
-// line between their neighbours are dropped.
+// Each is halved up to twelve times, until there are 200,000 points; then points within half the
+// tolerance of the line between those kept are dropped.
 Path sampled(
     const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
 
-// A tube with open ends along at least two points; `closed` joins the last to the first. Radius in
-// the unit of the points; sides: corners of the cross-section.
+// A tube with open ends along at least two points (else it aborts); `closed` joins the last to the
+// first. Radius in the unit of the points; sides: corners of the cross-section.
 Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed);
 
 // The path of a point in time, as meshes that are made once. To draw part of it, a film draws the
@@ -38,7 +38,8 @@ class Trail {
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
-  // The meshes of the part between two parameters, in mesh coordinates.
+  // The meshes of the part between two parameters of the path, in mesh coordinates; empty for an
+  // empty trail.
   std::vector<MeshPtr> part(double from, double to) const;
   // Maps mesh coordinates to the frame of the points, m.
   const Placement& place() const { return place_; }

@@ -44,7 +44,7 @@ struct FilmText {
   bool clock = true;        // show the time of the motion
   bool labels = true;       // show the names of vectors
   double time_scale = 1.0;  // seconds of motion per second of film
-  double size = 1.0;        // scales all text
+  double size = 1.0;        // factor by which all text is enlarged
 };
 
 // The text that [show] asks for; the caller sets FilmText::captions. time_scale: seconds of motion
@@ -76,7 +76,8 @@ class Film {
   // The picture at the time `film` (s of film). Throws Error (environment) as Typesetter does, and
   // (check_failed) as Motion::at does. Opens fonts, so call it after any fork.
   Picture at(double film) const;
-  // The picture at that time without text, plots and separator lines.
+  // The picture at that time without text, plots and separator lines. Throws Error (check_failed)
+  // as Motion::at does.
   Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
   // The rectangles (pixels of the frame) of all plots and text at this moment, labels last; for

@@ -30,7 +30,7 @@ bool overlap(const TextRoom& a, const TextRoom& b);
 struct LabelWish {
   Vec2 at;
   Vec2 away;
-  double width = 0.0;   // of its ink (TextBox)
+  double width = 0.0;   // of its ink (TextBox in text/typesetter.h)
   double height = 0.0;  // of its ink
 };
 

@@ -42,7 +42,7 @@ Mesh revolved(const std::vector<Vec2>& outline, int segments, double crease = kC
 
 // The unit sphere about the origin. Circles of latitude have as many pieces as their size needs.
 Mesh unit_sphere(int segments);
-// With at most `most_around` pieces per circle of latitude.
+// The same sphere with at most `most_around` pieces per circle of latitude.
 Mesh unit_sphere(int segments, int most_around);
 // A cylinder of radius 1 from z = 0 to z = 1, with caps.
 Mesh unit_cylinder(int segments);

@@ -26,11 +26,13 @@ struct Scale {
 // The curves of a film that the scene asks for, made once; those that it does not ask for, and
 // curves that are a single point, are empty or null.
 struct Paths {
-  Trail axis;                     // of the body's axis
-  std::vector<Trail> points;      // of the points in ShowSpec::trail_points
-  Trail herpolhode;               // of the tip of omega, in space
-  MeshPtr polhode, binet;         // in principal axes, in units of the body's radius
-  std::vector<MeshPtr> polhodes;  // family of polhodes, in the same coordinates
+  Trail axis;                 // of the body's axis
+  std::vector<Trail> points;  // of the points in ShowSpec::trail_points
+  Trail herpolhode;           // of the tip of omega, in space
+  // The curves of omega on the inertia ellipsoid and of L on Binet's ellipsoid, in principal axes
+  // from the reference point, in units of the body's radius.
+  MeshPtr polhode, binet;
+  std::vector<MeshPtr> polhodes;  // family of polhodes, likewise
 };
 
 // The radius of the sphere on which the path of the body's axis is drawn, in units of the body's

@@ -57,19 +57,21 @@ struct ShowSpec {
   // decides.
   std::map<std::string, std::optional<bool>> asked;
   std::vector<Vec3> points;   // points drawn as balls with position vectors, in B, m
-  double body_opacity = 1.0;  // below 1: the body is translucent
+  double body_opacity = 1.0;  // 0.05..1; below 1: the body is translucent
   bool labels = true;         // show the names of vectors
   bool title = false;         // show the scene's title, at the top
   bool clock = true;          // show the time of the motion, and the time scale if it is not 1
   std::string caption;        // a line at the bottom; empty: none
   double text_size = 1.0;     // scales all text
-  std::vector<std::string> views = {"space"};  // panels: "space", "body"
-  std::vector<std::string> plots;              // names from recorded_names()
-  std::string material = "plain";              // one of material_names()
-  std::vector<Vec3> trail_points;              // points whose paths are drawn, in B, m
-  std::optional<double> trail_s;  // s of motion that paths cover; absent: from the start
-  int ghost_count = 5;            // how many earlier positions of the body are drawn
-  std::optional<double> ghost_s;  // s of motion between them; absent: duration / 40
+  // One panel for each: "space" is seen by the scene's camera, "body" by one that turns with the
+  // body.
+  std::vector<std::string> views = {"space"};
+  std::vector<std::string> plots;  // names from recorded_names() (motion/recorded.h)
+  std::string material = "plain";  // one of material_names()
+  std::vector<Vec3> trail_points;  // points whose paths are drawn, in B, m
+  std::optional<double> trail_s;   // s of motion that paths cover; absent: from the start
+  int ghost_count = 5;             // how many earlier positions of the body are drawn
+  std::optional<double> ghost_s;   // s of motion between them; absent: duration / 40
 
   // Whether the scene asks for the element; absent: it does not say. Adds an absent entry for a
   // name that `asked` lacks.

@@ -16,8 +16,8 @@ class AtomicFile;
 inline constexpr std::size_t kMostPngPixels = std::size_t{1} << 28;
 
 // Writes a picture of at least one pixel as 8-bit RGBA if with_alpha, else as RGB, without its
-// alpha. The file appears complete or not at all. Throws Error (input) as AtomicFile does,
-// (environment), with the file as place, if writing fails.
+// alpha. The file appears complete or not at all. Throws Error (input) as AtomicFile
+// (base/system/atomic_file.h) does, (environment), with the file as place, if writing fails.
 void write_png(const std::filesystem::path& path, const Image& image, bool with_alpha);
 
 // Writes to the temporary file of `file`, which the caller will commit. Throws Error (environment),
@@ -32,7 +32,8 @@ std::string encode_png(const Image& image, bool with_alpha);
 // kMostPngPixels.
 Image decode_png(const std::string& bytes, const std::string& name);
 
-// Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file and decode_png do.
+// Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file (base/system/atomic_file.h)
+// and decode_png do.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace polhode

@@ -33,7 +33,7 @@ struct Stamp {
   SpritePtr sprite;      // not null when drawn
   int x = 0, y = 0;      // pixels: position of its upper left pixel; may lie outside the picture
   double opacity = 1.0;  // 0..1
-  int columns = -1;      // how many columns from the left are shown; negative: all
+  int columns = -1;      // how many columns from the left are shown; negative or too many: all
 };
 
 // Composites the stamp over a picture with straight alpha (Porter-Duff "over", on encoded values)

@@ -18,9 +18,10 @@ namespace polhode {
 struct Thresholds {
   int max = 3;                      // levels (0..255) by which any value may differ
   double fraction = 0.0005;         // share (0..1) of pixels that may differ by more ...
-  int limit = 70;                   // ... but no value by more levels than this
+  int limit = 70;                   // ... but no value by more levels than this; below max, it
+                                    // has no effect
   std::optional<double> ssim = {};  // least SSIM; absent: not measured
-  std::optional<double> flip = {};  // greatest mean FLIP; absent: not measured
+  std::optional<double> flip = {};  // greatest mean FLIP at kPixelsPerDegree; absent: not measured
 };
 
 template <class Visitor>
@@ -60,9 +61,9 @@ struct Verdict {
   bool same() const { return reason.empty(); }
 };
 
-// Compares `b` with the reference `a`. SSIM and FLIP are measured if `also` or a threshold asks for
-// them. `jobs` is the number of threads, 0 for one per processor. Throws Error (input), without a
-// place, if the sizes differ, and (interrupted) while it measures FLIP.
+// Compares `b` with the reference `a`. SSIM and FLIP (at kPixelsPerDegree) are measured if `also`
+// or a threshold asks for them. `jobs` is the number of threads, 0 for one per processor. Throws
+// Error (input), without a place, if the sizes differ, and (interrupted) while it measures FLIP.
 Verdict judge(
     const Image& a, const Image& b, const Thresholds& thresholds, Measures also = {}, int jobs = 0);
 
@@ -71,7 +72,7 @@ Verdict judge(
 // contain the metrics for which there are thresholds.
 double badness(const Verdict& verdict, const Thresholds& thresholds);
 
-// A share as text with three significant digits: 0.0123 as "1.23%".
+// A share (0..1) as text with at most three significant digits: 0.0123 as "1.23%".
 std::string percent(double share);
 
 }  // namespace polhode

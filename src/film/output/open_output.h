@@ -14,14 +14,15 @@
 namespace polhode {
 
 // Opens the output, which claims its files before any work is done. `plan` must outlive it.
-// `with_hashes`: keep frame_hash() of every frame, for RenderOutput::hashes(). Throws Error (input)
-// and (environment) as make_sink and, with plan.resume, FilmJoiner do.
+// `with_hashes`: keep frame_hash() (video/plain_sinks.h) of every frame, for
+// RenderOutput::hashes(). Throws Error (input) and (environment) as make_sink (video/sink_kinds.h)
+// and, with plan.resume, FilmJoiner (video/film_joiner.h) do.
 std::unique_ptr<RenderOutput> open_output(const RenderPlan& plan, bool with_hashes);
 
 // Renders all of output.frames() with `renderer`, on the calling thread, into output.sink(), on a
-// second thread, and finishes the sink. Call it after output.begin(). `on_frame` is called on the
-// calling thread after each frame. Throws Error as `renderer` and the sink do, and (interrupted);
-// each is passed through RenderOutput::explained().
+// second thread, and finishes the sink. Call it after output.begin(). `on_frame` (not empty) is
+// called on the calling thread after each frame. Throws Error as `renderer` and the sink do, and
+// (interrupted); each is passed through RenderOutput::explained().
 void render_frames(RenderOutput& output,
                    FrameRenderer& renderer,
                    const std::function<void(const PipelineStep&)>& on_frame);

@@ -14,8 +14,8 @@ namespace polhode {
 
 // Receives the frames of a plan: all of them, those of a shard, or those that an earlier run has
 // not made. Claims its files when it is constructed, before any work is done. Use it on one thread;
-// only sink() may be pushed to on another thread meanwhile, as run_pipeline does. The derived
-// classes are made by open_output().
+// only sink() may be pushed to on another thread meanwhile, as run_pipeline (video/pipeline.h)
+// does. The derived classes are made by open_output().
 class RenderOutput {
  public:
   RenderOutput() = default;
@@ -26,7 +26,7 @@ class RenderOutput {
   // Called once, when the film is prepared and before the first frame; `film` is not kept. Throws
   // Error (input) with --shard as key if there are more shards than frames, and with --resume as
   // key for segments of another film or if their folder cannot be created; otherwise as
-  // FrameSink::describe and comment_with do; (interrupted).
+  // FrameSink::describe and comment_with (film/output/segments.h) do; (interrupted).
   virtual void begin(const PreparedFilm& film) = 0;
 
   // The numbers of the frames that must be pushed into the sink, in this order. They count from 0,
@@ -42,8 +42,8 @@ class RenderOutput {
   virtual FrameSink& sink() = 0;
   // Time spent in the sink by this run.
   virtual SinkTimes times() const = 0;
-  // frame_hash() of each frame of range(), complete after sink().finish(); empty unless
-  // open_output() was asked for hashes (a resumed film always has them).
+  // frame_hash() (video/plain_sinks.h) of each frame of range(), complete after sink().finish();
+  // empty unless open_output() was asked for hashes (a resumed film always has them).
   virtual const std::vector<std::string>& hashes() const = 0;
   // The error with a note about what an aborted run leaves behind for the next one.
   virtual Error explained(const Error& error) const { return error; }

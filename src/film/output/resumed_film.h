@@ -14,9 +14,10 @@ namespace polhode {
 
 // The segments of film.mp4 are in the folder .film.mp4.parts/ beside it, each about five seconds
 // long. A segment gets its name when it is complete and sealed (video/seal.h). push() of the sink
-// opens them, and also throws Error as make_sink and comment_with do. finish() joins them into the
-// film and removes the folder; it also throws Error as FilmJoiner::join does, and (environment) if
-// a segment has changed. Invariant: the folder contains segments of this film only.
+// opens them, and also throws Error as make_sink (video/sink_kinds.h) and comment_with
+// (film/output/segments.h) do. finish() joins them into the film and removes the folder; it also
+// throws Error as FilmJoiner::join does, and (environment) if a segment has changed. Invariant: the
+// folder contains segments of this film only.
 class ResumedFilm final : public RenderOutput, private FrameSink {
  public:
   // Claims the output. `plan` must outlive this object. Throws Error (input) and (environment) as
@@ -31,7 +32,8 @@ class ResumedFilm final : public RenderOutput, private FrameSink {
   FrameSink& sink() override { return *this; }
   SinkTimes times() const override;
   const std::vector<std::string>& hashes() const override { return hashes_; }
-  // Adds to (environment) and (interrupted) how many segments are kept, and where.
+  // Adds to an Error (environment) or (interrupted) how many segments are kept, and where; others
+  // are returned unchanged.
   Error explained(const Error& error) const override;
 
  private:

@@ -13,9 +13,9 @@ namespace polhode {
 
 // What a part says about itself and about its film.
 struct SegmentRecord {
-  std::string version;                          // program_version()
+  std::string version;                          // program_version() (base/version.h)
   std::string ffmpeg;                           // version of FFmpeg that encoded it
-  std::string scene;                            // scene_hash()
+  std::string scene;                            // scene_hash() (scene/scene.h)
   std::string title;                            // of the film
   std::map<std::string, std::string> settings;  // of the whole film, such as "crf": "18"
   Shard shard;                                  // which part it is
@@ -29,9 +29,9 @@ SegmentRecord record_of(const RenderPlan& plan,
                         const FilmMetadata& metadata,
                         const Shard& shard);
 
-// The record as text, to be stored as the comment of a container: film_comment(), followed by JSON.
-// Throws Error (input), without a place, if it is longer than 60000 bytes, which is so if the story
-// has too much text.
+// The record as text, to be stored as the comment of a container: film_comment()
+// (film/render_plan.h), followed by JSON. Throws Error (input), without a place, if it is longer
+// than 60000 bytes, which is so if the story has too much text.
 std::string comment_with(const SegmentRecord& record);
 // The record in the comment of a film file. Throws Error (input), with the file as place, if it is
 // missing, not a film, or not a part of one.

@@ -14,8 +14,8 @@
 
 namespace polhode {
 
-// The settings of the encoder, see EncoderSettings (video/video_spec.h). Absent: the format has no
-// such setting.
+// The settings of the encoder, see EncoderSettings (video/video_spec.h), which also has the
+// defaults. Absent: the format has no such setting.
 struct EncoderRecord {
   std::optional<std::string> codec, preset;
   std::optional<int> crf;
@@ -63,7 +63,7 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   std::string output;      // as the user named it
   std::string scene_file;  // as the user named it
   std::string title;       // of the scene
-  std::string scene_hash;  // scene_hash() of `scene`
+  std::string scene_hash;  // scene_hash() (scene/scene.h) of `scene`
   Json versions;           // versions() of film/report/motion_report.h
   std::string backend, gl_renderer, gl_version;  // RendererInfo
   int samples = 0;                               // per pixel
@@ -73,7 +73,8 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   PictureSize size;  // pixels
   FrameRate fps;
   double from_s = 0.0, to_s = 0.0;  // s of motion that the whole film covers
-  bool transparent = false, text = true, still = false, resume = false;  // as in RenderJob
+  // As in RenderJob (film/render_plan.h), but still: true for a single picture.
+  bool transparent = false, text = true, still = false, resume = false;
   std::optional<std::string> shard;  // "K/N"; absent: the whole film
   int first_frame = 0;               // number of the first frame in the film; 0 except for shards
   int jobs = 1;                      // processes that drew
@@ -81,14 +82,16 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   EncoderRecord encoder;
   FilmTimes stages;
   StageTime total;                        // of the run; cpu_s: of all processes
-  Json scene;                             // scene_to_json(): every value, in SI
-  std::vector<std::string> frame_hashes;  // frame_hash() of each frame, in order
-  std::optional<Json> compare;            // Comparison::report(); absent: no methods are compared
-  std::optional<Loop> loop;               // how well the film closes; absent: it does not loop
+  Json scene;                             // scene_to_json() (scene/canonical.h), in SI
+  std::vector<std::string> frame_hashes;  // frame_hash() (video/plain_sinks.h) of each frame
+  // Comparison::report() (film/comparison.h); absent: no methods are compared
+  std::optional<Json> compare;
+  std::optional<Loop> loop;  // how well the film closes; absent: it does not loop
 };
 
-// The keys of the report; docs/render.md documents them. To add one: a line here and a member
-// above.
+// The keys of the report; docs/render.md documents them. Absent values of `field` keys are written
+// as null, `optional` keys are left out (film/report/json_fields.h). To add a key: a line here and
+// a member above.
 template <class Visitor>
 void report_fields(Visitor& v, FilmReport& s) {
   v.field("output", s.output);

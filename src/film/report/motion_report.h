@@ -7,6 +7,7 @@
 
 namespace polhode {
 
+// Lists the keys of "conditioning", see Conditioning in motion/conditioning.h.
 template <class Visitor>
 void report_fields(Visitor& v, Conditioning& s) {
   v.field("round_off_rad", s.effect);

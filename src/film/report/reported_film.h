@@ -14,13 +14,14 @@ namespace polhode {
 struct ReportedFilm {
   RenderPlan plan;                    // with the output as named in the report, and one job
   std::string gl_renderer;            // GL_RENDERER that drew it
-  std::vector<std::string> hashes;    // frame_hash() of each frame, in order
+  std::vector<std::string> hashes;    // frame_hash() (video/plain_sinks.h) of each frame
   std::optional<std::string> broken;  // how the report contradicts itself; absent: it does not
 };
 
 // Reads the report in that file. Throws Error, with the file as place: (input) if it is missing,
-// not a report or longer than 1 GiB, if it was written with other versions(), or if it has a value
-// that no scene, option or encoder accepts; (environment) as settle_encoder does.
+// not a report or longer than 1 GiB, if it was written with other versions()
+// (film/report/motion_report.h), or if it has a value that no scene, option or encoder accepts;
+// (environment) as settle_encoder (video/encoders.h) does.
 ReportedFilm read_report(const std::string& file);
 
 }  // namespace polhode
