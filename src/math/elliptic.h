@@ -45,7 +45,8 @@ class EllipticParameter {
   // Minus the logarithm of the nome in use; infinite if it is 0.
   double log_nome() const { return log_nome_; }
 
-  // v - 2 K j with the integer j for which |result| <= K. `odd` is set to whether j is odd.
+  // v - 2 K j with the integer j for which |result| <= K; v itself if K is infinite. `odd` is set
+  // to whether j is odd.
   double reduced(double v, bool& odd) const;
 
   // sn, cn and dn at v, as quotients of theta functions (DLMF 22.2.4-6 and, if not direct(),

@@ -13,10 +13,11 @@
 //   w_P          angular velocity of the body relative to space, components in P (rad/s)
 //   y            angular momentum about the reference point, components in P (kg m^2/s); y = I w_P
 //   L_S          the same vector, components in S
+//   torque_P     torque about the reference point, components in P (N m)
 //   g_S          acceleration of gravity, components in S (m/s^2)
 //
-// Quaternions are Hamilton's, unit, written (w, x, y, z). Equations of motion (Hairer, Lubich,
-// Wanner, Geometric Numerical Integration, VII.5):
+// Quaternions are Hamilton's, unit, written (w, x, y, z); o is their product. Equations of motion
+// (Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.5):
 //   dy/dt = y x w + torque_P,   dq/dt = q o (0, w_P) / 2
 // Euler angles are zxz: R_SB = Rz(phi) Rx(theta) Rz(psi); theta is the tilt of the body's third
 // axis.

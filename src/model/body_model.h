@@ -64,14 +64,14 @@ struct State {
 // Mass properties of a [body] table, in B. Throws Error (input) naming body.mass,
 // body.center_of_mass or body.about if it is given without moments or tensor; body.moments or
 // body.tensor for a tensor that is not symmetric or, about the pivot, too small; and as
-// mass_properties in model/solids.h does for body.solid and body.parts[i].
+// mass_properties (model/solids.h) does for body.solid and body.parts[i].
 MassProperties mass_properties(const BodySpec& spec);
 
 // The model of a body in the given gravity (in S, m/s^2). Throws Error (input) as mass_properties
-// and make_loads do; naming the key that gives the mass distribution (body.moments, body.points,
-// ...) for a body without extent and for moments that no body can have (with BodySpec::mathematical
-// they may break the triangle inequality); and naming motion.torque[i].KEY for a torque about the
-// line of a rotator.
+// and make_loads do; naming the key that gives the mass distribution (body.moments, tensor, points,
+// solid or parts) for a body without extent and for moments that no body can have (with
+// BodySpec::mathematical they may break the triangle inequality); and naming motion.torque[i].KEY
+// for a torque about the line of a rotator.
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
@@ -118,12 +118,12 @@ Vec3 torque(const BodyModel& m, double t, const State& s);
 Vec3 force(const BodyModel& m, double t, const State& s);
 
 // Kinetic energy of rotation about the reference point plus potential energy, J: y.w/2 + chi.gamma
-// + potential_of() of the loads. With six degrees of freedom also the kinetic energy of the centre
-// of mass and potential_of_place().
+// + potential_of() (model/loads.h) of the loads. With six degrees of freedom also the kinetic
+// energy of the centre of mass and potential_of_place().
 double energy(const BodyModel& m, const State& s);
 
-// Potential energy of gravity and of constant forces for a free body with its centre of mass at
-// center_S (m), J; 0 at the origin.
+// Potential energy of gravity and of forces that are constant in S (Loads::pushes; those that vary
+// with time have none) for a free body with its centre of mass at center_S (m), J; 0 at the origin.
 double potential_of_place(const BodyModel& m, const Vec3& center_S);
 
 // Whether the motion conserves energy(), and angular momentum about the reference point (with a

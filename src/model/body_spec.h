@@ -16,13 +16,14 @@
 namespace polhode {
 
 // A homogeneous solid and its position in the body. solid_kinds() (model/solids.h) says which
-// dimensions a kind takes; the others must stay empty.
+// dimensions a kind takes; the others must stay empty. Exactly one of mass and density is given,
+// for BodySpec::look neither.
 struct SolidSpec {
   std::string kind;                          // a name from solid_kinds()
-  std::optional<double> mass;                // kg; this or density
-  std::optional<double> density;             // kg/m^3; this or mass
-  std::optional<Vec3> size;                  // box edges, m
-  std::optional<Vec3> semi_axes;             // ellipsoid, m
+  std::optional<double> mass;                // kg
+  std::optional<double> density;             // kg/m^3
+  std::optional<Vec3> size;                  // box edges along x, y, z, m
+  std::optional<Vec3> semi_axes;             // ellipsoid, along x, y, z, m
   std::optional<double> radius;              // m
   std::optional<double> height;              // m, along z
   std::optional<double> length;              // m, along z
@@ -30,9 +31,11 @@ struct SolidSpec {
   std::optional<double> tube;                // radius of the tube of a ring, m
   std::optional<std::string> file;           // mesh: an OBJ or STL file, relative to the scene file
   std::optional<double> scale;               // mesh: metres per unit of its file; 1 when absent
-  std::shared_ptr<const TriangleMesh> mesh;  // the content of `file`; set by load_meshes()
+  std::shared_ptr<const TriangleMesh> mesh;  // the content of `file`; null until load_meshes()
+                                             // (model/solids.h) sets it
   std::vector<Vec2> profile;                 // lathe: (radius, z) points, m, 2 to 2000, or to
-                                             // kMostSmooth if smooth; empty: not given
+                                             // kMostSmooth (model/solids.h) if smooth; empty: not
+                                             // given
   bool smooth = false;               // lathe: a curve through them instead of straight lines
   Vec3 at = Vec3::Zero();            // where its own origin is in the body, m
   Vec3 turn = Vec3::Zero();          // turns about the body's x, then y, then z axis, rad
@@ -54,12 +57,14 @@ struct BodySpec {
   std::optional<SolidSpec> solid;
   std::vector<SolidSpec> parts;
 
-  std::string about = "center";        // moments or tensor are about: "center" of mass or "pivot"
-  bool mathematical = false;           // allow moments that break the triangle inequality
-  std::optional<double> mass;          // kg, with moments or tensor; 1 when absent
-  std::optional<Vec3> center_of_mass;  // from the body origin, with moments or tensor, in B, m
-  Vec3 pivot = Vec3::Zero();           // the fixed point of a body on a pivot, in B, m
-  std::optional<SolidSpec> look;       // what is drawn instead of the mass distribution; no mass
+  std::string about = "center";  // moments or tensor are about: "center" of mass or "pivot"
+  bool mathematical = false;     // allow moments that break the triangle inequality
+  std::optional<double> mass;    // kg, with moments or tensor; 1 when absent
+  // From the body origin, with moments or tensor, in B, m; absent: the body origin.
+  std::optional<Vec3> center_of_mass;
+  Vec3 pivot = Vec3::Zero();  // the fixed point of a body on a pivot, in B, m
+  // What is drawn instead of the mass distribution; absent: that is drawn itself.
+  std::optional<SolidSpec> look;
 };
 
 // The names in solid_kinds(), for help and the schema.

@@ -11,7 +11,8 @@
 
 namespace polhode {
 
-// One load. load_kinds() (model/loads.h) says which of the keys a kind takes.
+// One load. load_kinds() (model/loads.h) says which of the keys a kind needs and takes; the others
+// must stay empty.
 struct LoadSpec {
   std::string kind;               // a name from load_kinds()
   std::optional<Vec3> space;      // torque or force in space axes, N m or N

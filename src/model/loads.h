@@ -16,7 +16,7 @@ namespace polhode {
 struct LoadKind {
   std::string name;
   std::string doc;                 // one phrase, for help
-  std::vector<std::string> needs;  // keys that must be given
+  std::vector<std::string> needs;  // keys of LoadSpec that must be given
   std::vector<std::string> takes;  // keys that may be given
   bool directed = false;           // needs exactly one of `space` and `body`
 };

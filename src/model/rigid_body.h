@@ -32,11 +32,12 @@ Mat3 tensor_with_origin_moved(const Mat3& tensor,
 // moving point.
 Vec3 angular_momentum(const Mat3& tensor, const Vec3& Omega);
 
-// Kinetic energy in J, split as in notes eq. 4, with the factor 1/2 that is missing in print.
+// Kinetic energy in J, split as in notes eq. 4, with the factor 1/2 that is missing in print. M:
+// mass; V: velocity of the chosen point; c: vector from there to the centre of mass.
 struct KineticEnergy {
   double translation = 0.0;  // M V^2 / 2
   double rotation = 0.0;     // Omega . I Omega / 2
-  double coupling = 0.0;     // M V . (Omega x c): zero about the centre of mass
+  double coupling = 0.0;     // M V . (Omega x c); 0 if the point is the centre of mass
 
   double total() const { return translation + rotation + coupling; }
 };

@@ -14,8 +14,8 @@ namespace polhode {
 struct SolidKind {
   std::string name;
   std::string doc;                     // shape, origin and axis, one phrase
-  std::vector<std::string> needs;      // dimensions that must be given
-  std::vector<std::string> takes;      // dimensions that may be given
+  std::vector<std::string> needs;      // keys of SolidSpec that must be given
+  std::vector<std::string> takes;      // keys of SolidSpec that may be given
   double (*volume)(const SolidSpec&);  // m^3; 0 for a thin solid, which then needs a mass
   // Per kilogram, about its own centre of mass: .mass is 1, .center in the solid's own frame (m),
   // .tensor in m^2.
@@ -32,7 +32,7 @@ void check_dimensions(const SolidSpec& solid, const std::string& path);
 
 // Reads and checks the mesh files of all mesh solids of a body, also of its look, and stores them
 // in SolidSpec::mesh; `file` is relative to `folder`. Throws Error (input) naming the key of the
-// file, such as body.solid.file, as load_solid_mesh does.
+// file, such as body.solid.file, as load_solid_mesh (model/triangle_mesh.h) does.
 void load_meshes(BodySpec& body, const std::filesystem::path& folder);
 
 // Mass properties in the body frame: the solid turned by `turn` and moved by `at`. Throws Error

@@ -43,8 +43,9 @@ double volume_of(const TriangleMesh& mesh);
 // origin).
 MassProperties mass_properties_of(const TriangleMesh& mesh);
 
-// Reads a mesh file of at most 64 MiB, multiplies it by `scale` (metres per unit of the file) and
-// checks it. Throws Error (input) as parse_triangle_mesh, check_solid and read_file do.
+// Reads a mesh file of at most 64 MiB, multiplies it by `scale` (metres per unit of the file,
+// positive) and checks it. Throws Error (input) as parse_triangle_mesh, check_solid and read_file
+// (base/system/atomic_file.h) do.
 TriangleMesh load_solid_mesh(const std::filesystem::path& file, double scale);
 
 }  // namespace polhode

@@ -11,16 +11,17 @@ namespace polhode {
 struct Loop {
   double duration = 0.0;  // s
   // Difference from the start: the angle between the attitudes (rad) and |change of w_B| / |w_B|,
-  // as the root of the sum of their squares. Positions do not count.
+  // as the root of the sum of their squares. The divisor is |w_B| at the start, but at least a
+  // thousandth of its greatest value. Positions do not count.
   double residual = 0.0;
 };
 
 // The shortest duration up to `longest` (s, at most that of the motion) at which the residual has a
-// minimum of at most `allowed`, so that spin, precession and nutation all close. If there is none,
-// the duration with the smallest residual. `longest` with residual 0 for a body at rest. The search
-// samples the motion every tenth of a radian of its fastest rotation, but at most two million
-// times, and assumes nothing about the kind of motion. Throws Error (check_failed) as Motion::at
-// does.
+// minimum of at most `allowed` (positive), so that spin, precession and nutation all close. If
+// there is none, the duration with the smallest residual among all minima and `longest`. `longest`
+// with residual 0 for a body at rest. The search samples the motion every tenth of a radian of its
+// fastest rotation, but at most two million times, and assumes nothing about the kind of motion.
+// Throws Error (check_failed) as Motion::at does.
 Loop find_loop(const Motion& motion, double longest, double allowed);
 
 }  // namespace polhode

@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-// The units of `time` to `momentum` are s, rad, rad/s, 1/s, J and kg m^2/s. `none` is a ratio; a
-// verdict is 0 (no) or 1 (yes).
+// The units: time in s, angle in rad, rate in rad/s, growth in 1/s, energy in J, momentum in kg
+// m^2/s. `none` is a ratio; a verdict is 0 (no) or 1 (yes).
 enum class QuantityUnit { none, time, angle, rate, growth, energy, momentum, verdict };
 
 // One number with its name.
@@ -21,13 +21,15 @@ struct Quantity {
   double value;
 };
 
-// The name with its unit as suffix: "precession_rate_rad_per_s".
+// The name with its unit as suffix, such as "precession_rate_rad_per_s"; ratios and verdicts have
+// no suffix.
 std::string key_of(const Quantity& quantity);
 
-// The quantities that are defined for this body and this start, ordered for teaching: with loads
-// that turn the body, only energies, angular momentum and angular speed. `model` is that of `spec`.
-// Throws Error (input) as start_state does. Formulas: Landau and Lifshitz, Mechanics, sections 33,
-// 35 and 37; van Zon and Schofield, J. Comput. Phys. 225 (2007) 145 (flip time 2K/|lambda|).
+// The quantities that are defined for this body and this start, in the order in which `inspect`
+// prints them: energies, angular momentum and angular speed first; with loads that turn the body,
+// only these. `model` is that of `spec`. Throws Error (input) as start_state does. Formulas: Landau
+// and Lifshitz, Mechanics, sections 33, 35 and 37; van Zon and Schofield, J. Comput. Phys. 225
+// (2007) 145 (flip time 2K/|lambda|).
 std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpec& spec);
 
 // The value of the quantity with that key_of(); absent if there is none.

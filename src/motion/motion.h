@@ -19,15 +19,17 @@ struct Sample {
   Vec3 center_S = Vec3::Zero();              // centre of mass, m
   Vec3 reference_S = Vec3::Zero();           // fixed point (the origin) or centre of mass, m
   Vec3 reference_velocity_S = Vec3::Zero();  // of the reference point, m/s; zero on a pivot
-  double energy = 0.0;                       // kinetic (rotation, translation) + potential, J; the
-                                             // potential of gravity is 0 at the origin of S
+  double energy = 0.0;                       // kinetic (rotation, translation) + potential (gravity
+                                             // and loads), J; the potential of gravity and of
+                                             // constant forces is 0 at the origin of S
 };
 
 // Immutable; at() may be called from any thread.
 class Motion {
  public:
-  // The trajectory (never null) gives the rotation, and with six degrees of freedom the path;
-  // position, velocity and duration come from `spec`. `model` is that of the trajectory.
+  // The trajectory (never null) gives the rotation, and with six degrees of freedom
+  // (BodyModel::with_translation) the path; position, velocity and duration come from `spec`.
+  // `model` is that of the trajectory.
   Motion(const BodyModel& model,
          std::shared_ptr<const Trajectory> trajectory,
          const MotionSpec& spec);
@@ -52,8 +54,8 @@ class Motion {
   double duration_;
 };
 
-// The drift of the conserved quantities between the start and t (s), as DriftWatch::of() gives it.
-// Throws Error (check_failed) as Motion::at does.
+// The drift of the conserved quantities between the start and t (s), 0 <= t <= duration(), as
+// DriftWatch::of() gives it. Throws Error (check_failed) as Motion::at does.
 Drift drift_at(const Motion& motion, double t);
 
 // Position in S (m) of the point r_B of the body (m, from the body origin).

@@ -13,7 +13,7 @@ namespace polhode {
 struct Recorded {
   std::string name;                 // as in show.plots
   std::string title;                // of the plot
-  std::string unit;                 // of the plotted values: "rad/s", "°"; "" for ratios
+  std::string unit;                 // of the plotted values, such as "rad/s" or "°"; "": a ratio
   std::vector<std::string> curves;  // the name of each curve
   // The value of each curve at the moment of `sample`, in `unit`; NaN where it is not defined.
   // Throws Error (check_failed) as drift_at does.

@@ -13,8 +13,8 @@ double typical_rate(const BodyModel& model, const State& start);
 // A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 
-// The first step (s) to try with an adaptive method of that order and that tolerance (local error
-// per step); infinite for a body at rest that nothing turns.
+// The first step (s) to try with an adaptive method of that order and that tolerance (relative
+// local error per step, positive); infinite for a body at rest that nothing turns.
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);
 
 // The distance of two states: the angle between their attitudes, rad, or, with six degrees of

@@ -11,8 +11,9 @@ namespace polhode {
 double oscillation_rate(const BodyModel& model, const State& start);
 
 // The step (s) beyond which the method is unstable or its step has no solution, from the rates at
-// the start: StepperInfo::limit_turn divided by the rate of its limit_of. Infinite if theory gives
-// no limit. The limits are in motion/stepper_table.cpp.
+// the start: StepperInfo::limit_turn (rad) divided by the rate that StepperInfo::limit_of names,
+// which is oscillation_rate() or |omega|. Infinite if theory gives no limit or that rate is 0. The
+// limits are in motion/stepper_table.cpp.
 double step_limit(const StepperInfo& method, const BodyModel& model, const State& start);
 
 }  // namespace polhode

@@ -16,7 +16,8 @@ class Context {
   virtual ~Context() = default;
   // Its name in backends(): "osmesa" or "egl".
   virtual std::string backend() const = 0;
-  // The address of an OpenGL function; null if there is none of that name.
+  // The address of an OpenGL function; null if the library knows none of that name. Another value
+  // does not prove that the driver supports the function. Valid as long as the context.
   virtual void* function(const char* name) const = 0;
 };
 
@@ -24,7 +25,7 @@ class Context {
 struct Backend {
   std::string name;  // value of --backend
   std::string doc;   // one phrase, for help
-  // Opens it. Throws Error (environment) that says what is missing.
+  // Opens it on the calling thread. Throws Error (environment) that says what is missing.
   std::unique_ptr<Context> (*open)();
 };
 
@@ -40,7 +41,8 @@ std::vector<std::string> backend_names();
 // uses the environment.
 std::unique_ptr<Context> open_context(const std::string& backend);
 
-// Open one back end, for the table. Throw Error (environment) that says what is missing.
+// Open one back end on the calling thread, for the table. Throw Error (environment) that says what
+// is missing.
 std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
 

@@ -14,7 +14,7 @@ namespace polhode {
 
 // What draws the pictures, for reports.
 struct RendererInfo {
-  std::string backend;       // "osmesa"
+  std::string backend;       // Context::backend(): "osmesa" or "egl"
   std::string gl_renderer;   // GL_RENDERER
   std::string gl_version;    // GL_VERSION
   int samples = 0;           // per pixel that are used; 1: none besides the pixel's centre
@@ -37,10 +37,10 @@ inline constexpr int kOutlinePixels = 960 * 540;
 
 // Settings that hold for all pictures of a renderer.
 struct RenderSettings {
-  int width = 1920;          // pixels
-  int height = 1080;         // pixels
-  int samples = 4;           // per pixel, where outlines are not used; fewer if the driver supports
-                             // fewer
+  int width = 1920;   // pixels
+  int height = 1080;  // pixels
+  int samples = 4;    // per pixel, where outlines are not used; 0: no multisampling; fewer if
+                      // the driver supports fewer
   bool transparent = false;  // the background has alpha 0
   Edges edges = Edges::by_size;
 };

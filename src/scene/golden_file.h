@@ -94,8 +94,9 @@ void fields(Visitor& v, GoldenSidecar& s) {
   v.field("verdict", s.verdict, Doc{"thresholds for comparing with this reference"});
 }
 
-// Reads cases.toml. Throws Error (input) as read_file and parse_toml do, with file, line and key as
-// Reader does, and with file and key for invalid or duplicate names of cases.
+// Reads cases.toml. Throws Error (input) as read_file (base/system/atomic_file.h) and parse_toml
+// (scene/toml_text.h) do, with file, line and key as Reader (scene/reader.h) does, and with file
+// and key for invalid or duplicate names of cases.
 GoldenFile load_golden_file(const std::filesystem::path& file);
 
 // Reads a sidecar. Throws Error (input) as read_file and parse_toml do, and with file, line and key

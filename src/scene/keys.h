@@ -34,6 +34,7 @@ inline constexpr std::size_t kMostTables = 1000;
 
 // The maximum number of names in a list, such as numerics.compare.
 inline constexpr std::size_t kMostNames = 9;
+// The maximum length of a text.
 inline constexpr std::size_t kLongestText = 2000;  // bytes
 
 // The keys of one table.

@@ -31,8 +31,9 @@ struct Scene {
   VideoSpec video;
   ThemeSpec theme;  // shares the [video] table
 
-  std::string file;                  // the file it was read from, as the user named it
-  std::map<std::string, int> lines;  // line of each key in it, by dotted path without unit suffixes
+  std::string file;  // the file it was read from, as the user named it
+  // Line of each key in it, and of each table in a list, by dotted path without unit suffixes.
+  std::map<std::string, int> lines;
   std::map<std::string, std::string> options;  // key -> option that has overridden its value
 };
 
@@ -52,10 +53,10 @@ void fields(Visitor& v, Scene& s) {
   v.merged("video", s.video, s.theme, Doc{"size, frame rate, time scale and colours of the film"});
 }
 
-// Reads a scene and its mesh files. Throws Error (input) as read_file and parse_toml do, and with
-// file, line and key as Reader (scene/reader.h) and load_meshes do. Whether the values together
-// make sense is checked later, by make_model and start_state. Keys are dotted paths; lists count
-// from 0: "body.parts[1].mass".
+// Reads a scene and its mesh files. Throws Error (input) as read_file (base/system/atomic_file.h)
+// and parse_toml (scene/toml_text.h) do, and with file, line and key as Reader (scene/reader.h) and
+// load_meshes (model/solids.h) do. Whether the values together make sense is checked later, by
+// make_model and start_state. Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
 // Numbers that replace those in the file, by the path of the key as the file spells it:
 // "motion.spin.body[2]", "body.solid.radius_cm". They are in the unit of that spelling.
@@ -78,8 +79,9 @@ std::vector<std::string> mesh_files(const std::filesystem::path& file);
 // in the file; 0 if there is none. For errors found after reading.
 int line_of(const Scene& scene, const std::string& key);
 
-// The hash (content_hash) of the scene's values, defaults included, and of its meshes. Comments,
-// order and the spelling of units do not change it, nor does the name of the scene file.
+// The hash (content_hash() in base/hash.h) of the scene's values, defaults included, and of its
+// meshes. Comments, order and the spelling of units do not change it, nor does the name of the
+// scene file.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace polhode

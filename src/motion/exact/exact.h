@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Closed-form rotations as trajectories, without the motion of the centre of mass. The caller must
 // check the requirements stated here, as motion/solution_method.cpp does; loads of the model are
-// ignored. at() does not throw. Frames and letters: math/notation.h; start: the state at t = 0;
-// exp(v): the rotation by |v| radians about v.
+// ignored. at() does not throw. Frames and letters: math/notation.h; chi: BodyModel::chi_P, the
+// torque of gravity being gamma x chi; start: the state at t = 0; exp(v): the rotation by |v|
+// radians about v. Any thread may use the trajectories.
 #pragma once
 
 #include <memory>
@@ -15,9 +16,10 @@ namespace polhode {
 std::unique_ptr<Trajectory> exact_spherical(const BodyModel& model, const State& start);
 
 // Free symmetric top, and the free rotator as its limit. Requires a symmetric model and chi = 0.
-// With the symmetry axis as the third, y(t) = Rz(-beta t) y0 and q(t) = q0 o exp(t y0 / I1) o
-// exp(beta t e3), beta = (1/I3 - 1/I1) y3: precession about L at |L|/I1 (Landau and Lifshitz,
-// Mechanics, section 33), combined with a rotation about the symmetry axis.
+// With the symmetry axis as the third, I3 the moment about it and I1 that across it, y(t) =
+// Rz(-beta t) y0 and q(t) = q0 o exp(t y0 / I1) o exp(beta t e3), beta = (1/I3 - 1/I1) y3:
+// precession about L at |L|/I1 (Landau and Lifshitz, Mechanics, section 33), combined with a
+// rotation about the symmetry axis.
 std::unique_ptr<Trajectory> exact_symmetric(const BodyModel& model, const State& start);
 
 // Free asymmetric top for any start: tumbling, rotation about the axis of the least or greatest

@@ -9,18 +9,20 @@ namespace polhode {
 
 // Spherical and symmetric bodies (rotators too) use their closed form. Asymmetric ones use the
 // Taylor series of Euler's equations and get the attitude from one more quadrature: in q = q0 o
-// p0^-1 o exp(psi e) o p, where p is the smallest rotation that takes the momentum to the principal
-// axis e (moment I) closest to it,
+// p0^-1 o exp(psi e) o p, where p (p0 at the start) is the smallest rotation that takes the
+// momentum to the principal axis e (moment I) closest to it at the start,
 //   dpsi/dt = |y| / I + (2 T - |y|^2 / I) / (|y| + y.e),   T the kinetic energy,
-// (from w = dpsi/dt y/|y| + w_p; compare van Zon and Schofield, J. Comput. Phys. 225 (2007) 145,
-// section 2). If h spans many turns, they use their closed form. Gravity is ignored. Immutable, so
-// any thread may use it.
+// (from w = dpsi/dt y/|y| + w_p, with w_p the angular velocity of p; compare van Zon and Schofield,
+// J. Comput. Phys. 225 (2007) 145, section 2). If the body could turn by more than 8 rad (|h| |y| /
+// least moment), they use their closed form. Gravity and loads are ignored. Immutable, so any
+// thread may use it.
 class FreeFlow {
  public:
   // Copies what it needs of the model.
   explicit FreeFlow(const BodyModel& model);
 
   // Advances attitude q (P to S) and momentum y (in P, kg m^2/s) by h (s), of any sign and length.
+  // q stays of unit length to round-off.
   void operator()(double h, Quat& q, Vec3& y) const {
     if (asymmetric_) {
       by_series_or_closed_form(h, q, y);
