@@ -20,9 +20,9 @@ class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
   // Renders the frame with the number `index`, 0 <= index < FrameTimes::count (film/frame_times.h),
-  // into `image`, which is resized if needed. Throws Error as Film::at and Renderer::draw do; with
-  // worker processes also (interrupted) and what a process has thrown, for example when it opened
-  // its renderer (open_local_renderer() in film/local_renderer.h).
+  // into `image`, which is resized if needed. Throws Error as Film::at (frame/film.h) and
+  // Renderer::draw do; with worker processes also (interrupted) and what a process has thrown, for
+  // example when it opened its renderer (open_local_renderer() in film/local_renderer.h).
   virtual void render(int index, Image& image) = 0;
   // Back end and OpenGL that draw. Waits until a worker process has opened them, and then throws
   // Error as render() does. Valid as long as the renderer.

@@ -20,9 +20,10 @@ namespace polhode {
 // or OpenGL. The processes end with the renderer or with this process. Pixels do not depend on the
 // number of jobs.
 //
-// Throws Error with one job as open_local_renderer does, with more (environment) if a process
-// cannot be started. In that case info() and render() throw the Errors of the processes, those of
-// open_local_renderer included, and Error (environment) if one was killed.
+// Throws Error with one job as open_local_renderer (film/local_renderer.h) does, with more
+// (environment) if a process cannot be started. In that case info() and render() throw the Errors
+// of the processes, those of open_local_renderer included, and Error (environment) if one was
+// killed.
 std::unique_ptr<FrameRenderer> open_frame_renderer(const PreparedFilm& film,
                                                    const RenderSetup& setup,
                                                    const std::vector<int>& frames);

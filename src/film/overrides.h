@@ -12,7 +12,8 @@ namespace polhode {
 
 // The values; those that are absent are taken from the scene.
 struct Overrides {
-  std::optional<std::string> method;    // name of a stepper (stepper_table()), "exact" or "auto"
+  // Name of a stepper (motion/stepper_table.h), "exact" or "auto".
+  std::optional<std::string> method;
   std::optional<double> step;           // s, positive
   std::optional<double> tolerance;      // relative local error per step, positive; for adaptive
                                         // methods

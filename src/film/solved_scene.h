@@ -26,7 +26,8 @@ Solved solve(const Scene& scene);
 
 // The attitude error that numerics.accuracy allows, rad. Pixels are converted by
 // attitude_tolerance() (frame/compose.h), for the scene's camera, picture size and size of the
-// body. Throws Error (input) as body_look, make_theme and attitude_tolerance do.
+// body. Throws Error (input) as body_look (frame/body_look.h), make_theme (frame/theme.h) and
+// attitude_tolerance do.
 double accuracy_in_radians(const Scene& scene, const BodyModel& model);
 
 }  // namespace polhode

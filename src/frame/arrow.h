@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws vectors as arrows. The tip is exactly at the end of the vector. Positions and lengths are
-// in S (m) in glyphs, and in drawing coordinates (DrawingFrame) in add_arrow() and add_tube().
+// in S (m) in glyphs, and in drawing coordinates (DrawingFrame in frame/camera.h) in add_arrow()
+// and add_tube().
 #pragma once
 
 #include <vector>

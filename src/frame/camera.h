@@ -90,9 +90,10 @@ struct Ball {
 Ball ball_around(const std::vector<Vec3>& points);
 
 // The nearest camera with the given line of sight for which all points (S, m; at least one) are
-// inside the picture less its margins. target: the point in the middle of the picture (S, m);
-// absent: the camera moves sideways too. direction: from the scene towards the camera, of any
-// length but zero. fov: vertical field of view, rad.
+// inside the picture less its margins, but at least a tenth of the radius of ball_around() in front
+// of the foremost point. target: the point in the middle of the picture (S, m); absent: the camera
+// moves sideways too. direction: from the scene towards the camera, of any length but zero. fov:
+// vertical field of view, rad, in (0, pi).
 Camera framing_camera(const std::vector<Vec3>& points,
                       const std::optional<Vec3>& target,
                       const Vec3& direction,

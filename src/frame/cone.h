@@ -10,7 +10,7 @@
 namespace polhode {
 
 // An open cone. Position and lengths are in S (m) in glyphs, and in drawing coordinates
-// (DrawingFrame) in add_cones().
+// (DrawingFrame in frame/camera.h) in add_cones().
 struct Cone {
   Vec3 apex = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit vector from the apex into the cone

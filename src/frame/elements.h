@@ -29,10 +29,11 @@ struct Element {
 const std::vector<Element>& elements();
 
 // Adds the points of show.points at the moment of `sample` as balls, with position vectors from the
-// reference point and, if from_origin, from the origin of space.
+// reference point and, if from_origin, also from the origin of space.
 void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs);
 
-// Adds the paths of show.trail_points up to the moment of `sample`.
+// Adds the paths of show.trail_points up to the moment of `sample`, for the time ShowSpec::trail_s
+// before it.
 void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 
 }  // namespace polhode

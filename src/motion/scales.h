@@ -7,7 +7,7 @@
 namespace polhode {
 
 // How fast the attitude changes, rad/s: the sum of the rates due to the initial spin, gravity and
-// the loads.
+// the loads; 0 for a body at rest that nothing turns.
 double typical_rate(const BodyModel& model, const State& start);
 
 // A typical angular momentum for error norms, kg m^2/s; never 0.

@@ -30,9 +30,9 @@ class Stepper {
     step(t, h, s, uncounted);
   }
   // For adaptive methods only; aborts for others. Does the same as step() and returns an estimate
-  // of the local error, the larger of |error of q| and |error of y| / momentum_scale (with six
-  // degrees of freedom also the scaled errors of place and linear momentum, see ErrorNorm in
-  // motion/steppers/derivative.h).
+  // of the local error, the larger of |error of q| and |error of y| / momentum_scale()
+  // (motion/scales.h; with six degrees of freedom also the scaled errors of place and linear
+  // momentum, see ErrorNorm in motion/steppers/derivative.h).
   virtual double step_with_error(double t, double h, State& s, Work& work) const;
 };
 

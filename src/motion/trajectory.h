@@ -15,7 +15,7 @@ class Trajectory {
   virtual ~Trajectory() = default;
   // The state at t (s). Place and linear momentum are meaningful with six degrees of freedom only.
   // Throws Error (check_failed) if the partial step of an integration has no solution
-  // (Stepper::step).
+  // (Stepper::step in motion/stepper.h).
   virtual State at(double t) const = 0;
 };
 

@@ -71,7 +71,7 @@ struct GoldenSidecar {
   int format = 1;          // version of this format; only 1 is known
   std::string cause;       // why there is another reference: "mesa-25"; empty for the first
   std::string polhode;     // version
-  std::string backend;     // Context::backend(): "osmesa" or "egl"
+  std::string backend;     // Context::backend() (render/context.h): "osmesa" or "egl"
   std::string renderer;    // GL_RENDERER
   std::string opengl;      // GL_VERSION, which includes Mesa's version
   std::string llvm;        // version; empty if unknown

@@ -58,7 +58,7 @@ struct Key {
   std::optional<KeyList> inside;
 };
 
-// The type of a member without std::optional and std::vector.
+// The type of a member without std::optional and std::vector; kMany: whether it is a std::vector.
 template <class T>
 struct Held {
   using type = T;

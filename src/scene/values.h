@@ -36,12 +36,13 @@ const toml::array& array_of(const Found& found, std::size_t length, const std::s
 // Element i of `array`, the array of `found`, as a value with its own key: "moments[2]".
 Found element_of(const Found& found, const toml::array& array, std::size_t i);
 
-// Each stores the value in SI units. Throws Error (input), with the value's place, for a wrong type
-// or length, an empty list, more than kMostNames names, a text of more than kLongestText bytes
-// (scene/keys.h), a number that is not finite, outside doc.range or outside the magnitudes of its
-// unit (within_magnitude in base/fields.h), a text that is not in doc.choices or, with doc.color,
-// no colour; and as check_picture_size, parse_frame_rate (a rate must be exact) and parse_accuracy
-// do.
+// Each stores the value in SI units. A picture size is "1920x1080" or [1920, 1080], a frame rate a
+// whole number or "30000/1001", an accuracy a number of radians or "0.1px". Throws Error (input),
+// with the value's place, for a wrong type or length, an empty list, more than kMostNames names, a
+// text of more than kLongestText bytes (scene/keys.h), a number that is not finite, outside
+// doc.range or outside the magnitudes of its unit (within_magnitude in base/fields.h), a text that
+// is not in doc.choices or, with doc.color, no colour; and as check_picture_size,
+// parse_picture_size, parse_frame_rate and parse_accuracy do.
 void read_value(const Found& found, const Doc& doc, bool& value);
 void read_value(const Found& found, const Doc& doc, int& value);
 void read_value(const Found& found, const Doc& doc, double& value);

@@ -15,7 +15,7 @@ namespace polhode {
 // Receives the frames of a plan: all of them, those of a shard, or those that an earlier run has
 // not made. Claims its files when it is constructed, before any work is done. Use it on one thread;
 // only sink() may be pushed to on another thread meanwhile, as run_pipeline (video/pipeline.h)
-// does. The derived classes are made by open_output().
+// does. The derived classes are made by open_output() (film/output/open_output.h).
 class RenderOutput {
  public:
   RenderOutput() = default;

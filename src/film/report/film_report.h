@@ -65,13 +65,13 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   std::string title;       // of the scene
   std::string scene_hash;  // scene_hash() (scene/scene.h) of `scene`
   Json versions;           // versions() of film/report/motion_report.h
-  std::string backend, gl_renderer, gl_version;  // RendererInfo
-  int samples = 0;                               // per pixel
+  std::string backend, gl_renderer, gl_version;  // RendererInfo in render/renderer.h
+  int samples = 0;                               // per pixel, RendererInfo::samples
   std::string edges;  // how edges are antialiased: "outlines" or "samples"
   SimulationReport motion;
   int frames = 0;    // number of frames of this output, with those that an earlier run has made
   PictureSize size;  // pixels
-  FrameRate fps;
+  FrameRate fps;     // frames per second of film
   double from_s = 0.0, to_s = 0.0;  // s of motion that the whole film covers
   // As in RenderJob (film/render_plan.h), but still: true for a single picture.
   bool transparent = false, text = true, still = false, resume = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Declares the function that makes each stepper, for the table in motion/stepper_table.cpp, which
 // has the sources and properties of the methods. Each copies what it needs of the model.
-// momentum_scale: a typical |y| for the error norm, kg m^2/s; methods that use no such norm ignore
-// it.
+// momentum_scale: a typical |y| for the error norm, kg m^2/s, as momentum_scale() in
+// motion/scales.h gives it; methods that use no such norm ignore it.
 #pragma once
 
 #include <memory>
