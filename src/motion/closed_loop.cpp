@@ -50,8 +50,8 @@ Loop find_loop(const Motion& motion, double longest, double allowed) {
       }
       const double bottom = 0.5 * (low + high);
       const double residual = off(motion, start, scale, bottom);
+      if (residual <= allowed) return {bottom, residual};
       if (residual < best.residual) best = {bottom, residual};
-      if (best.residual <= allowed) return best;
     }
     departed = departed || now < last;
     before = last;
