@@ -75,21 +75,28 @@ class GridTrajectory final : public Trajectory {
 
 }  // namespace
 
+Error too_many_steps(const StepperInfo& method, double duration, double needed, long most) {
+  return input_error(
+      "{} needs at least about {:.2g} steps for {:.4g} s, and at most {:.2g} are taken; take a "
+      "shorter or "
+      "slower motion, or allow more with numerics.max_steps",
+      method.name,
+      needed,
+      duration,
+      static_cast<double>(most));
+}
+
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
                             double duration,
-                            double h) {
+                            double h,
+                            long most_steps) {
   CHECK(h > 0.0 && duration > 0.0);
   // grid times inside [0, duration]; what is left is a partial step at the time of asking
   const double steps = std::floor(duration / h * (1.0 + 1e-12));
-  if (steps > static_cast<double>(kMostSteps)) {
-    throw input_error("{} s in steps of {} s are {:.3g} steps; at most {} are allowed",
-                      duration,
-                      h,
-                      steps,
-                      kMostSteps);
-  }
+  if (steps > static_cast<double>(std::min(most_steps, kMostSteps)))
+    throw too_many_steps(method, duration, steps, std::min(most_steps, kMostSteps));
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   grid->h = h;
   grid->last = static_cast<long>(steps);
@@ -114,13 +121,15 @@ Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,
                                double duration,
-                               double tolerance) {
+                               double tolerance,
+                               long most_steps) {
   CHECK(method.adaptive && tolerance > 0.0);
   if (tolerance < kLeastTolerance) {
     throw input_error("a tolerance of {} is below the round-off of a step; ask for at least {}",
                       tolerance,
                       kLeastTolerance);
   }
+  const long most = std::min(most_steps, kMostSteps / 8);
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   DriftWatch drift(model, start);
   State s = start;
@@ -139,14 +148,8 @@ Integration integrate_adaptive(const StepperInfo& method,
         const auto steps = static_cast<long>(grid->times.size()) - 1;
         grid->keep(steps, now);
         if (steps % kStepsBetweenInterruptChecks == 0) stop_if_interrupted();
-        if (steps <= kMostSteps / 8) return;
-        throw input_error(
-            "{} needs more than {} steps at tolerance {:.3g} for {} s; take a shorter "
-            "motion, a slower one or a looser accuracy",
-            method.name,
-            kMostSteps / 8,
-            tolerance,
-            duration);
+        if (steps <= most) return;
+        throw too_many_steps(method, duration, static_cast<double>(steps) * duration / t, most);
       });
   grid->last = static_cast<long>(grid->times.size()) - 1;
   return {grid, {walk.steps, walk.rejected, walk.work.evaluations, drift.worst()}};

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
+#include "motion/motion_spec.h"
 #include "motion/stepper_table.h"
 #include "motion/trajectory.h"
 
@@ -25,12 +27,11 @@ struct Integration {
   IntegrationRecord record;
 };
 
-// The greatest number of fixed steps of one integration. Adaptive methods, which keep every
-// time, may take an eighth of it.
-inline constexpr long kMostSteps = 50'000'000;
-
 // The least relative tolerance of an adaptive method: about the round-off of one step.
 inline constexpr double kLeastTolerance = 1e-16;
+
+// The error of an integration that needs about `needed` steps and may take `most`.
+Error too_many_steps(const StepperInfo& method, double duration, double needed, long most);
 
 // Fixed steps h (s, positive) from 0 to the last multiple of h within duration (s, positive). From
 // one grid time to the next and after the last one, at() makes one partial step from the preceding
@@ -43,7 +44,8 @@ Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
                             double duration,
-                            double h);
+                            double h,
+                            long most_steps = kMostSteps);
 
 // Steps whose estimated local error is at most `tolerance` (positive; see
 // Stepper::step_with_error), from 0 to duration (s). at() is as for integrate_fixed. Requires
@@ -54,6 +56,7 @@ Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,
                                double duration,
-                               double tolerance);
+                               double tolerance,
+                               long most_steps = kMostSteps);
 
 }  // namespace polhode

@@ -53,6 +53,10 @@ struct Accuracy {
 // for values that are not positive.
 Accuracy parse_accuracy(const std::string& text);
 
+// The greatest number of fixed steps of one integration. Adaptive methods, which keep every time,
+// may take an eighth of it.
+inline constexpr long kMostSteps = 50'000'000;
+
 // The [numerics] table.
 struct NumericsSpec {
   std::string model = "auto";       // one of model_names()
@@ -61,6 +65,9 @@ struct NumericsSpec {
   std::optional<double> tolerance;  // local error per step (Stepper::step_with_error); for adaptive
                                     // methods; absent: found from accuracy
   Accuracy accuracy;
+  // The most steps of one run, to go beyond the defaults (kMostStepsRefined and kMostStepsGiven of
+  // motion/simulate.h); absent: these.
+  std::optional<double> max_steps;
   // Methods that a film shows side by side; step and tolerance apply to them. Empty: none.
   std::vector<std::string> compare;
 };
@@ -142,6 +149,11 @@ void fields(Visitor& v, NumericsSpec& s) {
           s.accuracy,
           Doc{"allowed attitude error over the whole film: radians, or pixels of the picture as "
               "\"0.1px\""});
+  v.field("max_steps",
+          s.max_steps,
+          Doc{"most steps of one run, for motions that need more than the program takes by itself",
+              Unit::none,
+              Range{1.0, static_cast<double>(kMostSteps)}});
   v.field("compare",
           s.compare,
           Doc{"methods that the film shows side by side, at most nine; step and tolerance apply to "

@@ -13,7 +13,8 @@ Integration integrate_with(const StepperInfo& method,
                            const BodyModel& model,
                            const State& start,
                            double duration,
-                           double fineness);
+                           double fineness,
+                           long most_steps);
 
 // An integration whose error was estimated.
 struct Refined {
@@ -31,11 +32,12 @@ struct Refined {
 // must be clearly below the accuracy, too. Each pair of runs is compared at times that no other
 // pair was compared at. duration in s. Throws Error (input), without a key, if the accuracy cannot
 // be reached: because the runs stop converging before, as they do where round-off has grown too
-// much, or because too many steps are needed. Throws Error as integrate_with does.
+// much, or because a run needs more than `most_steps`. Throws Error as integrate_with does.
 Refined refine(const StepperInfo& method,
                const BodyModel& model,
                const State& start,
                double duration,
-               double accuracy);
+               double accuracy,
+               long most_steps);
 
 }  // namespace polhode

@@ -23,16 +23,28 @@ double driven_rate(const BodyModel& model, const Load& load) {
          std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least));
 }
 
+// how fast a load damps the rotation, 1/s; 0 for other loads
+double damping_rate(const BodyModel& model, const Load& load) {
+  return load.kind == Load::Kind::damp_spin ? load.c / least_moment(model) : load.c;
+}
+
 }  // namespace
 
 double typical_rate(const BodyModel& model, const State& start) {
   const double least = least_moment(model);
   double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
-  for (const Load& load : model.loads.turning) {
-    const double damping = load.kind == Load::Kind::damp_spin ? load.c / least : load.c;
-    rate += driven_rate(model, load) + std::abs(load.rate) + damping;
-  }
+  for (const Load& load : model.loads.turning)
+    rate += driven_rate(model, load) + std::abs(load.rate) + damping_rate(model, load);
   return rate;
+}
+
+double stiffness(const BodyModel& model, const State& start, double duration) {
+  double damping = 0.0, all = 0.0;
+  for (const Load& load : model.loads.turning) {
+    damping = std::max(damping, damping_rate(model, load));
+    all += damping_rate(model, load);
+  }
+  return damping / std::max(typical_rate(model, start) - all, 1.0 / duration);
 }
 
 double momentum_scale(const BodyModel& model, const State& start) {

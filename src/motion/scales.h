@@ -22,4 +22,8 @@ double first_step(const BodyModel& model, const State& start, double tolerance, 
 // / mass). NaN if an attitude or, with six degrees of freedom, a position is NaN.
 double deviation(const BodyModel& model, const State& a, const State& b);
 
+// How much faster damping is than the rest of the motion: the fastest rate of damping, over the
+// other rates of typical_rate() or, if that is more, over 1 / duration (s). Far above 1: stiff.
+double stiffness(const BodyModel& model, const State& start, double duration);
+
 }  // namespace polhode

@@ -21,7 +21,12 @@ namespace {
 
 constexpr double kLeastAccuracy = 1e-13;  // rad
 constexpr double kLastDigit = 0x1p-52;    // of the start: neighbours of closed forms
+constexpr const char* kStiffMethod = "radau5";
 constexpr int kTimesOfDrift = 257;
+
+long most_steps(const NumericsSpec& numerics, long by_default) {
+  return numerics.max_steps ? static_cast<long>(*numerics.max_steps) : by_default;
+}
 
 void refuse_wrong_fineness(const StepperInfo& method, const NumericsSpec& numerics) {
   if (method.adaptive && numerics.step) {
@@ -50,8 +55,10 @@ Integration integrate_by(const StepperInfo& method,
   if (given) {
     report.step = numerics.step;
     report.tolerance = numerics.tolerance;
-    return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"},
-                    [&] { return integrate_with(method, model, start, duration, *given); });
+    return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"}, [&] {
+      return integrate_with(
+          method, model, start, duration, *given, most_steps(numerics, kMostStepsGiven));
+    });
   }
   if (report.accuracy_rad < kLeastAccuracy) {
     throw input_error(
@@ -62,7 +69,12 @@ Integration integrate_by(const StepperInfo& method,
         .at({{}, 0, "numerics.accuracy"});
   }
   Refined found = at_place({{}, 0, "numerics.accuracy"}, [&] {
-    return refine(method, model, start, duration, report.accuracy_rad);
+    return refine(method,
+                  model,
+                  start,
+                  duration,
+                  report.accuracy_rad,
+                  most_steps(numerics, kMostStepsRefined));
   });
   (method.adaptive ? report.tolerance : report.step) = found.fineness;
   report.error_estimate_rad = found.error_estimate;
@@ -114,8 +126,14 @@ Integration integrate_by_cheapest(const BodyModel& model,
   // what three cannot do, the rest will not, and slower
   constexpr std::size_t kMostTried = 3;
   able.erase(able.begin() + static_cast<long>(std::min(able.size(), kMostTried)), able.end());
+  // where damping is much faster than all else, explicit steps resolve what is at rest
+  constexpr double kStiff = 300.0;
+  if (stiffness(model, start, duration) > kStiff && !numerics.step)
+    able.insert(able.begin(), {problem_kind(model), report.accuracy_rad, kStiffMethod, 0.0});
   for (;; able.erase(able.begin())) {
-    report.method_reason = reason_for(able, chosen.splits ? "splitting" : "method");
+    const bool stiff = able.front().method == kStiffMethod;
+    report.method_reason = stiff ? std::string("damping is much faster than the motion")
+                                 : reason_for(able, chosen.splits ? "splitting" : "method");
     report.method_reason += reason_against_others(model, chosen, numerics, report.accuracy_rad);
     const StepperInfo& method = find_stepper(able.front().method);
     try {

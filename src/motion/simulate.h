@@ -30,6 +30,11 @@ struct SimulationReport {
   Reliability reliability;
 };
 
+// The most steps of one run: while it is refined to an accuracy, and with a given step or
+// tolerance. numerics.max_steps replaces both. A million steps take about a second.
+inline constexpr long kMostStepsRefined = 1'000'000;
+inline constexpr long kMostStepsGiven = 5'000'000;
+
 // A motion with its report.
 struct Simulation {
   Motion motion;

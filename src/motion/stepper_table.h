@@ -27,6 +27,7 @@ struct StepperInfo {
   bool symplectic = false;            // keeps the canonical form of (q, y)
   bool reversible = false;            // a step by -h undoes a step by h, to round-off
   bool exact_when_free = false;       // exact to round-off for a free body, whatever the step
+  bool stiff = false;                 // L-stable: strong damping does not limit its step
   bool takes_heavy = false;           // gravity on a pivot
   bool takes_loads = false;           // other torques and forces, and six degrees of freedom
   bool takes_rotator = false;         // bodies with all mass on a line

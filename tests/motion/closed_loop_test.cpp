@@ -40,6 +40,15 @@ TEST(Loop, TakesTheBestThereIs) {
   EXPECT_LE(early.duration, find_loop(motion, 60.0, last).duration);
 }
 
+// the end of the motion is a loop too, but not the shortest
+TEST(Loop, TheShortestIsTaken) {
+  MotionSpec spec;
+  spec.duration = 4.0;
+  spec.spin.body = Vec3(0.0, 0.0, 2.0 * kPi);  // a turn a second
+  const Loop loop = find_loop(test::moving(test::prolate_body(), spec), 3.0, 0.01);
+  EXPECT_NEAR(loop.duration, 1.0, 1e-6);
+}
+
 TEST(Loop, OfABodyAtRestIsAnyTime) {
   MotionSpec spec;
   spec.duration = 3.0;

@@ -100,7 +100,13 @@ TEST(ModelErrors, NameTheKey) {
   expect_input_error(run(top, tiny), "numerics.step", "at most");
   expect_input_error([&] { simulate(top, spinning(100.0), by("ode", "explicit_euler"), 1e-9); },
                      "numerics.accuracy",
-                     "cannot reach");
+                     "allow more with numerics.max_steps");
+  NumericsSpec few = by("ode", "rk4");
+  few.step = 1e-3;
+  few.max_steps = 999;
+  expect_input_error(run(top, few), "numerics.step", "needs at least about 1e+03 steps for 1 s");
+  few.max_steps = 1000;
+  EXPECT_EQ(simulate(top, spinning(1.0), few, 1e-6).report.record.steps, 1000);
 }
 
 // the accuracy that a run claims, against the closed form of a symmetric top

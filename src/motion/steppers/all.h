@@ -26,6 +26,7 @@ std::unique_ptr<Stepper> make_taylor16(const BodyModel& model, double momentum_s
 std::unique_ptr<Stepper> make_implicit_midpoint(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_gauss4(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_gauss6(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_radau5(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_rkmk4(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_cf4(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_three_rotations(const BodyModel& model, double momentum_scale);
