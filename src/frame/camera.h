@@ -30,11 +30,13 @@ struct DrawingFrame {
 };
 
 // A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is +Z of
-// S (+Y for a camera that looks along Z), unless the camera has been moved().
+// S (+Y for a camera that looks along Z) for cameras made by the constructor or framing_camera();
+// moved() and between() turn it.
 class Camera {
  public:
   // eye, target (different from eye), center and radius in S, m; fov: vertical field of view, rad,
-  // in (0, pi). The clip planes are chosen to contain the ball (center, radius).
+  // in (0, pi). The clip planes contain what of the ball (center, radius) is in front of the eye,
+  // from a thousandth of the far distance on.
   Camera(const Vec3& eye,
          const Vec3& target,
          double fov,
@@ -55,9 +57,9 @@ class Camera {
   // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at
   // rest.
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
-  // The camera at the fraction `part` (0..1) of the way from a to b: its axes turn at a constant
-  // rate; field of view and the position of `focus` (S, m) in its axes change linearly. a and b
-  // have the same picture size.
+  // The camera at the fraction `part` (0..1; outside, that of a or b) of the way from a to b: its
+  // axes turn at a constant rate; field of view and the position of `focus` (S, m) in its axes
+  // change linearly. a and b have the same picture size.
   static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
   // The view of a draw list in the coordinates of `frame`. The lights move with the camera.
   View view(const DrawingFrame& frame = {}) const;

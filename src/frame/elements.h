@@ -12,7 +12,8 @@
 namespace polhode {
 
 // A row of the table. To add an element: a function in frame/elements/ and a row in
-// frame/elements.cpp. The functions are pure and may be called from any thread.
+// frame/elements.cpp. The functions are pure, may be called from any thread, and throw Error
+// (check_failed) as Motion::at (motion/motion.h) does.
 struct Element {
   std::string name;  // key of [show], and in the lists `show` and `hide` of a story
   std::string doc;   // one phrase for help and the schema
@@ -20,7 +21,8 @@ struct Element {
   bool (*by_default)(const Scenery& scenery);
   // "" if this motion has the element, else the reason why not.
   std::string (*why_not)(const Scenery& scenery);
-  // Adds the glyphs of the element at the moment of `sample`, in S, m.
+  // Adds the glyphs of the element at the moment of `sample`, in S, m. Call it only if why_not() is
+  // empty.
   void (*add)(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 };
 

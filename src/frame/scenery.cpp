@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace polhode {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kOmegaLength = 1.3;
 constexpr double kMomentumLength = kReachOfVectors;
 constexpr double kVelocityLength = 0.6;
 
-constexpr int kFramingTimes = 240;
+constexpr int kFramingTimes = 480;
 constexpr std::size_t kFieldPoints = 48;
 
 // points spread over the body: each the farthest from those before it
@@ -74,9 +75,15 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
 }
 
 std::vector<double> framing_times(const Motion& motion) {
-  std::vector<double> times;
-  for (int i = 0; i <= kFramingTimes; ++i)
-    times.push_back(motion.duration() * i / kFramingTimes);
+  // one at random in each of equal parts: equal distances, and multiples of an irrational number
+  // too, may meet a period always in the same phases
+  std::mt19937 random;  // its numbers are those of the standard, on every machine
+  std::vector<double> times = {0.0};
+  for (int i = 0; i < kFramingTimes; ++i) {
+    const double inside = static_cast<double>(random()) / 0x1p32;
+    times.push_back(motion.duration() * (i + inside) / kFramingTimes);
+  }
+  times.push_back(motion.duration());
   return times;
 }
 

@@ -87,8 +87,8 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
-// Equally spaced times (s of motion), from 0 to the end, at which the film looks at the motion for
-// scales, elements and shutter.
+// Times (s of motion) from 0 to the end, in ascending order and of no period, at which the film
+// looks at the motion for scales, elements and shutter.
 std::vector<double> framing_times(const Motion& motion);
 
 }  // namespace polhode

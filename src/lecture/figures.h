@@ -18,7 +18,8 @@ struct Figure {
   std::string failure;  // why there are no facts
 };
 
-// Lists of blocks of pandoc's tree, a function for each document. File names are relative to the
+// Lists of blocks of pandoc's tree, a function for each document; for a figure without facts, a
+// paragraph with `failure`. File names are relative to the
 // folder of the documents: media/FILE.
 Json page_blocks(const Figure& figure);     // index.html
 Json slide_blocks(const Figure& figure);    // slides.html

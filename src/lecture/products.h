@@ -20,7 +20,7 @@ struct LectureSettings {
   std::string backend = "auto";     // for open_context() (render/context.h)
 };
 
-// A scene of the deck, checked by trusted_scene() and loaded.
+// A scene of the deck, checked by trusted_scene() (lecture/sandbox.h) and loaded.
 struct DeckScene {
   std::string name;            // as the deck names it
   std::filesystem::path file;  // its path

@@ -33,7 +33,8 @@ struct Quoted {
   std::string tex;   // in TeX, for use inside a formula
 };
 
-// The formatted value of the quote's key in `inspection`, the result of inspection(). Throws Error
+// The formatted value of the quote's key in `inspection`, the result of inspection(). quote.format
+// must be as parse_quote() checks it. Throws Error
 // (input), without a place, for an unknown key (suggesting the nearest), for a key that names a
 // group of values or has none (null), and for a unit that the value cannot be converted to.
 Quoted quoted(const Json& inspection, const Quote& quote);

@@ -19,7 +19,7 @@ double rotation_angle_between(const Quat& a, const Quat& b) {
 }
 
 double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return std::atan2(a.cross(b).norm(), a.dot(b) + 0.0);  // -0 would make it pi
 }
 
 Quat turn_between(const Vec3& from, const Vec3& to) {

@@ -18,7 +18,7 @@ struct TopKind {
   enum class Shape { spherical, prolate, oblate, asymmetric };
   Shape shape = Shape::asymmetric;
   int axis = 2;          // index (0..2 in P) of the symmetry axis; for prolate and oblate tops only
-  bool planar = false;   // flat: the largest moment is the sum of the others
+  bool planar = false;   // flat: the largest moment is the sum of the others; false for a rotator
   bool rotator = false;  // one moment is zero: all mass lies on a line
 
   bool symmetric() const { return shape == Shape::prolate || shape == Shape::oblate; }

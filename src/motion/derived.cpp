@@ -16,6 +16,9 @@ namespace {
 using Q = QuantityUnit;
 using List = std::vector<Quantity>;
 
+// a rate that is smaller than another by this is the round-off of its difference
+constexpr double kRoundOffOfRates = 1e-12;
+
 // kinetic energy as that of the centre of mass and that about it (notes, eq. 4)
 void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, const State& start) {
   const Vec3 w_P = angular_velocity(model, start.y);
@@ -47,7 +50,8 @@ void add_free_symmetric(List& list, const BodyModel& model, const State& start) 
   // the axis points to the side of L
   const Vec3 figure = std::copysign(1.0, start.y[axis]) * Vec3::Unit(axis);
   const Vec3 w_P = angular_velocity(model, start.y);
-  const double spin = std::abs(start.y[axis]) * (model.inverse_moments[axis] - 1.0 / across);
+  double spin = std::abs(start.y[axis]) * (model.inverse_moments[axis] - 1.0 / across);
+  if (std::abs(spin) < kRoundOffOfRates * precession) spin = 0.0;
   list.push_back({"precession_rate", Q::rate, precession});
   list.push_back({"precession_period", Q::time, 2.0 * kPi / precession});
   list.push_back({"spin_rate", Q::rate, spin});
@@ -133,7 +137,10 @@ void add_nutation(List& list, const BodyModel& model, const State& start, bool i
   const double at_greatest = nutation.precession_at_greatest;
   list.push_back({"precession_rate_at_least_tilt", Q::rate, at_least});
   list.push_back({"precession_rate_at_greatest_tilt", Q::rate, at_greatest});
-  list.push_back({"precession_reverses", Q::verdict, at_least * at_greatest < 0.0 ? 1.0 : 0.0});
+  // at a cusp the rate is round-off of either sign
+  const bool reverses =
+      at_least * at_greatest < 0.0 && std::abs(at_least) > kRoundOffOfRates * std::abs(at_greatest);
+  list.push_back({"precession_reverses", Q::verdict, reverses ? 1.0 : 0.0});
 }
 
 // Lagrange's top: chi along the axis

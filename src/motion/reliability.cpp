@@ -38,10 +38,12 @@ Reliability reliability_of(const BodyModel& model,
     double worst = 0.0;
     for (int i = 0; i < kTimesCompared; ++i) {
       const double t = duration * i / (kTimesCompared - 1);
-      worst = std::max(worst, deviation(model, found.trajectory->at(t), truth->at(t)));
+      const double error = deviation(model, found.trajectory->at(t), truth->at(t));
+      if (!(error <= worst)) worst = error;
+      if (std::isnan(worst)) break;
     }
     result.attitude_error_rad = worst;
-    if (worst > accuracy_rad) {
+    if (!(worst <= accuracy_rad)) {
       result.doubts.push_back(
           fmt::format("the attitude is off by up to {:.2g} rad, and the scene allows {:.2g}",
                       worst,

@@ -16,7 +16,7 @@ namespace polhode {
 struct Reliability {
   std::vector<std::string> doubts;
   // The largest deviation() (motion/scales.h) from the closed form at 257 times, rad; absent if
-  // there is no closed form.
+  // there is no closed form or the model has six degrees of freedom.
   std::optional<double> attitude_error_rad;
 };
 
@@ -25,6 +25,7 @@ inline constexpr double kTrustedDrift = 1e-3;
 
 // Checks the motion `found` from 0 to `duration` (s): the drift of the conserved quantities, and,
 // if there is a closed form, the error against it, which may be at most accuracy_rad.
+// Throws Error (check_failed) as Trajectory::at (motion/trajectory.h) does.
 Reliability reliability_of(const BodyModel& model,
                            const State& start,
                            double duration,
@@ -32,7 +33,8 @@ Reliability reliability_of(const BodyModel& model,
                            const Integration& found);
 
 // Before integrating: a doubt if numerics.step exceeds the method's known step limit
-// (motion/step_limit.h) on this motion.
+// (motion/step_limit.h) on this motion. None without numerics.step, or if numerics.method is
+// "auto".
 std::optional<std::string> step_beyond_limit(const BodyModel& model,
                                              const State& start,
                                              const NumericsSpec& numerics);

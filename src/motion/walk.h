@@ -41,7 +41,8 @@ WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Vi
 }
 
 // Steps from time 0 to duration (s), starting from s, which is advanced to the end, with estimated
-// local errors of at most `tolerance`. `first` (s) is the first step to try. `stepper` is an
+// local errors of at most `tolerance`. `first` (s) is the first step to try. method.adaptive;
+// tolerance and `first` are positive. If it throws, s is the last accepted state. `stepper` is an
 // instance of `method`. Calls visit(t, s) with the state after every accepted step. Throws Error
 // (check_failed) if the state is not finite or the step falls below round-off, and what the stepper
 // and `visit` throw.

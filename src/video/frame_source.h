@@ -27,7 +27,7 @@ struct SourceInfo {
   SourceKind kind = SourceKind::picture;
   std::vector<std::string> labels;  // of all frames; empty for films
   FrameRate fps;                    // for films; 60 if unknown
-  int frames = 0;                   // approximate number of frames; 0: unknown
+  int frames = 0;                   // for films approximate; 0: unknown
 };
 
 // Reads frames in order. Use it on one thread at a time.
@@ -42,10 +42,11 @@ class FrameSource {
   virtual bool next(SourceFrame& frame) = 0;
 };
 
-// Opens "a.png", "f_%05d.png" (all numbers that exist, in order), a folder (its .png files, with
+// Opens "a.png", "f_%05d.png" (all numbers that exist, in order, unless a file
+// has that very name), a folder (its .png files, with
 // numbers in their names sorted by value), or a film such as "a.mp4". Throws Error (input), with
-// `name` as place, for other names, for missing files and as FilmReader does; (environment) as
-// FilmReader does.
+// `name`, or the folder of a sequence, as place, for other names, for missing files and as
+// FilmReader does; (environment) as FilmReader does.
 std::unique_ptr<FrameSource> open_frames(const std::string& name);
 
 }  // namespace polhode

@@ -22,7 +22,8 @@ struct PipelineStep {
 // Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a
 // second thread; at most four frames wait between them. Then it calls sink.finish() on the calling
 // thread. on_frame is called on the calling thread after each frame. sink.describe() must have been
-// called before, if at all. An error on either thread stops the other and is thrown here. Throws
+// called before, if at all. on_frame must not be empty. An error on either thread stops the other
+// and is thrown here without sink.finish(); if both fail, that of the calling thread is. Throws
 // Error (interrupted) too.
 void run_pipeline(int frames,
                   const Produce& produce,

@@ -13,10 +13,10 @@ std::unique_ptr<FrameSink> make_png_sink(const SinkJob& job);
 // A sink for a sequence such as NAME_%05d.png: one %d, or %0Nd with N from 1 to 9. The numbers
 // begin with FilmMetadata::first, 0 by default. Only the lock of the first frame is kept: it guards
 // the sequence against another run. The files get their names in finish(), so a failure before that
-// leaves older frames unchanged; if finish() itself fails, the frames that it has already named are
-// removed. Throws Error (input) as AtomicFile, for frame 0, and parse_numbered_name do. push()
-// throws Error as AtomicFile does, for each frame; push() and finish() throw Error (environment) if
-// writing fails.
+// leaves older frames unchanged; if finish() itself fails, the destructor removes the frames that
+// were already named. Throws Error (input) as AtomicFile, for frame 0, and parse_numbered_name do.
+// push() throws Error as AtomicFile does, for each frame; push() and finish() throw Error
+// (environment) if writing fails.
 std::unique_ptr<FrameSink> make_png_sequence_sink(const SinkJob& job);
 
 // A parsed file-name pattern.

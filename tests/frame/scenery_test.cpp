@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/scenery.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/motions.h"
@@ -25,8 +28,27 @@ TEST(FramingTimes, AreInOrderFromTheStartToTheEnd) {
   ASSERT_GT(times.size(), 100U);
   EXPECT_EQ(times.front(), 0.0);
   EXPECT_EQ(times.back(), 4.0);
-  for (std::size_t i = 1; i < times.size(); ++i)
-    EXPECT_NEAR(times[i] - times[i - 1], 4.0 / static_cast<double>(times.size() - 1), 1e-12);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    EXPECT_GE(times[i], times[i - 1]);
+    EXPECT_LT(times[i] - times[i - 1], 3.0 * 4.0 / static_cast<double>(times.size() - 1));
+  }
+}
+
+// a motion of exactly so many periods is seen in every phase
+TEST(FramingTimes, MeetEveryPhase) {
+  const std::vector<double> times = framing_times(test::moving(brick_body(), wobbling()));
+  for (const int periods : {1, 2, 60, 119, 120, 144, 233, 240, 241, 377, 480, 960}) {
+    std::vector<double> phases;
+    for (const double t : times) {
+      const double turns = t / 4.0 * periods;
+      phases.push_back(turns - std::floor(turns));
+    }
+    std::sort(phases.begin(), phases.end());
+    double gap = 1.0 - phases.back() + phases.front();
+    for (std::size_t i = 1; i < phases.size(); ++i)
+      gap = std::max(gap, phases[i] - phases[i - 1]);
+    EXPECT_LT(gap, 0.04) << periods;
+  }
 }
 
 // the half diagonal of a box, the long semi-axis of an ellipsoid

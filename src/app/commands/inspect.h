@@ -24,9 +24,9 @@ struct InspectJob {
 // Vectors are in body axes B. Principal moments are in ascending order, about the point that
 // "reference" names; "principal_axes" are their unit vectors in the same order.
 // "evaluations_of_ode" counts those of an extra run with the model "ode" to the same accuracy, of
-// a long motion by a run of its beginning; it is null if that run fails, as when it cannot reach
-// the accuracy. If the motion itself was computed with the model "ode" or "ode6", it is the count
-// of that run. Throws Error (interrupted).
+// a long motion extrapolated from a run of its beginning, but no finer than 1e-12 rad; it is null
+// if that run fails, as when it cannot reach the accuracy. If the motion itself was computed with
+// the model "ode" or "ode6", it is the count of that run. Throws Error (interrupted).
 nlohmann::ordered_json inspection(const Solved& solved);
 
 // The output of the command: aligned columns, with angles and rates also in degrees, or indented

@@ -21,9 +21,10 @@ struct CaseResult {
   // Why the case cannot be rendered or a reference cannot be read; empty if all went well. With an
   // error, `drawn` and `verdict` are absent and `best` is null.
   std::string error;
-  const Reference* best = nullptr;  // the most similar reference, in the LoadedCase; null: none
-  Image reference;                  // pixels of `best`; only valid with a verdict
-  std::optional<Verdict> verdict;   // absent: no reference, or only ones of another size
+  const Reference* best = nullptr;  // in the LoadedCase; null: none
+  // (the most similar reference of the picture's size, else the first of another size)
+  Image reference;                 // pixels of `best`; only valid with a verdict
+  std::optional<Verdict> verdict;  // absent: no reference, or only ones of another size
   GoldenVerdict rule;  // the thresholds that were applied; without references, the case's
   std::string note;    // why there is no verdict; only valid without verdict and error
 

@@ -16,7 +16,8 @@ namespace polhode {
 // sidecar alone is rewritten if its thresholds or their reason differ from those of cases.toml. A
 // missing sidecar is written only if the pixels are equal.
 //
-// Nothing is written unless all cases could be rendered and all their references read. The exit
+// Nothing is written unless all cases could be rendered and all their references read. If writing
+// fails midway, the references that are already renamed stay. The exit
 // code is 0. Throws Error as load_cases (app/compare/golden_cases.h) and draw_cases
 // (app/compare/golden_results.h) do; (input) with --cause as key for an invalid name, with the
 // folder as place if git does not track it or its tree has uncommitted changes, unless

@@ -12,10 +12,12 @@ namespace polhode {
 
 // The film that a report describes.
 struct ReportedFilm {
-  RenderPlan plan;                    // with the output as named in the report, and one job
-  std::string gl_renderer;            // GL_RENDERER that drew it
-  std::vector<std::string> hashes;    // frame_hash() (video/plain_sinks.h) of each frame
-  std::optional<std::string> broken;  // how the report contradicts itself; absent: it does not
+  RenderPlan plan;                  // with the output as named in the report, and one job
+  std::string gl_renderer;          // GL_RENDERER that drew it
+  std::vector<std::string> hashes;  // frame_hash() (video/plain_sinks.h) of each frame
+  // Why the report does not fit: its scene, or a mesh file that it names, has another hash now, or
+  // it has another number of hashes than frames. Absent: it fits. With it, plan.range is unchecked.
+  std::optional<std::string> broken;
 };
 
 // Reads the report in that file. Throws Error, with the file as place: (input) if it is missing,

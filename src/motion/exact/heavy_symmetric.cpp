@@ -337,7 +337,10 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
     return nutation;
   }
   const Roots r = find_roots(top);
-  const double plus1 = std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
+  // (1 + u1)(1 + u2)(1 + u3) = (L_z + L3)^2 / 2 mu A: nothing cancels where the axis hangs down
+  const double others = 2.0 * top.mu * top.A * r.plus2 * (2.0 + r.x3);
+  const double plus1 =
+      others > 0.0 ? top.sum * top.sum / others : std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
   nutation.least_tilt = 2.0 * std::atan2(std::sqrt(r.x2), std::sqrt(r.plus2));
   nutation.greatest_tilt = 2.0 * std::atan2(std::sqrt(r.x1), std::sqrt(plus1));
   nutation.precession_at_least = precession_rate(top, r.plus2, r.x2);

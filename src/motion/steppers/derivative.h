@@ -58,7 +58,8 @@ void set_state(const StateVector<N>& v, State& s) {
   }
 }
 
-// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q. With it,
+// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q: Eigen turns
+// v into v + 2 w u x v + 2 u x (u x v), which differs from q v q* by (|q|^2 - 1) v. With it,
 // d gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic invariants
 // there too.
 inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
