@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OBJ.h>
@@ -139,7 +139,9 @@ void refuse_open_edges(const TriangleMesh& mesh) {
   struct Edge {
     int from, to;
     std::size_t triangle;
-    auto operator<=>(const Edge&) const = default;
+    bool operator<(const Edge& other) const {
+      return std::tie(from, to, triangle) < std::tie(other.from, other.to, other.triangle);
+    }
   };
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
