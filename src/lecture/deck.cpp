@@ -345,10 +345,16 @@ Json Deck::tree(const Json& with_blocks) const {
 }
 
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
+  return deck_of_tree(read_markdown(text), text, name, root);
+}
+
+Deck deck_of_tree(Json tree,
+                  const std::string& text,
+                  const std::string& name,
+                  const DeckRoot& root) {
   Deck deck;
   deck.file = name;
   deck.root = root;
-  Json tree = read_markdown(text);
   deck.api_version = tree["pandoc-api-version"];
   LineFinder lines(text);
   keep_known_meta(deck, tree["meta"], lines);

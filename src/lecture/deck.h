@@ -87,6 +87,11 @@ Deck read_deck(const std::filesystem::path& file, bool allow_outside);
 // Does the same for a text in memory of any size; `name` is the file name for messages. Errors that
 // it throws have no place.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
+// The same from pandoc's tree of that text, as parse_tree() in lecture/pandoc.h returns it.
+Deck deck_of_tree(Json tree,
+                  const std::string& text,
+                  const std::string& name,
+                  const DeckRoot& root);
 
 // Calls `visit`, which may change the node, for every node of the tree that has a type, parents
 // before children.

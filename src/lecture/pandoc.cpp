@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/pandoc.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "base/error.h"
 #include "base/system/child_process.h"
 
 namespace polhode {
 namespace {
+
+using Tree = nlohmann::ordered_json;  // of pandoc
 
 // what a deck is written in; smart quotes and citations would change what is quoted
 constexpr const char* kMarkdown =
@@ -28,16 +33,82 @@ std::vector<std::string> formulas_in(const std::string& warnings) {
   return found;
 }
 
-// Every level of a list, a quotation or emphasis is some levels of the tree. What walks over the
-// tree is recursive.
-nlohmann::ordered_json parsed(const std::string& text) {
-  static constexpr int kDeepest = 400;
-  const auto look = [](int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
-    if (depth > kDeepest)
-      throw input_error("the deck is nested deeper than {} levels of pandoc's tree", kDeepest);
-    return true;
-  };
-  return nlohmann::ordered_json::parse(text, look, false);
+// What the "c" of a node holds, one letter for each entry of its list: a text (s), a list (l),
+// attributes (a: name, classes, pairs), a link (k: target, title), anything (.). A "*" is a list of
+// any length, and "" a text that is no list. Nodes that are not here are never looked into.
+struct NodeShape {
+  const char* type;
+  const char* content;
+};
+constexpr NodeShape kShapes[] = {{"Str", ""},
+                                 {"MetaString", ""},
+                                 {"MetaInlines", "*"},
+                                 {"MetaBlocks", "*"},
+                                 {"MetaList", "*"},
+                                 {"Para", "*"},
+                                 {"Plain", "*"},
+                                 {"Header", ".al"},
+                                 {"Div", "al"},
+                                 {"Span", "al"},
+                                 {"Code", "as"},
+                                 {"CodeBlock", "as"},
+                                 {"RawBlock", ".s"},
+                                 {"RawInline", ".s"},
+                                 {"Link", "alk"},
+                                 {"Image", "alk"},
+                                 {"Math", ".s"},
+                                 {"Table", "a....."}};
+
+bool has_texts(const Tree& list) {
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(), [](const Tree& one) { return one.is_string(); });
+}
+
+bool is_pair(const Tree& value) {
+  return has_texts(value) && value.size() == 2;
+}
+
+bool fits(const Tree& value, char kind) {
+  switch (kind) {
+    case 's':
+      return value.is_string();
+    case 'l':
+      return value.is_array();
+    case 'k':
+      return is_pair(value);
+    case 'a':
+      return value.is_array() && value.size() == 3 && value[0].is_string() && has_texts(value[1]) &&
+             value[2].is_array() && std::all_of(value[2].begin(), value[2].end(), is_pair);
+    default:
+      return true;
+  }
+}
+
+bool has_shape(const Tree& content, std::string_view shape) {
+  if (shape.empty()) return content.is_string();
+  if (shape == "*") return content.is_array();
+  if (!content.is_array() || content.size() != shape.size()) return false;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (!fits(content[i], shape[i])) return false;
+  }
+  return true;
+}
+
+bool is_node(const Tree& value) {
+  return value.is_object() && value.contains("t");
+}
+
+// whether every node that is looked into is as pandoc writes it
+bool is_tree(const Tree& value) {
+  if (is_node(value)) {
+    if (!value["t"].is_string()) return false;
+    const std::string type = value["t"];
+    for (const NodeShape& shape : kShapes) {
+      if (type == shape.type && !(value.contains("c") && has_shape(value["c"], shape.content)))
+        return false;
+    }
+  }
+  return !value.is_structured() || std::all_of(value.begin(), value.end(), is_tree);
 }
 
 }  // namespace
@@ -73,10 +144,29 @@ nlohmann::ordered_json read_markdown(const std::string& text) {
         "pandoc {} to read this deck; are brackets left open, or is its metadata a list of lists?",
         no_memory ? "needs more than 1 GiB of memory" : ran.exceeded);
   }
-  nlohmann::ordered_json tree = parsed(ran.out);
-  if (ran.status == 0 && tree.is_object() && tree.contains("blocks")) return tree;
+  if (ran.status == 0) return parse_tree(ran.out);
   const std::string words = ran.err.substr(0, ran.err.find('\n'));
   throw input_error("pandoc cannot read this deck: {}", words.empty() ? "no reason given" : words);
+}
+
+// Every level of a list, a quotation or emphasis is some levels of the tree. What walks over the
+// tree is recursive.
+nlohmann::ordered_json parse_tree(const std::string& json) {
+  static constexpr int kDeepest = 400;
+  const auto look = [](int depth, Tree::parse_event_t, Tree&) {
+    if (depth > kDeepest)
+      throw input_error("the deck is nested deeper than {} levels of pandoc's tree", kDeepest);
+    return true;
+  };
+  Tree tree = Tree::parse(json, look, false);
+  const bool whole = tree.is_object() && tree.contains("pandoc-api-version") &&
+                     tree.contains("meta") && tree["meta"].is_object() &&
+                     std::all_of(tree["meta"].begin(), tree["meta"].end(), is_node) &&
+                     tree.contains("blocks") && tree["blocks"].is_array();
+  if (!whole || !is_tree(tree["meta"]) || !is_tree(tree["blocks"]))
+    throw input_error(
+        "pandoc gave a syntax tree of an unknown kind; does `pandoc --version` say 2.17 or later?");
+  return tree;
 }
 
 Written write_document(const nlohmann::ordered_json& tree,

@@ -23,6 +23,11 @@ void require_pandoc();
 // without a place, if pandoc cannot read it; (environment) if pandoc is missing.
 nlohmann::ordered_json read_markdown(const std::string& text);
 
+// Such a tree from the text of its JSON. Throws Error (input), without a place, if it is not JSON,
+// is nested too deeply, or lacks what the nodes that decks are made of have in pandoc's syntax
+// tree. Nodes of unknown types may contain anything.
+nlohmann::ordered_json parse_tree(const std::string& json);
+
 // A document written by pandoc.
 struct Written {
   std::string text;                       // pandoc's output; empty if `words` name a file (-o)

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/at_place.h"
 #include "base/version.h"
 #include "video/film_joiner.h"
 #include "video/film_sink.h"
@@ -111,13 +112,10 @@ std::string comment_with(const SegmentRecord& record) {
   return comment;
 }
 
-SegmentRecord record_in(const std::string& file) {
-  const Place place{file, 0, {}};
-  const std::string comment = comment_of_film(file);
+SegmentRecord parse_record(const std::string& comment) {
   const std::size_t begin = comment.find(kBegin);
   const Error none =
-      input_error("is not a piece of a film; `polhode render SCENE --shard K/N` makes them")
-          .at(place);
+      input_error("is not a piece of a film; `polhode render SCENE --shard K/N` makes them");
   if (begin == std::string::npos) throw none;
   try {
     SegmentRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));
@@ -126,6 +124,10 @@ SegmentRecord record_in(const std::string& file) {
   } catch (const Json::exception&) {
     throw none;
   }
+}
+
+SegmentRecord record_in(const std::string& file) {
+  return at_place({file, 0, {}}, [&] { return parse_record(comment_of_film(file)); });
 }
 
 std::string difference_between(const SegmentRecord& a, const SegmentRecord& b) {

@@ -33,6 +33,9 @@ SegmentRecord record_of(const RenderPlan& plan,
 // (film/render_plan.h), followed by JSON. Throws Error (input), without a place, if it is longer
 // than 60000 bytes, which is so if the story has too much text.
 std::string comment_with(const SegmentRecord& record);
+// The record in such a comment. Throws Error (input), without a place, if it has none, or one that
+// contradicts itself.
+SegmentRecord parse_record(const std::string& comment);
 // The record in the comment of a film file. Throws Error (input), with the file as place, if it is
 // missing, not a film, or not a part of one.
 SegmentRecord record_in(const std::string& file);
