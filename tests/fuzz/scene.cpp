@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Scenes, up to the plan of the film: everything but integration and drawing. Mesh files are looked
+// for among the shipped scenes.
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "film/frame_times.h"
+#include "film/solved_scene.h"
+#include "frame/timeline.h"
+#include "fuzz/harness.h"
+#include "model/solids.h"
+#include "motion/derived.h"
+#include "motion/motion.h"
+#include "motion/solution_method.h"
+#include "motion/step_limit.h"
+#include "scene/canonical.h"
+
+namespace polhode {
+namespace {
+
+constexpr const char* kScenes = POLHODE_SOURCE_DIR "/scenes";
+
+bool is_finite(const Sample& s) {
+  return s.q_SB.coeffs().allFinite() && s.w_B.allFinite() && s.w_S.allFinite() &&
+         s.L_S.allFinite() && s.center_S.allFinite() && std::isfinite(s.energy);
+}
+
+void read_back(const Scene& scene) {
+  const nlohmann::ordered_json json = scene_to_json(scene);
+  const Scene again = scene_from_json(json, std::string(kScenes) + "/a.toml");
+  promise(scene_to_json(again).dump() == json.dump(),
+          "a scene that is written and read is the same");
+  promise(scene_hash(again) == scene_hash(scene), "and has the same hash");
+}
+
+void plan(const Scene& scene) {
+  const BodyModel model = make_model(scene.body, scene.motion);
+  promise(model.moments.allFinite() && model.R_BP.allFinite() && model.chi_P.allFinite(),
+          "a model is finite");
+  const double accuracy = accuracy_in_radians(scene, model);
+  promise(accuracy > 0.0, "an accuracy is positive");
+  const State start = start_state(model, scene.motion);
+  promise(start.q.coeffs().allFinite() && start.y.allFinite(), "a start is finite");
+  for (const StepperInfo& method : stepper_table())
+    promise(!(step_limit(method, model, start) <= 0.0), "a step limit is positive");
+  for (const Quantity& quantity : derived_quantities(model, scene.motion))
+    promise(!std::isnan(quantity.value), quantity.name);
+  check_time_range(scene, {});
+  const Timeline timeline(scene.story, scene.motion.duration, scene.video.time_scale);
+  promise(timeline.film_duration() > 0.0, "a film has a duration");
+  std::string reason;
+  const SolutionMethod& method = choose_solution_method(model, scene.numerics, accuracy, reason);
+  promise(!reason.empty(), "a choice has a reason");
+  if (!method.closed_form) return;
+  const Motion motion = simulate(model, scene.motion, scene.numerics, accuracy).motion;
+  for (const double part : {0.0, 0.5, 1.0})
+    promise(is_finite(motion.at(part * motion.duration())), "a motion is finite");
+}
+
+}  // namespace
+
+void run_harness(const std::string& bytes) {
+  Scene scene = parse_scene(bytes, "a.toml");
+  load_meshes(scene.body, kScenes);
+  read_back(scene);
+  plan(scene);
+}
+
+}  // namespace polhode
