@@ -23,10 +23,7 @@ class PartInput {
     quieten_libav();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) refuse("there is no such film");
-    AVFormatContext* input = nullptr;
-    const int opened = avformat_open_input(&input, ("file:" + file).c_str(), nullptr, nullptr);
-    if (opened < 0) refuse("is not a readable film: " + libav_words(opened));
-    input_.reset(input);
+    input_ = at_place({file, 0, {}}, [&] { return open_film(file); });
     packet_.reset(made(av_packet_alloc()));
   }
 

@@ -61,11 +61,8 @@ class FilmReader::Implementation {
 
  private:
   void open_input() {
-    AVFormatContext* input = nullptr;
-    // the protocol is named, or libav would find one in a name such as "take:1.mp4"
-    const int opened = avformat_open_input(&input, ("file:" + file_).c_str(), nullptr, nullptr);
-    if (opened < 0) throw input_error("is not a readable film: {}", libav_words(opened));
-    input_.reset(input);
+    input_ = open_film(file_);
+    AVFormatContext* input = input_.get();
     if (avformat_find_stream_info(input, nullptr) < 0) {
       throw input_error("is not a readable film: its tracks are unknown");
     }

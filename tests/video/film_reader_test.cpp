@@ -98,6 +98,9 @@ TEST(FilmReader, SaysWhatCannotBeRead) {
   test::expect_input_error(open("text.mp4"), "", "not a readable film");
   test::write_text(folder / "empty.mp4", "");
   test::expect_input_error(open("empty.mp4"), "", "not a readable film");
+  // libav would read other files in its place, under whatever name
+  test::write_text(folder / "list.mp4", "ffconcat version 1.0\nfile empty.mp4\n");
+  test::expect_input_error(open("list.mp4"), "", "it is no MP4");
 }
 
 // however much of it is missing or wrong, a damaged film never passes for a whole one

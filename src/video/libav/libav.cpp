@@ -34,6 +34,22 @@ void LibavOptions::refuse_leftovers(const std::string& who) const {
   if (left != nullptr) throw environment_error("{} does not know the option '{}'", who, left->key);
 }
 
+LibavInput open_film(const std::string& file) {
+  LibavOptions options;
+  // the names of libav's demuxers for has_film_ending() in video/film_reader.h
+  options.set("format_whitelist", "mov,matroska,gif,avi,apng");
+  AVFormatContext* input = nullptr;
+  // the protocol is named, or libav would find one in a name such as "take:1.mp4"
+  const int opened = avformat_open_input(&input, ("file:" + file).c_str(), nullptr, options.pass());
+  // so it says that a format is not on the list
+  if (opened == AVERROR(EINVAL)) {
+    throw input_error(
+        "is not a readable film: it is no MP4, MOV, Matroska, WebM, GIF, AVI or APNG file");
+  }
+  if (opened < 0) throw input_error("is not a readable film: {}", libav_words(opened));
+  return LibavInput(input);
+}
+
 std::string libav_words(int code) {
   if (code == AVERROR(EPIPE)) return "the program that reads it has ended";
   char words[AV_ERROR_MAX_STRING_SIZE] = {};

@@ -36,6 +36,10 @@ struct CloseInput {
 };
 using LibavInput = std::unique_ptr<AVFormatContext, CloseInput>;
 
+// Opens a film. Only containers of films are known: libav would also read lists of other files,
+// whatever their name (concat, HLS). Throws Error (input), without a place, if it is none of them.
+LibavInput open_film(const std::string& file);
+
 // Options for a libav call. The call removes the entries that it understands.
 class LibavOptions {
  public:
