@@ -50,6 +50,37 @@ TEST(Pandoc, WritesDocumentsAndTellsFormulasThatItCannotRead) {
   EXPECT_TRUE(write_document(good, {"-t", "html5", "--mathml"}).bad_formulas.empty());
 }
 
+// another version of pandoc may write other trees
+TEST(Pandoc, ATreeOfAnUnknownKindIsRefused) {
+  const auto tree = [](const std::string& meta, const std::string& blocks) {
+    return R"({"pandoc-api-version":[1,22],"meta":)" + meta + R"(,"blocks":)" + blocks + "}";
+  };
+  EXPECT_NO_THROW(
+      parse_tree(tree("{}", R"([{"t":"Para","c":[{"t":"Str","c":"a"}]},{"t":"New","c":1}])")));
+  const std::string bad[] = {
+      "no JSON",
+      "[]",
+      R"({"blocks":[]})",
+      tree("[]", "[]"),
+      tree(R"({"lang":"en"})", "[]"),
+      tree("{}", "{}"),
+      tree("{}", R"([{"t":1}])"),
+      tree("{}", R"([{"t":"Para"}])"),
+      tree("{}", R"([{"t":"Para","c":[{"t":"Str","c":7}]}])"),
+      tree("{}", R"([{"t":"Para","c":[{"t":"Image","c":[["",[],[]],[],["a.png"]]}]}])"),
+      tree("{}", R"([{"t":"Header","c":[1,["",[],[["key"]]],[]]}])"),
+  };
+  for (const std::string& text : bad) {
+    try {
+      parse_tree(text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input) << text;
+      EXPECT_NE(error.message().find("unknown kind"), std::string::npos) << error.message();
+    }
+  }
+}
+
 TEST(Pandoc, DeepNestingIsRefused) {
   EXPECT_NO_THROW(read_markdown(std::string(50, '>') + " word\n"));
   try {
