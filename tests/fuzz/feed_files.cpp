@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: MIT
 // Runs a harness without libFuzzer on the files that it is given, and on all files in folders. A
-// run that takes too long fails as one that crashes.
+// run that takes too long fails as one that crashes does, and so does a seed that is refused: those
+// in the folder found/ may be.
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include "base/error.h"
 #include "base/system/atomic_file.h"
+#include "fuzz/harness.h"
 
-extern "C" int LLVMFuzzerInitialize(int*, char***);
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+namespace {
+
+// whether the harness refused the file
+bool is_refused(const std::string& bytes) {
+  try {
+    polhode::run_harness(bytes);
+    return false;
+  } catch (const polhode::Error& error) {
+    fmt::print("  {}\n", error.what());
+    return error.fault() == polhode::Fault::input;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   namespace fs = std::filesystem;
@@ -33,7 +47,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "no files to read; name files or folders\n");
     return 2;
   }
-  LLVMFuzzerInitialize(&argc, &argv);
+  spdlog::set_level(spdlog::level::off);
   constexpr double kLongest = 5.0;  // s of processor time, with room for sanitizers
   double longest = 0.0;
   for (const fs::path& file : files) {
@@ -41,12 +55,18 @@ int main(int argc, char** argv) {
     std::fflush(stdout);  // the last one is the one that crashed
     const std::string bytes = polhode::read_file(file);
     const std::clock_t begin = std::clock();
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    const bool refused = is_refused(bytes);
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     longest = std::max(longest, took);
-    if (took <= kLongest) continue;
-    fmt::print(stderr, "{}: took {:.1f} s, more than {} s\n", file.string(), took, kLongest);
-    return 1;
+    const bool seed = file.string().find("/fuzz/found/") == std::string::npos;
+    if (took > kLongest) {
+      fmt::print(stderr, "{}: took {:.1f} s, more than {} s\n", file.string(), took, kLongest);
+      return 1;
+    }
+    if (refused && seed) {
+      fmt::print(stderr, "{}: a seed is refused\n", file.string());
+      return 1;
+    }
   }
   fmt::print("{} files, at most {:.3f} s\n", files.size(), longest);
   return 0;

@@ -15,9 +15,9 @@ void run_harness(const std::string& bytes) {
     // the reader of frames judges by itself
   }
   FilmReader reader(file.name());
-  constexpr int kMostPixels = 1 << 18, kMostFrames = 4;
+  constexpr int kLargest = 1 << 18, kMostFrames = 4;
   const FilmInfo& info = reader.info();
-  if (info.height > kMostPixels / info.width) return;
+  if (info.height > kLargest / info.width) return;
   Image frame;
   double time = 0.0;
   for (int i = 0; i < kMostFrames && reader.next(frame, time); ++i) {

@@ -54,7 +54,7 @@ void plan(const Scene& scene) {
   const SolutionMethod& method = choose_solution_method(model, scene.numerics, accuracy, reason);
   promise(!reason.empty(), "a choice has a reason");
   if (!method.closed_form) return;
-  const Motion motion = simulate(model, scene.motion, scene.numerics, accuracy).motion;
+  const Motion motion = solve(scene).simulation.motion;
   for (const double part : {0.0, 0.5, 1.0})
     promise(is_finite(motion.at(part * motion.duration())), "a motion is finite");
 }
