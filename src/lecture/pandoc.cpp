@@ -33,9 +33,10 @@ std::vector<std::string> formulas_in(const std::string& warnings) {
   return found;
 }
 
-// What the "c" of a node holds, one letter for each entry of its list: a text (s), a list (l),
-// attributes (a: name, classes, pairs), a link (k: target, title), anything (.). A "*" is a list of
-// any length, and "" a text that is no list. Nodes that are not here are never looked into.
+// What the "c" of a node holds, one letter for each entry of its list: a text (s), a list of nodes
+// (l), attributes (a: name, classes, pairs), a link (k: target, title), anything (.). A "*" is a
+// list of any number of nodes, and "" a text that is no list. Nodes that are not here are never
+// looked into.
 struct NodeShape {
   const char* type;
   const char* content;
@@ -59,6 +60,14 @@ constexpr NodeShape kShapes[] = {{"Str", ""},
                                  {"Math", ".s"},
                                  {"Table", "a....."}};
 
+bool is_node(const Tree& value) {
+  return value.is_object() && value.contains("t");
+}
+
+bool has_nodes(const Tree& list) {
+  return list.is_array() && std::all_of(list.begin(), list.end(), is_node);
+}
+
 bool has_texts(const Tree& list) {
   return list.is_array() &&
          std::all_of(list.begin(), list.end(), [](const Tree& one) { return one.is_string(); });
@@ -73,7 +82,7 @@ bool fits(const Tree& value, char kind) {
     case 's':
       return value.is_string();
     case 'l':
-      return value.is_array();
+      return has_nodes(value);
     case 'k':
       return is_pair(value);
     case 'a':
@@ -86,16 +95,12 @@ bool fits(const Tree& value, char kind) {
 
 bool has_shape(const Tree& content, std::string_view shape) {
   if (shape.empty()) return content.is_string();
-  if (shape == "*") return content.is_array();
+  if (shape == "*") return has_nodes(content);
   if (!content.is_array() || content.size() != shape.size()) return false;
   for (std::size_t i = 0; i < shape.size(); ++i) {
     if (!fits(content[i], shape[i])) return false;
   }
   return true;
-}
-
-bool is_node(const Tree& value) {
-  return value.is_object() && value.contains("t");
 }
 
 // whether every node that is looked into is as pandoc writes it

@@ -67,6 +67,7 @@ TEST(Pandoc, ATreeOfAnUnknownKindIsRefused) {
       tree("{}", R"([{"t":1}])"),
       tree("{}", R"([{"t":"Para"}])"),
       tree("{}", R"([{"t":"Para","c":[{"t":"Str","c":7}]}])"),
+      tree("{}", R"([{"t":"Para","c":[{"c":"a"}]}])"),
       tree("{}", R"([{"t":"Para","c":[{"t":"Image","c":[["",[],[]],[],["a.png"]]}]}])"),
       tree("{}", R"([{"t":"Header","c":[1,["",[],[["key"]]],[]]}])"),
   };
