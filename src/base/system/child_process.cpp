@@ -121,7 +121,7 @@ ChildResult run_child(const std::vector<std::string>& words,
   const Clock::time_point start = Clock::now();
   Pipe in, out, err;
   Child child(words, in, out, err);
-  child.limit_memory(limits.memory);
+  if (limits.memory) child.limit_memory(*limits.memory);
   in.close_end(0);
   out.close_end(1);
   err.close_end(1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +12,9 @@ namespace polhode {
 
 // What a program may use before it is killed.
 struct ChildLimits {
-  double seconds = 600.0;                      // of time on the clock
-  std::size_t memory = std::size_t{4} << 30U;  // bytes that it may write to (RLIMIT_DATA)
+  double seconds = 600.0;  // of time on the clock
+  // bytes that it may write to (RLIMIT_DATA); absent: no limit, as browsers and sanitizers need
+  std::optional<std::size_t> memory = {};
   std::size_t output = std::size_t{1} << 30U;  // bytes of standard output and error
 };
 
