@@ -168,9 +168,10 @@ nlohmann::ordered_json parse_tree(const std::string& json) {
                      tree.contains("meta") && tree["meta"].is_object() &&
                      std::all_of(tree["meta"].begin(), tree["meta"].end(), is_node) &&
                      tree.contains("blocks") && tree["blocks"].is_array();
-  if (!whole || !is_tree(tree["meta"]) || !is_tree(tree["blocks"]))
+  if (!whole || !is_tree(tree["meta"]) || !is_tree(tree["blocks"])) {
     throw input_error(
         "pandoc gave a syntax tree of an unknown kind; does `pandoc --version` say 2.17 or later?");
+  }
   return tree;
 }
 
