@@ -58,7 +58,7 @@ string(REGEX MATCH "^[0-9]+" libavfilter_major "${LIBAVFILTER_VERSION}")
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS
   libosmesa6                        # draws
   libavfilter${libavfilter_major}   # palettes of GIF films
-  "gnuplot-nox | gnuplot"           # charts, and plots inside films
+  "gnuplot-nox | gnuplot"           # charts and maps
   fonts-inter fonts-urw-base35 fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri")  # draws on a graphics card
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pandoc, chromium, fonts-lmodern, ffmpeg")   # lectures

@@ -3,7 +3,7 @@
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), FLAT (colour and alpha as they are), SOFT (of a flat disc: less
 // towards its rim), MARKED (a strip and a darker half), SHELL (alpha under 1), FADING (fade under
-// 1), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
+// 1), DASHED (with gaps along z), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 out vec4 o_color;            // premultiplied
 
@@ -24,7 +24,7 @@ noperspective in vec2 v_along;
 in vec3 v_mesh;
 flat in vec4 f_color;
 flat in vec4 f_mark;
-flat in vec2 f_alpha;
+flat in vec3 f_alpha;
 
 // A strip along +x and a darker half x < 0: one turn looks different from half a turn.
 vec3 painted() {
@@ -115,6 +115,11 @@ void main() {
 #if FADING
   o_color *= f_alpha.y;
 #endif
+#endif
+#if DASHED
+  // a dash and a gap of the same length, with edges as wide as a pixel
+  float along = v_mesh.z * f_alpha.z;
+  o_color *= clamp((0.25 - abs(fract(along) - 0.25)) / fwidth(along) + 0.5, 0.0, 1.0);
 #endif
 }
 

@@ -18,6 +18,7 @@ uniform float u_gloss;
 uniform vec3 u_mark_color;                 // sRGB-encoded
 uniform float u_mark_width;                // half-width of the strip, mesh units
 uniform float u_fade;                      // of the whole thing, 1: there
+uniform float u_dashes;                    // their number along z
 
 #if LIT_AT_CORNERS
 noperspective out vec4 v_color;    // premultiplied
@@ -30,7 +31,7 @@ noperspective out vec2 v_along;    // the normal's parts along the lights
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 flat out vec4 f_color;  // and gloss
 flat out vec4 f_mark;   // colour and half-width
-flat out vec2 f_alpha;  // and fade
+flat out vec3 f_alpha;  // and fade, and number of dashes
 #endif
 
 void main() {
@@ -54,6 +55,6 @@ void main() {
   v_mesh = a_position;
   f_color = vec4(u_color, u_gloss);
   f_mark = vec4(u_mark_color, u_mark_width);
-  f_alpha = vec2(u_alpha, u_fade);
+  f_alpha = vec3(u_alpha, u_fade, u_dashes);
 #endif
 }

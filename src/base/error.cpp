@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
 
+#include "base/one_line.h"
+
 namespace polhode {
 namespace {
-
-// control characters would break the promise of one line (and could drive a terminal)
-std::string one_line(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\n' || c == '\t') {
-      out += ' ';
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 std::string full_line(const std::string& message, const Place& place) {
   std::string line;

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-// The names between the commas: "a,b" gives {"a", "b"}, and "" gives an empty list. White space is
-// kept. "a,,b" gives an empty name in the middle; a comma at the end is ignored.
+// The names between the commas, without the blanks around them: "a, b" gives {"a", "b"}, and ""
+// gives an empty list. "a,,b" gives an empty name in the middle; a comma at the end is ignored.
 std::vector<std::string> split_names(std::string_view list);
 
 // The set of names in `list` (separated by commas); empty for "". Throws Error (input), with

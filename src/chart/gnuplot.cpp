@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/system/child_process.h"
 
 namespace polhode {
 namespace {
@@ -22,8 +22,6 @@ std::string terminal(PlotFormat format, int width, int height) {
           "svg enhanced size {},{} font '{},12' background rgb 'white'", width, height, kFont);
     case PlotFormat::png:
       return fmt::format("pngcairo enhanced size {},{} font '{},10'", width, height, kFont);
-    case PlotFormat::overlay:
-      return fmt::format("pngcairo enhanced transparent size {},{} font 'Inter,10'", width, height);
     case PlotFormat::pdf:
       return fmt::format("pdfcairo enhanced size {:.3f}in,{:.3f}in font '{},8'",
                          width / kPixelsPerInch,
@@ -33,10 +31,17 @@ std::string terminal(PlotFormat format, int width, int height) {
   return {};
 }
 
-std::string first_line(const std::string& text) {
-  const std::size_t start = text.find_first_not_of(" \n\t");
-  if (start == std::string::npos) return "no word why";
-  return text.substr(start, text.find('\n', start) - start);
+// what files of the format begin with; of text, what they hold
+bool is_picture(const std::string& bytes, PlotFormat format) {
+  switch (format) {
+    case PlotFormat::svg:
+      return bytes.find("<svg") != std::string::npos;
+    case PlotFormat::png:
+      return bytes.starts_with("\x89PNG\r\n\x1a\n");
+    case PlotFormat::pdf:
+      return bytes.starts_with("%PDF-");
+  }
+  return false;
 }
 
 }  // namespace
@@ -60,32 +65,31 @@ std::string gnuplot_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.17g}", value) : "NaN";
 }
 
-std::string gnuplot_version() {
-  try {
-    const ChildResult result = run_child({"gnuplot", "--version"}, "");
-    return result.status == 0 ? first_line(result.out) : "";
-  } catch (const Error& error) {
-    if (error.fault() == Fault::interrupted) throw;
-    return "";
-  }
+ProgramFound find_gnuplot() {
+  return find_program("gnuplot");
 }
 
 void require_gnuplot() {
-  if (!gnuplot_version().empty()) return;
+  const ProgramFound found = find_gnuplot();
+  if (found.why_not.empty()) return;
   throw environment_error(
-      "gnuplot, which draws the charts, is not installed; install gnuplot-nox, or run "
-      "tools/install-dependencies");
+      "the charts cannot be drawn: {}{}",
+      found.why_not,
+      found.installed ? "" : "; install gnuplot-nox, or run tools/install-dependencies");
 }
 
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height) {
   const std::string whole = "set encoding utf8\nset terminal " + terminal(format, width, height) +
                             "\n" + script + "\nunset output\n";
-  const ChildResult result = run_child({"gnuplot", "--default-settings", "-"}, whole);
+  ChildResult result = run_child({"gnuplot", "--default-settings", "-"}, whole);
   // a script of ours has no errors: what is said is a missing terminal or font
-  if (result.status != 0 || result.out.empty()) {
-    throw environment_error("gnuplot did not draw: {}", first_line(result.err));
+  if (!ended_well(result)) {
+    throw environment_error("the chart cannot be drawn: gnuplot {}", how_it_ended(result));
   }
-  return result.out;
+  if (!is_picture(result.out, format)) {
+    throw environment_error("the chart cannot be drawn: gnuplot wrote no picture");
+  }
+  return std::move(result.out);
 }
 
 }  // namespace polhode

@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "motion/grid_trajectory.h"
+#include "motion/deviation.h"
+#include "motion/refinement.h"
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/stepper_table.h"
@@ -36,9 +37,8 @@ std::vector<State> finest(const StepperInfo& method,
   constexpr double kTurn = 0.05;
   constexpr double kTolerance = 1e-15;
   const double h = duration / std::ceil(duration * rate / kTurn);
-  const Integration run = method.adaptive
-                              ? integrate_adaptive(method, model, start, duration, kTolerance)
-                              : integrate_fixed(method, model, start, duration, h);
+  const Integration run =
+      integrate_with(method, model, start, duration, method.adaptive ? kTolerance : h);
   std::vector<State> states;
   states.reserve(times.size());
   for (const double t : times)

@@ -22,8 +22,8 @@ class ReferenceSolution {
   // agree". Without a usable reference the text begins with "nobody".
   const std::string& source() const { return source_; }
   // The possible error of the reference itself, rad: an estimate of round-off for a closed form,
-  // else the largest deviation() (motion/scales.h) between the two runs. Infinite, which means that
-  // the reference is unusable, if a run failed or they differ by more than 0.05 rad.
+  // else the largest deviation() (motion/deviation.h) between the two runs. Infinite, which means
+  // that the reference is unusable, if a run failed or they differ by more than 0.05 rad.
   double uncertainty() const { return uncertainty_; }
   // Errors below this (rad) cannot be told from that of the reference itself: ten times its
   // uncertainty.

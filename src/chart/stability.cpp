@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/nearest.h"
 #include "base/system/interrupt.h"
+#include "motion/deviation.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
 
@@ -80,13 +80,11 @@ const char* name_of(RunOutcome outcome) {
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
-RunOutcome parse_run_outcome(const std::string& name) {
+std::optional<RunOutcome> find_run_outcome(const std::string& name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (name == kNames[i]) return static_cast<RunOutcome>(i);
   }
-  throw input_error("unknown outcome '{}'{}",
-                    name,
-                    suggestion(name, std::vector<std::string>(kNames.begin(), kNames.end())));
+  return {};
 }
 
 StabilityProblem::StabilityProblem(const BodyModel& m, const State& s, double T)

@@ -3,6 +3,7 @@
 // consist of such runs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ inline constexpr int kRunOutcomes = 7;  // number of outcomes
 
 // The name as it is spelled above: "fine", "phase_wrong", and so on.
 const char* name_of(RunOutcome outcome);
-// The outcome of that name. Throws Error (input), without a place, for any other text.
-RunOutcome parse_run_outcome(const std::string& name);
+// The outcome of that name; absent for any other text.
+std::optional<RunOutcome> find_run_outcome(const std::string& name);
 
 // A motion to test methods on, with its reference solution.
 struct StabilityProblem {
@@ -51,7 +52,7 @@ struct StabilityProblem {
 // or the energy exploded, a drift if the loads do not conserve the quantity.
 struct StabilityCell {
   RunOutcome outcome = RunOutcome::fine;
-  double error_rad = 0.0;       // largest deviation() from the reference (motion/scales.h), rad
+  double error_rad = 0.0;       // largest deviation() from the reference (motion/deviation.h), rad
   double energy_drift = 0.0;    // largest Drift::energy, with the sign of the drift at the end
   double momentum_drift = 0.0;  // largest Drift::momentum
 };

@@ -18,7 +18,7 @@ struct WorkPoint {
   double step = 0.0;            // s; for adaptive methods the tolerance (relative)
   long evaluations = 0;         // as counted by Work in motion/stepper.h; 0 if integrating failed
   double time_us = 0.0;         // microseconds for the whole motion, median of repeated runs
-  double error_rad = 0.0;       // largest deviation() (motion/scales.h) from the reference
+  double error_rad = 0.0;       // largest deviation() (motion/deviation.h) from the reference
   double energy_drift = 0.0;    // largest |Drift::energy| of the run (motion/trajectory.h)
   double momentum_drift = 0.0;  // largest Drift::momentum of the run
   // "ok"; "below_judge": the error is below ReferenceSolution::least_error(), so it is not known

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/one_line.h"
 #include "base/system/console.h"
 
 namespace polhode {
@@ -42,7 +43,7 @@ std::string frames_of(const Made& made) {
 
 std::string closing_line(const Made& made, double seconds) {
   std::string line = fmt::format("{}: {} in {} s",
-                                 made.output == "-" ? "standard output" : made.output,
+                                 made.output == "-" ? "standard output" : one_line(made.output),
                                  frames_of(made),
                                  short_number(seconds));
   if (!made.is_picture)

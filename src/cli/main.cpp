@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The program: options to a job, a job to an exit code, every error to one line.
+#include <cctype>
 #include <cstring>
 #include <exception>
+#include <malloc.h>
 #include <new>
 #include <sstream>
 #include <string>
@@ -38,14 +40,34 @@ void refuse_unknown_command(int argc, char** argv) {
   throw input_error("unknown command '{}'{}", argv[1], suggestion(argv[1], names));
 }
 
-// the first word that is an option's name and that this command does not have; "" if there is none
+// the option in "--size=12x12" and "-oFILE"; "" if the word has none, such as "-" and "-1.5"
+std::string option_in(const std::string& word) {
+  if (word.starts_with("--")) return word == "--" ? "" : word.substr(0, word.find('='));
+  const bool letter = word.size() > 1 && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+  return letter && word[0] == '-' ? word.substr(0, 2) : "";
+}
+
+// the first option that this command does not have; "" if there is none
 std::string unknown_option(const std::vector<std::string>& known, int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if (word.rfind("--", 0) != 0) continue;
-    if (std::find(known.begin(), known.end(), word) == known.end()) return word;
+    std::string option = option_in(argv[i]);
+    if (option.empty()) continue;
+    if (std::find(known.begin(), known.end(), option) == known.end()) return option;
   }
   return {};
+}
+
+void add_names(const CLI::App& app,
+               std::vector<std::string>& long_names,
+               std::vector<std::string>& all) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      long_names.push_back("--" + name);
+      all.push_back("--" + name);
+    }
+    for (const std::string& name : option->get_snames())
+      all.push_back("-" + name);
+  }
 }
 
 // the parser's complaint in our words; a mistyped option gets the nearest one of its command
@@ -59,15 +81,16 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
   const CLI::App& command = *app.get_subcommands().front();
   std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    std::vector<std::string> known;
-    for (const CLI::Option* option : command.get_options()) {
-      for (const std::string& name : option->get_lnames())
-        known.push_back("--" + name);
-    }
-    const std::string unknown = unknown_option(known, argc, argv);
+    std::vector<std::string> own, of_program, all;
+    add_names(command, own, all);
+    add_names(app, of_program, all);
+    const std::string unknown = unknown_option(all, argc, argv);
     if (!unknown.empty()) {
-      return input_error(
-          "{} has no option {}{}", command.get_name(), unknown, suggestion(unknown, known));
+      // one letter is near to every other
+      const std::string hint = unknown.starts_with("--")
+                                   ? suggestion(unknown, own)
+                                   : fmt::format(" (known: {})", fmt::join(own, ", "));
+      return input_error("{} has no option {}{}", command.get_name(), unknown, hint);
     }
     const std::vector<std::string> left = app.remaining(true);
     const std::string word = left.empty() ? "" : left.front();
@@ -79,6 +102,15 @@ Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char*
   }
   return input_error(
       "{}: {}; see `polhode {} --help`", command.get_name(), text, command.get_name());
+}
+
+// Frames are large and short-lived. Among what is small and kept, they would leave gaps into which
+// the next one does not fit: several gigabytes of them in a long film.
+void keep_large_blocks_apart() {
+#ifdef M_MMAP_THRESHOLD
+  constexpr int kLarge = 1 << 20;  // bytes
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+#endif
 }
 
 int run(int argc, char** argv) {
@@ -124,6 +156,7 @@ int main(int argc, char** argv) {
   using polhode::Error;
   using polhode::Fault;
   polhode::guard_standard_streams();
+  polhode::keep_large_blocks_apart();
   polhode::watch_for_interrupt();
   try {
     return polhode::run(argc, argv);

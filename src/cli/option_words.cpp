@@ -6,7 +6,7 @@
 #include "base/system/progress.h"
 #include "film/render_plan.h"
 #include "lecture/lecture.h"
-#include "motion/stepper.h"
+#include "motion/motion_spec.h"
 #include "motion/stepper_table.h"
 #include "render/context.h"
 #include "video/encoders.h"
@@ -45,7 +45,7 @@ std::vector<std::string> document_words() {
 }
 
 std::vector<std::string> method_words() {
-  return words_of(stepper_table(), &StepperInfo::name);
+  return method_names();
 }
 
 std::vector<std::string> preset_words() {
@@ -58,6 +58,10 @@ std::vector<std::string> progress_words() {
 
 std::vector<std::string> quality_words() {
   return words_of(qualities(), &Quality::name);
+}
+
+std::vector<std::string> stepper_words() {
+  return words_of(stepper_table(), &StepperInfo::name);
 }
 
 }  // namespace polhode

@@ -12,9 +12,10 @@ namespace polhode {
 std::vector<std::string> backend_words();   // --backend
 std::vector<std::string> codec_words();     // --codec, for endings with a choice (.mp4)
 std::vector<std::string> document_words();  // --to of `lecture`
-std::vector<std::string> method_words();    // --methods; --method also takes "auto" and "exact"
+std::vector<std::string> method_words();    // --method
 std::vector<std::string> preset_words();    // --preset
 std::vector<std::string> progress_words();  // --progress
 std::vector<std::string> quality_words();   // --quality
+std::vector<std::string> stepper_words();   // --methods of `chart` and `stability`
 
 }  // namespace polhode

@@ -25,7 +25,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"COMMAND", ValueForm::word, command_names(), {}},
       {"KIND", ValueForm::word, progress_words(), {}},
       {"METHOD", ValueForm::word, method_words(), {}},
-      {"METHODS", ValueForm::words_with_commas, method_words(), {}},
+      {"METHODS", ValueForm::words_with_commas, stepper_words(), {}},
       {"DOCUMENTS", ValueForm::words_with_commas, document_words(), {}},
       {"PRESET", ValueForm::word, preset_words(), {}},
       {"QUALITY", ValueForm::word, quality_words(), {}},

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "film/error_places.h"
 #include "film/report/motion_report.h"
+#include "frame/ticks.h"
 #include "math/so3.h"
 #include "motion/stepper_table.h"
 
@@ -19,7 +20,18 @@ namespace {
 constexpr double kFinerTruth = 1e-3;  // of what the scene allows, where there is no closed form
 constexpr int kHalvings = 40;         // of the time in which a method fails
 
-// the motion of a scene by one method with the scene's step or tolerance
+// the numerics of one method, with the scene's step or tolerance where it takes one
+NumericsSpec numerics_of(const Scene& scene, const std::string& method) {
+  NumericsSpec numerics = scene.numerics;
+  numerics.method = method;
+  const bool steps = method != "exact" && method != "auto";
+  const bool adaptive = steps && find_stepper(method).adaptive;
+  if (!steps || adaptive) numerics.step.reset();
+  if (!steps || !adaptive) numerics.tolerance.reset();
+  return numerics;
+}
+
+// the motion of a scene by one method
 Simulation simulate_by(const Scene& scene,
                        const BodyModel& model,
                        const std::string& method,
@@ -27,13 +39,7 @@ Simulation simulate_by(const Scene& scene,
                        double allowed_rad) {
   MotionSpec motion = scene.motion;
   motion.duration = duration;
-  NumericsSpec numerics = scene.numerics;
-  numerics.method = method;
-  const bool steps = method != "exact" && method != "auto";
-  const bool adaptive = steps && find_stepper(method).adaptive;
-  if (!steps || adaptive) numerics.step.reset();
-  if (!steps || !adaptive) numerics.tolerance.reset();
-  return simulate(model, motion, numerics, allowed_rad);
+  return simulate(model, motion, numerics_of(scene, method), allowed_rad);
 }
 
 // what the panels are held against: the closed form, else a much finer run; none if that fails
@@ -75,14 +81,34 @@ std::string relative(double value) {
                                 : fmt::format("{:+.0e} times", value);
 }
 
-std::string angle(double rad) {
-  if (rad == 0.0) return "0";
-  const double degrees = rad * 180.0 / kPi;
-  return degrees < 0.1 ? fmt::format("{:.0e} rad", rad) : fmt::format("{:.1f}°", degrees);
+// as wide as the widest number of its kind, so that what stands behind it does not move
+std::string degrees(const std::string& number, std::size_t digits_and_point) {
+  constexpr const char* kFigureSpace = "\u2007";
+  std::string free;
+  for (std::size_t i = number.size(); i < digits_and_point; ++i)
+    free += kFigureSpace;
+  return number + "\u00b0" + free;
+}
+
+// "+20.3 %", "\u221226.3 %", "+3\u00b710\u2077 %"
+std::string percent(double part) {
+  const double value = 100.0 * part;
+  if (!(std::abs(value) >= 1e4)) {
+    const std::string number = number_text(value, 0, 1);
+    return (number.front() >= '0' && number.front() <= '9' ? "+" : "") + number + " %";
+  }
+  const char* sign = value < 0.0 ? "\u2212" : "+";
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return fmt::format("{}{:.0f}\u00b7{} %",
+                     sign,
+                     std::floor(std::abs(value) / std::pow(10.0, power)),
+                     power_of_ten(power));
 }
 
 std::string title_of(const std::string& method) {
-  return method == "exact" ? "Closed form" : find_stepper(method).title;
+  if (method == "exact") return "Closed form";
+  // it stays "auto" if none of those that it tried took a step
+  return method == "auto" ? "Automatic choice" : find_stepper(method).title;
 }
 
 }  // namespace
@@ -129,8 +155,10 @@ Contender Comparison::run(const Scene& scene,
     // not even one step: the panel shows the start
     if (!found) {
       SimulationReport report;
+      const NumericsSpec numerics = numerics_of(scene, method);
       report.method = method;
-      report.step = scene.numerics.step;
+      report.step = numerics.step;
+      report.tolerance = numerics.tolerance;
       return {method, report, held(start, 0.0, scene.motion), 0.0, error.message(), {}};
     }
     // the last whole step: the partial one behind it is part of what fails
@@ -163,24 +191,41 @@ std::optional<double> Comparison::first_error(const Contender& one, double frame
   }
 }
 
-PanelNotes Comparison::notes(const Contender& one, double t) const {
+PanelNotes Comparison::notes(const Contender& one, double t, bool with_details) const {
   const double known = std::min(t, one.end);
   const Drift now = drift_at(one.motion, known);
-  PanelNotes notes;
-  const SimulationReport& report = one.report;
-  notes.lines.push_back(title_of(report.method));
-  notes.lines.push_back(report.step        ? fmt::format("step {:.4g} s", *report.step)
-                        : report.tolerance ? fmt::format("tolerance {:.2g}", *report.tolerance)
-                                           : "no steps");
-  std::string drifts = now.energy ? "energy " + relative(*now.energy) : "";
-  if (now.momentum) {
-    const char* name = one.motion.model().chi_P.squaredNorm() > 0.0 ? "Lz" : "L";
-    drifts += fmt::format(
-        "{}{} {}", drifts.empty() ? "" : "   ", name, relative(*now.momentum).substr(1));
-  }
-  notes.lines.push_back(drifts.empty() ? "nothing is conserved" : drifts);
   const std::optional<double> error = attitude_error(one, known);
-  notes.lines.push_back(error ? "attitude off by " + angle(*error) : "no exact motion is known");
+  const SimulationReport& report = one.report;
+  PanelNotes notes;
+  notes.name = title_of(report.method);
+
+  // two digits of the error at which a panel is stamped
+  constexpr double kDegree = kPi / 180.0;
+  const int decimals =
+      std::clamp(1 - static_cast<int>(std::floor(std::log10(allowed_rad_ / kDegree))), 1, 9);
+  if (error) {
+    notes.figures = fmt::format("error {}",
+                                degrees(fmt::format("{:.{}f}", *error / kDegree, decimals),
+                                        static_cast<std::size_t>(decimals) + 4));
+  }
+  if (now.energy)
+    notes.figures += (notes.figures.empty() ? "energy " : "   energy ") + percent(*now.energy);
+  if (notes.figures.empty()) notes.figures = "no exact motion is known";
+
+  if (with_details) {
+    std::string how = report.step        ? fmt::format("step {:.4g} s", *report.step)
+                      : report.tolerance ? fmt::format("tolerance {:.2g}", *report.tolerance)
+                                         : "no steps";
+    if (error) how += fmt::format("   error {:.2g} rad", *error);
+    notes.details.push_back(how);
+    std::string drifts = now.energy ? "energy " + relative(*now.energy) : "";
+    if (now.momentum) {
+      const char* name = one.motion.model().chi_P.squaredNorm() > 0.0 ? "Lz" : "L";
+      drifts += fmt::format(
+          "{}{} {}", drifts.empty() ? "" : "   ", name, relative(*now.momentum).substr(1));
+    }
+    notes.details.push_back(drifts.empty() ? "nothing is conserved" : drifts);
+  }
   if (!one.failure.empty() && t >= one.end) {
     notes.stamp = fmt::format("ended at {:.2f} s", one.end);
   } else if (one.untrusted_from && t >= *one.untrusted_from) {

@@ -16,7 +16,7 @@ namespace polhode {
 // The run of one method of numerics.compare.
 struct Contender {
   std::string method;       // as in numerics.compare, one of method_names()
-  SimulationReport report;  // if the first step failed: method and step only
+  SimulationReport report;  // if the first step failed: method, step and tolerance only
   Motion motion;            // stands still after `end`
   double end = 0.0;     // s of motion: how far the method came; the whole duration unless it failed
   std::string failure;  // why it failed; empty: it did not
@@ -41,11 +41,12 @@ class Comparison {
   // The attitude error of a contender at t (s of motion), rad; for later t, that at its end. Absent
   // without a reference motion. Throws Error (check_failed) as Motion::at does.
   std::optional<double> attitude_error(const Contender& one, double t) const;
-  // The notes in the panel of a contender at t (s of motion): method, step or tolerance, drifts,
-  // error, and a stamp from when the motion has ended or cannot be trusted. Throws Error likewise.
-  PanelNotes notes(const Contender& one, double t) const;
-  // The number of lines of notes(), including the stamp.
-  static constexpr int kNoteLines = 5;
+  // The notes in the panel of a contender at t (s of motion): method, attitude error and drift of
+  // energy, and a stamp from when the motion has ended or cannot be trusted; with_details adds step
+  // or tolerance and small numbers. Throws Error likewise.
+  PanelNotes notes(const Contender& one, double t, bool with_details) const;
+  // What notes() may have.
+  static NoteRows note_rows(bool with_details) { return {true, true, true, with_details ? 2 : 0}; }
   // The value of "compare" in the report of a film: a list with one object per method, which has
   // the keys of its SimulationReport (film/report/motion_report.h) and end_s, failure,
   // untrusted_from_s and attitude_error_at_end_rad, the last two null where absent.

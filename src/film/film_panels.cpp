@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "film/film_plots.h"
-
 namespace polhode {
 namespace {
 
@@ -13,10 +11,10 @@ namespace {
 FrameMargins common_margins(const FilmText& text,
                             const std::vector<PixelBox>& places,
                             PictureSize size,
-                            int note_lines) {
+                            const NoteRows& rows) {
   FrameMargins margins;
   for (const PixelBox& place : places) {
-    const FrameMargins needed = text_margins(text, place, size, note_lines);
+    const FrameMargins needed = text_margins(text, place, size, rows);
     margins.left = std::max(margins.left, needed.left);
     margins.right = std::max(margins.right, needed.right);
     margins.top = std::max(margins.top, needed.top);
@@ -47,14 +45,17 @@ Film make_film(const Solved& solved,
   const std::vector<std::string>& views = scene.show.views;
   const bool compared = comparison != nullptr;
   const std::size_t count = compared ? comparison->contenders().size() : views.size();
-  const std::vector<PixelBox> places = panel_places(size, static_cast<int>(count));
-  const int lines = !with_text ? 0 : compared ? Comparison::kNoteLines : views.size() > 1 ? 1 : 0;
-  FrameMargins margins = common_margins(text, places, size, lines);
-  if (count > 1 && !scene.show.plots.empty()) {
-    throw input_error("plots need a film with a single panel; remove them, or show one view")
+  const FrameAreas areas =
+      frame_areas(text, size, static_cast<int>(count), static_cast<int>(plots.size()));
+  const std::vector<PixelBox>& places = areas.panels;
+  NoteRows rows;
+  if (with_text && compared) rows = Comparison::note_rows(scene.show.details.value_or(false));
+  if (with_text && !compared) rows.name = views.size() > 1;
+  const FrameMargins margins = common_margins(text, places, size, rows);
+  if (compared && !plots.empty()) {
+    throw input_error("plots show one motion, not several that are compared; remove them")
         .at({{}, 0, "show.plots"});
   }
-  margins.right += width_of_plots(scene.show);
 
   std::vector<FilmPanel> panels;
   for (std::size_t i = 0; i < count; ++i) {
@@ -74,18 +75,21 @@ Film make_film(const Solved& solved,
                                          scene.theme,
                                          PictureSize{places[i].width, places[i].height});
     panel.end = scene.motion.duration;
+    panel.rows = rows;
     if (compared) {
       const Contender& one = comparison->contenders()[i];
       panel.composer = std::make_shared<const Composer>(*panel.composer, one.motion);
       panel.end = one.end;
       if (with_text) {
-        panel.notes = [comparison, &one](double t) {
-          return comparison->notes(one, t);
+        panel.notes = [comparison, &one, rows](double t) {
+          return comparison->notes(one, t, rows.details > 0);
         };
       }
-    } else if (lines > 0) {
+    } else if (rows.name) {
       panel.notes = [heading = heading_of(views[i])](double) {
-        return PanelNotes{{heading}, ""};
+        PanelNotes notes;
+        notes.name = heading;
+        return notes;
       };
     }
     panels.push_back(std::move(panel));

@@ -14,8 +14,8 @@ namespace polhode {
 // (by default one). `comparison`: null if nothing is compared; it must outlive the film, which
 // copies the other arguments. `plots`: what make_plots() (film/film_plots.h) has drawn of
 // show.plots. `with_text`: with captions and the notes of panels; title, clock and labels are as
-// the scene's `show` says. Throws Error (input) with show.plots as key if there are plots and
-// several panels, and as Composer does.
+// the scene's `show` says. Throws Error (input) with show.plots as key if there are plots and a
+// comparison, and as Composer does.
 Film make_film(const Solved& solved,
                const Timeline& timeline,
                const Comparison* comparison,

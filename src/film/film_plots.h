@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Draws the plots of show.plots, which stand to the right of the body, once per film with gnuplot.
+// Computes what the plots of show.plots show.
 #pragma once
 
 #include <vector>
 
 #include "film/solved_scene.h"
-#include "frame/film.h"
+#include "frame/plot.h"
 
 namespace polhode {
 
-// The fraction (0..1) of the picture's width that plots take on the right; 0 without plots.
-double width_of_plots(const ShowSpec& show);
-
-// The plots of show.plots over the whole motion, one below the other in the order of the list;
-// empty if there are none. Throws Error (environment) if gnuplot is missing or fails,
-// (interrupted), and (check_failed) as Motion::at does.
+// The plots of show.plots over the whole motion, in the order of the list; empty if there are none.
+// Throws Error (check_failed) as Motion::at does.
 std::vector<FilmPlot> make_plots(const Solved& solved);
 
 }  // namespace polhode

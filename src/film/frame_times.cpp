@@ -29,6 +29,20 @@ void refuse_too_many_frames(double count) {
   }
 }
 
+// a story that the whole motion could tell
+void refuse_steps_behind(const Loop& loop, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.story.size(); ++i) {
+    const double at = scene.story[i].at;
+    if (at <= loop.duration || at > scene.motion.duration) continue;
+    throw input_error(
+        "the loop closes after {:.6g} s of the motion, so the film never shows {} s; choose an "
+        "earlier time, or make the film without a loop",
+        loop.duration,
+        at)
+        .at({{}, 0, fmt::format("story[{}].at", i)});
+  }
+}
+
 }  // namespace
 
 void check_time_range(const Scene& scene, const TimeRange& range) {
@@ -54,6 +68,7 @@ FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
   if (scene.video.loop) {
     // a whole number of frames, the last one step before the first
     frames.loop = find_loop(solved.simulation.motion, duration, scene.video.loop_residual);
+    refuse_steps_behind(*frames.loop, scene);
     duration = frames.loop->duration;
     const double count = std::max(1.0, std::round(duration / time_scale * frames.rate));
     time_scale = duration * frames.rate / count;

@@ -66,7 +66,8 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
 
 }  // namespace
 
-PreparedFilm::PreparedFilm(const RenderPlan& plan) : solved_(solve(plan.scene)), text_(plan.text) {
+PreparedFilm::PreparedFilm(const RenderPlan& plan)
+    : solved_(solve(plan.scene, plan.progress)), text_(plan.text) {
   const Scene& scene = solved_.scene;
   frames_ = with_place(scene, [&] { return plan_frame_times(solved_, plan.range); });
   if (!scene.numerics.compare.empty()) {

@@ -33,7 +33,7 @@ bool is_still(const RenderJob& job, const std::string& output) {
     throw input_error("makes one picture, but '{}' is a numbered sequence; leave out the %", output)
         .at({{}, 0, "--still"});
   }
-  if (job.still && find_sink_kind(output).film) {
+  if (job.still && find_sink_kind(output, true).film) {
     throw input_error("makes one picture, but '{}' is a film; name a .png", output)
         .at({{}, 0, "--still"});
   }
@@ -139,10 +139,14 @@ RenderPlan plan_render(const RenderJob& job) {
   const EncoderSettings encoder =
       settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
   plan.sink = sink_of(plan.scene, output, encoder, job.transparent, still);
+  plan.sink.captions = std::any_of(plan.story.begin(), plan.story.end(), [](const StoryStep& step) {
+    return step.caption && !step.caption->empty();
+  });
   if (job.shard) plan.shard = parse_shard(*job.shard);
   plan.resume = job.resume;
   check_shard(plan);
   plan.text = job.text;
+  plan.progress = job.progress;
   if (job.jobs < 1) throw input_error("must be at least 1, got {}", job.jobs).at({{}, 0, "--jobs"});
   constexpr int kMostJobs = 64;
   if (job.jobs > kMostJobs) {

@@ -69,6 +69,7 @@ struct RenderPlan {
   bool resume = false;           // work in segments, and continue an earlier run
   bool text = true;              // false: the picture shows no text
   RenderSetup setup;
+  ProgressKind progress = ProgressKind::none;  // of what comes before the first frame
 };
 
 // The job for make_sink() (video/sink_kinds.h) for a film of that scene: the arguments, and size,

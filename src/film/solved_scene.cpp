@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/solved_scene.h"
 
+#include <algorithm>
+
 #include <spdlog/spdlog.h>
 
 #include "film/error_places.h"
@@ -12,12 +14,27 @@ double accuracy_in_radians(const Scene& scene, const BodyModel& model) {
   const Accuracy& accuracy = scene.numerics.accuracy;
   if (!accuracy.pixels) return accuracy.value;
   constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
-  const double radius =
-      body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
-  return attitude_tolerance(scene.camera, accuracy.value, radius, scene.video.size);
+  DrawnReach drawn;
+  drawn.body = body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
+  for (const std::vector<Vec3>& points : {scene.show.points, scene.show.trail_points}) {
+    for (const Vec3& point : points)
+      drawn.points = std::max(drawn.points, (point - model.reference_B()).norm());
+  }
+  const auto seen_by = [&](const CameraSpec& camera) {
+    return attitude_tolerance(camera, accuracy.value, drawn, scene.video.size);
+  };
+  double least = seen_by(scene.camera);
+  for (std::size_t i = 0; i < scene.shots.size(); ++i) {
+    try {
+      least = std::min(least, seen_by(scene.shots[i].camera));
+    } catch (const Error& error) {
+      throw Error(error.fault(), error.message(), {{}, 0, fmt::format("shots[{}].eye", i)});
+    }
+  }
+  return least;
 }
 
-Solved solve(const Scene& scene) {
+Solved solve(const Scene& scene, ProgressKind progress) {
   return with_place(scene, [&] {
     StageTime time;
     BodyModel model = make_model(scene.body, scene.motion);
@@ -36,7 +53,10 @@ Solved solve(const Scene& scene) {
     if (too_long) warn(*too_long, "numerics.step");
     auto found = [&] {
       const StageTimer timer(time);
-      return simulate(model, scene.motion, numerics, accuracy);
+      Waiting waiting(progress);
+      return simulate(model, scene.motion, numerics, accuracy, [&](int run, double part) {
+        waiting.show(fmt::format("computing the motion: run {}, {:.0f} %", run, 100.0 * part));
+      });
     }();
     for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");

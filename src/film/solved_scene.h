@@ -2,6 +2,7 @@
 // Computes the body model and the motion of a scene.
 #pragma once
 
+#include "base/system/progress.h"
 #include "base/system/stage_clock.h"
 #include "model/body_model.h"
 #include "motion/simulate.h"
@@ -22,12 +23,13 @@ struct Solved {
 // If the scene compares methods, its step and tolerance belong to them, and the motion is computed
 // without them, to the accuracy of the scene. Throws Error as make_model, accuracy_in_radians,
 // start_state and simulate do; errors that name a key have the file and line of the scene.
-Solved solve(const Scene& scene);
+// `progress`: how a long computation is shown.
+Solved solve(const Scene& scene, ProgressKind progress = ProgressKind::none);
 
 // The attitude error that numerics.accuracy allows, rad. Pixels are converted by
-// attitude_tolerance() (frame/compose.h), for the scene's camera, picture size and size of the
-// body. Throws Error (input) as body_look (frame/body_look.h), make_theme (frame/theme.h) and
-// attitude_tolerance do.
+// attitude_tolerance() (frame/compose.h), for the one of the scene's cameras (shots too) that
+// asks for most, picture size, size of the body and points. Throws Error (input) as body_look
+// (frame/body_look.h), make_theme (frame/theme.h) and attitude_tolerance do.
 double accuracy_in_radians(const Scene& scene, const BodyModel& model);
 
 }  // namespace polhode

@@ -23,11 +23,29 @@ DrawItem piece(const MeshPtr& mesh,
   return {mesh, to_glm(place.matrix()), material, Faces::front};
 }
 
+// what is hidden of a line is dashed from its foot on, if it is dashed at all
+Material dashed(Material material, double length) {
+  constexpr double kDash = 0.09;  // and gap, in the unit of drawing: the body's radius
+  if (material.dashes > 0.0f) material.dashes = static_cast<float>(length / kDash);
+  return material;
+}
+
+Material unbroken(Material material) {
+  material.dashes = 0.0f;
+  return material;
+}
+
 }  // namespace
 
 ArrowMeshes arrow_meshes(int around_shaft, int around_head) {
   return {std::make_shared<const Mesh>(unit_cylinder(around_shaft)),
           std::make_shared<const Mesh>(unit_cone(around_head))};
+}
+
+ArrowShape fitting(const ArrowShape& shape, double length) {
+  const double head = std::min(shape.head_length, length * 2.0 / 3.0);
+  const double shrink = head / shape.head_length;
+  return {shape.shaft_radius * shrink, shape.head_radius * shrink, head};
 }
 
 void add_arrow(std::vector<DrawItem>& items,
@@ -40,13 +58,11 @@ void add_arrow(std::vector<DrawItem>& items,
   const double length = vector.norm();
   if (length < 1e-3 * shape.head_length) return;
 
-  // the head takes at most two thirds of a short vector, in proportion
-  const double head = std::min(shape.head_length, length * 2.0 / 3.0);
-  const double shrink = head / shape.head_length;
+  const auto& [shaft_radius, head_radius, head] = fitting(shape, length);
   const Vec3 neck = tip - vector * (head / length);
-  items.push_back(
-      piece(meshes.shaft, from, vector, shape.shaft_radius * shrink, length - head, material));
-  items.push_back(piece(meshes.head, neck, vector, shape.head_radius * shrink, head, material));
+  items.push_back(piece(
+      meshes.shaft, from, vector, shaft_radius, length - head, dashed(material, length - head)));
+  items.push_back(piece(meshes.head, neck, vector, head_radius, head, unbroken(material)));
 }
 
 void add_tube(std::vector<DrawItem>& items,
@@ -57,7 +73,9 @@ void add_tube(std::vector<DrawItem>& items,
               const Material& material) {
   const Vec3 vector = to - from;
   const double length = vector.norm();
-  if (length > 0.0) items.push_back(piece(meshes.shaft, from, vector, radius, length, material));
+  if (length > 0.0) {
+    items.push_back(piece(meshes.shaft, from, vector, radius, length, dashed(material, length)));
+  }
 }
 
 }  // namespace polhode

@@ -27,6 +27,12 @@ struct ArrowShape {
   double head_length = 0.09;
 };
 
+// Hidden parts of shafts and tubes are dashed where material.dashes is not 0, whatever its value: a
+// dash and a gap take 0.09 drawing units, from the foot on.
+
+// The sizes with which an arrow of that length is drawn.
+ArrowShape fitting(const ArrowShape& shape, double length);
+
 // Adds the items of the arrow from `from` to `tip` to `items`; nothing if it is shorter than a
 // thousandth of the head's length.
 void add_arrow(std::vector<DrawItem>& items,

@@ -172,7 +172,8 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
   }
   if (s.kind == "rod") {
     const double radius = std::max(s.radius.value_or(0.0), kThinRod * *s.length);
-    return cylinder_mesh(radius, *s.length, thinner(radius, 0.5 * *s.length));
+    const double reach = std::hypot(radius, 0.5 * *s.length);
+    return cylinder_mesh(radius, *s.length, thinner(radius, reach));
   }
   if (s.kind == "mesh") return faceted(*s.mesh);
   CHECK(s.kind == "lathe");

@@ -114,6 +114,10 @@ Camera Camera::moved(const Eigen::Isometry3d& rig_from_space) const {
   return {R_CS_ * rig_from_space.linear(), rig_from_space.inverse() * eye_, fov_, size_, clip_};
 }
 
+Camera Camera::zoomed(double factor) const {
+  return {R_CS_, eye_, 2.0 * std::atan(std::tan(0.5 * fov_) / factor), size_, clip_};
+}
+
 Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3& focus) {
   if (part <= 0.0) return a;
   if (part >= 1.0) return b;
@@ -163,7 +167,7 @@ View Camera::view(const DrawingFrame& frame) const {
 }
 
 std::vector<std::string> follow_names() {
-  return {"none", "center", "body", "momentum"};
+  return {"auto", "none", "center", "body", "momentum", "upright"};
 }
 
 Ball ball_around(const std::vector<Vec3>& points) {

@@ -45,16 +45,43 @@ DrawingFrame make_drawing_frame(const Scenery& scenery) {
   return {origin, size};
 }
 
+// the margins with those of the scene instead of the usual ones; text keeps its room, and a tenth
+// of the picture is left
+FrameMargins with_margin(const FrameMargins& margins, double margin, PictureSize size) {
+  const FrameMargins usual;
+  const auto sum = [](double text, double wanted) {
+    return std::clamp(text + wanted, 0.0, 0.45);
+  };
+  const double across = margin * size.height / size.width;
+  return {sum(margins.left - usual.left, across),
+          sum(margins.right - usual.right, across),
+          sum(margins.top - usual.top, margin),
+          sum(margins.bottom - usual.bottom, margin)};
+}
+
+// does the reference point go farther than the body is large?
+bool travels(const Scenery& scenery) {
+  if (scenery.motion.model().on_pivot) return false;
+  const Vec3 start = scenery.motion.at(0.0).reference_S;
+  const std::vector<double> times = framing_times(scenery.motion);
+  return std::any_of(times.begin(), times.end(), [&](double t) {
+    return (scenery.motion.at(t).reference_S - start).norm() > 2.0 * scenery.scale.body;
+  });
+}
+
 Camera make_camera(const CameraSpec& spec,
                    const std::vector<Vec3>& points,
                    PictureSize size,
-                   const FrameMargins& margins) {
+                   const FrameMargins& text_margins) {
   if (!spec.eye) {
     const Vec3 direction = spec.direction.value_or(kDefaultDirection);
     if (direction.stableNorm() == 0.0) {
       throw input_error("must not be zero").at({{}, 0, "camera.direction"});
     }
-    return framing_camera(points, spec.target, direction, spec.fov, size, margins);
+    const FrameMargins margins =
+        spec.margin ? with_margin(text_margins, *spec.margin, size) : text_margins;
+    return framing_camera(points, spec.target, direction, spec.fov, size, margins)
+        .zoomed(spec.zoom);
   }
 
   // the scene's own camera; the ball of what is drawn sets the clip planes
@@ -63,7 +90,7 @@ Camera make_camera(const CameraSpec& spec,
   if ((*spec.eye - target).norm() < 1e-9 * (radius + target.norm())) {
     throw input_error("the camera is at its own target").at({{}, 0, "camera.eye"});
   }
-  return {*spec.eye, target, spec.fov, size, center, radius};
+  return Camera(*spec.eye, target, spec.fov, size, center, radius).zoomed(spec.zoom);
 }
 
 }  // namespace
@@ -82,9 +109,9 @@ Composer::Composer(const Motion& motion,
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
-  const int for_body = circle_segments(largest.body);
-  if (for_body < most) make_look(scenery_, body, for_body);
-  meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)));
+  // twice as fine as edges need: the eye sees the corners of a large limb
+  make_look(scenery_, body, 2 * std::min(most, circle_segments(largest.body)));
+  meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)), largest.cones);
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);
   meshes_.arrows =
@@ -151,6 +178,42 @@ CameraView Composer::camera_view(double film, double end) const {
   return seen_now;
 }
 
+// does anything that is shown stand in space, so that a camera should too?
+bool Composer::keeps_place_in_space() const {
+  const ShowSpec& show = scenery_.options;
+  const bool whole_path = shows("trail") || !show.trail_points.empty();
+  const std::vector<Load>& loads = scenery_.motion.model().loads.listed;
+  const bool spring = std::any_of(
+      loads.begin(), loads.end(), [](const Load& load) { return load.kind == Load::Kind::spring; });
+  return shows("fixed_frame") || shows("floor") || (whole_path && !show.trail_s) ||
+         (shows("forces") && spring);
+}
+
+// does an automatic camera that moves with the body come nearer than one that stands? What stays
+// behind, as ghosts do, may take more room around a body that moves on.
+bool Composer::is_larger_followed(CameraSpec spec, PictureSize size) const {
+  const auto pixels_per_metre = [&](const char* follow) {
+    spec.follow = follow;
+    const Camera camera = make_camera(spec, points_to_frame(spec), size, staging_.margins);
+    double sum = 0.0;
+    for (const double film : film_times()) {
+      const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
+      sum += camera.moved(rig_from_space(spec, film)).pixels_per_metre(sample.reference_S);
+    }
+    return sum;
+  };
+  return pixels_per_metre("center") > 1.1 * pixels_per_metre("none");
+}
+
+std::string Composer::follow_of(const CameraSpec& spec, PictureSize size) const {
+  if (spec.follow != "auto") return spec.follow;
+  if (spec.eye || spec.target) return "none";
+  if (!spec.direction && (shows("plane") || shows("herpolhode"))) return "upright";
+  const bool follows =
+      travels(scenery_) && !keeps_place_in_space() && is_larger_followed(spec, size);
+  return follows ? "center" : "none";
+}
+
 // Where the rig of a camera stands still: space for most, turned or moved for those that go along.
 Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) const {
   Eigen::Isometry3d rig = Eigen::Isometry3d::Identity();
@@ -163,6 +226,10 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
       turn = (start.q_SB * now.q_SB.conjugate()).toRotationMatrix();
     } else if (spec.follow == "momentum" && now.L_S.norm() > 0.0 && start.L_S.norm() > 0.0) {
       turn = turn_between(now.L_S, start.L_S).toRotationMatrix();
+    } else if (spec.follow == "upright" && now.L_S.norm() > 0.0 && start.L_S.norm() > 0.0) {
+      // up or down, whichever is nearer
+      const Vec3 vertical = start.L_S.z() < 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3(Vec3::UnitZ());
+      turn = turn_between(now.L_S, vertical).toRotationMatrix();
     }
     rig.linear() = turn;
     rig.translation() = start.reference_S - turn * now.reference_S;
@@ -178,6 +245,7 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
 std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   std::vector<Rig> rigs;
   const auto add = [&](CameraSpec spec, double begins, double move) {
+    spec.follow = follow_of(spec, size);
     // looking along L means from the side that it points to
     const Vec3 L = scenery_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
     if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
@@ -223,7 +291,13 @@ SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const double pixel = 0.05 * scenery_.scale.body * camera.pixels_per_metre(label.at);
   const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
   const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
-  return {from, at, away.normalized(), label.markup, label.color, label.fade};
+  SeenLabel seen{from, at, away.normalized(), label.markup, label.color, label.fade, at};
+  const Vec3 neck = label.at - label.head_length * label.away.stableNormalized();
+  if (label.head_length > 0.0 && camera.sees(neck)) {
+    seen.neck = camera.project(neck);
+    seen.head_radius = label.head_radius * camera.pixels_per_metre(neck);
+  }
+  return seen;
 }
 
 std::vector<double> Composer::film_times() const {
@@ -264,6 +338,7 @@ Composer::Largest Composer::largest_on_screen() const {
     const double body = scenery_.scale.body;
     largest.body = std::max(largest.body, pixels(sample.reference_S, body, body));
     const Glyphs glyphs = glyphs_at(sample, film);
+    largest.cones.insert(largest.cones.end(), glyphs.cones.begin(), glyphs.cones.end());
     for (const Cone& cone : glyphs.cones) {
       const double rim = cone.slant * std::sin(cone.half_angle);
       largest.cone = std::max(largest.cone, pixels(cone.apex, cone.slant, rim));
@@ -327,19 +402,20 @@ std::vector<Error> Composer::warnings() const {
 
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
-                          double body_radius,
+                          const DrawnReach& drawn,
                           PictureSize size) {
   // an automatic camera keeps everything that is drawn inside the frame, so a radian moves a point
   // by at most half a diagonal
   const double half_diagonal = 0.5 * std::hypot(size.width, size.height);
-  if (!camera.eye) return pixels / half_diagonal;
-  const double reach = kReachOfVectors * body_radius;
+  const double zoom = std::max(camera.zoom, 1.0);
+  if (!camera.eye) return pixels / (half_diagonal * zoom);
+  const double reach = std::max(kReachOfVectors * drawn.body, drawn.points);
   const double distance = (*camera.eye - camera.target.value_or(Vec3::Zero())).norm();
   if (!(distance > 0.0)) {
     throw input_error("must differ from camera.target").at({{}, 0, "camera.eye"});
   }
   const double nearest = std::max(distance - reach, 0.05 * distance);
-  const double focal_px = 0.5 * size.height / std::tan(0.5 * camera.fov);
+  const double focal_px = camera.zoom * 0.5 * size.height / std::tan(0.5 * camera.fov);
   return pixels * nearest / (focal_px * reach);
 }
 

@@ -18,10 +18,12 @@ namespace polhode {
 struct SeenLabel {
   Vec2 from;  // foot of the vector that it names; `at` if it names a point or the foot is not seen
   Vec2 at;
-  Vec2 away;           // unit vector from `at` towards the label
-  std::string markup;  // see text/typesetter.h
-  glm::vec3 color;     // sRGB-encoded, 0..1
-  float fade = 1.0f;   // multiplies the opacity
+  Vec2 away;                 // unit vector from `at` towards the label
+  std::string markup;        // see text/typesetter.h
+  glm::vec3 color;           // sRGB-encoded, 0..1
+  float fade = 1.0f;         // multiplies the opacity
+  Vec2 neck = Vec2::Zero();  // where the head of the arrow begins; `at` if there is no head
+  double head_radius = 0.0;  // of the head there, pixels
 };
 
 // What a camera sees at one moment.
@@ -99,15 +101,20 @@ class Composer {
   std::vector<double> film_times() const;
   // The glyphs shown at that film time; without one, all that are ever shown.
   Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;
+  // What a camera follows: never "auto".
+  std::string follow_of(const CameraSpec& spec, PictureSize size) const;
+  bool is_larger_followed(CameraSpec spec, PictureSize size) const;
+  bool keeps_place_in_space() const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(PictureSize size) const;
   // Radii in pixels where things are closest to their cameras.
   struct Largest {
     double body = 0.0;
-    double cone = 0.0;  // of rims
-    double tube = 0.0;  // shafts of arrows, rods, arcs
-    double head = 0.0;  // of arrows
+    double cone = 0.0;        // of rims
+    double tube = 0.0;        // shafts of arrows, rods, arcs
+    double head = 0.0;        // of arrows
+    std::vector<Cone> cones;  // all that were seen
   };
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
@@ -120,14 +127,20 @@ class Composer {
   std::vector<Rig> rigs_;  // in the order in which they come
 };
 
+// How far drawn things are from the body's reference point.
+struct DrawnReach {
+  double body = 0.0;    // body_radius() (frame/body_look.h), m
+  double points = 0.0;  // the farthest of show.points and show.trail_points, m
+};
+
 // The attitude error, rad, that moves no drawn point by more than `pixels` (positive) in a picture
 // of that size. It needs no motion: an automatic camera keeps all points in the picture; for one
-// with camera.eye, points are taken to be within kReachOfVectors times body_radius (m) of the
-// target (points of the scene farther out are not considered). A target that is not given counts as
-// the origin. Throws Error (input), naming camera.eye, if the camera is at its target.
+// with camera.eye, points are taken to be as far from the target as those of the scene reach, and
+// vectors kReachOfVectors times as far as the body. A target that is not given counts as the
+// origin. Throws Error (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
-                          double body_radius,
+                          const DrawnReach& drawn,
                           PictureSize size);
 
 }  // namespace polhode

@@ -15,24 +15,46 @@ Mat3 turned_to(const Vec3& axis) {
 }
 
 DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {
-  // the unit shell has radius = height; a nearly flat cone keeps a sliver of height for its normals
+  // the unit shell has radius = height; a flat one keeps a sliver of height for its normals, too
+  // low to be seen, so that its axis can change sign
   const double across = cone.slant * std::sin(cone.half_angle);
-  const double along = std::max(cone.slant * std::cos(cone.half_angle), 1e-3 * cone.slant);
+  const double along = std::max(cone.slant * std::cos(cone.half_angle), 1e-5 * cone.slant);
   Placement place = Placement::Identity();
   place.translation() = cone.apex;
   place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
   return {meshes.shell, to_glm(place.matrix()), cone.material, faces};
 }
 
-DrawItem rim_item(const ConeMeshes& meshes, const Cone& cone) {
+// The tube of a rim relative to the rim's own radius comes in steps of a hundredth, so that rims
+// can be made once; what is left of a step is less than can be seen.
+constexpr double kRimStep = 0.01;
+
+double rim_tube(const Cone& cone) {
+  // a tube that is thicker than its ring would fill it
+  return std::min(cone.rim_radius, 0.9 * cone.slant * std::sin(cone.half_angle));
+}
+
+int rim_step(const Cone& cone) {
   const double across = cone.slant * std::sin(cone.half_angle);
+  return static_cast<int>(std::lround(std::log(rim_tube(cone) / across) / kRimStep));
+}
+
+MeshPtr rim_mesh(int step, int segments) {
+  return std::make_shared<const Mesh>(torus(1.0, std::exp(kRimStep * step), segments));
+}
+
+DrawItem rim_item(const ConeMeshes& meshes, const Cone& cone) {
+  const int step = rim_step(cone);
+  const auto ready = meshes.rims.find(step);
+  const MeshPtr mesh = ready != meshes.rims.end() ? ready->second : rim_mesh(step, meshes.segments);
+  const double across = cone.slant * std::sin(cone.half_angle);
+  const double along = rim_tube(cone) / std::exp(kRimStep * step);
   Placement place = Placement::Identity();
   place.translation() = cone.apex + cone.axis * cone.slant * std::cos(cone.half_angle);
-  place.linear() =
-      turned_to(cone.axis) * Vec3(across, across, cone.rim_radius / kRimTube).asDiagonal();
+  place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
   Material solid = cone.material;
   solid.alpha = 1.0f;
-  return {meshes.rim, to_glm(place.matrix()), solid, Faces::front};
+  return {mesh, to_glm(place.matrix()), solid, Faces::front};
 }
 
 // is `inner` inside `outer`, touching allowed?
@@ -46,6 +68,7 @@ bool farther(const Cone& a, const Cone& b, const Vec3& eye) {
   // the plane holds the apex, the direction between the nearest generators, and is square to the
   // plane of the axes
   const Vec3 normal_of_axes = a.axis.cross(b.axis);
+  if (normal_of_axes.norm() < 1e-9) return b.axis.dot(eye - a.apex) > 0.0;  // opposite
   const double apart = angle_between(a.axis, b.axis);
   const double gap = apart - a.half_angle - b.half_angle;
   const double from_a = a.half_angle + 0.5 * gap;
@@ -56,11 +79,17 @@ bool farther(const Cone& a, const Cone& b, const Vec3& eye) {
 
 }  // namespace
 
-ConeMeshes cone_meshes(int segments) {
+ConeMeshes cone_meshes(int segments, const std::vector<Cone>& expected) {
   // the rim hides where a shell ends; long thin triangles are dear
   const int of_shell = segments * 7 / 10;
-  return {std::make_shared<const Mesh>(unit_cone_shell(of_shell)),
-          std::make_shared<const Mesh>(torus(1.0, kRimTube, segments))};
+  ConeMeshes meshes{std::make_shared<const Mesh>(unit_cone_shell(of_shell)), segments, {}};
+  constexpr std::size_t kMostReady = 64;
+  for (const Cone& cone : expected) {
+    const int step = rim_step(cone);
+    if (meshes.rims.size() < kMostReady && meshes.rims.count(step) == 0)
+      meshes.rims[step] = rim_mesh(step, segments);
+  }
+  return meshes;
 }
 
 void add_cones(DrawList& list,

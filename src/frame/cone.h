@@ -2,6 +2,7 @@
 // Draws circular cones as translucent shells with a rim, in the order that blending needs.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "frame/draw_list.h"
@@ -14,21 +15,22 @@ namespace polhode {
 struct Cone {
   Vec3 apex = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit vector from the apex into the cone
-  double half_angle = 0.5;    // rad, in (0, pi/2)
+  double half_angle = 0.5;    // rad, in (0, pi/2]; a right angle is a flat disc
   double slant = 1.0;         // from the apex to the rim
-  double rim_radius = 0.005;  // of the tube drawn along the rim
+  double rim_radius = 0.005;  // of the tube drawn along the rim; a narrow cone has a thinner one
   Material material;          // of the shell; the rim has the same colour, opaque
 };
 
 // The unit meshes that all cones share.
 struct ConeMeshes {
-  MeshPtr shell;  // unit_cone_shell()
-  MeshPtr rim;    // torus of radius 1 and tube radius kRimTube, to be scaled
+  MeshPtr shell;     // unit_cone_shell()
+  int segments = 0;  // straight pieces that stand for a rim
+  std::map<int, MeshPtr>
+      rims;  // that are ready: tori of radius 1, by the step of their tube radius
 };
-// The tube radius of the unit rim.
-inline constexpr double kRimTube = 0.01;
-// segments: straight pieces that stand for the rim; shells get seven tenths as many.
-ConeMeshes cone_meshes(int segments);
+// segments: straight pieces that stand for the rim; shells get seven tenths as many. `expected`:
+// cones in any unit whose rims are made ready; add_cones() makes others when it needs them.
+ConeMeshes cone_meshes(int segments, const std::vector<Cone>& expected = {});
 
 // Adds rims to list.opaque and shells to list.translucent, back to front for this eye; eye and
 // cones are in drawing coordinates. The order is exact for cones with a common apex if each pair is

@@ -127,7 +127,25 @@ Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool 
   };
   for (std::size_t i = 0; i + 1 < n; ++i)
     quad(i, i + 1);
-  if (closed) quad(n - 1, 0);
+  if (closed) {
+    quad(n - 1, 0);
+    return mesh;
+  }
+  const auto close_end = [&](std::size_t ring, const Vec3& outwards, bool turned) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back({to_glm(points[ring]), to_glm(outwards)});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(sides); ++k) {
+      const Vertex& corner = mesh.vertices[ring * static_cast<std::size_t>(sides) + k];
+      mesh.vertices.push_back({glm::vec3(corner.position), to_glm(outwards)});
+    }
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(sides); ++k) {
+      const std::uint32_t here = first + 1 + k;
+      const std::uint32_t next = first + 1 + (k + 1) % static_cast<std::uint32_t>(sides);
+      mesh.indices.insert(mesh.indices.end(), {first, turned ? next : here, turned ? here : next});
+    }
+  };
+  close_end(0, -tangent(0), true);
+  close_end(n - 1, tangent(n - 1), false);
   return mesh;
 }
 

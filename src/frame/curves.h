@@ -24,8 +24,8 @@ struct Path {
 Path sampled(
     const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
 
-// A tube with open ends along at least two points (else it aborts); `closed` joins the last to the
-// first. Radius in the unit of the points; sides: corners of the cross-section.
+// A tube with flat ends along at least two points (else it aborts); `closed` joins the last to the
+// first instead. Radius in the unit of the points; sides: corners of the cross-section.
 Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed);
 
 // The path of a point in time, as meshes that are made once. To draw part of it, a film draws the

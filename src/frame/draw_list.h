@@ -26,9 +26,12 @@ struct Material {
   float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units, and the half x < 0
                                // is darker; 0: neither
   Finish finish = Finish::plain;
-  bool flat = false;  // unlit: the same colour and alpha from every direction
-  bool soft = false;  // for a flat disc: alpha falls to 0 at the rim
-  float fade = 1.0f;  // multiplies alpha; below 1 while the item appears or disappears
+  bool flat = false;    // unlit: the same colour and alpha from every direction
+  bool soft = false;    // for a flat disc: alpha falls to 0 at the rim
+  float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears
+  bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
+  float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen
+  float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1; 0: unbroken
 
   // Whether it belongs in DrawList::opaque.
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }
@@ -57,7 +60,7 @@ struct View {
 struct DrawList {
   View view;
   glm::vec3 background{0.0f};         // sRGB-encoded, 0..1
-  std::vector<DrawItem> opaque;       // any order
+  std::vector<DrawItem> opaque;       // any order; those that cover are drawn first
   std::vector<DrawItem> translucent;  // back to front, drawn after the opaque ones
 };
 

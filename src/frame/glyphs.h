@@ -51,6 +51,8 @@ struct LabelGlyph {
   std::string markup;  // see text/typesetter.h
   glm::vec3 color;     // sRGB-encoded, 0..1
   float fade = 1.0f;   // multiplies the opacity
+  // of the arrow's head, which ends at `at`; m; 0: there is none
+  double head_length = 0.0, head_radius = 0.0;
 };
 
 // A flat translucent mesh and the plane that it lies in.

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kRounds = 200;
 constexpr int kRoundsWithShafts = 40;
+constexpr int kRoundsWithHeads = 120;
 
 TextRoom room_at(const Vec2& center, double width, double height) {
   return {center.x() - 0.5 * width,
@@ -67,6 +68,16 @@ Vec2 way_off(const TextRoom& room, const TextShaft& shaft, double gap) {
   return (d < 0.0 ? -missing : missing) * n;
 }
 
+// The box around the head of an arrow; empty without a head.
+TextRoom room_of_head(const TextShaft& shaft) {
+  if (shaft.head_radius <= 0.0) return {};
+  const Vec2 along = (shaft.tip - shaft.neck).stableNormalized();
+  const Vec2 across = shaft.head_radius * Vec2(std::abs(along.y()), std::abs(along.x()));
+  const Vec2 low = shaft.tip.cwiseMin(shaft.neck - across);
+  const Vec2 high = shaft.tip.cwiseMax(shaft.neck + across);
+  return {low.x(), low.y(), high.x(), high.y()};
+}
+
 }  // namespace
 
 bool overlap(const TextRoom& a, const TextRoom& b) {
@@ -78,6 +89,14 @@ std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
                                    const std::vector<TextShaft>& shafts,
                                    const TextRoom& frame,
                                    double gap) {
+  std::vector<TextRoom> heads;
+  for (const TextShaft& shaft : shafts) {
+    // a name may stand closer to the head that it names
+    const TextRoom head = room_of_head(shaft);
+    const double inset = 0.5 * gap;
+    if (std::min(head.width(), head.height()) <= 2.0 * inset) continue;
+    heads.push_back({head.left + inset, head.top + inset, head.right - inset, head.bottom - inset});
+  }
   std::vector<TextRoom> rooms;
   for (const LabelWish& wish : wishes) {
     // as far along `away` that the room just leaves the point free
@@ -88,7 +107,7 @@ std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
   }
 
   // labels push each other apart, half the way each; what is taken does not give way, and in the
-  // last rounds it and the other labels are all that counts
+  // last rounds it and the other labels are all that counts: shafts first, then heads are given up
   for (int round = 0; round < kRounds; ++round) {
     bool moved = false;
     for (std::size_t i = 0; i < rooms.size(); ++i) {
@@ -104,6 +123,13 @@ std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
         if (way == Vec2::Zero()) continue;
         move(rooms[i], 0.51 * way);
         move(rooms[k], -0.51 * way);
+        moved = true;
+      }
+      for (const TextRoom& head : heads) {
+        if (round > kRoundsWithHeads) break;
+        const Vec2 way = way_out(rooms[i], head, gap);
+        if (way == Vec2::Zero()) continue;
+        move(rooms[i], way);
         moved = true;
       }
       for (const TextRoom& obstacle : taken) {

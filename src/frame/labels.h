@@ -17,9 +17,12 @@ struct TextRoom {
   Vec2 center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
 };
 
-// A drawn vector that labels should not cover; pixels, y down.
+// A drawn vector that labels should not cover; pixels, y down. Its head, a triangle from the tip to
+// the neck, may be covered even less.
 struct TextShaft {
   Vec2 from, tip;
+  Vec2 neck = Vec2::Zero();
+  double head_radius = 0.0;  // at the neck; 0: there is no head
 };
 
 // Whether the rectangles have a common area.
@@ -35,8 +38,9 @@ struct LabelWish {
 };
 
 // The rectangle of each wish, in the order of the wishes, inside `frame`. Rectangles keep at least
-// `gap` pixels from `taken` and from each other if there is enough space, and avoid `shafts` where
-// possible. A pure function: a picture does not depend on which one was drawn before it.
+// `gap` pixels from `taken` and from each other if there is enough space, and keep off the heads of
+// `shafts`, and off their shafts where possible. A pure function: a picture does not depend on
+// which one was drawn before it.
 std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
                                    const std::vector<TextRoom>& taken,
                                    const std::vector<TextShaft>& shafts,

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "motion/deviation.h"
 
 namespace polhode {
 namespace {
@@ -75,16 +76,7 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
 }
 
 std::vector<double> framing_times(const Motion& motion) {
-  // one at random in each of equal parts: equal distances, and multiples of an irrational number
-  // too, may meet a period always in the same phases
-  std::mt19937 random;  // its numbers are those of the standard, on every machine
-  std::vector<double> times = {0.0};
-  for (int i = 0; i < kFramingTimes; ++i) {
-    const double inside = static_cast<double>(random()) / 0x1p32;
-    times.push_back(motion.duration() * (i + inside) / kFramingTimes);
-  }
-  times.push_back(motion.duration());
-  return times;
+  return scattered_times(motion.duration(), kFramingTimes);
 }
 
 void make_look(Scenery& scenery, const BodySpec& body, int segments) {

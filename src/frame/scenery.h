@@ -26,9 +26,10 @@ struct Scale {
 // The curves of a film that the scene asks for, made once; those that it does not ask for, and
 // curves that are a single point, are empty or null.
 struct Paths {
-  Trail axis;                 // of the body's axis
-  std::vector<Trail> points;  // of the points in ShowSpec::trail_points
-  Trail herpolhode;           // of the tip of omega, in space
+  Trail axis;                      // of the body's axis
+  std::vector<Trail> points;       // of the points in ShowSpec::trail_points
+  Trail herpolhode;                // of the tip of omega, in space
+  double herpolhode_radius = 0.0;  // how far it goes from the line of L, m
   // The curves of omega on the inertia ellipsoid and of L on Binet's ellipsoid, in principal axes
   // from the reference point, in units of the body's radius.
   MeshPtr polhode, binet;
@@ -87,7 +88,7 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 
-// Times (s of motion) from 0 to the end, in ascending order and of no period, at which the film
+// Times (s of motion) from 0 to the end (scattered_times() in motion/deviation.h) at which the film
 // looks at the motion for scales, elements and shutter.
 std::vector<double> framing_times(const Motion& motion);
 

@@ -33,10 +33,11 @@ const std::vector<Theme>& themes() {
        .force = hex("#b9a3ff"),
        .velocity = hex("#e8705a"),
        .position = hex("#f2f4f8"),
-       .ellipsoid = hex("#9fb4c8"),
-       .plane = hex("#8aa0b8"),
-       .polhode = hex("#f0e442"),
-       .herpolhode = hex("#e8705a"),
+       .ellipsoid = hex("#94c886"),
+       .plane = hex("#b4487c"),
+       .polhode = hex("#fff04d"),
+       .polhodes = hex("#d9e6d4"),
+       .herpolhode = hex("#ff7a5c"),
        .trail = hex("#2fbf94"),
        .floor = hex("#262d39")},
       {.name = "light",
@@ -54,10 +55,11 @@ const std::vector<Theme>& themes() {
        .force = hex("#5b3fb0"),
        .velocity = hex("#b5402c"),
        .position = hex("#22262c"),
-       .ellipsoid = hex("#7f95ad"),
-       .plane = hex("#8f9aa6"),
-       .polhode = hex("#a07800"),
-       .herpolhode = hex("#b5402c"),
+       .ellipsoid = hex("#6fb488"),
+       .plane = hex("#7a2e58"),
+       .polhode = hex("#8a6800"),
+       .polhodes = hex("#3a5c48"),
+       .herpolhode = hex("#b5301c"),
        .trail = hex("#007a5a"),
        .floor = hex("#e2ddd2")},
       // for weak lamps and bright rooms: black on white, strong colours, no pale surface
@@ -76,10 +78,11 @@ const std::vector<Theme>& themes() {
        .force = hex("#4a2ca0"),
        .velocity = hex("#9e2a16"),
        .position = hex("#000000"),
-       .ellipsoid = hex("#4d6a88"),
-       .plane = hex("#5f6b78"),
+       .ellipsoid = hex("#58a68c"),
+       .plane = hex("#6e1f50"),
        .polhode = hex("#7a5c00"),
-       .herpolhode = hex("#9e2a16"),
+       .polhodes = hex("#1f4a3a"),
+       .herpolhode = hex("#9e1e0a"),
        .trail = hex("#006044"),
        .floor = hex("#d9d9d9")},
       // for paper: white ground, and greys that stay apart without colour
@@ -98,9 +101,10 @@ const std::vector<Theme>& themes() {
        .force = hex("#5a3fb0"),
        .velocity = hex("#a04030"),
        .position = hex("#101010"),
-       .ellipsoid = hex("#a8b4c0"),
-       .plane = hex("#b0b6bc"),
-       .polhode = hex("#6a5200"),
+       .ellipsoid = hex("#8fbfa0"),
+       .plane = hex("#7d4a66"),
+       .polhode = hex("#5c4700"),
+       .polhodes = hex("#3f5a48"),
        .herpolhode = hex("#802010"),
        .trail = hex("#00694c"),
        .floor = hex("#ececec")},
@@ -110,6 +114,10 @@ const std::vector<Theme>& themes() {
 
 std::vector<std::string> material_names() {
   return {"plain", "painted_wood", "brushed_metal", "ceramic"};
+}
+
+std::vector<std::string> hidden_names() {
+  return {"dashed", "faint", "none"};
 }
 
 Finish finish_named(const std::string& material) {

@@ -34,6 +34,7 @@ struct Theme {
   glm::vec3 ellipsoid;
   glm::vec3 plane;
   glm::vec3 polhode;
+  glm::vec3 polhodes;  // of other motions
   glm::vec3 herpolhode;
   glm::vec3 trail;
   glm::vec3 floor;

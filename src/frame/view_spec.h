@@ -21,13 +21,18 @@ struct CameraSpec {
   double fov = 30.0 * kPi / 180.0;  // vertical field of view, rad
   std::optional<Vec3> direction;    // from the scene towards an automatic camera, in S, of any
                                     // length; absent: kDefaultDirection, or L if it follows L
+  double zoom = 1.0;                // magnifies the picture about its middle
+  std::optional<double> margin;     // of an automatic camera: what stays free at each edge beside
+                                    // text, fraction of the picture's height; absent: FrameMargins
   double orbit = 0.0;               // about the Z direction of S through the target (absent: the
                                     // reference point at the start), rad per s of film
-  std::string follow = "none";      // one of follow_names(): what the camera moves with
+  std::string follow = "auto";      // one of follow_names(): what the camera moves with
 };
 
 // What a camera can move with: "none", it stands still; "center", it moves with the reference
-// point; "body", it also turns with the body; "momentum", it also turns with the direction of L.
+// point; "body", it also turns with the body; "momentum", it also turns with the direction of L;
+// "upright", it moves with the reference point and sees L vertical; "auto": Composer::follow_of()
+// chooses.
 std::vector<std::string> follow_names();
 
 // A shot: the camera used from some time on.
@@ -63,11 +68,14 @@ struct ShowSpec {
   bool clock = true;          // show the time of the motion, and the time scale if it is not 1
   std::string caption;        // a line at the bottom; empty: none
   double text_size = 1.0;     // scales all text
+  // Show step, drifts and error with small numbers in the panels of numerics.compare; absent: no.
+  std::optional<bool> details;
   // One panel for each: "space" is seen by the scene's camera, "body" by one that turns with the
   // body.
   std::vector<std::string> views = {"space"};
   std::vector<std::string> plots;  // names from recorded_names() (motion/recorded.h)
   std::string material = "plain";  // one of material_names()
+  std::string hidden = "dashed";   // one of hidden_names(): vectors and axes behind bodies
   std::vector<Vec3> trail_points;  // points whose paths are drawn, in B, m
   std::optional<double> trail_s;   // s of motion that paths cover; absent: from the start
   int ghost_count = 5;             // how many earlier positions of the body are drawn
@@ -93,6 +101,10 @@ struct ThemeSpec {
   std::optional<std::string> background;  // "#rrggbb"; absent: that of the theme
 };
 
+// How the parts of vectors and axes are drawn that bodies hide: "dashed" or "faint", as if seen
+// through the body, or "none".
+std::vector<std::string> hidden_names();
+
 // The names of the themes and of the finishes of surfaces (frame/theme.h).
 std::vector<std::string> theme_names();
 std::vector<std::string> material_names();
@@ -100,6 +112,7 @@ std::vector<std::string> material_names();
 template <class Visitor>
 void fields(Visitor& v, CameraSpec& s) {
   v.at_most_one_of({"eye", "direction"});
+  v.at_most_one_of({"eye", "margin"});
   v.field(
       "eye",
       s.eye,
@@ -112,6 +125,17 @@ void fields(Visitor& v, CameraSpec& s) {
   v.field("direction",
           s.direction,
           Doc{"direction from the scene towards an automatic camera; absent: [0.82, 0.46, 0.34]"});
+  v.field("zoom",
+          s.zoom,
+          Doc{"factor by which the picture is magnified about its middle",
+              Unit::none,
+              Range{0.1, 20.0}});
+  v.field("margin",
+          s.margin,
+          Doc{"part of the picture's height that an automatic camera leaves free at each edge, "
+              "beside what text needs; absent: 0.045 of width and height",
+              Unit::none,
+              Range{0.0, 0.4}});
   v.field("orbit",
           s.orbit,
           Doc{"angular velocity of the camera about the vertical through its target, per second of "
@@ -160,6 +184,12 @@ void fields(Visitor& v, ShowSpec& s) {
   v.field("material",
           s.material,
           Doc{"finish of the body's surface", Unit::none, kAny, material_names()});
+  v.field("hidden",
+          s.hidden,
+          Doc{"how the parts of vectors and axes are drawn that bodies hide",
+              Unit::none,
+              kAny,
+              hidden_names()});
   v.field("trail_points",
           s.trail_points,
           Doc{"points of the body whose paths are drawn", Unit::length});
@@ -193,6 +223,9 @@ void fields(Visitor& v, ShowSpec& s) {
   v.field("clock",
           s.clock,
           Doc{"show the time of the motion, and how much slower or faster the film runs"});
+  v.field("details",
+          s.details,
+          Doc{"show step, drifts and small errors in the panels of compared methods"});
   v.field("caption", s.caption, Doc{"a caption at the bottom; empty: none"});
   v.field("text_size",
           s.text_size,

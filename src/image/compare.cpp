@@ -149,6 +149,8 @@ bool is_opaque(const Image& image) {
 
 Image laid_on(const Image& image, std::uint8_t grey) {
   Image out = premultiplied(image);
+  out.ground.reset();
+  out.painted.clear();
   for (std::size_t i = 0; i < out.pixels.size(); i += 4) {
     const int under = (grey * (255 - out.pixels[i + 3]) + 127) / 255;
     for (std::size_t c = i; c < i + 3; ++c)

@@ -47,8 +47,8 @@ Image cut_out(const Image& image, const PixelBox& region);
 // Whether every pixel has alpha 255.
 bool is_opaque(const Image& image);
 
-// The picture composited over an opaque background of that grey level (0..255), on encoded values;
-// `ground` and `painted` are copied unchanged.
+// The picture composited over an opaque background of that grey level (0..255), on encoded values,
+// without `ground`.
 Image laid_on(const Image& image, std::uint8_t grey);
 
 }  // namespace polhode

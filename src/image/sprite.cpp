@@ -51,7 +51,11 @@ void lay_over(Image& picture, const Stamp& stamp) {
         sprite.pixels.data() + 4 * (static_cast<std::size_t>(y) * sprite.width + left);
     std::uint8_t* pixel = picture.at(stamp.x + left, stamp.y + y);
     for (int x = left; x < right; ++x, source += 4, pixel += 4) {
-      if (source[3] != 0) over(source, opacity, pixel);
+      if (source[3] == 255 && opacity == 255) {
+        std::copy_n(source, 4, pixel);  // most of a letter and its rim
+      } else if (source[3] != 0) {
+        over(source, opacity, pixel);
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 #include "lecture/data.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/hash.h"
@@ -41,7 +42,8 @@ class DataFolder {
     if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_array())
       return;
     for (const Json& file : manifest["files"]) {
-      const std::string name = file.is_object() ? file.value("name", "") : "";
+      if (!file.is_object() || !file.contains("name") || !file["name"].is_string()) continue;
+      const std::string name = file["name"];
       const fs::path path = name;
       const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
                         std::find(path.begin(), path.end(), "..") == path.end();
@@ -57,12 +59,73 @@ class DataFolder {
   std::set<std::string> names_;
 };
 
-// where a file of the deck goes in source/: where it stood, or by its name if that was elsewhere
-std::string place_of(const std::string& name) {
-  const fs::path path = fs::path(name).lexically_normal();
-  const bool elsewhere = path.is_absolute() || path.begin() == path.end() || *path.begin() == "..";
-  return "source/" + (elsewhere ? path.filename() : path).string();
-}
+// A file of the deck: its name there, and where it is.
+struct Source {
+  std::string name;
+  fs::path file;
+};
+
+// Where files of a deck go in source/: where they stood. Those from elsewhere go by their names; if
+// such a name is taken, all files of its folder go into a folder of their own, so that a scene
+// still has its meshes beside it.
+class Places {
+ public:
+  explicit Places(const std::vector<Source>& sources) {
+    std::vector<std::pair<fs::path, std::set<fs::path>>> elsewhere;  // folders with their files
+    for (const Source& source : sources) {
+      if (!is_elsewhere(source.name)) {
+        take(normal(source.name));
+        continue;
+      }
+      const fs::path folder = folder_of(source);
+      auto found = std::find_if(
+          elsewhere.begin(), elsewhere.end(), [&](const auto& one) { return one.first == folder; });
+      if (found == elsewhere.end()) found = elsewhere.insert(found, {folder, {}});
+      found->second.insert(source.file.filename());
+    }
+    for (const auto& [folder, files] : elsewhere) {
+      std::string place, name = folder.has_filename() ? folder.filename().string() : "root";
+      for (; !is_free(place, files); name += "_")
+        place = name;
+      for (const fs::path& file : files)
+        take(fs::path(place) / file);
+      folders_[folder] = place;
+    }
+  }
+
+  // `source` is one of those that this object was made for
+  std::string of(const Source& source) const {
+    const bool elsewhere = is_elsewhere(source.name);
+    const fs::path place =
+        elsewhere ? folders_.at(folder_of(source)) / source.file.filename() : normal(source.name);
+    return "source/" + place.string();
+  }
+
+ private:
+  static fs::path normal(const std::string& name) { return fs::path(name).lexically_normal(); }
+  static bool is_elsewhere(const std::string& name) {
+    const fs::path path = normal(name);
+    return path.is_absolute() || path.begin() == path.end() || *path.begin() == "..";
+  }
+  static fs::path folder_of(const Source& source) {
+    std::error_code ignored;  // the file was found: so is its folder
+    return fs::weakly_canonical(fs::absolute(source.file, ignored).parent_path(), ignored);
+  }
+  void take(const fs::path& file) {
+    taken_files_.insert(file);
+    for (fs::path folder = file.parent_path(); !folder.empty(); folder = folder.parent_path())
+      taken_folders_.insert(folder);
+  }
+  bool is_free(const fs::path& folder, const std::set<fs::path>& files) const {
+    if (taken_files_.contains(folder)) return false;
+    return std::none_of(files.begin(), files.end(), [&](const fs::path& file) {
+      return taken_files_.contains(folder / file) || taken_folders_.contains(folder / file);
+    });
+  }
+
+  std::set<fs::path> taken_files_, taken_folders_;  // in source/
+  std::map<fs::path, fs::path> folders_;            // elsewhere to source/
+};
 
 Json licences(const LectureData& data) {
   Json list = Json::array();
@@ -89,21 +152,29 @@ void write_data(const LectureData& data, const fs::path& folder) {
   DataFolder out(folder / "data");
   const DeckRoot& root = data.deck->root;
   const std::string deck_name = fs::path(data.deck->file).filename().string();
-  out.add("source/" + deck_name, data.deck_text);
+  std::vector<Source> sources = {{deck_name, data.deck->file}};
   for (const std::string& image : data.deck->images)
-    out.add(place_of(image), read_file(trusted_file(root, root.folder, image)));
+    sources.push_back({image, trusted_file(root, root.folder, image)});
+  for (const LectureData::SceneData& one : data.scenes) {
+    const DeckScene& scene = *one.scene;
+    sources.push_back({scene.name, scene.file});
+    for (const std::string& mesh : mesh_files(scene.file)) {
+      sources.push_back({(fs::path(scene.name).parent_path() / mesh).string(),
+                         trusted_file(root, scene.file.parent_path(), mesh)});
+    }
+  }
+  const Places places(sources);
+  out.add("source/" + deck_name, data.deck_text);
+  for (auto source = sources.begin() + 1; source != sources.end(); ++source)
+    out.add(places.of(*source), read_file(source->file));
 
   Json scenes = Json::array();
   std::set<std::string> taken;
   for (const LectureData::SceneData& one : data.scenes) {
     const DeckScene& scene = *one.scene;
-    out.add(place_of(scene.name), read_file(scene.file));
-    for (const std::string& mesh : mesh_files(scene.file)) {
-      const std::string beside = (fs::path(scene.name).parent_path() / mesh).string();
-      out.add(place_of(beside), read_file(trusted_file(root, scene.file.parent_path(), mesh)));
-    }
-    Json row = {
-        {"scene", place_of(scene.name)}, {"title", scene.scene.title}, {"scene_hash", scene.hash}};
+    Json row = {{"scene", places.of({scene.name, scene.file})},
+                {"title", scene.scene.title},
+                {"scene_hash", scene.hash}};
     if (!one.csv.empty()) {
       std::string name = scene.file.stem().string();
       while (!taken.insert(name).second)

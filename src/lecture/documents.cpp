@@ -171,10 +171,16 @@ Json without_meta(const Deck& deck, const Json& blocks) {
   return plain.tree(blocks);
 }
 
+// never empty: of a deck without words pandoc writes an empty line
+std::string whole_document(const Json& tree, const std::vector<std::string>& words) {
+  std::string text = write_document(tree, words).text;
+  if (text.empty()) throw environment_error("a document cannot be made: pandoc wrote nothing");
+  return text;
+}
+
 std::string sections_html(const Json& tree) {
-  return write_document(tree,
-                        {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"})
-      .text;
+  return whole_document(
+      tree, {"-t", "html5", "--mathml", "--section-divs", "--shift-heading-level-by=1"});
 }
 
 }  // namespace
@@ -231,8 +237,7 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of) {
 
 std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal) {
   const Json tree = without_meta(deck, filled(deck, figure_of, slide_blocks));
-  const std::string body =
-      write_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"}).text;
+  const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
   return slides_page(words_of(deck), with_brackets(body), reveal);
 }
 
@@ -245,8 +250,7 @@ std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
   slides.blocks = as_slides(deck, false);
   const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
-  return write_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"})
-      .text;
+  return whole_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"});
 }
 
 std::string make_pptx(const Deck& deck,
@@ -262,7 +266,13 @@ std::string make_pptx(const Deck& deck,
       tree,
       {"-t", "pptx", "--slide-level=2", "--resource-path=" + folder.string(), "-o", file},
       false);
-  return read_file(file);
+  std::error_code missing;
+  std::string bytes = std::filesystem::exists(file, missing) ? read_file(file) : "";
+  // a ZIP archive
+  if (!bytes.starts_with("PK")) {
+    throw environment_error("slides.pptx cannot be made: pandoc wrote no such document");
+  }
+  return bytes;
 }
 
 }  // namespace polhode

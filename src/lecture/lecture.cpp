@@ -10,6 +10,7 @@
 
 #include "base/hash.h"
 #include "base/name_list.h"
+#include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
@@ -233,13 +234,16 @@ void copy_images(LectureWork& work, const fs::path& folder) {
 
 std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
-                    const std::string& printer) {
+                    const Printer& printer) {
   if (output == "slides" && !reveal) {
     return "reveal.js is missing; install it (docs/install.md), or run tools/install-dependencies "
            "--for lecture";
   }
-  if (output == "handout" && printer.empty()) {
-    return "chromium is missing; install it, or run tools/install-dependencies --for lecture";
+  if (output == "handout" && printer.program.empty()) {
+    return printer.found.why_not +
+           (printer.found.installed
+                ? ""
+                : "; install it, or run tools/install-dependencies --for lecture");
   }
   return "";
 }
@@ -254,7 +258,7 @@ std::set<std::string> parse_outputs(const std::string& to) {
 // Outputs that this machine can make; what was asked for by name must be possible.
 std::vector<std::string> settle_outputs(const std::string& to,
                                         const std::optional<Reveal>& reveal,
-                                        const std::string& printer,
+                                        const Printer& printer,
                                         std::string& summary) {
   const std::set<std::string> wanted = parse_outputs(to);
   const bool all = wanted.empty();
@@ -277,7 +281,7 @@ std::string make_document(const std::string& output,
                           const LectureWork& work,
                           const fs::path& folder,
                           const std::optional<Reveal>& reveal,
-                          const std::string& printer) {
+                          const Printer& printer) {
   const FigureOf figures = [&](const DeckPicture& picture) {
     return figure_of(work, picture);
   };
@@ -293,7 +297,7 @@ std::string make_document(const std::string& output,
     fs::remove(page, ignored);
   };
   try {
-    std::string pdf = print_page(printer, page);
+    std::string pdf = print_page(printer.program, page);
     remove();
     return pdf;
   } catch (...) {
@@ -339,12 +343,18 @@ const std::vector<LectureOutput>& lecture_outputs() {
 }
 
 LectureResult lecture(const LectureJob& job) {
+  if (fs::path(job.deck).extension() == ".toml") {
+    throw input_error(
+        "is a scene, not a deck; name a Markdown file whose pictures name scenes, or use "
+        "`polhode render`")
+        .at({job.deck, 0, {}});
+  }
   require_pandoc();
   const auto may_want = [&](const char* name) {
     return job.to.empty() || job.to.find(name) != std::string::npos;
   };
   const std::optional<Reveal> reveal = may_want("slides") ? find_reveal() : std::nullopt;
-  const std::string printer = may_want("handout") ? find_printer() : "";
+  const Printer printer = may_want("handout") ? find_printer() : Printer{};
   LectureResult result;
   const std::vector<std::string> outputs = settle_outputs(job.to, reveal, printer, result.summary);
   const auto wants = [&](const char* name) {
@@ -386,8 +396,8 @@ LectureResult lecture(const LectureJob& job) {
   documents.commit(contents);
   media.forget_the_rest();
   for (const std::string& file : files)
-    result.summary += (folder / file).string() + "\n";
-  if (wants("data")) result.summary += (folder / "data/manifest.json").string() + "\n";
+    result.summary += one_line((folder / file).string()) + "\n";
+  if (wants("data")) result.summary += one_line((folder / "data/manifest.json").string()) + "\n";
   result.summary += fmt::format("{} pictures, {} made now\n", work.tasks.size(), media.made());
   result.problems = std::move(work.deck.problems);
   return result;
@@ -395,19 +405,22 @@ LectureResult lecture(const LectureJob& job) {
 
 std::vector<ExternalNeed> lecture_needs() {
   // in the sources one command brings all of it
-  const auto missing = [](const char* what) {
-    return fmt::format("missing: install {}, or run tools/install-dependencies --for lecture",
-                       what);
+  const auto install = [](const char* what) {
+    return fmt::format("install {}, or run tools/install-dependencies --for lecture", what);
   };
-  const std::string pandoc = pandoc_version(), printer = find_printer();
+  const Printer printer = find_printer();
   const std::optional<Reveal> reveal = find_reveal();
-  return {{"lectures", pandoc.empty() ? missing("pandoc") : "ok, " + pandoc},
+  return {{"lectures", state_of_program(find_pandoc(), install("pandoc"))},
           {"slides of lectures",
-           reveal ? "ok, reveal.js " + reveal->version : missing("reveal.js (docs/install.md)")},
-          {"handouts of lectures", printer.empty() ? missing("chromium") : "ok, " + printer},
+           reveal ? "ok, reveal.js " + reveal->version
+                  : "missing: " + install("reveal.js (docs/install.md)")},
+          {"handouts of lectures",
+           printer.program.empty() ? state_of_program(printer.found, install("chromium"))
+                                   : "ok, " + printer.program},
           {"font of formulas",
-           formula_font_css().empty() ? missing("fonts-lmodern") + "; browsers take their own font"
-                                      : "ok, Latin Modern Math"}};
+           formula_font_css().empty()
+               ? "missing: " + install("fonts-lmodern") + "; browsers take their own font"
+               : "ok, Latin Modern Math"}};
 }
 
 }  // namespace polhode

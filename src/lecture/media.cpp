@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/version.h"
 #include "film/report/motion_report.h"
 
@@ -14,6 +15,12 @@ namespace polhode {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// the text of that key; "" if it is not there
+std::string text_at(const Json& json, const char* key) {
+  const bool there = json.is_object() && json.contains(key) && json[key].is_string();
+  return there ? json[key].get<std::string>() : "";
+}
 
 constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a deck
 
@@ -28,6 +35,7 @@ Media::Media(std::filesystem::path folder) : folder_(std::move(folder)) {
         .at({{}, 0, "--output"});
   }
   work_ = name;
+  unfinished_.emplace(work_);
 }
 
 Media::~Media() {
@@ -70,21 +78,12 @@ Json Media::obtain(const Product& product) {
   std::filesystem::create_directories(work, missing);
   Json facts = product.make(work, stem);
   facts["files"] = Json::array();
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(work))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : entries_of(work, Fault::environment)) {
     const std::string bytes = read_file(file);
     facts["files"].push_back({{"name", file.filename().string()},
                               {"bytes", bytes.size()},
                               {"hash", content_hash(bytes)}});
-    std::error_code failed;
-    std::filesystem::rename(file, folder_ / file.filename(), failed);
-    if (failed) {
-      throw environment_error(
-          "cannot write '{}': {}", (folder_ / file.filename()).string(), failed.message());
-    }
+    move_file(file, folder_ / file.filename());
   }
   write_file(card, facts.dump(1) + "\n");
   const std::lock_guard guard(lock_);
@@ -94,15 +93,15 @@ Json Media::obtain(const Product& product) {
 
 void Media::forget_the_rest() {
   std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_, failed)) {
+  for (const std::filesystem::path& card : entries_of(folder_, Fault::environment)) {
     // only what a card of ours lists
-    const std::filesystem::path& card = entry.path();
     if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
+    if (!std::filesystem::is_regular_file(card, failed)) continue;
     const Json facts = Json::parse(read_file(card), nullptr, false);
     if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) continue;
     const std::string stem = card.stem().string();
     for (const Json& file : facts["files"]) {
-      const std::string name = file.is_object() ? file.value("name", "") : "";
+      const std::string name = text_at(file, "name");
       if (name.starts_with(stem) && name.find('/') == std::string::npos)
         std::filesystem::remove(folder_ / name, failed);
     }

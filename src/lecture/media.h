@@ -6,10 +6,13 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
 #include <nlohmann/json.hpp>
+
+#include "base/system/unfinished.h"
 
 namespace polhode {
 
@@ -54,6 +57,7 @@ class Media {
 
   std::filesystem::path folder_;
   std::filesystem::path work_;  // for incomplete products
+  std::optional<Unfinished> unfinished_;
   std::mutex lock_;
   std::set<std::string> used_;  // stems
   int made_ = 0;

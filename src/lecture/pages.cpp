@@ -7,7 +7,6 @@
 #include "base/base64.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
-#include "base/system/child_process.h"
 #include "base/system/scratch_folder.h"
 #include "base/version.h"
 #include "html/escape.h"
@@ -115,8 +114,9 @@ std::optional<Reveal> find_reveal() {
                                          : "{}",
                                      nullptr,
                                      false);
-    reveal.version =
-        package.is_object() ? package.value("version", "of unknown version") : "of unknown version";
+    const bool told =
+        package.is_object() && package.contains("version") && package["version"].is_string();
+    reveal.version = told ? package["version"].get<std::string>() : "of unknown version";
     // the end of a script is not the end of the page's script
     for (std::size_t at = reveal.js.find("</script"); at != std::string::npos;
          at = reveal.js.find("</script", at))
@@ -128,10 +128,10 @@ std::optional<Reveal> find_reveal() {
 
 std::string formula_font_css() {
   try {
-    const ChildResult ran =
-        run_child({"fc-match", "-f", "%{family}\n%{file}", "Latin Modern Math"}, "");
+    const ChildResult ran = run_child(
+        {"fc-match", "-f", "%{family}\n%{file}", "Latin Modern Math"}, "", {.seconds = 10.0});
     const std::size_t end = ran.out.find('\n');
-    if (ran.status != 0 || end == std::string::npos || ran.out.find("Latin Modern Math") > end)
+    if (!ended_well(ran) || end == std::string::npos || ran.out.find("Latin Modern Math") > end)
       return "";
     const std::string font = read_file(ran.out.substr(end + 1));
     return "@font-face { font-family: \"Latin Modern Math\"; src: url(data:font/otf;base64," +
@@ -179,26 +179,29 @@ std::string handout_page(const DeckWords& words, const std::string& body) {
          inside + "</body>\n</html>\n";
 }
 
-std::string find_printer() {
-  const std::string own = environment("POLHODE_CHROMIUM");
-  for (const std::string& name : {own,
+Printer find_printer() {
+  ProgramFound why{"", "chromium is not installed", false};
+  for (const std::string& name : {environment("POLHODE_CHROMIUM"),
                                   std::string("chromium"),
                                   std::string("chromium-browser"),
                                   std::string("google-chrome")}) {
     if (name.empty()) continue;
-    try {
-      if (run_child({name, "--version"}, "").status == 0) return name;
-    } catch (const Error& error) {
-      if (error.fault() == Fault::interrupted) throw;
-    }
+    ProgramFound found = find_program(name);
+    if (found.why_not.empty()) return {name, std::move(found)};
+    if (found.installed && !why.installed) why = std::move(found);
   }
-  return "";
+  return {"", why};
 }
 
 std::string print_page(const std::string& printer, const fs::path& html) {
   const ScratchFolder scratch;
   const std::string pdf = scratch / "page.pdf";
-  std::vector<std::string> command = {printer,
+  // what it leaves in the folder for temporary files when it is killed goes with ours
+  const std::string temporary = scratch / "tmp";
+  fs::create_directory(temporary);
+  std::vector<std::string> command = {"env",
+                                      "TMPDIR=" + temporary,
+                                      printer,
                                       "--headless",
                                       "--disable-gpu",
                                       "--no-pdf-header-footer",
@@ -211,12 +214,15 @@ std::string print_page(const std::string& printer, const fs::path& html) {
   if (geteuid() == 0) command.emplace_back("--no-sandbox");
   command.push_back("file://" + percent_encoded(fs::absolute(html).string()));
   const ChildResult ran = run_child(command, "");
-  std::error_code missing;
-  if (ran.status != 0 || !fs::exists(pdf, missing)) {
-    throw environment_error(
-        "{} could not print the handout: {}", printer, ran.err.substr(0, ran.err.find('\n')));
+  if (!ended_well(ran)) {
+    throw environment_error("the handout cannot be printed: {} {}", printer, how_it_ended(ran));
   }
-  return read_file(pdf);
+  std::error_code missing;
+  std::string bytes = fs::exists(pdf, missing) ? read_file(pdf) : "";
+  if (!bytes.starts_with("%PDF-")) {
+    throw environment_error("the handout cannot be printed: {} wrote no PDF", printer);
+  }
+  return bytes;
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/system/child_process.h"
 #include "lecture/deck.h"
 
 namespace polhode {
@@ -42,11 +43,16 @@ std::string lecture_page(const DeckWords& words,
 std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal);
 std::string handout_page(const DeckWords& words, const std::string& body);
 
-// The program that prints the handout: the one named by POLHODE_CHROMIUM, else chromium,
-// chromium-browser or google-chrome; empty if none of them runs. Throws Error (interrupted).
-std::string find_printer();
+// The program that prints the handout.
+struct Printer {
+  std::string program;  // its name or path; empty if none runs
+  ProgramFound found;   // its version, or why none runs
+};
+// The one named by POLHODE_CHROMIUM, else chromium, chromium-browser or google-chrome, if it runs.
+// Throws Error (interrupted).
+Printer find_printer();
 // Prints an HTML file with that program and returns the bytes of the PDF. Throws Error
-// (environment) if that fails or the temporary folder cannot be made, (interrupted).
+// (environment) if that fails, gives no PDF or the temporary folder cannot be made, (interrupted).
 std::string print_page(const std::string& printer, const std::filesystem::path& html);
 
 }  // namespace polhode

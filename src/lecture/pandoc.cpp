@@ -2,10 +2,11 @@
 #include "lecture/pandoc.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
-#include "base/system/child_process.h"
 
 namespace polhode {
 namespace {
@@ -16,6 +17,9 @@ using Tree = nlohmann::ordered_json;  // of pandoc
 constexpr const char* kMarkdown =
     "markdown-raw_html-raw_tex-raw_attribute-latex_macros-smart-citations-implicit_figures"
     "-markdown_in_html_blocks-native_divs-native_spans";
+
+// many times what a lecture of a hundred pages takes
+constexpr double kMostSeconds = 30.0;
 
 // pandoc tells formulas that it cannot read as "Could not convert TeX math FORMULA, rendering as
 // TeX", over several lines if need be
@@ -116,30 +120,40 @@ bool is_tree(const Tree& value) {
   return !value.is_structured() || std::all_of(value.begin(), value.end(), is_tree);
 }
 
+// Every level of a list, a quotation or emphasis is some levels of the tree. What walks over the
+// tree is recursive; this is not.
+void refuse_deep(const Tree& tree) {
+  constexpr int kDeepest = 400;
+  std::vector<std::pair<const Tree*, int>> open = {{&tree, 1}};
+  while (!open.empty()) {
+    const auto [node, depth] = open.back();
+    open.pop_back();
+    if (!node->is_structured()) continue;
+    if (depth > kDeepest)
+      throw input_error("the deck is nested deeper than {} levels of pandoc's tree", kDeepest);
+    for (const Tree& child : *node)
+      open.emplace_back(&child, depth + 1);
+  }
+}
+
 }  // namespace
 
-std::string pandoc_version() {
-  try {
-    const ChildResult ran = run_child({"pandoc", "--version"}, "");
-    return ran.status == 0 ? ran.out.substr(0, ran.out.find('\n')) : "";
-  } catch (const Error& error) {
-    if (error.fault() == Fault::interrupted) throw;
-    return "";
-  }
+ProgramFound find_pandoc() {
+  return find_program("pandoc");
 }
 
 void require_pandoc() {
-  if (pandoc_version().empty()) {
-    throw environment_error(
-        "pandoc, which reads decks, is not installed; install it (tools/install-dependencies --for "
-        "lecture)");
-  }
+  const ProgramFound found = find_pandoc();
+  if (found.why_not.empty()) return;
+  throw environment_error(
+      "the deck cannot be read: {}{}",
+      found.why_not,
+      found.installed ? "" : "; install it (tools/install-dependencies --for lecture)");
 }
 
 nlohmann::ordered_json read_markdown(const std::string& text) {
-  // many times what a lecture of a hundred pages takes; aliases of YAML and brackets that nobody
-  // closes can take all there is
-  constexpr ChildLimits kLimits{.seconds = 30.0, .memory = 1U << 30U, .output = 64U << 20U};
+  // aliases of YAML and brackets that nobody closes can take all memory there is
+  constexpr ChildLimits kLimits{.seconds = kMostSeconds, .memory = 1U << 30U, .output = 64U << 20U};
   const ChildResult ran =
       run_child({"pandoc", "--sandbox", "-f", kMarkdown, "-t", "json"}, text, kLimits);
   // what the run-time system of pandoc says when it gets no more memory
@@ -150,26 +164,25 @@ nlohmann::ordered_json read_markdown(const std::string& text) {
         no_memory ? "needs more than 1 GiB of memory" : ran.exceeded);
   }
   if (ran.status == 0) return parse_tree(ran.out);
-  const std::string words = ran.err.substr(0, ran.err.find('\n'));
-  throw input_error("pandoc cannot read this deck: {}", words.empty() ? "no reason given" : words);
+  // parse errors, also of YAML, and loops of macros
+  constexpr int kOfTheText[] = {64, 65, 91};
+  const bool of_the_text =
+      std::find(std::begin(kOfTheText), std::end(kOfTheText), ran.status) != std::end(kOfTheText);
+  throw Error(of_the_text ? Fault::input : Fault::environment,
+              "this deck cannot be read: pandoc " + how_it_ended(ran));
 }
 
-// Every level of a list, a quotation or emphasis is some levels of the tree. What walks over the
-// tree is recursive.
 nlohmann::ordered_json parse_tree(const std::string& json) {
-  static constexpr int kDeepest = 400;
-  const auto look = [](int depth, Tree::parse_event_t, Tree&) {
-    if (depth > kDeepest)
-      throw input_error("the deck is nested deeper than {} levels of pandoc's tree", kDeepest);
-    return true;
-  };
-  Tree tree = Tree::parse(json, look, false);
+  // A callback of the parser could stop earlier, but takes a time that grows as the square of the
+  // length of a paragraph.
+  Tree tree = Tree::parse(json, nullptr, false);
+  refuse_deep(tree);
   const bool whole = tree.is_object() && tree.contains("pandoc-api-version") &&
                      tree.contains("meta") && tree["meta"].is_object() &&
                      std::all_of(tree["meta"].begin(), tree["meta"].end(), is_node) &&
                      tree.contains("blocks") && tree["blocks"].is_array();
   if (!whole || !is_tree(tree["meta"]) || !is_tree(tree["blocks"])) {
-    throw input_error(
+    throw environment_error(
         "pandoc gave a syntax tree of an unknown kind; does `pandoc --version` say 2.17 or later?");
   }
   return tree;
@@ -181,11 +194,9 @@ Written write_document(const nlohmann::ordered_json& tree,
   std::vector<std::string> command = {"pandoc", "-f", "json"};
   if (sandbox) command.emplace_back("--sandbox");
   command.insert(command.end(), words.begin(), words.end());
-  ChildResult ran = run_child(command, tree.dump());
-  if (ran.status != 0) {
-    throw environment_error(
-        "pandoc failed: {}",
-        ran.exceeded.empty() ? ran.err.substr(0, ran.err.find('\n')) : "it " + ran.exceeded);
+  ChildResult ran = run_child(command, tree.dump(), {.seconds = kMostSeconds});
+  if (!ended_well(ran)) {
+    throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
   }
   return {std::move(ran.out), formulas_in(ran.err)};
 }

@@ -10,22 +10,24 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/system/child_process.h"
+
 namespace polhode {
 
-// The version of pandoc, such as "pandoc 2.17.1.1"; empty if it is not installed.
-std::string pandoc_version();
+// The pandoc of this machine, with a version such as "pandoc 2.17.1.1".
+ProgramFound find_pandoc();
 
-// Throws Error (environment), with what to install, if pandoc is missing.
+// Throws Error (environment), with the reason and what to install, if pandoc does not run.
 void require_pandoc();
 
 // The syntax tree of a text in pandoc's Markdown (without raw HTML, raw TeX, macros, smart quotes
 // and citations), as pandoc's JSON: "pandoc-api-version", "meta", "blocks". Throws Error (input),
-// without a place, if pandoc cannot read it; (environment) if pandoc is missing.
+// without a place, if pandoc cannot read it; (environment) if pandoc is missing or fails otherwise.
 nlohmann::ordered_json read_markdown(const std::string& text);
 
-// Such a tree from the text of its JSON. Throws Error (input), without a place, if it is not JSON,
-// is nested too deeply, or lacks what the nodes that decks are made of have in pandoc's syntax
-// tree. Nodes of unknown types may contain anything.
+// Such a tree from the text of its JSON. Throws Error without a place: (input) if it is nested too
+// deeply, (environment) if it is not JSON or lacks what the nodes that decks are made of have in
+// pandoc's syntax tree. Nodes of unknown types may contain anything.
 nlohmann::ordered_json parse_tree(const std::string& json);
 
 // A document written by pandoc.

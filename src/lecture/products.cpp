@@ -11,6 +11,7 @@
 #include "app/commands/stability.h"
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
 
@@ -155,7 +156,7 @@ Json make_film_files(const DeckPicture& picture,
   job.report = report_file.string();
   render_film(job);
   const Json report = Json::parse(read_file(report_file));
-  fs::remove(report_file);
+  remove_file(report_file);
 
   const double fps = load_with_overrides(scene.file, overrides).video.fps.value();
   const double length = double(report["frames"]) / fps;
@@ -169,7 +170,7 @@ Json make_film_files(const DeckPicture& picture,
   for (const Pause& pause : stops.pauses)
     facts["pauses"].push_back({pause.begins, pause.ends});
   const fs::path captions = folder / (stem + ".vtt");
-  facts["vtt"] = fs::exists(captions) ? read_file(captions) : "";
+  facts["vtt"] = is_there(captions) ? read_file(captions) : "";
 
   // the poster, and what the handout shows
   const double from = report["from_s"], to = report["to_s"];
@@ -206,14 +207,14 @@ Json take_pictures(const fs::path& made,
                    const std::string& name) {
   Json facts;
   for (const char* ending : {"svg", "png"}) {
-    fs::rename(made / fmt::format("{}.{}", name, ending),
-               folder / fmt::format("{}.{}", stem, ending));
+    move_file(made / fmt::format("{}.{}", name, ending),
+              folder / fmt::format("{}.{}", stem, ending));
     facts[ending] = fmt::format("{}.{}", stem, ending);
   }
   const std::string csv = name.substr(0, name.find('_')) + ".csv";
-  fs::rename(made / csv, folder / (stem + ".csv"));
+  move_file(made / csv, folder / (stem + ".csv"));
   facts["csv"] = stem + ".csv";
-  fs::remove_all(made);
+  remove_file(made);
   return facts;
 }
 

@@ -87,8 +87,7 @@ void fields(Visitor& v, SolidSpec& s) {
   v.field("profile",
           s.profile,
           Doc{"lathe: points (radius, z) of the outline, which is closed through the axis, or is a "
-              "tube "
-              "when the last point repeats the first",
+              "tube when the last point repeats the first",
               Unit::length});
   v.field("smooth", s.smooth, Doc{"lathe: a smooth curve through the points of profile"});
   v.field("at", s.at, Doc{"position of the solid's own origin in the body", Unit::length});

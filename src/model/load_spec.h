@@ -66,8 +66,12 @@ void fields(Visitor& v, LoadSpec& s) {
               {"momentum", "spin"}});
   v.field("rate",
           s.rate,
-          Doc{"the load varies with time as cos(rate t + phase)", Unit::angular_velocity});
-  v.field("phase", s.phase, Doc{"the load varies with time as cos(rate t + phase)", Unit::angle});
+          Doc{"angular frequency of a load that swings as cos(rate t + phase); absent: 0",
+              Unit::angular_velocity});
+  v.field(
+      "phase",
+      s.phase,
+      Doc{"phase at t = 0 of a load that swings as cos(rate t + phase); absent: 0", Unit::angle});
 }
 
 }  // namespace polhode

@@ -227,8 +227,7 @@ const std::vector<SolidKind>& solid_kinds() {
        }},
       {"lathe",
        "solid of revolution about z of the outline `profile`, closed to the axis; a tube when it "
-       "ends "
-       "where it began",
+       "ends where it began",
        {"profile"},
        {},
        lathe_volume,
@@ -328,7 +327,9 @@ void load_meshes(BodySpec& body, const std::filesystem::path& folder) {
           load_solid_mesh(folder / *solid.file, solid.scale.value_or(1.0)));
     } catch (const Error& error) {
       // the place is the scene's key; the mesh file is named in the message
-      throw input_error("{}: {}", *solid.file, error.message()).at({{}, 0, path + ".file"});
+      throw Error(error.fault(),
+                  fmt::format("{}: {}", *solid.file, error.message()),
+                  {{}, 0, path + ".file"});
     }
   };
   if (body.solid) load(*body.solid, "body.solid");

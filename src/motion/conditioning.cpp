@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/so3.h"
+#include "motion/deviation.h"
 #include "motion/scales.h"
 
 namespace polhode {
@@ -13,29 +14,28 @@ namespace {
 constexpr int kTimesOfNeighbours = 256;
 constexpr double kRounding = 0x1p-53;
 
+// momentum: added in P; turn: about the principal axes, rad
 State changed(const State& start, const Vec3& momentum, const Vec3& turn) {
   State s = start;
-  s.y = start.y.cwiseProduct(Vec3::Ones() + momentum);
+  s.y += momentum;
   s.q = start.q * exp_rotation(turn);
   return s;
 }
 
 }  // namespace
 
-std::vector<State> neighbours_of(const State& start, double size) {
-  std::vector<State> neighbours;
+Neighbours neighbours_of(const State& start, double size) {
+  Neighbours found{{}, size};
   for (int i = 0; i < 3; ++i) {
-    neighbours.push_back(changed(start, size * Vec3::Unit(i), Vec3::Zero()));
-    neighbours.push_back(changed(start, Vec3::Zero(), size * Vec3::Unit(i)));
+    found.starts.push_back(changed(start, size * start.y[i] * Vec3::Unit(i), Vec3::Zero()));
+    found.starts.push_back(changed(start, Vec3::Zero(), size * Vec3::Unit(i)));
   }
-  return neighbours;
+  return found;
 }
 
-State neighbour_of(const BodyModel& model, const State& start, double size) {
-  State s = start;
-  s.y += size * momentum_scale(model, start) * Vec3(1, -1, 1);
-  s.q = start.q * exp_rotation(size * Vec3(1, 1, -1));
-  return s;
+Neighbours one_neighbour_of(const BodyModel& model, const State& start, double size) {
+  const Vec3 momentum = size * momentum_scale(model, start) * Vec3(1, -1, 1);
+  return {{changed(start, momentum, size * Vec3(1, 1, -1))}, size};
 }
 
 Conditioning conditioning_of(

@@ -10,19 +10,19 @@
 
 namespace polhode {
 
-// The starts next to `start`: each component of the momentum (P) changed by the fraction `size`,
-// and the attitude turned by `size` (rad) about each principal axis.
-std::vector<State> neighbours_of(const State& start, double size);
-
-// One start next to `start`: the fraction `size` of momentum_scale() (motion/scales.h) is added to
-// each component of the momentum, and the attitude is turned by `size` about each principal axis.
-State neighbour_of(const BodyModel& model, const State& start, double size);
-
 // Starts next to a start, and how far from it they are.
 struct Neighbours {
   std::vector<State> starts;
-  double size = 0.0;
+  double size = 0.0;  // of the momentum a fraction, of the attitude rad
 };
+
+// Six neighbours: each component of the momentum (P) changed by the fraction `size` of itself, and
+// the attitude turned by `size` about each principal axis.
+Neighbours neighbours_of(const State& start, double size);
+
+// One neighbour: each component of the momentum changed by the fraction `size` of momentum_scale()
+// (motion/scales.h), and the attitude turned by `size` about all three principal axes.
+Neighbours one_neighbour_of(const BodyModel& model, const State& start, double size);
 
 // What roundings (2^-53 each) of the start do to the motion.
 struct Conditioning {

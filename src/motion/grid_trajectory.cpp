@@ -16,7 +16,13 @@ namespace polhode {
 namespace {
 
 constexpr long kMostKeptStates = 100'000;
-constexpr long kStepsBetweenInterruptChecks = 4096;
+constexpr long kStepsBetweenLooks = 4096;
+
+// from the work: is it still wanted, and who wants to know?
+void look_up(const Effort& effort, double part) {
+  stop_if_interrupted();
+  if (effort.watch) effort.watch(part);
+}
 
 // Grid times t_0 = 0 < t_1 < ... ; the state at every `stride`-th of them.
 class GridTrajectory final : public Trajectory {
@@ -78,8 +84,7 @@ class GridTrajectory final : public Trajectory {
 Error too_many_steps(const StepperInfo& method, double duration, double needed, long most) {
   return input_error(
       "{} needs at least about {:.2g} steps for {:.4g} s, and at most {:.2g} are taken; take a "
-      "shorter or "
-      "slower motion, or allow more with numerics.max_steps",
+      "shorter or slower motion, or allow more with numerics.max_steps",
       method.name,
       needed,
       duration,
@@ -91,12 +96,12 @@ Integration integrate_fixed(const StepperInfo& method,
                             const State& start,
                             double duration,
                             double h,
-                            long most_steps) {
+                            const Effort& effort) {
   CHECK(h > 0.0 && duration > 0.0);
   // grid times inside [0, duration]; what is left is a partial step at the time of asking
   const double steps = std::floor(duration / h * (1.0 + 1e-12));
-  if (steps > static_cast<double>(std::min(most_steps, kMostSteps)))
-    throw too_many_steps(method, duration, steps, std::min(most_steps, kMostSteps));
+  const long most = std::min(effort.most_steps, kMostSteps);
+  if (steps > static_cast<double>(most)) throw too_many_steps(method, duration, steps, most);
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   grid->h = h;
   grid->last = static_cast<long>(steps);
@@ -109,7 +114,7 @@ Integration integrate_fixed(const StepperInfo& method,
   grid->states.push_back(s);
   const WalkRecord walk =
       walk_fixed(*grid->stepper, s, h, grid->last, [&](long i, const State& now) {
-        if (i % kStepsBetweenInterruptChecks == 0) stop_if_interrupted();
+        if (i % kStepsBetweenLooks == 0) look_up(effort, static_cast<double>(i) * h / duration);
         refuse_nan(now, method, grid->time(i));
         if (i % grid->stride == 0) grid->states.push_back(now);
         drift.look_at(now);
@@ -122,14 +127,14 @@ Integration integrate_adaptive(const StepperInfo& method,
                                const State& start,
                                double duration,
                                double tolerance,
-                               long most_steps) {
+                               const Effort& effort) {
   CHECK(method.adaptive && tolerance > 0.0);
   if (tolerance < kLeastTolerance) {
     throw input_error("a tolerance of {} is below the round-off of a step; ask for at least {}",
                       tolerance,
                       kLeastTolerance);
   }
-  const long most = std::min(most_steps, kMostSteps / 8);
+  const long most = std::min(effort.most_steps, kMostSteps / 8);
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   DriftWatch drift(model, start);
   State s = start;
@@ -147,7 +152,7 @@ Integration integrate_adaptive(const StepperInfo& method,
         grid->times.push_back(t);
         const auto steps = static_cast<long>(grid->times.size()) - 1;
         grid->keep(steps, now);
-        if (steps % kStepsBetweenInterruptChecks == 0) stop_if_interrupted();
+        if (steps % kStepsBetweenLooks == 0) look_up(effort, t / duration);
         if (steps <= most) return;
         throw too_many_steps(method, duration, static_cast<double>(steps) * duration / t, most);
       });

@@ -30,6 +30,13 @@ struct Integration {
 // The least relative tolerance of an adaptive method: about the round-off of one step.
 inline constexpr double kLeastTolerance = 1e-16;
 
+// What a run may cost, and whom it tells how far it is.
+struct Effort {
+  long most_steps = kMostSteps;
+  // called now and then with the part of the duration that is done; may be empty
+  std::function<void(double part)> watch = {};
+};
+
 // The error of an integration that needs about `needed` steps and may take `most`.
 Error too_many_steps(const StepperInfo& method, double duration, double needed, long most);
 
@@ -38,25 +45,25 @@ Error too_many_steps(const StepperInfo& method, double duration, double needed, 
 // grid time, so it is as accurate as the method and returns unit quaternions. Memory is bounded:
 // every k-th state is kept (at most about 100,000), and at() repeats fewer than k steps. The method
 // must be able to integrate the model (why_not). Throws Error (input), without a key, for more than
-// kMostSteps; (check_failed), with the time in the message, if a step has no solution or a state is
-// not finite; (interrupted).
+// kMostSteps or effort.most_steps; (check_failed), with the time in the message, if a step has no
+// solution or a state is not finite; (interrupted).
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,
                             double duration,
                             double h,
-                            long most_steps = kMostSteps);
+                            const Effort& effort = {});
 
 // Steps whose estimated local error is at most `tolerance` (positive; see
 // Stepper::step_with_error), from 0 to duration (s). at() is as for integrate_fixed. Requires
 // method.adaptive, and that the method can integrate the model. Throws Error (check_failed) as
 // walk_adaptive does, (interrupted), and (input), without a key, for a tolerance below
-// kLeastTolerance and for more than kMostSteps / 8 steps.
+// kLeastTolerance and for more than kMostSteps / 8 or effort.most_steps steps.
 Integration integrate_adaptive(const StepperInfo& method,
                                const BodyModel& model,
                                const State& start,
                                double duration,
                                double tolerance,
-                               long most_steps = kMostSteps);
+                               const Effort& effort = {});
 
 }  // namespace polhode

@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "base/error.h"
+#include "motion/deviation.h"
 #include "motion/scales.h"
 
 namespace polhode {
 namespace {
 
-constexpr int kTimesOfRuns = 257;
+constexpr int kTimesOfRuns = 256;
 constexpr double kLeastToleranceRefined = 1e-15;
 constexpr double kTolerancesApart = 32.0;  // from run to run
 // differences that fall this many times faster or slower than the order demands are not believed
@@ -26,21 +27,6 @@ constexpr double kNudge = 1e-13;
 // measured on 150 random heavy bodies and ten methods, nine of ten stay below it for the methods
 // that are chosen by themselves.
 constexpr double kRoundingsPerRootOfSteps = 8.0;
-
-// Largest deviation of two runs from each other: at the end, and at times that fill the motion
-// evenly (multiples of the golden section), others for every `round`, on no run's grid.
-double difference(
-    const BodyModel& model, const Trajectory& a, const Trajectory& b, double duration, int round) {
-  constexpr double kGoldenSection = 0.6180339887498949;
-  double largest = deviation(model, a.at(duration), b.at(duration));
-  for (int i = 1; i < kTimesOfRuns; ++i) {
-    const double part = kGoldenSection * (i + kTimesOfRuns * round);
-    const double t = duration * (part - std::floor(part));
-    const double apart = deviation(model, a.at(t), b.at(t));
-    if (!(apart <= largest)) largest = apart;
-  }
-  return largest;
-}
 
 // How runs of one method at increasing fineness approach each other.
 class Convergence {
@@ -91,9 +77,9 @@ Integration integrate_with(const StepperInfo& method,
                            const State& start,
                            double duration,
                            double fineness,
-                           long most_steps) {
-  return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness, most_steps)
-                         : integrate_fixed(method, model, start, duration, fineness, most_steps);
+                           const Effort& effort) {
+  return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness, effort)
+                         : integrate_fixed(method, model, start, duration, fineness, effort);
 }
 
 Refined refine(const StepperInfo& method,
@@ -101,7 +87,8 @@ Refined refine(const StepperInfo& method,
                const State& start,
                double duration,
                double accuracy,
-               long most_steps) {
+               long most_steps,
+               const SimulationWatch& watch) {
   const double rate = typical_rate(model, start) + 1.0 / duration;
   // no explicit method takes longer steps: what is hopeless is refused before it begins
   constexpr double kLongestStep = 3.0;  // rad
@@ -113,32 +100,44 @@ Refined refine(const StepperInfo& method,
                         ? accuracy
                         : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
   Convergence convergence(method.adaptive ? kTolerancesApart : std::exp2(method.order));
-  Integration coarse = integrate_with(method, model, start, duration, fineness, most_steps);
+  int run = 0;
+  const auto integrate = [&](const State& from, double this_fineness) {
+    ++run;
+    Effort effort{most_steps};
+    if (watch) {
+      effort.watch = [&](double part) {
+        watch(run, part);
+      };
+    }
+    return integrate_with(method, model, from, duration, this_fineness, effort);
+  };
+  Integration coarse = integrate(start, fineness);
   int stalled = 0;
-  for (int round = 0;; ++round) {
+  for (unsigned round = 0;; ++round) {
     fineness *= finer;
     if (method.adaptive && fineness < kLeastToleranceRefined) {
       throw input_error(
           "{} cannot reach an attitude accuracy of {:.3g} rad over {} s in double precision; give "
-          "a "
-          "tolerance yourself, a looser accuracy, or another method",
+          "a tolerance yourself, a looser accuracy, or another method",
           method.name,
           accuracy,
           duration);
     }
-    Integration fine = integrate_with(method, model, start, duration, fineness, most_steps);
-    convergence.add(difference(model, *coarse.trajectory, *fine.trajectory, duration, round));
+    Integration fine = integrate(start, fineness);
+    convergence.add(largest_deviation(model,
+                                      *coarse.trajectory,
+                                      *fine.trajectory,
+                                      scattered_times(duration, kTimesOfRuns, round)));
     if (convergence.is_within(accuracy)) {
       // the coarser run shows as well how neighbours part
       const auto solve = [&](const State& from) {
-        return integrate_with(method, model, from, duration, fineness / finer, most_steps)
-            .trajectory;
+        return integrate(from, fineness / finer).trajectory;
       };
       const Conditioning round_off =
           conditioning_of(model,
                           *coarse.trajectory,
                           duration,
-                          {{neighbour_of(model, start, kNudge)}, kNudge},
+                          one_neighbour_of(model, start, kNudge),
                           kRoundingsPerRootOfSteps * std::sqrt(fine.record.steps),
                           accuracy,
                           solve);

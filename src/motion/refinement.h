@@ -14,7 +14,10 @@ Integration integrate_with(const StepperInfo& method,
                            const State& start,
                            double duration,
                            double fineness,
-                           long most_steps);
+                           const Effort& effort = {});
+
+// Is told now and then which run, from 1, is how far (part of the duration).
+using SimulationWatch = std::function<void(int run, double part)>;
 
 // An integration whose error was estimated.
 struct Refined {
@@ -32,12 +35,14 @@ struct Refined {
 // must be clearly below the accuracy, too. Each pair of runs is compared at times that no other
 // pair was compared at. duration in s. Throws Error (input), without a key, if the accuracy cannot
 // be reached: because the runs stop converging before, as they do where round-off has grown too
-// much, or because a run needs more than `most_steps`. Throws Error as integrate_with does.
+// much, or because a run needs more than `most_steps`. Throws Error as integrate_with and `watch`
+// do.
 Refined refine(const StepperInfo& method,
                const BodyModel& model,
                const State& start,
                double duration,
                double accuracy,
-               long most_steps);
+               long most_steps,
+               const SimulationWatch& watch = {});
 
 }  // namespace polhode

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "motion/reliability.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "motion/scales.h"
+#include "motion/deviation.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
 #include "motion/stepper_table.h"
@@ -15,7 +12,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kTimesCompared = 257;
+constexpr int kTimesCompared = 256;
 
 }  // namespace
 
@@ -35,13 +32,8 @@ Reliability reliability_of(const BodyModel& model,
   for (const SolutionMethod& row : solution_methods()) {
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);
-    double worst = 0.0;
-    for (int i = 0; i < kTimesCompared; ++i) {
-      const double t = duration * i / (kTimesCompared - 1);
-      const double error = deviation(model, found.trajectory->at(t), truth->at(t));
-      if (!(error <= worst)) worst = error;
-      if (std::isnan(worst)) break;
-    }
+    const double worst = largest_deviation(
+        model, *found.trajectory, *truth, scattered_times(duration, kTimesCompared));
     result.attitude_error_rad = worst;
     if (!(worst <= accuracy_rad)) {
       result.doubts.push_back(

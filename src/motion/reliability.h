@@ -15,7 +15,7 @@ namespace polhode {
 // The doubts about an integrated motion; it is trusted if there are none.
 struct Reliability {
   std::vector<std::string> doubts;
-  // The largest deviation() (motion/scales.h) from the closed form at 257 times, rad; absent if
+  // The largest deviation() (motion/deviation.h) from the closed form at 258 times, rad; absent if
   // there is no closed form or the model has six degrees of freedom.
   std::optional<double> attitude_error_rad;
 };

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "math/so3.h"
-
 namespace polhode {
 namespace {
 
@@ -60,14 +58,6 @@ double first_step(const BodyModel& model, const State& start, double tolerance, 
   const double rate = typical_rate(model, start);
   return rate > 0.0 ? 0.5 * std::pow(tolerance, 1.0 / order) / rate
                     : std::numeric_limits<double>::infinity();
-}
-
-double deviation(const BodyModel& model, const State& a, const State& b) {
-  const double turned = rotation_angle_between(a.q, b.q);
-  if (!model.with_translation) return turned;
-  const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
-  const double moved = (a.place_S - b.place_S).norm() / gyration;
-  return turned > moved || std::isnan(turned) ? turned : moved;
 }
 
 }  // namespace polhode

@@ -17,11 +17,6 @@ double momentum_scale(const BodyModel& model, const State& start);
 // local error per step, positive); infinite for a body at rest that nothing turns.
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);
 
-// The distance of two states: the angle between their attitudes, rad, or, with six degrees of
-// freedom and if larger, the distance of their positions in radii of gyration, sqrt(greatest moment
-// / mass). NaN if an attitude or, with six degrees of freedom, a position is NaN.
-double deviation(const BodyModel& model, const State& a, const State& b);
-
 // How much faster damping is than the rest of the motion: the fastest rate of damping, over the
 // other rates of typical_rate() or, if that is more, over 1 / duration (s). Far above 1: stiff.
 double stiffness(const BodyModel& model, const State& start, double duration);

@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kLeastAccuracy = 1e-13;  // rad
 constexpr double kLastDigit = 0x1p-52;    // of the start: neighbours of closed forms
-constexpr const char* kStiffMethod = "radau5";
 constexpr int kTimesOfDrift = 257;
 
 long most_steps(const NumericsSpec& numerics, long by_default) {
@@ -48,6 +47,7 @@ Integration integrate_by(const StepperInfo& method,
                          const State& start,
                          double duration,
                          const NumericsSpec& numerics,
+                         const SimulationWatch& watch,
                          SimulationReport& report) {
   report.method = method.name;
   refuse_wrong_fineness(method, numerics);
@@ -56,8 +56,13 @@ Integration integrate_by(const StepperInfo& method,
     report.step = numerics.step;
     report.tolerance = numerics.tolerance;
     return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"}, [&] {
-      return integrate_with(
-          method, model, start, duration, *given, most_steps(numerics, kMostStepsGiven));
+      Effort effort{most_steps(numerics, kMostStepsGiven)};
+      if (watch) {
+        effort.watch = [&](double part) {
+          watch(1, part);
+        };
+      }
+      return integrate_with(method, model, start, duration, *given, effort);
     });
   }
   if (report.accuracy_rad < kLeastAccuracy) {
@@ -74,7 +79,8 @@ Integration integrate_by(const StepperInfo& method,
                   start,
                   duration,
                   report.accuracy_rad,
-                  most_steps(numerics, kMostStepsRefined));
+                  most_steps(numerics, kMostStepsRefined),
+                  watch);
   });
   (method.adaptive ? report.tolerance : report.step) = found.fineness;
   report.error_estimate_rad = found.error_estimate;
@@ -113,33 +119,55 @@ std::string reason_against_others(const BodyModel& model,
                      splittings.front().ns_per_rad);
 }
 
-// the cheapest method of those measured on such bodies, or if it fails the next
+// a method to try, and why
+struct Candidate {
+  const StepperInfo* method;
+  std::string reason;
+};
+
+// those of the method tables that may suit the motion, in the order in which to try them
+std::vector<Candidate> candidates(const BodyModel& model,
+                                  const SolutionMethod& chosen,
+                                  const State& start,
+                                  double duration,
+                                  const NumericsSpec& numerics,
+                                  double accuracy_rad) {
+  const std::string others = reason_against_others(model, chosen, numerics, accuracy_rad);
+  std::vector<Candidate> found;
+  // where damping is much faster than all else, explicit steps resolve what is at rest
+  constexpr double kStiff = 300.0;
+  if (stiffness(model, start, duration) > kStiff && !numerics.step) {
+    for (const StepperInfo& row : stepper_table()) {
+      if (row.stiff) found.push_back({&row, "damping is much faster than the motion" + others});
+    }
+  }
+  std::vector<MethodCost> able = cheapest_methods(model, numerics, accuracy_rad, chosen.splits);
+  CHECK(!able.empty());
+  // what three cannot do, the rest will not, and slower
+  constexpr int kMostTried = 3;
+  for (int i = 0; i < kMostTried && !able.empty(); ++i, able.erase(able.begin())) {
+    const char* what = chosen.splits ? "splitting" : "method";
+    found.push_back({&find_stepper(able.front().method), reason_for(able, what) + others});
+  }
+  return found;
+}
+
+// the first candidate that does not fail
 Integration integrate_by_cheapest(const BodyModel& model,
                                   const SolutionMethod& chosen,
                                   const State& start,
                                   double duration,
                                   const NumericsSpec& numerics,
+                                  const SimulationWatch& watch,
                                   SimulationReport& report) {
-  std::vector<MethodCost> able =
-      cheapest_methods(model, numerics, report.accuracy_rad, chosen.splits);
-  CHECK(!able.empty());
-  // what three cannot do, the rest will not, and slower
-  constexpr std::size_t kMostTried = 3;
-  able.erase(able.begin() + static_cast<long>(std::min(able.size(), kMostTried)), able.end());
-  // where damping is much faster than all else, explicit steps resolve what is at rest
-  constexpr double kStiff = 300.0;
-  if (stiffness(model, start, duration) > kStiff && !numerics.step)
-    able.insert(able.begin(), {problem_kind(model), report.accuracy_rad, kStiffMethod, 0.0});
-  for (;; able.erase(able.begin())) {
-    const bool stiff = able.front().method == kStiffMethod;
-    report.method_reason = stiff ? std::string("damping is much faster than the motion")
-                                 : reason_for(able, chosen.splits ? "splitting" : "method");
-    report.method_reason += reason_against_others(model, chosen, numerics, report.accuracy_rad);
-    const StepperInfo& method = find_stepper(able.front().method);
+  const std::vector<Candidate> tried =
+      candidates(model, chosen, start, duration, numerics, report.accuracy_rad);
+  for (auto one = tried.begin();; ++one) {
+    report.method_reason = one->reason;
     try {
-      return integrate_by(method, model, start, duration, numerics, report);
+      return integrate_by(*one->method, model, start, duration, numerics, watch, report);
     } catch (const Error& error) {
-      if (error.fault() == Fault::interrupted || able.size() == 1) throw;
+      if (error.fault() == Fault::interrupted || one + 1 == tried.end()) throw;
     }
   }
 }
@@ -149,9 +177,10 @@ Integration integrate(const BodyModel& model,
                       const State& start,
                       double duration,
                       const NumericsSpec& numerics,
+                      const SimulationWatch& watch,
                       SimulationReport& report) {
   if (numerics.method == "auto")
-    return integrate_by_cheapest(model, chosen, start, duration, numerics, report);
+    return integrate_by_cheapest(model, chosen, start, duration, numerics, watch, report);
   report.method_reason = "asked for";
   const StepperInfo& method = at_place({{}, 0, "numerics.method"}, [&]() -> const StepperInfo& {
     const StepperInfo& found = find_stepper(numerics.method);
@@ -159,7 +188,7 @@ Integration integrate(const BodyModel& model,
       throw input_error("{}", wrong);
     return found;
   });
-  return integrate_by(method, model, start, duration, numerics, report);
+  return integrate_by(method, model, start, duration, numerics, watch, report);
 }
 
 void doubt_conditioning(SimulationReport& report) {
@@ -186,7 +215,8 @@ std::vector<std::string> method_names() {
 Simulation simulate(const BodyModel& body,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
-                    double accuracy_rad) {
+                    double accuracy_rad,
+                    const SimulationWatch& watch) {
   SimulationReport report;
   report.accuracy_rad = accuracy_rad;
   const SolutionMethod& chosen =
@@ -201,7 +231,7 @@ Simulation simulate(const BodyModel& body,
                         report.model_reason)
           .at({{}, 0, "numerics.method"});
     }
-    Integration found = integrate(model, chosen, start, motion.duration, numerics, report);
+    Integration found = integrate(model, chosen, start, motion.duration, numerics, watch, report);
     report.record = found.record;
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
     doubt_conditioning(report);
@@ -234,7 +264,7 @@ Simulation simulate(const BodyModel& body,
   report.conditioning = conditioning_of(model,
                                         *trajectory,
                                         motion.duration,
-                                        {neighbours_of(start, kLastDigit), kLastDigit},
+                                        neighbours_of(start, kLastDigit),
                                         1.0,
                                         accuracy_rad,
                                         solve);

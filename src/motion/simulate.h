@@ -9,6 +9,7 @@
 #include "motion/conditioning.h"
 #include "motion/grid_trajectory.h"
 #include "motion/motion.h"
+#include "motion/refinement.h"
 #include "motion/reliability.h"
 #include "motion/solution_method.h"
 
@@ -42,14 +43,16 @@ struct Simulation {
 };
 
 // accuracy_rad: allowed attitude error over the whole motion. If the scene gives neither step nor
-// tolerance, the method is refined until two runs agree within it. Throws Error (input) as
-// start_state does, and naming numerics.model or numerics.method if they cannot handle the scene,
-// numerics.step or numerics.tolerance if they do not suit the method, and numerics.accuracy if it
-// cannot be reached; (check_failed) if the motion becomes NaN or the equations of an implicit step
-// have no solution; (interrupted) if the program is interrupted.
+// tolerance, the method is refined until its runs converge within it (motion/refinement.h). Throws
+// Error (input) as start_state does, and naming numerics.model or numerics.method if they cannot
+// handle the scene, numerics.step or numerics.tolerance if they do not suit the method, and
+// numerics.accuracy if it cannot be reached; (check_failed) if the motion becomes NaN or the
+// equations of an implicit step have no solution; (interrupted) if the program is interrupted;
+// and what `watch` throws, which is not told of closed forms.
 Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
-                    double accuracy_rad);
+                    double accuracy_rad,
+                    const SimulationWatch& watch = {});
 
 }  // namespace polhode

@@ -2,6 +2,9 @@
 #include "render/context.h"
 
 #include <cstdlib>
+#include <latch>
+#include <system_error>
+#include <thread>
 
 #include <sys/resource.h>
 
@@ -38,10 +41,35 @@ void refuse_little_memory() {
                           kLeast >> 20);
 }
 
+// Mesa waits for ever for a thread of its own that could not be started
+void refuse_few_threads() {
+  constexpr unsigned kBesideOnePerCore = 8;
+  const unsigned wanted = std::thread::hardware_concurrency() + kBesideOnePerCore;
+  std::vector<std::thread> threads;
+  std::latch all_started(1);
+  bool enough = true;
+  try {
+    while (threads.size() < wanted)
+      threads.emplace_back([&] { all_started.wait(); });
+  } catch (const std::system_error&) {
+    enough = false;
+  }
+  all_started.count_down();
+  for (std::thread& thread : threads)
+    thread.join();
+  if (enough) return;
+  throw environment_error(
+      "no more than {} threads can be started, and drawing needs {} (ulimit -u, or the limit of a "
+      "container)",
+      threads.size(),
+      wanted);
+}
+
 }  // namespace
 
 std::unique_ptr<Context> open_context(const std::string& name) {
   refuse_little_memory();
+  refuse_few_threads();
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   std::string reasons;

@@ -32,6 +32,7 @@ namespace polhode {
   X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                                             \
   X(PFNGLDELETESHADERPROC, DeleteShader)                                                           \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                               \
+  X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                                 \
   X(PFNGLDEPTHMASKPROC, DepthMask)                                                                 \
   X(PFNGLDISABLEPROC, Disable)                                                                     \
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                           \

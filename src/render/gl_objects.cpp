@@ -10,8 +10,26 @@
 namespace polhode {
 namespace {
 
-GLuint compile(const Gl& gl, GLenum stage, const std::string& file, const std::string& head) {
-  const GLuint shader = gl.CreateShader(stage);
+void delete_buffer(const Gl& gl, GLuint name) {
+  gl.DeleteBuffers(1, &name);
+}
+void delete_vertex_array(const Gl& gl, GLuint name) {
+  gl.DeleteVertexArrays(1, &name);
+}
+void delete_framebuffer(const Gl& gl, GLuint name) {
+  gl.DeleteFramebuffers(1, &name);
+}
+void delete_renderbuffer(const Gl& gl, GLuint name) {
+  gl.DeleteRenderbuffers(1, &name);
+}
+void delete_shader(const Gl& gl, GLuint name) {
+  gl.DeleteShader(name);
+}
+void delete_program(const Gl& gl, GLuint name) {
+  gl.DeleteProgram(name);
+}
+
+void compile(const Gl& gl, GLuint shader, const std::string& file, const std::string& head) {
   std::string source = shader_source(file);
   source.insert(source.find('\n') + 1, head);  // nothing may stand before #version
   const char* text = source.c_str();
@@ -19,27 +37,30 @@ GLuint compile(const Gl& gl, GLenum stage, const std::string& file, const std::s
   gl.CompileShader(shader);
   GLint good = 0;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good != 0) return shader;
+  if (good != 0) return;
   std::vector<char> log(4096);
   gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  gl.DeleteShader(shader);
   throw environment_error("shader {} does not compile here: {}", file, log.data());
 }
 
 }  // namespace
 
 GpuMesh::GpuMesh(const Gl& gl, const Mesh& mesh)
-    : gl_(gl), count_(static_cast<GLsizei>(mesh.indices.size())) {
-  gl.GenVertexArrays(1, &array_);
-  gl.BindVertexArray(array_);
-  gl.GenBuffers(1, &vertices_);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+    : gl_(gl),
+      array_(gl, delete_vertex_array),
+      vertices_(gl, delete_buffer),
+      indices_(gl, delete_buffer),
+      count_(static_cast<GLsizei>(mesh.indices.size())) {
+  gl.GenVertexArrays(1, array_.place());
+  gl.BindVertexArray(array_.get());
+  gl.GenBuffers(1, vertices_.place());
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
   gl.BufferData(GL_ARRAY_BUFFER,
                 static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
                 mesh.vertices.data(),
                 GL_STATIC_DRAW);
-  gl.GenBuffers(1, &indices_);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  gl.GenBuffers(1, indices_.place());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                 static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                 mesh.indices.data(),
@@ -56,14 +77,8 @@ GpuMesh::GpuMesh(const Gl& gl, const Mesh& mesh)
   attribute(1, offsetof(Vertex, normal));
 }
 
-GpuMesh::~GpuMesh() {
-  gl_.DeleteBuffers(1, &vertices_);
-  gl_.DeleteBuffers(1, &indices_);
-  gl_.DeleteVertexArrays(1, &array_);
-}
-
 void GpuMesh::draw() const {
-  gl_.BindVertexArray(array_);
+  gl_.BindVertexArray(array_.get());
   gl_.DrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
 }
 
@@ -71,60 +86,50 @@ Program::Program(const Gl& gl,
                  const std::string& vertex_file,
                  const std::string& fragment_file,
                  const std::string& head)
-    : gl_(gl) {
-  const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_file, head);
-  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_file, head);
-  id_ = gl.CreateProgram();
-  gl.AttachShader(id_, vertex);
-  gl.AttachShader(id_, fragment);
-  gl.LinkProgram(id_);
-  gl.DeleteShader(vertex);
-  gl.DeleteShader(fragment);
+    : gl_(gl), id_(gl, delete_program) {
+  const GlName vertex(gl, delete_shader, gl.CreateShader(GL_VERTEX_SHADER));
+  const GlName fragment(gl, delete_shader, gl.CreateShader(GL_FRAGMENT_SHADER));
+  compile(gl, vertex.get(), vertex_file, head);
+  compile(gl, fragment.get(), fragment_file, head);
+  *id_.place() = gl.CreateProgram();
+  gl.AttachShader(id_.get(), vertex.get());
+  gl.AttachShader(id_.get(), fragment.get());
+  gl.LinkProgram(id_.get());
   GLint good = 0;
-  gl.GetProgramiv(id_, GL_LINK_STATUS, &good);
+  gl.GetProgramiv(id_.get(), GL_LINK_STATUS, &good);
   if (good != 0) return;
   std::vector<char> log(4096);
-  gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  gl.DeleteProgram(id_);
+  gl.GetProgramInfoLog(id_.get(), static_cast<GLsizei>(log.size()), nullptr, log.data());
   throw environment_error(
       "shaders {} and {} do not link here: {}", vertex_file, fragment_file, log.data());
 }
 
-Program::~Program() {
-  gl_.DeleteProgram(id_);
-}
-
 GLint Program::uniform(const std::string& name) const {
-  return gl_.GetUniformLocation(id_, name.c_str());
+  return gl_.GetUniformLocation(id_.get(), name.c_str());
 }
 
 Framebuffer::Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth)
-    : gl_(gl), width_(width), height_(height) {
-  gl.GenFramebuffers(1, &id_);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, id_);
-  color_ = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height, samples);
-  if (with_depth)
-    depth_ = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height, samples);
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      id_(gl, delete_framebuffer),
+      color_(gl, delete_renderbuffer),
+      depth_(gl, delete_renderbuffer) {
+  gl.GenFramebuffers(1, id_.place());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, id_.get());
+  attach(color_, GL_COLOR_ATTACHMENT0, GL_RGBA8, samples);
+  if (with_depth) attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, samples);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw environment_error(
         "OpenGL cannot create a {}x{} framebuffer with {} samples here", width, height, samples);
   }
 }
 
-Framebuffer::~Framebuffer() {
-  gl_.DeleteFramebuffers(1, &id_);
-  gl_.DeleteRenderbuffers(1, &color_);
-  gl_.DeleteRenderbuffers(1, &depth_);
-}
-
-GLuint Framebuffer::attach(
-    GLenum attachment, GLenum format, int width, int height, int samples) const {
-  GLuint buffer = 0;
-  gl_.GenRenderbuffers(1, &buffer);
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
-  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-  return buffer;
+void Framebuffer::attach(GlName& buffer, GLenum attachment, GLenum format, int samples) const {
+  gl_.GenRenderbuffers(1, buffer.place());
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.get());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_, height_);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.get());
 }
 
 const std::string& shader_source(const std::string& file) {

@@ -12,12 +12,31 @@
 
 namespace polhode {
 
+// Owns the name of one OpenGL object, which it deletes; so a constructor that throws leaves nothing
+// behind. The name 0 is none.
+class GlName {
+ public:
+  // Deletes the object of that name; does nothing for 0.
+  using Delete = void (*)(const Gl& gl, GLuint name);
+  GlName(const Gl& gl, Delete remove, GLuint name = 0) : gl_(gl), delete_(remove), name_(name) {}
+  ~GlName() { delete_(gl_, name_); }
+  GlName(const GlName&) = delete;
+  GlName& operator=(const GlName&) = delete;
+  GLuint get() const { return name_; }
+  // Where OpenGL is to write the name; call it only while there is none.
+  GLuint* place() { return &name_; }
+
+ private:
+  const Gl& gl_;
+  Delete delete_;
+  GLuint name_;
+};
+
 // A mesh in GPU memory: a vertex array with vertex and index buffers.
 class GpuMesh {
  public:
   // Copies the mesh.
   GpuMesh(const Gl& gl, const Mesh& mesh);
-  ~GpuMesh();
   GpuMesh(const GpuMesh&) = delete;
   GpuMesh& operator=(const GpuMesh&) = delete;
   // Draws all triangles with the current program.
@@ -25,9 +44,7 @@ class GpuMesh {
 
  private:
   const Gl& gl_;
-  GLuint array_ = 0;
-  GLuint vertices_ = 0;
-  GLuint indices_ = 0;
+  GlName array_, vertices_, indices_;
   GLsizei count_ = 0;
 };
 
@@ -40,17 +57,16 @@ class Program {
           const std::string& vertex_file,
           const std::string& fragment_file,
           const std::string& head);
-  ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   // Makes it the current program of the context.
-  void use() const { gl_.UseProgram(id_); }
+  void use() const { gl_.UseProgram(id_.get()); }
   // The location of a uniform; -1, which OpenGL ignores, if the program does not use it.
   GLint uniform(const std::string& name) const;
 
  private:
   const Gl& gl_;
-  GLuint id_ = 0;
+  GlName id_;
 };
 
 // A framebuffer with RGBA8 colour and optional 32-bit floating-point depth.
@@ -59,22 +75,19 @@ class Framebuffer {
   // Sizes in pixels; samples: per pixel, 0 without multisampling. Throws Error (environment) if
   // OpenGL cannot make it.
   Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth);
-  ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
   // OpenGL's name of the framebuffer.
-  GLuint id() const { return id_; }
+  GLuint id() const { return id_.get(); }
   int width() const { return width_; }
   int height() const { return height_; }
 
  private:
-  GLuint attach(GLenum attachment, GLenum format, int width, int height, int samples) const;
+  void attach(GlName& buffer, GLenum attachment, GLenum format, int samples) const;
 
   const Gl& gl_;
   int width_, height_;
-  GLuint id_ = 0;
-  GLuint color_ = 0;
-  GLuint depth_ = 0;
+  GlName id_, color_, depth_;
 };
 
 // The text of a file of shaders/, embedded at build time; valid until the program ends. Aborts if

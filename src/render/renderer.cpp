@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -209,8 +210,13 @@ class Renderer::Implementation {
   void draw_panel(const Panel& panel, const PixelBox& box) {
     const StageTimer timer(times_.draw);
     begin(panel, box);
-    for (const DrawItem& item : panel.list.opaque)
-      draw_item(item);
+    for (const DrawItem& item : panel.list.opaque) {
+      if (item.material.covers) draw_item(item);
+    }
+    draw_hidden(panel.list);
+    for (const DrawItem& item : panel.list.opaque) {
+      if (!item.material.covers) draw_item(item);
+    }
 
     // translucent shells come back to front and leave the depth of what is behind them
     gl_.Enable(GL_BLEND);
@@ -220,6 +226,32 @@ class Renderer::Implementation {
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_BLEND);
     gl_.Finish();
+  }
+
+  // over what covers them, before anything else is drawn; by the distance of their feet, so that of
+  // several vectors in one line the thickest hides the others
+  void draw_hidden(const DrawList& list) {
+    std::vector<std::pair<float, const DrawItem*>> hidden;
+    for (const std::vector<DrawItem>* items : {&list.opaque, &list.translucent}) {
+      for (const DrawItem& item : *items) {
+        if (item.material.hidden <= 0.0f) continue;
+        const glm::vec3 foot(item.world_from_mesh[3]);
+        const float radius = glm::length(glm::vec3(item.world_from_mesh[0]));
+        hidden.emplace_back(glm::distance(list.view.eye, foot) - radius, &item);
+      }
+    }
+    if (hidden.empty()) return;
+    std::stable_sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) {
+      return a.first > b.first;
+    });
+    gl_.Enable(GL_BLEND);
+    gl_.DepthMask(GL_FALSE);
+    gl_.DepthFunc(GL_GREATER);
+    for (const auto& [distance, item] : hidden)
+      draw_item(*item, true);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_BLEND);
   }
 
   // the box begins at the framebuffer's corner: what lies outside is neither cleared nor copied
@@ -263,8 +295,9 @@ class Renderer::Implementation {
     buffer = std::make_unique<Framebuffer>(gl_, width, height, samples, with_depth);
   }
 
-  void draw_item(const DrawItem& item) {
-    surfaces_.use(item.material, item.faces, item.world_from_mesh);
+  // hidden: the parts that something covers
+  void draw_item(const DrawItem& item, bool hidden = false) {
+    surfaces_.use(item.material, item.faces, item.world_from_mesh, hidden);
     if (item.faces == Faces::both) {
       gl_.Disable(GL_CULL_FACE);
     } else {

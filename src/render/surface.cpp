@@ -34,7 +34,8 @@ SurfacePrograms::Uniforms::Uniforms(const Program& p)
       gloss(p.uniform("u_gloss")),
       mark_color(p.uniform("u_mark_color")),
       mark_width(p.uniform("u_mark_width")),
-      fade(p.uniform("u_fade")) {}
+      fade(p.uniform("u_fade")),
+      dashes(p.uniform("u_dashes")) {}
 
 SurfacePrograms::Made::Made(const Gl& gl, const std::string& head)
     : program(gl, "scene.vert", "scene.frag", head), u(program) {}
@@ -44,13 +45,15 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
   if (entry == nullptr) {
     const std::string constants = fmt::format(
         "#define FINISH {}\n#define FLAT {:d}\n#define SOFT {:d}\n#define MARKED {:d}\n"
-        "#define SHELL {:d}\n#define FADING {:d}\n#define FACES {}\n#define LIT_AT_CORNERS {:d}\n",
+        "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define FACES {}\n#define "
+        "LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
         kind.flat,
         kind.soft,
         kind.marked,
         kind.shell,
         kind.fading,
+        kind.dashed,
         static_cast<int>(kind.faces),
         kind.shell && !kind.flat && !kind.marked && kind.finish == Finish::plain);
     entry = std::make_unique<Made>(gl_, constants + shader_source("light.glsl"));
@@ -65,13 +68,18 @@ void SurfacePrograms::begin(const View& view, const glm::mat4& clip_from_world) 
     entry->has_view = false;
 }
 
-void SurfacePrograms::use(const Material& material, Faces faces, const glm::mat4& world_from_mesh) {
+void SurfacePrograms::use(const Material& material,
+                          Faces faces,
+                          const glm::mat4& world_from_mesh,
+                          bool hidden) {
+  const float fade = hidden ? material.fade * material.hidden : material.fade;
   Made& now = made({material.finish,
                     material.flat,
                     material.flat && material.soft,
                     material.mark_width > 0.0f,
                     material.alpha < 1.0f,
-                    material.fade < 1.0f,
+                    fade < 1.0f,
+                    hidden && material.dashes > 0.0f,
                     faces});
   const Uniforms& u = now.u;
   if (used_ != &now) now.program.use();
@@ -91,7 +99,8 @@ void SurfacePrograms::use(const Material& material, Faces faces, const glm::mat4
   gl_.Uniform1f(u.gloss, material.gloss);
   gl_.Uniform3fv(u.mark_color, 1, glm::value_ptr(material.mark_color));
   gl_.Uniform1f(u.mark_width, material.mark_width);
-  gl_.Uniform1f(u.fade, material.fade);
+  gl_.Uniform1f(u.fade, fade);
+  gl_.Uniform1f(u.dashes, material.dashes);
 }
 
 }  // namespace polhode

@@ -23,25 +23,27 @@ class SurfacePrograms {
   // called before use(), once per panel.
   void begin(const View& view, const glm::mat4& clip_from_world);
   // Selects the program for the next mesh, compiling it if needed, and sets its material and
-  // position. `faces` says which faces will be drawn; the caller sets OpenGL's culling accordingly.
-  // Throws Error (environment) as Program does.
-  void use(const Material& material, Faces faces, const glm::mat4& world_from_mesh);
+  // position. `hidden`: its parts that something covers are drawn. `faces` says which faces will be
+  // drawn; the caller sets OpenGL's culling accordingly. Throws Error (environment) as Program
+  // does.
+  void use(const Material& material,
+           Faces faces,
+           const glm::mat4& world_from_mesh,
+           bool hidden = false);
 
  private:
   // The constants that a program is compiled with.
   struct Kind {
     Finish finish = Finish::plain;
-    bool flat = false, soft = false, marked = false, shell = false, fading = false;
+    bool flat = false, soft = false, marked = false, shell = false, fading = false, dashed = false;
     Faces faces = Faces::front;
-    friend bool operator<(const Kind& a, const Kind& b) {
-      return std::tie(a.finish, a.flat, a.soft, a.marked, a.shell, a.fading, a.faces) <
-             std::tie(b.finish, b.flat, b.soft, b.marked, b.shell, b.fading, b.faces);
-    }
+    auto all() const { return std::tie(finish, flat, soft, marked, shell, fading, dashed, faces); }
+    friend bool operator<(const Kind& a, const Kind& b) { return a.all() < b.all(); }
   };
   struct Uniforms {
     explicit Uniforms(const Program& p);
     GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width, fade;
+        alpha, gloss, mark_color, mark_width, fade, dashes;
   };
   struct Made {
     Made(const Gl& gl, const std::string& head);

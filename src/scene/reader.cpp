@@ -163,6 +163,21 @@ void check_keys(const toml::table& table,
   check_required(table, place, keys);
 }
 
+void refuse_no_flag(const Found& found, const std::string& name, const KeyList& root) {
+  std::vector<std::string> elsewhere = tables_with(name, root);
+  const std::string own = found.place.key.substr(0, found.place.key.rfind('.'));
+  std::erase(elsewhere, "[" + own + "]");
+  // 1 means true, and a table of that name is not meant
+  const bool is_table = std::any_of(root.keys.begin(), root.keys.end(), [&](const Key& key) {
+    return key.name == name && key.inside;
+  });
+  const bool hint = !elsewhere.empty() && !is_table && !found.node.is_number();
+  refuse_type(
+      found,
+      "true or false",
+      hint ? fmt::format("; '{}' is also a key of {}", name, fmt::join(elsewhere, " and ")) : "");
+}
+
 std::optional<Found> find_key(const toml::table& table,
                               const Place& place,
                               const std::string& name,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "scene/keys.h"
@@ -25,6 +26,10 @@ std::optional<Found> find_key(const toml::table& table,
                               const std::string& name,
                               const Doc& doc);
 
+// Throws Error (input) for a value of the key `name` that is neither true nor false; the message
+// says which other tables have a key of that name, which may have been meant.
+void refuse_no_flag(const Found& found, const std::string& name, const KeyList& root);
+
 // Fills specs from one table whose keys have been checked. Members whose keys are absent keep their
 // values. Throws Error (input) as read_value and check_keys do, and for too many tables in a list.
 class Reader {
@@ -36,6 +41,9 @@ class Reader {
   template <class T>
   void field(const char* name, T& member, const Doc& doc) {
     if (const std::optional<Found> found = find_key(table_, place_, name, doc)) {
+      if constexpr (std::is_same_v<typename Held<T>::type, bool>) {
+        if (!found->node.is_boolean()) refuse_no_flag(*found, name, root_);
+      }
       read(*found, doc, member);
     }
   }

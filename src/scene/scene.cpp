@@ -160,9 +160,9 @@ Scene load_scene(const std::filesystem::path& file, const Replacements& numbers)
   return scene;
 }
 
-std::vector<std::string> mesh_files(const std::filesystem::path& file) {
-  const Scene scene =
-      scene_from(parse_toml(read_file(file, kLargestScene), file.string()), file.string());
+namespace {
+
+std::vector<std::string> meshes_of(const Scene& scene) {
   std::vector<std::string> names;
   const auto add = [&](const SolidSpec& solid) {
     if (solid.kind == "mesh" && solid.file) names.push_back(*solid.file);
@@ -172,6 +172,21 @@ std::vector<std::string> mesh_files(const std::filesystem::path& file) {
     add(part);
   if (scene.body.look) add(*scene.body.look);
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_files(const std::filesystem::path& file) {
+  return meshes_of(
+      scene_from(parse_toml(read_file(file, kLargestScene), file.string()), file.string()));
+}
+
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+  const std::filesystem::path file = scene.file;
+  std::vector<std::filesystem::path> files = {file};
+  for (const std::string& mesh : meshes_of(scene))
+    files.push_back(file.parent_path() / mesh);
+  return files;
 }
 
 int line_of(const Scene& scene, const std::string& key) {

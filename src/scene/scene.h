@@ -74,6 +74,8 @@ Scene parse_scene(std::string_view text, const std::string& name);
 // The mesh files that a scene names, as spelled there, without opening them. Throws Error (input)
 // as load_scene does for the scene file itself.
 std::vector<std::string> mesh_files(const std::filesystem::path& file);
+// The paths of the files that a scene was read from: its own, and those of its meshes.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 // The line of a key such as "body.parts[1].radius", or else of the innermost key around it that is
 // in the file; 0 if there is none. For errors found after reading.

@@ -123,8 +123,8 @@ void refuse(const Found& found, const std::string& message) {
   throw Error(Fault::input, message, found.place);
 }
 
-void refuse_type(const Found& found, const std::string& wanted) {
-  refuse(found, fmt::format("must be {}; found {}", wanted, described(found.node)));
+void refuse_type(const Found& found, const std::string& wanted, const std::string& hint) {
+  refuse(found, fmt::format("must be {}; found {}{}", wanted, described(found.node), hint));
 }
 
 const toml::array& array_of(const Found& found, std::size_t length, const std::string& wanted) {

@@ -26,8 +26,10 @@ struct Found {
 [[noreturn]] void refuse(const Found& found, const std::string& message);
 
 // Throws Error (input) such as: must be a number, such as 1.5; found the text "abc". `wanted` is
-// the part after "must be".
-[[noreturn]] void refuse_type(const Found& found, const std::string& wanted);
+// the part after "must be"; `hint` is put at the end.
+[[noreturn]] void refuse_type(const Found& found,
+                              const std::string& wanted,
+                              const std::string& hint = "");
 
 // The value as an array of the given length (0: any length but 0), valid as long as the TOML tree;
 // for other values calls refuse_type() with `wanted`.

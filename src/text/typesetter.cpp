@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <mutex>
 #include <unordered_map>
@@ -13,6 +14,9 @@
 #include <pango/pangocairo.h>
 
 #include "base/error.h"
+#include "base/system/console.h"
+#include "base/system/log.h"
+#include "base/system/unfinished.h"
 
 namespace polhode {
 namespace {
@@ -29,7 +33,8 @@ constexpr std::array<Wanted, 2> kWanted = {{
     {Face::math, "Nimbus Roman", "fonts-urw-base35", "Nimbus Roman,STIX,DejaVu Serif,serif"},
 }};
 
-constexpr std::size_t kMostKept = 2048;
+constexpr std::size_t kMostKept = 2048;              // texts
+constexpr std::size_t kMostPixelsKept = 16'000'000;  // of their sprites, 4 bytes each
 constexpr int kPartsOfPixel = 4;
 constexpr int kBesideStrip = 2;  // columns drawn at each side of a strip and cut off
 
@@ -52,6 +57,35 @@ struct FreeFont {
 
 double pixels(int pango_units) {
   return static_cast<double>(pango_units) / PANGO_SCALE;
+}
+
+// GLib writes lines of its own, and aborts where it cannot go on: without memory or threads.
+GLogWriterOutput tell_in_our_words(GLogLevelFlags level,
+                                   const GLogField* fields,
+                                   gsize count,
+                                   void* /*data*/) {
+  std::string words;
+  for (gsize i = 0; i < count; ++i) {
+    if (std::strcmp(fields[i].key, "MESSAGE") == 0)
+      words = static_cast<const char*>(fields[i].value);
+  }
+  if ((level & (G_LOG_FLAG_FATAL | G_LOG_LEVEL_ERROR)) != 0) {
+    print_err(fmt::format("polhode: text cannot be set: {}\n", words));
+    end_at_once(static_cast<int>(Fault::environment));
+  }
+  spdlog::info("{}", words);
+  return G_LOG_WRITER_HANDLED;
+}
+
+// all that begins with Pango begins here
+GObjectPtr<PangoFontMap> make_font_map() {
+  // GLib takes a writer once only
+  static const bool told = [] {
+    g_log_set_writer_func(tell_in_our_words, nullptr, nullptr);
+    return true;
+  }();
+  static_cast<void>(told);
+  return GObjectPtr<PangoFontMap>(pango_cairo_font_map_new());
 }
 
 GObjectPtr<PangoContext> make_context(PangoFontMap* fonts) {
@@ -181,8 +215,8 @@ class Typesetter::Implementation {
     const std::lock_guard lock(mutex_);
     auto known = set_.find(key);
     if (known == set_.end()) {
-      if (set_.size() >= kMostKept) set_.clear();
       const Set made = draw(markup, style, left - std::floor(left), top - std::floor(top));
+      make_room(set_, pixels_set_, *made.sprite);
       known = set_.emplace(key, made).first;
     }
     const Set& it = known->second;
@@ -192,6 +226,17 @@ class Typesetter::Implementation {
   }
 
  private:
+  // Forgets all that was kept if there is no room for one more.
+  template <class Kept>
+  static void make_room(Kept& kept, std::size_t& pixels, const Sprite& one) {
+    const auto more = static_cast<std::size_t>(one.width) * static_cast<std::size_t>(one.height);
+    if (kept.size() >= kMostKept || pixels + more > kMostPixelsKept) {
+      kept.clear();
+      pixels = 0;
+    }
+    pixels += more;
+  }
+
   static std::string key_of(const std::string& markup, const TextStyle& s) {
     return fmt::format("{}\n{} {} {} {} {} {} {} {}",
                        markup,
@@ -209,7 +254,7 @@ class Typesetter::Implementation {
   // are opened with the first text, not before
   void open_fonts() {
     if (fonts_ != nullptr) return;
-    fonts_.reset(pango_cairo_font_map_new());
+    fonts_ = make_font_map();
     context_ = make_context(fonts_.get());
     // sizes are in pixels
     pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts_.get()), 72.0);
@@ -323,7 +368,6 @@ class Typesetter::Implementation {
     if (reach.empty()) return nullptr;
     const auto known = strips_.find(key);
     if (known != strips_.end()) return known->second.sprite;
-    if (strips_.size() >= kMostKept) strips_.clear();
     Strip made;
     made.sprite =
         painted(style, x + kBesideStrip, y, width + 2 * kBesideStrip, height, [&](cairo_t* cairo) {
@@ -332,6 +376,7 @@ class Typesetter::Implementation {
         });
     for (const Letter& letter : reach)
       made.fonts.emplace_back(PANGO_FONT(g_object_ref(letter.font)));
+    make_room(strips_, pixels_of_strips_, *made.sprite);
     return strips_.emplace(key, std::move(made)).first->second.sprite;
   }
 
@@ -385,7 +430,9 @@ class Typesetter::Implementation {
   GObjectPtr<PangoContext> context_;
   std::unordered_map<std::string, TextBox> boxes_;
   std::unordered_map<std::string, Set> set_;
+  std::size_t pixels_set_ = 0;
   std::unordered_map<std::string, Strip> strips_;
+  std::size_t pixels_of_strips_ = 0;
 };
 
 Typesetter::Typesetter() : implementation_(std::make_unique<Implementation>()) {}
@@ -411,7 +458,7 @@ std::string plain_text(std::string_view text) {
 }
 
 std::vector<FontFound> examine_fonts() {
-  const GObjectPtr<PangoFontMap> fonts(pango_cairo_font_map_new());
+  const GObjectPtr<PangoFontMap> fonts = make_font_map();
   const GObjectPtr<PangoContext> context = make_context(fonts.get());
   std::vector<FontFound> list;
   for (const Wanted& row : kWanted) {

@@ -2,16 +2,29 @@
 #include "video/captions.h"
 
 #include <cmath>
-#include <optional>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/system/atomic_file.h"
+#include "base/error.h"
 #include "video/encoders.h"
 
 namespace polhode {
 namespace {
+
+// behind the first word any text may stand: ours is known again by it
+constexpr std::string_view kHead = "WEBVTT - captions by polhode\n";
+
+bool is_ours(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::string head(kHead.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == kHead;
+}
 
 // "00:01:02.345"
 std::string time_text(int frame, const FrameRate& fps) {
@@ -42,27 +55,24 @@ std::string escaped(const std::string& words) {
 class CaptionedSink final : public FrameSink {
  public:
   CaptionedSink(std::unique_ptr<FrameSink> film, const SinkJob& job)
-      : name_(captions_beside(job.output)), fps_(job.fps), film_(std::move(film)) {}
+      : captions_(job.output, job.captions), fps_(job.fps), film_(std::move(film)) {}
 
   // written now, so that a full disk is told before the film has its name
   void describe(const FilmMetadata& metadata) override {
     film_->describe(metadata);
-    if (metadata.captions.empty()) return;
-    captions_.emplace(name_);
-    captions_->write(web_vtt(metadata.captions, fps_));
+    captions_.write(metadata.captions, fps_);
   }
   void push(const Image& frame) override { film_->push(frame); }
   void finish() override {
     film_->finish();
-    if (captions_) captions_->commit();
+    captions_.commit();
   }
   int keeps_every() const override { return film_->keeps_every(); }
   SinkTimes times() const override { return film_->times(); }
 
  private:
-  std::string name_;
+  CaptionFile captions_;
   FrameRate fps_;
-  std::optional<AtomicFile> captions_;
   std::unique_ptr<FrameSink> film_;
 };
 
@@ -75,7 +85,7 @@ std::string captions_beside(const std::string& output) {
 }
 
 std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps) {
-  std::string text = "WEBVTT\n";
+  std::string text(kHead);
   for (const FilmMetadata::Caption& caption : captions) {
     const std::string words = escaped(caption.words);
     if (words.find_first_not_of(" \t\n") == std::string::npos || caption.end <= caption.start) {
@@ -88,6 +98,31 @@ std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const Fr
                         words.ends_with('\n') ? "" : "\n");
   }
   return text;
+}
+
+CaptionFile::CaptionFile(const std::string& film, bool expected) : name_(captions_beside(film)) {
+  if (expected) file_.emplace(name_);
+}
+
+void CaptionFile::write(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps) {
+  if (captions.empty()) return;
+  if (!file_) file_.emplace(name_);
+  file_->write(web_vtt(captions, fps));
+  written_ = true;
+}
+
+void CaptionFile::commit() {
+  if (written_) {
+    file_->commit();
+    return;
+  }
+  if (!is_ours(name_)) return;
+  std::error_code failed;
+  std::filesystem::remove(name_, failed);
+  if (failed) {
+    throw environment_error("cannot remove the captions of an earlier film: {}", failed.message())
+        .at({name_, 0, {}});
+  }
 }
 
 std::unique_ptr<FrameSink> with_captions(std::unique_ptr<FrameSink> film, const SinkJob& job) {

@@ -3,26 +3,48 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/system/atomic_file.h"
 #include "video/frame_sink.h"
 
 namespace polhode {
 
-// The text of a WebVTT file (W3C Candidate Recommendation, 2019): one cue per caption that is not
-// blank and has at least one frame, from the time of its first frame to that of the frame after its
-// last, with its text escaped.
+// The text of a WebVTT file (W3C Candidate Recommendation, 2019): a first line that says that
+// polhode wrote it, and one cue per caption that is not blank and has at least one frame, from the
+// time of its first frame to that of the frame after its last, with its text escaped.
 std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps);
 
 // The name of the caption file of an output, NAME.vtt; empty for formats without captions, which
 // are all but .mp4, .webm and .mov.
 std::string captions_beside(const std::string& output);
 
-// Wraps a film sink (not null) so that it also writes captions_beside(job.output), which must not
-// be empty, if the film has captions. The caption file gets its name right after the film;
-// describe() claims it and throws Error (input) as AtomicFile does and (environment) if it cannot
-// be written, finish() (environment) if it cannot be renamed.
+// The caption file of a film, captions_beside(film), which must not be empty. Claimed as an
+// AtomicFile (base/system/atomic_file.h); without commit() nothing changes.
+class CaptionFile {
+ public:
+  // Claims the file now if captions are expected, else when they are written. Throws Error (input)
+  // as AtomicFile does.
+  CaptionFile(const std::string& film, bool expected);
+  // Writes the captions; without any, the film will have no caption file. Throws Error (input) as
+  // AtomicFile does, if captions were not expected, and (environment) if writing fails.
+  void write(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps);
+  // Gives the file its name; call it once, when the film has its own. If no captions were written,
+  // removes those that polhode wrote for an earlier film of this name; a file that polhode did not
+  // write is left alone. Throws Error (environment) if that fails.
+  void commit();
+
+ private:
+  std::string name_;
+  std::optional<AtomicFile> file_;
+  bool written_ = false;
+};
+
+// Wraps a film sink (not null) so that it also has a CaptionFile beside job.output, claimed now if
+// job.captions says so. Throws Error (input) as CaptionFile does; describe() throws Error as
+// CaptionFile::write() does, finish() as CaptionFile::commit().
 std::unique_ptr<FrameSink> with_captions(std::unique_ptr<FrameSink> film, const SinkJob& job);
 
 }  // namespace polhode

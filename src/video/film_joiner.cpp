@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 
 #include "base/at_place.h"
-#include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "video/captions.h"
 #include "video/libav/film_header.h"
@@ -21,8 +19,7 @@ class PartInput {
  public:
   explicit PartInput(const std::string& file) : file_(file) {
     quieten_libav();
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) refuse("there is no such film");
+    refuse_unless_file(file);
     input_ = at_place({file, 0, {}}, [&] { return open_film(file); });
     packet_.reset(made(av_packet_alloc()));
   }
@@ -47,7 +44,7 @@ class PartInput {
     stop_if_interrupted();
     const int read = av_read_frame(input_.get(), packet_.get());
     if (read == AVERROR_EOF) return nullptr;
-    if (read < 0) refuse("is damaged: " + libav_words(read));
+    if (read < 0) throw film_error(read, "is damaged").at({file_, 0, {}});
     return packet_.get();
   }
 
@@ -109,12 +106,9 @@ class FilmJoiner::Implementation {
             const std::string& title,
             const std::string& comment,
             const FilmMetadata& metadata) {
+    CaptionFile captions(name_, false);
+    captions.write(metadata.captions, fps);
     const std::vector<std::vector<int>> frames = read_order(parts);
-    std::optional<AtomicFile> captions;
-    if (!metadata.captions.empty()) {
-      captions.emplace(captions_beside(name_));
-      captions->write(web_vtt(metadata.captions, fps));
-    }
     fps_ = fps;
     int first = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -132,7 +126,7 @@ class FilmJoiner::Implementation {
       check_libav(av_write_trailer(muxer_.get()), "cannot finish the film");
       output_.finish();
     });
-    if (captions) captions->commit();
+    captions.commit();
   }
 
  private:

@@ -8,23 +8,22 @@ extern "C" {
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "base/at_place.h"
 #include "base/error.h"
+#include "base/system/atomic_file.h"
 #include "image/png.h"
 #include "video/libav/libav.h"
 
 namespace polhode {
 namespace {
 
-// libav tells little about a name that leads nowhere
-void refuse_missing(const std::string& file) {
-  std::error_code failed;
-  const std::filesystem::file_status status = std::filesystem::status(file, failed);
-  if (!std::filesystem::exists(status)) throw input_error("the file does not exist");
-  if (std::filesystem::is_directory(status)) throw input_error("is a folder, not a film");
-  if (!std::filesystem::is_regular_file(status)) throw input_error("is not a regular file");
+// Decoders tell of pictures for which they got no memory as of damaged ones.
+bool memory_is_short() {
+  constexpr std::size_t kMuch = 256U << 20U;  // bytes
+  void* room = av_malloc(kMuch);
+  av_free(room);
+  return room == nullptr;
 }
 
 }  // namespace
@@ -33,7 +32,7 @@ class FilmReader::Implementation {
  public:
   explicit Implementation(const std::string& file) : file_(file) {
     at_place({file_, 0, {}}, [&] {
-      refuse_missing(file);
+      refuse_unless_file(file);  // libav tells little about a name that leads nowhere
       quieten_libav();
       open_input();
       open_decoder();
@@ -63,9 +62,8 @@ class FilmReader::Implementation {
   void open_input() {
     input_ = open_film(file_);
     AVFormatContext* input = input_.get();
-    if (avformat_find_stream_info(input, nullptr) < 0) {
-      throw input_error("is not a readable film: its tracks are unknown");
-    }
+    const int known = avformat_find_stream_info(input, nullptr);
+    if (known < 0) throw film_error(known, "is not a readable film: its tracks are unknown");
     const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (index < 0) throw input_error("contains no pictures");
     stream_ = input->streams[index];
@@ -86,7 +84,7 @@ class FilmReader::Implementation {
     decoder_->err_recognition = AV_EF_EXPLODE | AV_EF_CRCCHECK;
     decoder_->max_pixels = static_cast<std::int64_t>(kMostPngPixels);
     const int opened = avcodec_open2(decoder_.get(), codec, nullptr);
-    if (opened < 0) throw input_error("cannot be decoded: {}", libav_words(opened));
+    if (opened < 0) throw film_error(opened, "cannot be decoded");
 
     info_.width = track.width;
     info_.height = track.height;
@@ -129,7 +127,9 @@ class FilmReader::Implementation {
   }
 
   [[noreturn]] void refuse_damage(int code) const {
-    throw input_error("is damaged after frame {}: {}", frames_, libav_words(code));
+    const bool lacks = code == AVERROR_INVALIDDATA && memory_is_short();
+    throw film_error(lacks ? AVERROR(ENOMEM) : code,
+                     fmt::format("is damaged after frame {}", frames_));
   }
 
   // A file that was cut off simply ends. Packets are counted, for a film may leave out frames that
@@ -161,6 +161,8 @@ class FilmReader::Implementation {
     if (frame.width != from.width || frame.height != from.height) {
       frame = Image(from.width, from.height);
     }
+    frame.ground.reset();
+    frame.painted.clear();
     std::uint8_t* rows[] = {frame.pixels.data()};
     const int strides[] = {4 * from.width};
     check_libav(

@@ -38,9 +38,9 @@ class FilmReader {
   const FilmInfo& info() const;
 
   // Gets the next frame, with straight alpha, and its time (s after the first frame); false at
-  // the end. Reuses the buffer of `frame`. Throws Error, with the file as place: (input) if the
-  // file is damaged or truncated or if the picture size changes, (environment) if FFmpeg cannot
-  // convert the frame.
+  // the end. Reuses the buffer of `frame`, which then has no ground. Throws Error, with the file as
+  // place: (input) if the file is damaged or truncated or if the picture size changes,
+  // (environment) if FFmpeg cannot convert the frame.
   bool next(Image& frame, double& time);
 
  private:

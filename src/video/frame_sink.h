@@ -28,6 +28,7 @@ struct SinkJob {
   std::string title;         // for containers that keep metadata; empty: none
   std::string comment;       // for containers that keep metadata; empty: none
   bool segment = false;      // part of a film: sealed (video/seal.h) and without caption file
+  bool captions = false;     // the film may get captions, so that their file is claimed at once
 };
 
 // What is known about a film once its motion is computed. Frames count from 0.

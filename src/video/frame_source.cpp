@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/system/files.h"
 #include "image/png.h"
 #include "video/film_reader.h"
 #include "video/png_sink.h"
@@ -65,14 +66,11 @@ class FilmSource final : public FrameSource {
 
 // files of a folder; nothing when it cannot be read
 std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code failed;
-  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+  std::vector<fs::path> files = entries_of(folder);
+  std::erase_if(files, [](const fs::path& file) {
     std::error_code ignored;
-    if (it->is_regular_file(ignored)) files.push_back(it->path());
-  }
-  if (failed)
-    throw input_error("cannot be read: {}", failed.message()).at({folder.string(), 0, {}});
+    return !fs::is_regular_file(file, ignored);
+  });
   return files;
 }
 

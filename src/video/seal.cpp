@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
+#include "base/system/system_error.h"
 
 namespace polhode {
 namespace {
@@ -39,7 +40,7 @@ class MappedFile {
     const int reason = errno;
     if (handle >= 0) close(handle);
     if (end < 0 || bytes_ == MAP_FAILED) {
-      throw input_error("cannot be read ({})", std::strerror(reason)).at({file.string(), 0, {}});
+      throw system_error(reason, "cannot be read").at({file.string(), 0, {}});
     }
   }
   ~MappedFile() {

@@ -12,11 +12,11 @@ namespace polhode {
 
 // Appends a seal with that text (less than 2^28 bytes) to a complete MP4, MOV or WebM file, whose
 // first bytes say which container it is. Throws Error (environment), without a place, if writing
-// fails, (input), with the file as place, if it cannot be read.
+// fails, and as read_file() (base/system/atomic_file.h) does if it cannot be read.
 void seal_file(const std::filesystem::path& file, std::string_view text);
 
-// The text of the seal; absent if there is none or if the file has changed since. Throws Error
-// (input), with the file as place, if it cannot be read.
+// The text of the seal; absent if there is none or if the file has changed since. Throws as
+// read_file() does if it cannot be read.
 std::optional<std::string> sealed_text(const std::filesystem::path& file);
 
 }  // namespace polhode

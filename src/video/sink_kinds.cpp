@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "video/sink_kinds.h"
 
+#include <algorithm>
+#include <array>
+
 #include "base/error.h"
 #include "base/nearest.h"
 #include "video/captions.h"
@@ -42,15 +45,25 @@ std::string alpha_formats() {
   return names;
 }
 
-Error unknown_ending(const std::string& output) {
+// endings of pictures that other programs write; one of ours is near by chance only
+bool is_of_a_picture(const std::string& ending) {
+  constexpr std::array kEndings = {
+      ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".ppm", ".tga", ".exr", ".svg", ".pdf"};
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+Error unknown_ending(const std::string& output, bool still) {
   const std::size_t dot = output.find_last_of("./");
   const bool has_ending = dot != std::string::npos && output[dot] == '.';
+  const std::string ending = has_ending ? output.substr(dot) : "";
   std::vector<std::string> endings;
   for (const SinkKind& kind : sink_kinds()) {
     if (!kind.ending.empty()) endings.push_back(kind.ending);
   }
-  const std::string ending = has_ending ? output.substr(dot) : "";
-  return input_error("no format has the ending '{}'{}", ending, suggestion(ending, endings))
+  const bool picture = still || is_of_a_picture(ending);
+  return input_error("no format has the ending '{}'{}",
+                     ending,
+                     picture ? " (did you mean '.png'?)" : suggestion(ending, endings))
       .at({output, 0, {}});
 }
 
@@ -122,11 +135,11 @@ const std::vector<SinkKind>& sink_kinds() {
   return kinds;
 }
 
-const SinkKind& find_sink_kind(const std::string& output) {
+const SinkKind& find_sink_kind(const std::string& output, bool still) {
   for (const SinkKind& kind : sink_kinds()) {
     if (accepts(kind, output)) return kind;
   }
-  throw unknown_ending(output);
+  throw unknown_ending(output, still);
 }
 
 std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {

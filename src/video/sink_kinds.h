@@ -26,8 +26,8 @@ struct SinkKind {
 const std::vector<SinkKind>& sink_kinds();
 
 // The kind of an output. Throws Error (input), with the output as place, for an unknown ending; the
-// message suggests the nearest.
-const SinkKind& find_sink_kind(const std::string& output);
+// message suggests the nearest or, for one picture (still) and for endings of pictures, .png.
+const SinkKind& find_sink_kind(const std::string& output, bool still = false);
 
 // Opens the sink for job.output, with a caption file beside it where the format has one (not for
 // segments). Throws Error (input), with the output as place, for a job that the kind cannot do:

@@ -15,6 +15,8 @@ TEST(SplitNames, TakesWhatIsBetweenCommas) {
   EXPECT_EQ(split_names("a"), Names{"a"});
   EXPECT_EQ(split_names("b,a,b"), (Names{"b", "a", "b"}));
   EXPECT_EQ(split_names("a,,b,"), (Names{"a", "", "b"}));
+  EXPECT_EQ(split_names(" a b,  c ,d"), (Names{"a b", "c", "d"}));
+  EXPECT_EQ(split_names("a, ,b"), (Names{"a", "", "b"}));
 }
 
 TEST(KnownNames, RefusesNamesOfNothing) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/in_child.h"
 #include "support/run.h"
 
 namespace polhode::test {
@@ -63,11 +64,59 @@ TEST(Gnuplot, TitlesAreEscapedInSvg) {
   EXPECT_EQ(svg.find("<script>alert"), std::string::npos);
 }
 
+// a gnuplot that is missing, that has no right to run, and that fails: each is told
+TEST(Gnuplot, WhatCannotRunIsToldWithTheReason) {
+  const TemporaryFolder folder;
+  const auto told = [&](const char* script, std::filesystem::perms rights, const char* reason) {
+    write_text(folder / "gnuplot", script);
+    std::filesystem::permissions(folder / "gnuplot", rights);
+    return exit_code_in_child([&] {
+      setenv("PATH", folder.path().c_str(), 1);
+      try {
+        require_gnuplot();
+      } catch (const Error& error) {
+        const bool said = error.fault() == Fault::environment &&
+                          error.message().find(reason) != std::string::npos;
+        return said && find_gnuplot().version.empty() ? 0 : 1;
+      }
+      return 2;
+    });
+  };
+  const char* fails = "#!/bin/sh\necho 'libgd.so.3: cannot open' >&2\nexit 127\n";
+  EXPECT_EQ(told(fails, std::filesystem::perms::owner_read, "Permission denied"), 0);
+  EXPECT_EQ(told(fails, std::filesystem::perms::owner_all, "libgd.so.3: cannot open"), 0);
+  std::filesystem::remove(folder / "gnuplot");
+  const auto missing = [&] {
+    setenv("PATH", folder.path().c_str(), 1);
+    return find_gnuplot().why_not == "gnuplot is not installed" ? 0 : 1;
+  };
+  EXPECT_EQ(exit_code_in_child(missing), 0);
+}
+
+// what is no picture must not take the place of one
+TEST(Gnuplot, OnlyAPictureOfTheFormatIsTaken) {
+  const TemporaryFolder folder;
+  write_text(folder / "gnuplot", "#!/bin/sh\nwhile read line; do :; done; echo garbage\n");
+  std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
+  for (const PlotFormat format : {PlotFormat::svg, PlotFormat::png, PlotFormat::pdf}) {
+    const int told = exit_code_in_child([&] {
+      setenv("PATH", folder.path().c_str(), 1);
+      try {
+        draw_with_gnuplot("", format, 200, 100);
+      } catch (const Error& error) {
+        return error.fault() == Fault::environment ? 0 : 1;
+      }
+      return 2;
+    });
+    EXPECT_EQ(told, 0);
+  }
+}
+
 TEST(Gnuplot, ABrokenScriptIsTold) {
   expect_error([] { draw_with_gnuplot("plot nonsense(\n", PlotFormat::svg, 200, 100); },
                Fault::environment,
                "",
-               "gnuplot did not draw");
+               "gnuplot ended with exit code");
 }
 
 }  // namespace

@@ -62,6 +62,9 @@ TEST_F(Completions, OptionsAndTheirWordsAreCompleted) {
   EXPECT_EQ(offered({"polhode", "render", "--backend", "=", "os"}), (Words{"osmesa"}))
       << "--backend=os arrives as three words";
   EXPECT_TRUE(offered({"polhode", "render", "--step", ""}).empty()) << "a number";
+  EXPECT_EQ(offered({"polhode", "render", "--method", "au"}), (Words{"auto"}));
+  EXPECT_EQ(offered({"polhode", "inspect", "--method", "exa"}), (Words{"exact"}));
+  EXPECT_TRUE(offered({"polhode", "chart", "--methods", "au"}).empty()) << "it takes none";
 }
 
 TEST_F(Completions, ListsGoOnBehindTheComma) {

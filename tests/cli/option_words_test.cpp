@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
-#include "motion/stepper.h"
+#include "film/overrides.h"
 #include "motion/stepper_table.h"
+#include "support/run.h"
 #include "video/encoders.h"
 
 namespace polhode {
@@ -20,7 +20,8 @@ TEST(OptionWords, NoneIsThereTwice) {
                            method_words(),
                            preset_words(),
                            progress_words(),
-                           quality_words()}) {
+                           quality_words(),
+                           stepper_words()}) {
     EXPECT_FALSE(list.empty());
     EXPECT_EQ(std::set<std::string>(list.begin(), list.end()).size(), list.size());
   }
@@ -28,8 +29,15 @@ TEST(OptionWords, NoneIsThereTwice) {
 
 // every word is taken by what reads it
 TEST(OptionWords, EachIsTaken) {
-  for (const std::string& method : method_words())
-    EXPECT_EQ(find_stepper(method).name, method);
+  for (const std::string& method : stepper_words())
+    EXPECT_EQ(parse_methods(method).front()->name, method);
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "scene.toml", test::kSmallScene);
+  for (const std::string& method : method_words()) {
+    Overrides overrides;
+    overrides.method = method;
+    EXPECT_EQ(load_with_overrides(folder / "scene.toml", overrides).numerics.method, method);
+  }
   for (const std::string& codec : codec_words()) {
     EncoderWish wish;
     wish.codec = codec;

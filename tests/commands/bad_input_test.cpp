@@ -160,11 +160,23 @@ const BadCall kBadCalls[] = {
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
     {"simulate SCENE -o SCENE", 2, "the ending of scene files"},
+    {"simulate SCENE -o DIR/a.xlsx", 2, "name a .csv, not '.xlsx'"},
+    {"lecture SCENE -o DIR/out", 2, "is a scene, not a deck"},
+    {"render SCENE -o DIR/a.jpg --still 0.5", 2, "'.png'"},
+    {"render SCENE -o DIR/a.jpg", 2, "'.png'"},
+    {"chart SCENE -o DIR/out --methods 'rk4, rk44'", 2, "'rk44' (did you mean 'rk4'?)"},
+    {"inspect SCENE -o DIR/a.txt", 2, "inspect has no option -o (known: --help, --json, "},
+    {"inspect -oDIR/a.txt SCENE", 2, "inspect has no option -o"},
+    {"render SCENE -o DIR/a.mp4 --sise -1", 2, "did you mean '--size'?"},
+    {"render SCENE SCENE -o DIR/a.mp4 --verbose", 2, "unexpected argument"},
+    {"render SCENE SCENE -o DIR/a.mp4 -v --from -1", 2, "unexpected argument"},
+    {"-o DIR/a.mp4 render SCENE", 2, "must come after the command"},
     {"simulate SCENE -o DIR/scene.toml/../a.csv", 2, "not exist"},
     {"simulate SCENE -o /dev/full", 2, "regular file"},
     {"render SCENE -o DIR/a.mp4 --report DIR/other.toml", 2, "the ending of scene files"},
     {"--size 12x12 render SCENE", 2, "must come after the command"},
     {"render SCENE -o DIR/a.mp4 --report DIR/a.mp4", 2, "overwrite"},
+    {"render SCENE -o DIR/a_%03d.png --report DIR/./a_003.png", 2, "overwrite a frame of"},
 };
 
 TEST(BadInput, EachCallIsOneLineWithTheRightCode) {
@@ -185,6 +197,44 @@ TEST(BadInput, EachCallIsOneLineWithTheRightCode) {
     EXPECT_NE(ran.err.find(bad.says), std::string::npos) << ran.err;
     EXPECT_EQ(folder.entries(), 1) << "only the scene itself is there";
   }
+}
+
+TEST(BadInput, AMeshIsNotOverwritten) {
+  const TemporaryFolder folder;
+  std::string scene = test::kSmallScene;
+  const std::size_t line = scene.find("solid = {");
+  scene.replace(line,
+                scene.find('\n', line) - line,
+                "solid = { kind = \"mesh\", file = \"a.obj\", mass = 1 }");
+  const std::string mesh =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  write_text(folder / "scene.toml", scene);
+  write_text(folder / "a.obj", mesh);
+  std::filesystem::create_symlink("a.obj", folder / "a.csv");
+  std::filesystem::create_symlink("a.obj", folder / "a.png");
+  for (const std::string arguments : {"render SCENE -o DIR/b.png --report DIR/a.obj",
+                                      "render SCENE -o DIR/a.png --still 0",
+                                      "preview SCENE -o DIR/a.png",
+                                      "simulate SCENE -o DIR/a.csv"}) {
+    SCOPED_TRACE(arguments);
+    std::string whole = arguments;
+    whole.replace(whole.find("SCENE"), 5, folder / "scene.toml");
+    for (std::size_t at; (at = whole.find("DIR")) != std::string::npos;)
+      whole.replace(at, 3, folder.path().string());
+    const Ran ran = run_polhode(whole);
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    EXPECT_NE(ran.err.find("would overwrite"), std::string::npos) << ran.err;
+    EXPECT_EQ(test::read_text(folder / "a.obj"), mesh);
+  }
+}
+
+TEST(BadInput, NamesOfFilesStayWithinTheLine) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const Ran ran = run_polhode("render '" + (folder / "scene.toml") + "' --still 0 -o '" +
+                              (folder / "a\nb\x1b[31m.png") + "'");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("a b\\x1b[31m.png: 1 picture"), std::string::npos) << ran.err;
 }
 
 // pictures that would be empty or nearly so are told of

@@ -80,5 +80,19 @@ TEST_F(Chart, AnInterruptLeavesNothing) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 0);
 }
 
+// in the table and the legend they would be one
+TEST_F(Chart, ScenesOfOneNameAreRefused) {
+  std::filesystem::create_directory(folder_ / "b");
+  write_text(folder_ / "b/scene.toml", test::kSmallScene);
+  const std::string second = fmt::format(" '{}'", folder_ / "b/scene.toml");
+  for (const std::string& options : {second, second + " --pictures --size 64x36"}) {
+    const Ran ran = chart(options);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("scene.toml and "), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("/b/scene.toml are both called 'scene'"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -84,6 +84,91 @@ TEST(Environment, LittleMemoryIsToldInOneLine) {
   }
 }
 
+// a decoder that gets no memory takes the film for damaged
+TEST(Environment, AFilmIsNotDamagedWhereMemoryLacks) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer itself needs terabytes of addresses";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string film = "'" + (folder / "a.mp4") + "'";
+  ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' --size 640x360 -o " + film).code,
+            0);
+  for (int limit = 340'000; limit <= 420'000; limit += 10'000) {
+    const Ran ran =
+        run_polhode("diff " + film + " " + film, "ulimit -v " + std::to_string(limit) + ";");
+    EXPECT_NE(ran.code, 2) << limit << ran.err;
+  }
+}
+
+TEST(Environment, TooManyOpenFilesAreNoBadInput) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs descriptors of its own to look at memory";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  write_text(folder / "deck.md", "# Words\n");
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  for (const std::string& arguments :
+       {"manual -o '" + (folder / "man") + "'",
+        "lecture '" + (folder / "deck.md") + "' --to html -o '" + (folder / "lecture") + "'",
+        "stability " + scene + " --cells 2x2 -o '" + (folder / "maps") + "'"}) {
+    const Ran ran = run_polhode(arguments, "sh -c 'ulimit -n 12; exec \"$@\"' sh");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    // pandoc may start, and then abort for want of files of its own
+    const bool by_pandoc = ran.err.find("pandoc was ended by signal") != std::string::npos;
+    EXPECT_TRUE(by_pandoc || ran.err.find("Too many open files") != std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("install"), std::string::npos) << ran.err;
+  }
+}
+
+// programs that fail are told as what they are, and what was there before stays
+TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
+  const TemporaryFolder folder, programs;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  write_text(folder / "deck.md", "# Words\n\n## More\n");
+  std::filesystem::create_directory(folder / "out");
+  const std::string out = " -o '" + (folder / "out") + "'";
+  const std::string stability =
+      "stability '" + (folder / "scene.toml") + "' --cells 2x2 --methods rk4" + out;
+  const std::string lecture = "lecture '" + (folder / "deck.md") + "'" + out + " --to ";
+  // the real one reads
+  const std::string reads =
+      "case \" $* \" in *' -f json '*) ;; *) PATH=${PATH#*:} exec pandoc \"$@\";; esac\n";
+  const struct {
+    const char* program;
+    std::string script, arguments, says;
+  } cases[] = {
+      {"gnuplot", "echo no fonts >&2; exit 7", stability, "ended with exit code 7: no fonts"},
+      {"gnuplot", "kill -SEGV $$", stability, "was ended by signal 11"},
+      {"gnuplot", "exec yes", stability, "wrote more than"},
+      {"gnuplot", "exec sleep 60", stability, "took longer than 10 s"},
+      {"gnuplot", "cat >/dev/null; echo garbage", stability, "gnuplot wrote no picture"},
+      {"pandoc", "exit 7", lecture + "html", "ended with exit code 7"},
+      {"pandoc", "sleep 60 & exit 7", lecture + "html", "ended with exit code 7"},
+      {"pandoc", "echo garbage", lecture + "html", "syntax tree of an unknown kind"},
+      {"pandoc", reads + "kill -SEGV $$", lecture + "html", "was ended by signal 11"},
+      {"pandoc", reads + "exit 0", lecture + "html", "pandoc wrote nothing"},
+      {"pandoc", reads + "exit 0", lecture + "beamer", "pandoc wrote nothing"},
+      {"pandoc", reads + "echo; exit 0", lecture + "pptx", "pandoc wrote no such document"},
+  };
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.script + " " + one.says);
+    for (const char* file : {"index.html", "slides.tex", "slides.pptx", "stability_scene.svg"})
+      write_text(folder / ("out/" + std::string(file)), "old");
+    write_text(programs / one.program, "#!/bin/sh\n" + one.script + "\n");
+    std::filesystem::permissions(programs / one.program, std::filesystem::perms::owner_all);
+    const Ran ran =
+        run_polhode(one.arguments, "PATH='" + programs.path().string() + "':\"$PATH\" timeout 20");
+    std::filesystem::remove(programs / one.program);
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find(one.says), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("install"), std::string::npos) << ran.err;
+    for (const char* file : {"index.html", "slides.tex", "slides.pptx", "stability_scene.svg"})
+      EXPECT_EQ(test::read_text(folder / ("out/" + std::string(file))), "old") << file;
+  }
+}
+
 TEST(Environment, InterruptLeavesNothingAndSaysSo) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;

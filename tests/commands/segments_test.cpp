@@ -171,7 +171,7 @@ TEST_F(Segments, ThatDoNotFitAreNamedWithWhatDiffers) {
   ASSERT_EQ(render("whole.mp4").code, 0);
   expect_one_line(join("p1.mp4 whole.mp4"), 2, "is not a piece of a film");
   expect_one_line(join("scene.toml"), 2, "is not a readable film");
-  expect_one_line(join("nowhere.mp4"), 2, "there is no such film");
+  expect_one_line(join("nowhere.mp4"), 2, "the file does not exist");
   expect_one_line(
       run_polhode(fmt::format("join {} -o {}", at("p1.mp4"), at("p1.mp4"))), 2, "would overwrite");
 }

@@ -75,6 +75,37 @@ TEST_F(Stability, GoesOnWhereItWasStopped) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/stability.resume"));
 }
 
+// a row whose words are damaged is computed again, and so are those behind it
+TEST_F(Stability, ComputesADamagedRowAgain) {
+  const std::string options = "--methods rk4,gauss6 --cells 24x24 --turns 12";
+  ASSERT_EQ(stability(options + " --jobs 2", "whole").code, 0);
+  std::vector<std::string> arguments = {
+      "stability", folder_ / "scene.toml", "-o", folder_ / "out", "--jobs", "1"};
+  for (const std::string& word : test::words_of(options))
+    arguments.push_back(word);
+  const std::string file = folder_ / "out/stability.resume";
+  test::Background run(arguments);
+  EXPECT_TRUE(test::becomes([&] {
+    const std::string kept = read_text(file);
+    return std::count(kept.begin(), kept.end(), '\n') > 1;
+  }));
+  ASSERT_EQ(run.end(SIGINT).code, 130);
+  const std::string kept = read_text(file);
+  const std::size_t row = kept.find('\n') + 1;
+  const std::size_t word = kept.find(' ', kept.find(' ', row) + 1) + 1;
+  const std::size_t number = kept.find(' ', word) + 1;
+  std::string other_word = kept, other_number = kept;
+  other_word.insert(word, "un");
+  other_number.insert(number, "x");
+  for (const std::string& damaged : {other_word, other_number}) {
+    SCOPED_TRACE(damaged.substr(row, 60));
+    write_text(file, damaged);
+    const Ran ran = stability(options);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(table() == table("whole"));
+  }
+}
+
 // what is left of other words, or is nonsense, is not believed
 TEST_F(Stability, DoesNotTakeUpAnotherRun) {
   const std::string options = "--methods rk4 --cells 6x3 --turns 3";

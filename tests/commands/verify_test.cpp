@@ -103,6 +103,22 @@ TEST_F(Verify, AFilmThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "are missing");
 }
 
+TEST_F(Verify, RawFramesAreComparedOneByOne) {
+  render("a.y4m");
+  const std::string film = read_text(folder_ / "a.y4m");
+  const std::size_t frame = (film.size() - film.find('\n') - 1) / 15;
+  std::string changed = film;
+  changed[film.size() - 8 * frame + 100] ^= 1;
+  write_text(folder_ / "a.y4m", changed);
+  expect("a.y4m", 1, "a.y4m: frame 7 (0.700 s) differs");
+  write_text(folder_ / "a.y4m", film.substr(0, film.size() - frame - 10));
+  expect("a.y4m", 1, "frame 13 (1.300 s) is missing");
+  write_text(folder_ / "a.y4m", film + film.substr(film.size() - frame));
+  expect("a.y4m", 1, "frame 15 (1.500 s) is one too many");
+  write_text(folder_ / "a.y4m", "");
+  expect("a.y4m", 1, "its first line differs");
+}
+
 TEST_F(Verify, OnePixelIsEnough) {
   render("f_%d.png");
   Image image = read_png(folder_ / "f_7.png");
@@ -141,6 +157,10 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   expect("a.mp4", 2, "--crf");
   with([](Json& r) { r["encoder"]["threads"] = 0; });
   expect("a.mp4", 2, "encoder.threads");
+  for (const char* other : {"null", "x", ""}) {
+    with([&](Json& r) { r["output"] = other; });
+    expect("a.mp4", 2, "is the report of ");
+  }
   with([](Json& r) { r.erase("scene"); });
   expect("a.mp4", 2, "is not a report");
   write_text(folder_ / "r.json", "[");

@@ -34,8 +34,17 @@ TEST(Comparison, ExplicitEulerGainsEnergyAsTheorySays) {
   const double growth = std::pow(1.0 + h * h * lambda * lambda, 30.0) - 1.0;
   const double expected = across * growth / (across + I3 * w.z() * w.z());
   EXPECT_NEAR(*drift_at(euler.motion, 3.0).energy, expected, 1e-9 * expected);
-  EXPECT_EQ(comparison.notes(euler, 3.0).lines[2].substr(0, 12), "energy +20 %");
-  EXPECT_NE(comparison.notes(euler, 3.0).stamp, "");
+  const PanelNotes notes = comparison.notes(euler, 3.0, true);
+  EXPECT_EQ(notes.name, "Explicit Euler");
+  const double degrees = *comparison.attitude_error(euler, 3.0) * 180.0 / kPi;
+  EXPECT_EQ(notes.figures.substr(0, notes.figures.find("\u00b0")),
+            fmt::format("error {:.1f}", degrees));
+  EXPECT_NE(notes.figures.find(fmt::format("energy +{:.1f} %", 100.0 * expected)),
+            std::string::npos)
+      << notes.figures;
+  EXPECT_EQ(notes.details[0].substr(0, 10), "step 0.1 s");
+  EXPECT_EQ(notes.details[1].substr(0, 12), "energy +20 %");
+  EXPECT_NE(comparison.notes(euler, 3.0, false).stamp, "");
 }
 
 // stamped from the first frame on which the error passes what the scene allows, and not before
@@ -58,7 +67,7 @@ TEST(Comparison, StampsFromTheFrameOnWhichTheErrorPasses) {
       if (from > 0.0) {
         EXPECT_LE(error(from - kFrame), allowed) << name << ' ' << one.method;
       }
-      EXPECT_EQ(comparison.notes(one, std::max(0.0, from - 1e-9)).stamp, "");
+      EXPECT_EQ(comparison.notes(one, std::max(0.0, from - 1e-9), false).stamp, "");
     }
     // the closed form is the truth
     EXPECT_FALSE(comparison.contenders().back().untrusted_from);
@@ -74,7 +83,7 @@ TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
   EXPECT_GT(rk4.end, 0.0);
   EXPECT_LT(rk4.end, 0.2);
   EXPECT_TRUE(std::isfinite(rk4.motion.at(rk4.end).w_B.norm()));
-  EXPECT_NE(comparison.notes(rk4, 1.0).stamp.find("ended"), std::string::npos);
+  EXPECT_NE(comparison.notes(rk4, 1.0, false).stamp.find("ended"), std::string::npos);
   EXPECT_EQ(comparison.contenders()[1].failure, "");
   EXPECT_LT(*comparison.attitude_error(comparison.contenders()[1], 2.0), 0.01);
   const nlohmann::ordered_json report = comparison.report();
@@ -92,8 +101,24 @@ TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
   const Contender& dmv = comparison.contenders()[0];
   EXPECT_EQ(dmv.end, 0.0);
   EXPECT_NE(dmv.failure.find("no solution"), std::string::npos) << dmv.failure;
-  EXPECT_NE(comparison.notes(dmv, 1.0).stamp, "");
+  EXPECT_NE(comparison.notes(dmv, 1.0, false).stamp, "");
   EXPECT_EQ(*comparison.attitude_error(dmv, 0.0), 0.0);
+}
+
+// nothing that was tried took a step, so it is not known what "auto" would have been
+TEST(Comparison, AnAutomaticChoiceThatFailsHasATitle) {
+  const Solved truth = solved("compare_euler");
+  const Comparison comparison(truth, kFrame);
+  Contender failed = comparison.contenders()[0];
+  failed.method = failed.report.method = "auto";
+  failed.report.step.reset();
+  failed.end = 0.0;
+  failed.failure = "no method came through";
+  const PanelNotes notes = comparison.notes(failed, 1.0, true);
+  EXPECT_EQ(notes.name, "Automatic choice");
+  ASSERT_FALSE(notes.details.empty());
+  EXPECT_EQ(notes.details[0].substr(0, 8), "no steps");
+  EXPECT_EQ(notes.stamp, "ended at 0.00 s");
 }
 
 // the T-handle: the linearly implicit scheme damps the tumbling, the explicit one feeds it

@@ -54,8 +54,8 @@ TEST(FilmPanels, TheBodysViewGoesAlongWithTheBody) {
   for (const std::string& more : {std::string(), shots}) {
     const Panels panels(small_scene("[show]\nviews = [\"space\", \"body\"]\n" + more));
     ASSERT_EQ(panels.all().size(), 2U);
-    EXPECT_EQ(panels.all()[0].notes(0.3).lines, std::vector<std::string>{"In space"});
-    EXPECT_EQ(panels.all()[1].notes(0.3).lines, std::vector<std::string>{"In body axes"});
+    EXPECT_EQ(panels.all()[0].notes(0.3).name, "In space");
+    EXPECT_EQ(panels.all()[1].notes(0.3).name, "In body axes");
     const Vec3 point(0.02, 0.05, 0.15);
     for (const double t : {0.0, 0.7}) {
       const double later = t + 0.29;
@@ -79,7 +79,8 @@ TEST(FilmPanels, ComparedMethodsHaveAPanelEach) {
     const Contender& one = panels.comparison->contenders()[i];
     const FilmPanel& panel = panels.all()[i];
     EXPECT_EQ(panel.end, one.end);
-    EXPECT_EQ(panel.notes(0.5).lines, panels.comparison->notes(one, 0.5).lines);
+    EXPECT_EQ(panel.notes(0.5).figures, panels.comparison->notes(one, 0.5, false).figures);
+    EXPECT_TRUE(panel.notes(0.5).details.empty());
     EXPECT_EQ(panel.composer->scenery().motion.at(0.9).q_SB.coeffs(),
               one.motion.at(0.9).q_SB.coeffs());
     across += panel.place.width;
@@ -105,13 +106,30 @@ TEST(FilmPanels, WithoutTextThereAreNoNotes) {
   }
 }
 
-TEST(FilmPanels, PlotsStandBesideASinglePanel) {
+TEST(FilmPanels, DetailsAreShownWhereAsked) {
+  const Panels panels(small_scene(
+      "[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n[show]\ndetails = true\n"));
+  EXPECT_EQ(panels.all()[0].notes(0.5).details.size(), 2U);
+  EXPECT_EQ(panels.all()[0].notes(0.5).details[0].substr(0, 10), "step 0.3 s");
+  EXPECT_EQ(panels.all()[1].notes(0.5).details[0].substr(0, 8), "no steps");
+}
+
+TEST(FilmPanels, PlotsShowOneMotion) {
+  Scene scene = small_scene(
+      "[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n[show]\nplots = [\"tilt\"]\n");
+  test::expect_input_error([&] { const Panels panels(scene); }, "show.plots", "compared");
+}
+
+TEST(FilmPanels, TwoViewsStandBesideThePlots) {
   Scene scene = small_scene("[show]\nplots = [\"tilt\"]\nviews = [\"space\", \"body\"]\n");
-  const Solved solved = solve(scene);
-  test::expect_input_error(
-      [&] { make_film(solved, plan_frame_times(solved, {}).timeline, nullptr, {}, true); },
-      "show.plots",
-      "single panel");
+  scene.video.size = {640, 360};
+  const Panels panels(scene);
+  ASSERT_EQ(panels.all().size(), 2U);
+  for (const FilmPanel& panel : panels.all()) {
+    EXPECT_LE(panel.place.right(), 380);
+    EXPECT_GE(panel.place.width * panel.place.height, 640 * 360 / 5);
+  }
+  EXPECT_FALSE(panels.film->at(0.5).stamps.empty());
 }
 
 // an automatic camera leaves room for what is laid over the picture
@@ -124,10 +142,43 @@ TEST(FilmPanels, TheBodyMakesRoomForPlotsAndCaptions) {
   };
   const Vec2 alone = centre("");
   const Vec2 plotted = centre("[show]\nplots = [\"tilt\"]\n");
-  EXPECT_LT(plotted.x(), alone.x() - 0.1 * 640);
+  EXPECT_LT(plotted.x(), 0.7 * alone.x());
   const std::string story = "[[story]]\nat = 0.5\ncaption = \"words\"\n";
   EXPECT_LT(centre(story).y(), alone.y() - 3.0) << "words are at the bottom";
   EXPECT_NEAR(centre(story, false).y(), alone.y(), 1e-9);
+}
+
+// text of a panel stays in it, whatever its size
+TEST(FilmPanels, NotesAndLabelsStayInTheirPanel) {
+  for (const char* name : {"compare_engines", "compare_euler", "compare_fast_top", "two_views"}) {
+    for (const double size : {0.6, 1.0, 1.8}) {
+      for (const bool details : {false, true}) {
+        Scene scene = load_scene(scene_path(name));
+        scene.video.size = {640, 360};
+        scene.show.text_size = size;
+        scene.show.details = details;
+        const Panels panels(scene);
+        const double end = scene.motion.duration / scene.video.time_scale;
+        for (const double part : {0.0, 0.2, 0.6, 1.0}) {
+          const std::vector<TextRoom> rooms = panels.film->text_rooms(part * end);
+          ASSERT_GE(rooms.size(), 2U + panels.all().size());
+          // the first two are clock and title, which have a bar above all panels
+          for (std::size_t i = 0; i < rooms.size(); ++i) {
+            const bool in_bar = rooms[i].bottom <= panels.all()[0].place.y;
+            EXPECT_EQ(in_bar, i < 2) << name << ' ' << i;
+            if (in_bar) continue;
+            int homes = 0;
+            for (const FilmPanel& panel : panels.all()) {
+              const PixelBox& place = panel.place;
+              homes += rooms[i].left >= place.x && rooms[i].right <= place.right() &&
+                       rooms[i].top >= place.y && rooms[i].bottom <= place.bottom();
+            }
+            EXPECT_EQ(homes, 1) << name << ' ' << size << ' ' << i << " at " << part;
+          }
+        }
+      }
+    }
+  }
 }
 
 class WholeFilm : public ::testing::TestWithParam<std::string> {};

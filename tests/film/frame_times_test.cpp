@@ -86,6 +86,18 @@ TEST(FrameTimes, ALoopEndsOneStepBeforeItsFirstFrame) {
   EXPECT_FALSE(times_of(small_scene()).loop);
 }
 
+// a step that the motion reaches and the loop does not: the error says where the loop ends
+TEST(FrameTimes, AStepBehindTheLoopIsToldItsEnd) {
+  Scene scene = small_scene("loop = true\n[[story]]\nat = 0.5\n[[story]]\nat = 0.9\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 2.0 * kPi / 0.731);
+  test::expect_input_error(
+      [&] { times_of(scene); }, "story[1].at", "the loop closes after 0.731 s");
+  scene.story[1].at = 0.7;
+  EXPECT_NO_THROW(times_of(scene));
+  scene.story[1].at = 1.5;
+  test::expect_input_error([&] { times_of(scene); }, "story[1].at", "within the motion");
+}
+
 TEST(FrameTimes, TimesOutsideTheMotionNameTheirOption) {
   const Scene scene = small_scene();
   const auto refused = [&](const TimeRange& asked, const char* option, const char* words) {

@@ -44,6 +44,7 @@ TEST_F(PlanOfARender, TellsTheSinkWhatTheSceneSays) {
   EXPECT_EQ(plan.sink.title, "test");
   EXPECT_EQ(plan.sink.comment,
             "polhode " + program_version() + ", scene " + scene_hash(plan.scene));
+  EXPECT_TRUE(plan.sink.captions);
   EXPECT_FALSE(plan.sink.still);
   EXPECT_FALSE(plan.range.one_picture);
   EXPECT_FALSE(plan.shard);

@@ -7,6 +7,7 @@
 
 #include "film/small_films.h"
 #include "math/so3.h"
+#include "support/expect_error.h"
 #include "support/logged.h"
 
 namespace polhode {
@@ -85,8 +86,32 @@ TEST(AccuracyInRadians, PixelsDependOnThePicture) {
   EXPECT_NEAR(accuracy_in_radians(scene, model), coarse, 1e-9 * coarse);
   scene.camera.eye = Vec3(0.0, -3.0, 0.0);
   const double far = accuracy_in_radians(scene, model);
-  scene.camera.eye = Vec3(0.0, -2.0, 0.0);
-  EXPECT_LT(accuracy_in_radians(scene, model), far);
+  ShotSpec shot;
+  shot.camera.eye = Vec3(0.0, -2.0, 0.0);
+  scene.shots = {shot};
+  const double near = accuracy_in_radians(scene, model);
+  EXPECT_LT(near, far);
+  std::swap(scene.camera, scene.shots[0].camera);
+  EXPECT_EQ(accuracy_in_radians(scene, model), near);
+  scene.shots[0].camera.eye = Vec3::Zero();
+  test::expect_error(
+      [&] { accuracy_in_radians(scene, model); }, Fault::input, "shots[0].eye", "must differ");
+  scene.shots.clear();
+  EXPECT_EQ(accuracy_in_radians(scene, model), near);
+}
+
+// a point outside of the body is the farthest, wherever it is listed
+TEST(SolvedScene, PointsOfTheSceneCountForTheAccuracy) {
+  Scene scene = small_scene("[numerics]\naccuracy = \"0.5px\"\n[camera]\neye = [4, 0, 0]\n");
+  const BodyModel model = solve(scene).model;
+  const double alone = accuracy_in_radians(scene, model);
+  scene.show.points = {Vec3(0.0, 0.0, 0.05)};
+  EXPECT_EQ(accuracy_in_radians(scene, model), alone);
+  scene.show.points.push_back(Vec3(1.0, 0.0, 0.0));
+  const double with_point = accuracy_in_radians(scene, model);
+  EXPECT_LT(with_point, 0.5 * alone);
+  std::swap(scene.show.points, scene.show.trail_points);
+  EXPECT_EQ(accuracy_in_radians(scene, model), with_point);
 }
 
 // a turn by the accuracy moves no point of the body by more than the pixels that are allowed

@@ -152,6 +152,20 @@ TEST(BodyLook, TheHullReachesAsFarAsTheBody) {
               1e-7);
 }
 
+// a rod may be a plate: its corners do not grow in number with its width
+TEST(BodyLook, ARodThickerThanLongIsNoFinerThanACylinder) {
+  BodySpec body;
+  SolidSpec rod;
+  rod.kind = "rod";
+  rod.mass = 1.0;
+  rod.length = 1.0;
+  rod.radius = 1e9;
+  body.solid = rod;
+  const BodyModel model = make_model(body, {});
+  const std::vector<LookPart> look = body_look(body, model, make_theme({}), 96);
+  EXPECT_LT(points_of(look).size(), 5000U);
+}
+
 TEST(BodyLook, ALookHasNoMass) {
   BodySpec body = test::brick_body();
   body.look = body.solid;

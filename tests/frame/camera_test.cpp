@@ -49,6 +49,17 @@ TEST(Camera, PixelsPerMetreMatchesProject) {
   EXPECT_NEAR(moved / step, camera.pixels_per_metre(Vec3::Zero()), 1e-6 * moved / step);
 }
 
+TEST(Camera, ZoomMagnifiesAboutTheMiddle) {
+  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kPicture, Vec3::Zero(), 1.0);
+  const Vec2 middle(0.5 * kPicture.width, 0.5 * kPicture.height);
+  for (const double zoom : {0.4, 1.0, 3.0}) {
+    for (const Vec3& point : {Vec3(0.1, 0.2, 0.3), Vec3(-0.4, 0.1, -0.2)}) {
+      const Vec2 wanted = middle + zoom * (camera.project(point) - middle);
+      EXPECT_LT((camera.zoomed(zoom).project(point) - wanted).norm(), 1e-9);
+    }
+  }
+}
+
 class CameraFraming : public ::testing::TestWithParam<int> {};
 
 // everything is inside the margins, and two opposite sides are touched: no nearer camera would do

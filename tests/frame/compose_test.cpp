@@ -99,7 +99,7 @@ TEST(Compose, WhatIsNotThereYetIsNotDrawn) {
 TEST(Compose, CamerasKeepEverythingInTheFrame) {
   const PictureSize size{640, 360};
   const BodySpec body = test::cone_body();
-  for (const char* follow : {"none", "center", "body", "momentum"}) {
+  for (const char* follow : {"none", "center", "body", "momentum", "upright"}) {
     for (const double orbit : {0.0, 0.8}) {
       CameraSpec camera;
       camera.follow = follow;
@@ -183,7 +183,8 @@ TEST(Compose, AttitudeToleranceIsAnUpperBoundInPixels) {
   own.target = Vec3::Zero();
   for (const CameraSpec& camera : {CameraSpec{}, own}) {
     const Composer picture = composer(body, wobbling(), {}, camera);
-    const double tolerance = attitude_tolerance(camera, 0.1, picture.scenery().scale.body, kSize);
+    const double tolerance =
+        attitude_tolerance(camera, 0.1, {picture.scenery().scale.body, 0.0}, kSize);
     EXPECT_GT(tolerance, 1e-5);
     const Sample s = moving(body, wobbling()).at(1.0);
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
@@ -195,6 +196,190 @@ TEST(Compose, AttitudeToleranceIsAnUpperBoundInPixels) {
       }
     }
   }
+}
+
+// a point far outside of the body moves farther than the tips of vectors
+TEST(Compose, AttitudeToleranceKnowsThePointsOfTheScene) {
+  CameraSpec camera;
+  camera.eye = Vec3(6.0, 2.0, 1.5);
+  camera.target = Vec3::Zero();
+  const Camera seen(*camera.eye, *camera.target, camera.fov, kSize, Vec3::Zero(), 5.0);
+  const double body = 0.2;
+  for (const double far : {0.1, 0.5, 2.0, 5.0}) {
+    const double tolerance = attitude_tolerance(camera, 0.1, {body, far}, kSize);
+    for (const Vec3& point : {Vec3(far, 0, 0), Vec3(0, far, 0), Vec3(0, 0, -far)}) {
+      for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        const Quat error(Eigen::AngleAxisd(tolerance, axis));
+        EXPECT_LE((seen.project(error * point) - seen.project(point)).norm(), 0.1) << far;
+      }
+    }
+  }
+  EXPECT_EQ(attitude_tolerance(camera, 0.1, {body, 0.1}, kSize),
+            attitude_tolerance(camera, 0.1, {body, 0.0}, kSize));
+}
+
+// a body that flies and turns
+MotionSpec thrown() {
+  MotionSpec spec = test::wobbling();
+  spec.velocity = Vec3(0.1, 0.7, 0.2);
+  return spec;
+}
+
+double height_in_picture(const Composer& picture, double t) {
+  const Sample now = picture.scenery().motion.at(t);
+  const Camera camera = picture.camera_at(t);
+  double top = 1e9, bottom = -1e9;
+  for (const Vec3& point_B : picture.scenery().hull_B) {
+    const double y = camera.project(now.reference_S + now.q_SB * point_B).y();
+    top = std::min(top, y);
+    bottom = std::max(bottom, y);
+  }
+  return (bottom - top) / kSize.height;
+}
+
+// where the reference point is in the picture at the end, from where it was at the start
+double moved_in_picture(const Composer& picture) {
+  const auto pixel = [&](double t) {
+    return picture.camera_at(t).project(picture.scenery().motion.at(t).reference_S);
+  };
+  return (pixel(4.0) - pixel(0.0)).norm();
+}
+
+TEST(Compose, AThrownBodyIsFollowedAndLarge) {
+  const BodySpec body = test::brick_body();
+  const Composer followed = composer(body, thrown(), show_only("body"));
+  EXPECT_LT(moved_in_picture(followed), 1e-6);
+  for (const double t : {0.0, 1.3, 4.0})
+    EXPECT_GT(height_in_picture(followed, t), 1.0 / 3.0) << t;
+
+  // what has a place in space keeps the camera there, as does who asks for it
+  CameraSpec still;
+  still.follow = "none";
+  CameraSpec aimed;
+  aimed.target = Vec3(0.2, 1.0, 0.3);
+  ShowSpec path = show_only("body");
+  path.trail_points = {Vec3::Zero()};
+  EXPECT_GT(moved_in_picture(composer(body, thrown(), show_only("body"), still)), 100.0);
+  EXPECT_GT(moved_in_picture(composer(body, thrown(), show_only("body"), aimed)), 100.0);
+  EXPECT_GT(moved_in_picture(composer(body, thrown(), show_only("fixed_frame"))), 100.0);
+  EXPECT_GT(moved_in_picture(composer(body, thrown(), show_only("floor"))), 100.0);
+  EXPECT_GT(moved_in_picture(composer(body, thrown(), path)), 100.0);
+  // the end of a path goes along
+  path.trail_s = 0.3;
+  EXPECT_LT(moved_in_picture(composer(body, thrown(), path)), 1e-6);
+  // a little drift needs nobody to follow
+  MotionSpec slow = thrown();
+  slow.velocity *= 0.02;
+  const double drift = moved_in_picture(composer(body, slow, show_only("body")));
+  EXPECT_GT(drift, 1.0);
+  EXPECT_LT(drift, 100.0);
+}
+
+// ghosts of a throw that comes down again need less room where the camera stands
+TEST(Compose, ACameraFollowsOnlyToComeNearer) {
+  MotionSpec spec = test::wobbling();
+  spec.duration = 0.55;
+  spec.gravity = Vec3(0, 0, -9.81);
+  spec.velocity = Vec3(0, 1.2, 2.7);
+  ShowSpec show = show_only("ghosts");
+  show["body"] = true;
+  show.ghost_s = 0.09;
+  const auto picture = [&](const char* follow) {
+    CameraSpec camera;
+    camera.follow = follow;
+    return composer(test::brick_body(), spec, show, camera);
+  };
+  const auto size = [&](const Composer& composed) {
+    double sum = 0.0;
+    for (double t = 0.0; t <= 0.55; t += 0.05)
+      sum += height_in_picture(composed, t);
+    return sum;
+  };
+  EXPECT_GT(size(picture("none")), size(picture("center")));
+  EXPECT_NEAR(size(picture("auto")), size(picture("none")), 1e-9);
+}
+
+// a camera that goes along sees the whole trail at every moment
+TEST(Compose, FollowingSeesTheWholeTrail) {
+  const BodySpec body = test::brick_body();
+  CameraSpec camera;
+  camera.follow = "center";
+  ShowSpec show = show_only("trail");
+  show["body"] = true;
+  const Composer picture = composer(body, thrown(), show, camera);
+  const Path& path = picture.scenery().paths.axis.path();
+  for (const double t : {0.5, 2.0, 4.0}) {
+    for (std::size_t i = 0; i < path.points.size() && path.parameters[i] <= t; ++i)
+      ASSERT_TRUE(picture.camera_at(t).sees(path.points[i])) << t;
+  }
+}
+
+TEST(Compose, TheSphereOfATrailIsInsideTheFrame) {
+  ShowSpec show = show_only("trail_sphere");
+  const Composer picture = composer(test::brick_body(), wobbling(), show);
+  const Sample now = picture.scenery().motion.at(1.0);
+  const Placement sphere = picture.glyphs_at(now).shells.front().space_from_mesh;
+  double top = 1e9, bottom = -1e9;
+  for (double z = -1.0; z <= 1.0; z += 0.01) {
+    for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.02) {
+      const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+      const Vec3 point = sphere * Vec3(r * std::cos(angle), r * std::sin(angle), z);
+      const double y = picture.camera().project(point).y();
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  }
+  // no farther out than the margins, and hardly less
+  const FrameMargins usual;
+  EXPECT_GT(top, usual.top * kSize.height - 1e-6);
+  EXPECT_LT(bottom, (1.0 - usual.bottom) * kSize.height + 1e-6);
+  EXPECT_GT((bottom - top) / kSize.height, 0.88);
+}
+
+TEST(Compose, ZoomAndMarginAreThoseOfTheScene) {
+  const BodySpec body = test::brick_body();
+  const auto height = [&](const CameraSpec& camera) {
+    return height_in_picture(composer(body, wobbling(), show_only("body"), camera), 0.7);
+  };
+  CameraSpec plain, zoomed, own, wide;
+  zoomed.zoom = 2.5;
+  EXPECT_NEAR(height(zoomed) / height(plain), 2.5, 1e-9);
+  own.eye = Vec3(2.0, 0.5, 0.4);
+  const double before = height(own);
+  own.zoom = 1.7;
+  EXPECT_NEAR(height(own) / before, 1.7, 1e-9);
+  // text keeps its room beside the margin
+  for (const double margin : {0.0, 0.2, 0.4}) {
+    wide.margin = margin;
+    FrameMargins text;
+    text.bottom += 0.05;
+    const Motion motion = moving(body, wobbling());
+    const Staging staging{wide, {}, Timeline({}, motion.duration(), 1.0), text};
+    const Composer picture(motion, body, staging, show_only("body"), {}, kSize);
+    double top = 1e9, bottom = -1e9;
+    for (double t = 0.0; t <= 4.0; t += 4.0 / 240) {
+      const Sample now = motion.at(t);
+      for (const Vec3& point_B : picture.scenery().hull_B) {
+        const double y =
+            picture.camera().project(now.reference_S + now.q_SB * point_B).y() / kSize.height;
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+      }
+    }
+    EXPECT_NEAR(top, margin, 1e-6);
+    EXPECT_NEAR(bottom, 1.0 - std::min(margin + 0.05, 0.45), 1e-6);
+  }
+  // of a shot likewise
+  ShotSpec shot;
+  shot.at = 2.0;
+  shot.camera.zoom = 3.0;
+  const Motion motion = moving(body, wobbling());
+  const Staging staging{plain, {shot}, Timeline({}, motion.duration(), 1.0), {}};
+  const Composer picture(motion, body, staging, show_only("body"), {}, kSize);
+  const Vec3 point(0.0, 0.05, 0.02);
+  const Vec2 middle(0.5 * kSize.width, 0.5 * kSize.height);
+  const Vec2 first = picture.camera_at(1.0).project(point) - middle;
+  EXPECT_LT((picture.camera_at(3.0).project(point) - middle - 3.0 * first).norm(), 1e-6);
 }
 
 }  // namespace

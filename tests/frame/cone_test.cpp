@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/cone.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -37,41 +39,6 @@ void each_corner(const DrawItem& item, const Cone& cone, const Use& use) {
   }
 }
 
-// every corner of the rim's tube is the tube's radius away from the circle where generators end
-TEST(Cone, RimIsACircle) {
-  for (const double half_angle : {0.1, 0.7, 1.4}) {
-    const Cone cone = cone_about({1, -2, 0.5}, half_angle);
-    const DrawList list = drawn({cone}, {5, 0, 0});
-    ASSERT_EQ(list.opaque.size(), 1u);
-    each_corner(list.opaque[0], cone, [&](const Vec3& point) {
-      const double along = point.dot(cone.axis);
-      const double across = (point - along * cone.axis).norm();
-      const double radius = cone.slant * std::sin(half_angle);
-      // the tube is round along the axis; across it is as thick as the ring's own proportion
-      const double off_along = (along - cone.slant * std::cos(half_angle)) / cone.rim_radius;
-      const double off_across = (across - radius) / (radius * kRimTube);
-      EXPECT_NEAR(std::hypot(off_along, off_across), 1.0, 0.2);
-    });
-    EXPECT_EQ(list.opaque[0].material.alpha, 1.0f);
-  }
-}
-
-// every corner of the shell is on the cone, up to what a polygon is off its circle
-TEST(Cone, ShellHasTheHalfAngle) {
-  for (const double half_angle : {0.05, 0.5, 1.2}) {
-    const Cone cone = cone_about({0.2, 0.1, -1}, half_angle);
-    const DrawList list = drawn({cone}, {0, 5, 0});
-    ASSERT_EQ(list.translucent.size(), 2u);
-    double longest = 0.0;
-    each_corner(list.translucent[0], cone, [&](const Vec3& point) {
-      if (point.norm() < 1e-6) return;
-      EXPECT_NEAR(std::tan(angle_between(point, cone.axis)) / std::tan(half_angle), 1.0, 2e-3);
-      longest = std::max(longest, point.norm());
-    });
-    EXPECT_NEAR(longest, cone.slant, 2e-3 * cone.slant);
-  }
-}
-
 // which shell, of which side: how the order is told
 std::string order_of(const DrawList& list, const std::vector<Cone>& cones) {
   std::string order;
@@ -89,6 +56,93 @@ std::vector<Cone> colored(std::vector<Cone> cones) {
   for (std::size_t i = 0; i < cones.size(); ++i)
     cones[i].material.color = glm::vec3(0.25f * static_cast<float>(i));
   return cones;
+}
+
+// every corner of the rim's tube is the tube's radius away from the circle where generators end, in
+// wide and in narrow cones; of the narrowest the tube is as wide as they are
+TEST(Cone, RimIsARoundTube) {
+  for (const double half_angle : {0.003, 0.02, 0.05, 0.1, 0.7, 1.4, 0.5 * kPi}) {
+    const Cone cone = cone_about({1, -2, 0.5}, half_angle);
+    const double radius = cone.slant * std::sin(half_angle);
+    const double tube = std::min(cone.rim_radius, 0.9 * radius);
+    const ConeMeshes ready = cone_meshes(96, {cone});
+    ASSERT_EQ(ready.rims.size(), 1u);
+    for (const ConeMeshes& meshes : {ready, cone_meshes(96)}) {
+      DrawList list;
+      add_cones(list, meshes, {cone}, {5, 0, 0});
+      ASSERT_EQ(list.opaque.size(), 1u);
+      double nearest = 1e9, farthest = 0.0;
+      each_corner(list.opaque[0], cone, [&](const Vec3& point) {
+        const double along = point.dot(cone.axis);
+        const double across = (point - along * cone.axis).norm();
+        const double off = std::hypot(along - cone.slant * std::cos(half_angle), across - radius);
+        nearest = std::min(nearest, off / tube);
+        farthest = std::max(farthest, off / tube);
+      });
+      EXPECT_GT(nearest, 0.95) << half_angle;
+      EXPECT_LT(farthest, 1.1) << half_angle;
+      EXPECT_EQ(list.opaque[0].material.alpha, 1.0f);
+    }
+  }
+}
+
+// how high above the plane through the apex a cone's corners are, and how far out
+struct Reach {
+  double low = 1e9, high = -1e9, out = 0.0;
+};
+Reach reach_of(const DrawItem& item, const Cone& cone, const Vec3& up) {
+  Reach reach;
+  each_corner(item, cone, [&](const Vec3& point) {
+    reach.low = std::min(reach.low, point.dot(up));
+    reach.high = std::max(reach.high, point.dot(up));
+    reach.out = std::max(reach.out, point.cross(up).norm());
+  });
+  return reach;
+}
+
+// as wide as can be it is a disc, about either direction; what is drawn first stays the same
+TEST(Cone, TurnsOverWithoutAJump) {
+  const Vec3 up = Vec3(0.3, -0.4, 1.0).normalized();
+  for (const double short_of : {1e-3, 1e-6, 0.0}) {
+    const Cone above = cone_about(up, 0.5 * kPi - short_of);
+    const Cone below = cone_about(-up, 0.5 * kPi - short_of);
+    const DrawList one = drawn({above}, {4, 1, 3}), other = drawn({below}, {4, 1, 3});
+    for (const auto& [a, b] : {std::pair{one.opaque[0], other.opaque[0]},
+                               {one.translucent[0], other.translucent[0]},
+                               {one.translucent[1], other.translucent[1]}}) {
+      const Reach at = reach_of(a, above, up), past = reach_of(b, below, up);
+      const double allowed = above.slant * (2.0 * short_of + 3e-5);
+      EXPECT_NEAR(at.low, past.low, allowed);
+      EXPECT_NEAR(at.high, past.high, allowed);
+      EXPECT_NEAR(at.out, past.out, 1e-5);
+      EXPECT_EQ(a.material.alpha, b.material.alpha);
+      EXPECT_EQ(a.faces, b.faces);
+    }
+  }
+  // from above the flat one is behind what stands on it, from below in front
+  for (const double side : {1.0, -1.0}) {
+    const std::vector<Cone> cones =
+        colored({cone_about(side * up, 0.5 * kPi), cone_about(up, 0.3)});
+    EXPECT_EQ(order_of(drawn(cones, 5.0 * up), cones).front(), 'a') << side;
+    const std::string from_below = order_of(drawn(cones, -5.0 * up), cones);
+    EXPECT_EQ(from_below.substr(from_below.size() - 2), "a+") << side;
+  }
+}
+
+// every corner of the shell is on the cone, up to what a polygon is off its circle
+TEST(Cone, ShellHasTheHalfAngle) {
+  for (const double half_angle : {0.05, 0.5, 1.2}) {
+    const Cone cone = cone_about({0.2, 0.1, -1}, half_angle);
+    const DrawList list = drawn({cone}, {0, 5, 0});
+    ASSERT_EQ(list.translucent.size(), 2u);
+    double longest = 0.0;
+    each_corner(list.translucent[0], cone, [&](const Vec3& point) {
+      if (point.norm() < 1e-6) return;
+      EXPECT_NEAR(std::tan(angle_between(point, cone.axis)) / std::tan(half_angle), 1.0, 2e-3);
+      longest = std::max(longest, point.norm());
+    });
+    EXPECT_NEAR(longest, cone.slant, 2e-3 * cone.slant);
+  }
 }
 
 // outer back, inner, outer front, in whichever order they are given

@@ -87,6 +87,18 @@ TEST(Curves, AClosedTubeIsATorus) {
   }
 }
 
+// an open tube has ends: it encloses its volume, and nobody looks into it
+TEST(Curves, AnOpenTubeIsClosedAtItsEnds) {
+  constexpr int kSides = 24;
+  const Mesh tube = tube_along({{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 3}}, 0.1, kSides, false);
+  EXPECT_EQ(test::open_edges(tube), 0);
+  const Mesh straight = tube_along({{0, 0, 0}, {1, 2, 2}}, 0.1, kSides, false);
+  const double section = 0.5 * kSides * std::sin(2.0 * kPi / kSides) * 0.01;
+  EXPECT_NEAR(test::signed_volume(straight), 3.0 * section, 1e-6);
+  for (const Vertex& vertex : straight.vertices)
+    EXPECT_NEAR(glm::length(vertex.normal), 1.0f, 1e-6f);
+}
+
 // parts of a trail end at any parameter, within a piece too, and together are the whole
 TEST(Curves, PartsOfATrailEndWhereTheyAreCut) {
   Path line;

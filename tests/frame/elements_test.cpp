@@ -105,7 +105,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"gravity", {.arrows = 1}},
                                                {"axis_plane", {.meshes = 1, .sheets = 1}},
                                                {"ellipsoid", {.shells = 1}},
-                                               {"plane", {.meshes = 1, .sheets = 1}},
+                                               {"plane", {.meshes = 2, .sheets = 1}},
                                                {"polhode", {.meshes = 1}},
                                                {"polhodes", {.meshes = 36}},
                                                {"herpolhode", {.meshes = 1}},

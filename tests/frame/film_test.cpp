@@ -8,30 +8,6 @@
 namespace polhode {
 namespace {
 
-TEST(Film, PanelsCoverTheFrameOnce) {
-  for (const PictureSize& size : {PictureSize{1920, 1080}, {640, 360}, {101, 999}}) {
-    for (int count = 1; count <= 9; ++count) {
-      std::vector<int> hits(static_cast<std::size_t>(size.width) * size.height, 0);
-      const std::vector<PixelBox> places = panel_places(size, count);
-      ASSERT_EQ(places.size(), static_cast<std::size_t>(count));
-      for (const PixelBox& place : places) {
-        for (int y = place.y; y < place.bottom(); ++y) {
-          for (int x = place.x; x < place.right(); ++x)
-            ++hits[static_cast<std::size_t>(y * size.width + x)];
-        }
-      }
-      for (const int hit : hits)
-        ASSERT_EQ(hit, 1);
-    }
-  }
-}
-
-TEST(Film, SixPanelsAreThreeByTwo) {
-  const std::vector<PixelBox> places = panel_places({1920, 1080}, 6);
-  for (const PixelBox& place : places)
-    EXPECT_EQ(place.width * place.height, 640 * 540);
-}
-
 // the same body and camera for other motions: what differs between panels is the motion alone
 TEST(Film, PanelsShareCameraAndScale) {
   const BodySpec body = test::prolate_body();
@@ -68,9 +44,11 @@ TEST(Film, TipsOfVectorsStayDrawable) {
 // two panels side by side, with everything that can be laid over them
 Film two_panels() {
   const BodySpec body = test::prolate_body();
-  const std::vector<PixelBox> places = panel_places({640, 180}, 2);
+  FilmText text;
+  text.title = "Title";
+  text.caption = "Words";
   std::vector<FilmPanel> panels;
-  for (const PixelBox& place : places) {
+  for (const PixelBox& place : frame_areas(text, {640, 180}, 2, 0).panels) {
     FilmPanel panel;
     panel.place = place;
     panel.composer = std::make_shared<const Composer>(test::moving(body, test::wobbling()),
@@ -82,9 +60,6 @@ Film two_panels() {
     panel.end = 4.0;
     panels.push_back(panel);
   }
-  FilmText text;
-  text.title = "Title";
-  text.caption = "Words";
   return {panels, text, {640, 180}};
 }
 
@@ -136,8 +111,9 @@ TEST(Film, APanelStandsStillBehindItsEnd) {
                                                     ThemeSpec{},
                                                     PictureSize{320, 180});
   panel.end = 1.0;
+  panel.rows = {true, true, true, 0};
   panel.notes = [](double t) {
-    return PanelNotes{{"a <b>", "line"}, t > 1.0 ? "ended" : ""};
+    return PanelNotes{"a <b>", "line", {}, t > 1.0 ? "ended" : ""};
   };
   const Film film({panel}, FilmText{}, {320, 180});
   const Picture at_end = film.at(1.0);

@@ -61,6 +61,23 @@ TEST(Labels, StandBesideShafts) {
       << rooms[0].top << ' ' << rooms[0].bottom;
 }
 
+// two vectors in one line: the name of the shorter one stands beside the head of the longer one
+TEST(Labels, KeepOffHeads) {
+  const TextRoom frame{0, 0, 640, 360};
+  const std::vector<TextShaft> shafts = {{Vec2(300, 300), Vec2(300, 100), Vec2(300, 150), 18.0},
+                                         {Vec2(300, 300), Vec2(300, 150), Vec2(300, 190), 22.0}};
+  const std::vector<LabelWish> wishes = {{Vec2(300, 100), Vec2(0, -1), 20, 16},
+                                         {Vec2(300, 150), Vec2(0, -1), 20, 16}};
+  const std::vector<TextRoom> rooms = place_labels(wishes, {}, shafts, frame, 4.0);
+  for (const TextRoom& room : rooms) {
+    EXPECT_FALSE(overlap(room, {282, 102, 318, 150}));
+    EXPECT_FALSE(overlap(room, {278, 152, 322, 190}));
+  }
+  EXPECT_LT(rooms[0].bottom, 100.0);
+  // still near its own tip
+  EXPECT_LT((rooms[1].center() - Vec2(300, 150)).norm(), 60.0);
+}
+
 TEST(Labels, RoomsThatTouchDoNotOverlap) {
   const TextRoom room{0, 0, 10, 10};
   EXPECT_FALSE(overlap(room, {10, 0, 20, 10}));

@@ -108,6 +108,12 @@ TEST(LaidOn, MixesWithTheBackgroundByAlpha) {
       EXPECT_NEAR(laid.at(7, 7)[c], alpha * half.at(7, 7)[c] + (1.0 - alpha) * grey, 1.0);
     }
   }
+  // what it was painted on has another colour now
+  Image painted;
+  painted.wipe(8, 8, {200, 100, 0, 0});
+  painted.painted.push_back({0, 0, 2, 2});
+  EXPECT_FALSE(laid_on(painted, 255).ground);
+  EXPECT_TRUE(laid_on(painted, 255).painted.empty());
   Image one_hole = flat(1, 2, 3);
   EXPECT_TRUE(is_opaque(one_hole));
   one_hole.at(47, 47)[3] = 254;

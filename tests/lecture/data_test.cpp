@@ -123,6 +123,39 @@ TEST_F(DataOfALecture, FilesFromElsewhereStandBesideTheDeck) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/data/elsewhere.png"));
 }
 
+// two files of one name stay two, and a scene from elsewhere has its mesh beside it
+TEST_F(DataOfALecture, FilesOfOneNameFromElsewhereStayApart) {
+  deck_.root.allow_outside = true;
+  const std::string mesh =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::string text =
+      "format = 1\n[body]\nsolid = { kind = \"mesh\", file = \"m.obj\", mass = 1 }\n"
+      "[motion]\nspin = { body = [1, 0, 3] }\nduration = 1\n";
+  for (const std::string where : {"first", "second", "third/in"}) {
+    std::filesystem::create_directories(folder_ / where);
+    write_text(folder_ / (where + "/photo.png"), where);
+    write_text(folder_ / (where + "/m.obj"), "# " + where + "\n" + mesh);
+  }
+  write_text(folder_ / "first/a.toml", text);
+  write_text(folder_ / "second/b.toml", text);
+  // "photo.png" of the deck's own folder keeps its name, and so does the folder "in"
+  deck_.images = {"../first/photo.png", "photo.png", folder_ / "third/in/photo.png"};
+  data_.scenes.push_back({scene("../first/a.toml"), ""});
+  data_.scenes.push_back({scene("../second/b.toml"), ""});
+  const Json json = manifest();
+  EXPECT_EQ(json.at("scenes").at(1).at("scene"), "source/first/a.toml");
+  EXPECT_EQ(json.at("scenes").at(2).at("scene"), "source/b.toml");
+  const std::pair<const char*, const char*> files[] = {{"photo.png", "a photo"},
+                                                       {"first/photo.png", "first"},
+                                                       {"in/photo.png", "third/in"},
+                                                       {"first/a.toml", text.c_str()},
+                                                       {"b.toml", text.c_str()}};
+  for (const auto& [name, content] : files)
+    EXPECT_EQ(read_text(folder_ / ("out/data/source/" + std::string(name))), content) << name;
+  EXPECT_TRUE(read_text(folder_ / "out/data/source/first/m.obj").starts_with("# first\n"));
+  EXPECT_TRUE(read_text(folder_ / "out/data/source/m.obj").starts_with("# second\n"));
+}
+
 // the old manifest says what was ours; what is not, or is not listed, stays
 TEST_F(DataOfALecture, FilesOfAnEarlierVersionGo) {
   manifest();
@@ -132,8 +165,9 @@ TEST_F(DataOfALecture, FilesOfAnEarlierVersionGo) {
   manifest();
   EXPECT_FALSE(has("source/photo.png"));
   EXPECT_TRUE(has("source/mine.txt"));
-  write_text(folder_ / "out/data/manifest.json",
-             R"({"files": [{"name": "source/../../keep.txt"}, {"name": "../keep.txt"}, 7]})");
+  write_text(
+      folder_ / "out/data/manifest.json",
+      R"({"files": [{"name": "source/../../keep.txt"}, {"name": "../keep.txt"}, {"name": 7}, 7]})");
   manifest();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/keep.txt"));
   write_text(folder_ / "out/data/manifest.json", "no JSON");

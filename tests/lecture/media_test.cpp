@@ -45,6 +45,8 @@ TEST(Media, KeepsWhatIsWholeAndMakesTheRest) {
   // what nobody asked for goes, what is not ours stays
   write_text(folder / "mine.json", "{}");
   write_text(folder / "evil.json", R"({"files":[{"name":"mine.json"}]})");
+  write_text(folder / "odd.json", R"({"files":[{"name":7},7]})");
+  std::filesystem::create_directory(folder / "folder.json");
   Media media(folder.path());
   media.obtain(product("a"));
   media.forget_the_rest();
@@ -75,6 +77,17 @@ TEST(Media, FactsListTheFilesWithTheirSizes) {
   EXPECT_EQ(media.made(), 1);
   EXPECT_EQ(media.obtain(product), facts) << "found again as it was made";
   EXPECT_EQ(media.made(), 1);
+}
+
+// a program that removes its own folder, as far as one can know
+TEST(Media, AFolderThatIsGoneIsNamed) {
+  const TemporaryFolder folder;
+  Media media(folder.path());
+  const Product product = {"one", "a", [](const std::filesystem::path& where, const std::string&) {
+                             std::filesystem::remove(where);
+                             return Json{{"kind", "film"}};
+                           }};
+  test::expect_error([&] { media.obtain(product); }, Fault::environment, "", "cannot be read: ");
 }
 
 // nothing of it is there, and the next run makes it

@@ -115,6 +115,10 @@ TEST(FindReveal, LooksWhereTheUserSaysThenWhereItIsInstalled) {
   EXPECT_EQ(found_reveal(folder / "none", folder / "data", "of unknown version"), 0);
   install("data/polhode/reveal.js", "no JSON");
   EXPECT_EQ(found_reveal("", folder / "data", "of unknown version"), 0);
+  for (const char* odd : {"{\"version\": 4}", "{\"version\": null}", "[\"version\"]"}) {
+    install("data/polhode/reveal.js", odd);
+    EXPECT_EQ(found_reveal("", folder / "data", "of unknown version"), 0) << odd;
+  }
   std::filesystem::remove(folder / "own/dist/reveal.css");
   if (!std::filesystem::exists("/usr/share/polhode/reveal.js") &&
       !std::filesystem::exists("/usr/local/share/polhode/reveal.js")) {
@@ -144,17 +148,17 @@ TEST(FormulaFontCss, HoldsTheFontOnlyWhereItIsInstalled) {
 
 TEST(FindPrinter, IsTheOneThatTheUserNamesIfItRuns) {
   const TemporaryFolder folder;
-  write_text(folder / "print", "#!/bin/sh\nexit 0\n");
+  write_text(folder / "print", "#!/bin/sh\necho print 1\n");
   std::filesystem::permissions(folder / "print", std::filesystem::perms::owner_all);
   EXPECT_EQ(test::exit_code_in_child([&] {
               setenv("POLHODE_CHROMIUM", (folder / "print").c_str(), 1);
-              return find_printer() == folder / "print" ? 0 : 1;
+              return find_printer().program == folder / "print" ? 0 : 1;
             }),
             0);
   EXPECT_EQ(test::exit_code_in_child([&] {
               setenv("POLHODE_CHROMIUM", (folder / "none").c_str(), 1);
               setenv("PATH", "/nowhere", 1);
-              return find_printer().empty() ? 0 : 1;
+              return find_printer().program.empty() ? 0 : 1;
             }),
             0);
 }
@@ -164,20 +168,31 @@ TEST(PrintPage, GivesTheBytesThatThePrinterMakes) {
   const TemporaryFolder folder;
   write_text(folder / "print",
              "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; esac; "
-             "last=$word; done\nprintf 'PDF of %s' \"$last\" >\"$pdf\"\n");
+             "last=$word; done\nprintf '%%PDF-of %s %s' \"$TMPDIR\" \"$last\" >\"$pdf\"\n");
+  write_text(folder / "idle", "#!/bin/sh\nexit 0\n");
   write_text(folder / "fail", "#!/bin/sh\necho 'no screen' >&2\necho more >&2\nexit 1\n");
-  for (const char* name : {"print", "fail"})
+  for (const char* name : {"print", "fail", "idle"})
     std::filesystem::permissions(folder / name, std::filesystem::perms::owner_all);
   const std::string pdf = print_page(folder / "print", folder / "a b.html");
-  EXPECT_EQ(pdf.rfind("PDF of file:///", 0), 0U) << pdf;
+  // what it leaves there when it is killed is removed with our own folder
+  EXPECT_EQ(
+      pdf.rfind("%PDF-of " + (std::filesystem::temp_directory_path() / "polhode-").string(), 0), 0U)
+      << pdf;
+  EXPECT_NE(pdf.find("/tmp file:///"), std::string::npos) << pdf;
   EXPECT_TRUE(pdf.ends_with("/a%20b.html")) << pdf;
   try {
     print_page(folder / "fail", folder / "a.html");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.fault(), Fault::environment);
-    EXPECT_TRUE(error.message().ends_with("could not print the handout: no screen"))
+    EXPECT_TRUE(error.message().ends_with("fail ended with exit code 1: no screen"))
         << error.what();
+  }
+  try {
+    print_page(folder / "idle", folder / "a.html");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_TRUE(error.message().ends_with("idle wrote no PDF")) << error.what();
   }
 }
 

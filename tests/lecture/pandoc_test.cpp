@@ -15,11 +15,11 @@ namespace {
 using Tree = nlohmann::ordered_json;
 
 TEST(Pandoc, IsNamedWithItsVersionOrIsToBeInstalled) {
-  EXPECT_EQ(pandoc_version().rfind("pandoc ", 0), 0U) << pandoc_version();
+  EXPECT_EQ(find_pandoc().version.rfind("pandoc ", 0), 0U) << find_pandoc().why_not;
   EXPECT_NO_THROW(require_pandoc());
   EXPECT_EQ(test::exit_code_in_child([] {
               setenv("PATH", "/nowhere", 1);
-              if (!pandoc_version().empty()) return 1;
+              if (find_pandoc().installed) return 1;
               try {
                 require_pandoc();
               } catch (const Error& error) {
@@ -76,7 +76,7 @@ TEST(Pandoc, ATreeOfAnUnknownKindIsRefused) {
       parse_tree(text);
       ADD_FAILURE() << text;
     } catch (const Error& error) {
-      EXPECT_EQ(error.fault(), Fault::input) << text;
+      EXPECT_EQ(error.fault(), Fault::environment) << text;
       EXPECT_NE(error.message().find("unknown kind"), std::string::npos) << error.message();
     }
   }

@@ -132,6 +132,31 @@ TEST(FixedSteps, ADurationThatIsNoMultipleOfTheStepIsReached) {
   EXPECT_LE(distance(one.trajectory->at(0.01), TaylorOracle(p.model, p.start).at(0.01L)), 1e-9);
 }
 
+TEST(Effort, IsToldHowFarARunIs) {
+  const Problem p = hairer_vilmart();
+  std::vector<double> parts;
+  Effort effort;
+  effort.watch = [&](double part) {
+    parts.push_back(part);
+  };
+  integrate_fixed(find_stepper("rk4"), p.model, p.start, 20.0, 0.001, effort);
+  EXPECT_EQ(parts.size(), 4U);
+  integrate_adaptive(find_stepper("dopri5"), p.model, p.start, 100.0, 1e-13, effort);
+  EXPECT_GT(parts.size(), 6U);
+  for (const double part : parts) {
+    EXPECT_GT(part, 0.0);
+    EXPECT_LE(part, 1.0);
+  }
+}
+
+TEST(Effort, HasALimit) {
+  const Problem p = hairer_vilmart();
+  const StepperInfo& rk4 = find_stepper("rk4");
+  EXPECT_EQ(integrate_fixed(rk4, p.model, p.start, 1.0, 0.01, {100}).record.steps, 100);
+  expect_input_error(
+      [&] { integrate_fixed(rk4, p.model, p.start, 1.0, 0.01, {99}); }, "", "at most 99");
+}
+
 TEST(FixedSteps, TooManyAreRefusedBeforeAnyIsTaken) {
   const Problem p = hairer_vilmart();
   expect_input_error(

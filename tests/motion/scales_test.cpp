@@ -65,30 +65,5 @@ TEST(FirstStep, FollowsToleranceAndOrder) {
   EXPECT_EQ(first_step(model, State(), 1e-10, 5), std::numeric_limits<double>::infinity());
 }
 
-TEST(Deviation, IsTheAngleOrTheWayInRadiiOfGyration) {
-  BodyModel model = free_body({1, 2, 4});
-  model.body.mass = 1.0;
-  State a, b;
-  b.q = exp_rotation({0, 0.3, 0});
-  b.place_S = Vec3(0, 0, 1.0);  // half a radius of gyration, sqrt(4 / 1)
-  EXPECT_NEAR(deviation(model, a, b), 0.3, 1e-15);
-  model.with_translation = true;
-  EXPECT_NEAR(deviation(model, a, b), 0.5, 1e-15);
-  b.q = exp_rotation({0, 0.7, 0});
-  EXPECT_NEAR(deviation(model, a, b), 0.7, 1e-15);
-}
-
-TEST(Deviation, KeepsNaN) {
-  BodyModel model = free_body({1, 2, 4});
-  State bad;
-  bad.q.coeffs()[0] = std::nan("");
-  EXPECT_TRUE(std::isnan(deviation(model, State(), bad)));
-  model.with_translation = true;
-  EXPECT_TRUE(std::isnan(deviation(model, State(), bad)));
-  State lost;
-  lost.place_S[1] = std::nan("");
-  EXPECT_TRUE(std::isnan(deviation(model, State(), lost)));
-}
-
 }  // namespace
 }  // namespace polhode::test

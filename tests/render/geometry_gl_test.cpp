@@ -238,7 +238,9 @@ TEST_P(Geometry, TipsOfOmegaAndMomentumAreInTheirPlace) {
 
 // A curve of a film, drawn alone: wherever it runs free, the middle of what is covered across it is
 // within half a pixel of the projected curve.
+// tube: the radius of the curve's tube, in units of the body's radius.
 void expect_on_curve(const char* name,
+                     double tube,
                      const std::function<Vec3(const Scenery&, const Sample&)>& curve) {
   const BodySpec body = test::brick_body();
   MotionSpec spec = test::wobbling();
@@ -255,12 +257,14 @@ void expect_on_curve(const char* name,
     const Vec2 here = pixel(t);
     const Vec2 along = (pixel(t + 1e-3) - pixel(t - 1e-3)).normalized();
     const Vec2 across(-along.y(), along.x());
-    // the tube is two pixels or so thick; a neighbour within eight makes the place no use
+    // a neighbour nearer than a few pixels makes the place no use
+    const Vec3 point = curve(picture.scenery(), motion.at(t));
+    const double thick = tube * picture.scenery().scale.body * camera.pixels_per_metre(point);
     double sum = 0.0, moment = 0.0, far = 0.0;
     for_covered(image, [&](const Vec2& p, double alpha) {
       const Vec2 off = p - here;
-      if (std::abs(off.dot(along)) > 1.0 || off.norm() > 12.0) return;
-      if (std::abs(off.dot(across)) > 5.0) far += alpha;
+      if (std::abs(off.dot(along)) > 1.0 || off.norm() > thick + 11.0) return;
+      if (std::abs(off.dot(across)) > thick + 4.0) far += alpha;
       sum += alpha;
       moment += alpha * off.dot(across);
     });
@@ -284,10 +288,10 @@ void expect_on_curve(const char* name,
 }
 
 TEST_P(Geometry, ACurveLiesOnTheProjectedCurve) {
-  expect_on_curve("herpolhode", [](const Scenery& scenery, const Sample& now) {
+  expect_on_curve("herpolhode", 0.016, [](const Scenery& scenery, const Sample& now) {
     return omega_tip(scenery, now);
   });
-  expect_on_curve("trail", [](const Scenery& scenery, const Sample& now) {
+  expect_on_curve("trail", 0.008, [](const Scenery& scenery, const Sample& now) {
     return Vec3(now.reference_S +
                 kTrailRadius * scenery.scale.body * (now.q_SB * Vec3(Vec3::UnitZ())));
   });

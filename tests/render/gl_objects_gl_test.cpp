@@ -111,6 +111,72 @@ TEST_F(GlObjects, AShaderThatDoesNotCompileIsNamed) {
       "scene.vert does not compile");
 }
 
+// Functions that count the objects that are not deleted yet.
+const Gl* g_real = nullptr;
+int g_alive = 0;
+
+void generate(GLsizei count, GLuint* names, void (*real)(GLsizei, GLuint*)) {
+  g_alive += count;
+  real(count, names);
+}
+void erase(GLsizei count, const GLuint* names, void (*real)(GLsizei, const GLuint*)) {
+  for (GLsizei i = 0; i < count; ++i)
+    g_alive -= names[i] != 0 ? 1 : 0;
+  real(count, names);
+}
+
+Gl counting(const Gl& real) {
+  g_real = &real;
+  g_alive = 0;
+  Gl gl = real;
+  gl.GenFramebuffers = [](GLsizei n, GLuint* names) {
+    generate(n, names, g_real->GenFramebuffers);
+  };
+  gl.GenRenderbuffers = [](GLsizei n, GLuint* names) {
+    generate(n, names, g_real->GenRenderbuffers);
+  };
+  gl.DeleteFramebuffers = [](GLsizei n, const GLuint* names) {
+    erase(n, names, g_real->DeleteFramebuffers);
+  };
+  gl.DeleteRenderbuffers = [](GLsizei n, const GLuint* names) {
+    erase(n, names, g_real->DeleteRenderbuffers);
+  };
+  gl.CreateShader = [](GLenum stage) {
+    ++g_alive;
+    return g_real->CreateShader(stage);
+  };
+  gl.CreateProgram = [] {
+    ++g_alive;
+    return g_real->CreateProgram();
+  };
+  gl.DeleteShader = [](GLuint name) {
+    g_alive -= name != 0 ? 1 : 0;
+    g_real->DeleteShader(name);
+  };
+  gl.DeleteProgram = [](GLuint name) {
+    g_alive -= name != 0 ? 1 : 0;
+    g_real->DeleteProgram(name);
+  };
+  return gl;
+}
+
+TEST_F(GlObjects, WhatCannotBeMadeLeavesNothingBehind) {
+  const Gl gl = counting(gl_);
+  EXPECT_THROW(Framebuffer(gl, 1'000'000, 16, 0, true), Error);
+  EXPECT_EQ(g_alive, 0);
+  while (gl_.GetError() != GL_NO_ERROR) {
+  }
+  // the vertex shader is good, the other file has no #version
+  EXPECT_THROW(Program(gl, "scene.vert", "light.glsl", flat_head()), Error);
+  EXPECT_EQ(g_alive, 0);
+  {
+    const Framebuffer buffer(gl, kSide, kSide, 0, true);
+    const Program program(gl, "scene.vert", "scene.frag", flat_head());
+    EXPECT_EQ(g_alive, 4) << "the shaders are deleted with the program";
+  }
+  EXPECT_EQ(g_alive, 0);
+}
+
 // every file of shaders/ is in the binary as it is on disk
 TEST(GlObjectsShaders, AreEmbedded) {
   std::map<std::string, std::string> on_disk;

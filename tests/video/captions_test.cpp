@@ -15,21 +15,22 @@ TEST(Captions, WebVttHasACueForEachCaptionAtTheTimesOfItsFrames) {
   const std::vector<FilmMetadata::Caption> captions = {
       {0, 30, "First"}, {30, 31, "Second"}, {60 * 3600, 60 * 3661, "An hour later"}};
   EXPECT_EQ(web_vtt(captions, {60, 1}),
-            "WEBVTT\n"
+            "WEBVTT - captions by polhode\n"
             "\n00:00:00.000 --> 00:00:00.500\nFirst\n"
             "\n00:00:00.500 --> 00:00:00.517\nSecond\n"
             "\n01:00:00.000 --> 01:01:01.000\nAn hour later\n");
   EXPECT_EQ(web_vtt({{30, 60, "a"}}, {30000, 1001}),
-            "WEBVTT\n\n00:00:01.001 --> 00:00:02.002\na\n");
+            "WEBVTT - captions by polhode\n\n00:00:01.001 --> 00:00:02.002\na\n");
 }
 
 // words cannot end their cue or begin another
 TEST(Captions, WordsAreEscaped) {
   const std::string text = web_vtt({{0, 10, "a < b & c\n\n00:01 --> 00:02\r\nΩ <b>"}}, {10, 1});
   EXPECT_EQ(text,
-            "WEBVTT\n\n00:00:00.000 --> 00:00:01.000\n"
+            "WEBVTT - captions by polhode\n\n00:00:00.000 --> 00:00:01.000\n"
             "a &lt; b &amp; c\n00:01 --&gt; 00:02\nΩ &lt;b&gt;\n");
-  EXPECT_EQ(web_vtt({{0, 10, " \n "}, {10, 10, "never shown"}}, {10, 1}), "WEBVTT\n");
+  EXPECT_EQ(web_vtt({{0, 10, " \n "}, {10, 10, "never shown"}}, {10, 1}),
+            "WEBVTT - captions by polhode\n");
 }
 
 TEST(Captions, StandBesideFilmsThatPlayersShowThemWith) {
@@ -53,7 +54,8 @@ TEST(Captions, FilmAndWordsAppearTogether) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtt"));
   sink->finish();
-  EXPECT_EQ(test::read_text(folder / "a.vtt"), "WEBVTT\n\n00:00:00.000 --> 00:00:00.050\nWords\n");
+  EXPECT_EQ(test::read_text(folder / "a.vtt"),
+            "WEBVTT - captions by polhode\n\n00:00:00.000 --> 00:00:00.050\nWords\n");
   EXPECT_EQ(folder.entries(), 2);
 }
 
@@ -67,6 +69,51 @@ TEST(Captions, AFolderInTheWayStopsTheFilmToo) {
     make_sink(job)->describe({3, {}, {}, {{0, 3, "Words"}}});
   };
   EXPECT_THROW(make(), Error);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// the words of an earlier film are not those of this one
+TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
+  const TemporaryFolder folder;
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  const auto make = [&](const std::vector<FilmMetadata::Caption>& captions) {
+    const std::unique_ptr<FrameSink> sink = make_sink(job);
+    sink->describe({1, {}, {}, captions});
+    sink->push(Image(32, 32));
+    const bool before = std::filesystem::exists(folder / "a.vtt");
+    sink->finish();
+    return before;
+  };
+  make({{0, 1, "Words"}});
+  EXPECT_EQ(folder.entries(), 2);
+  EXPECT_TRUE(make({})) << "they stay until the new film is complete";
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.vtt"));
+  // also where captions were expected, and did not come
+  make({{0, 1, "Words"}});
+  job.captions = true;
+  EXPECT_TRUE(make({}));
+  EXPECT_EQ(folder.entries(), 1);
+  // what others wrote is theirs
+  for (const char* other : {"WEBVTT\n\n00:00:00.000 --> 00:00:01.000\nMine\n", "", "WEBVTT - c"}) {
+    test::write_text(folder / "a.vtt", other);
+    make({});
+    EXPECT_EQ(test::read_text(folder / "a.vtt"), other);
+  }
+}
+
+TEST(Captions, ThatAreExpectedAreClaimedAtOnce) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "a.vtt");
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  EXPECT_NO_THROW(make_sink(job));
+  job.captions = true;
+  EXPECT_THROW(make_sink(job), Error);
+  job.segment = true;
+  EXPECT_NO_THROW(make_sink(job)) << "a piece has no captions beside it";
   EXPECT_EQ(folder.entries(), 1);
 }
 

@@ -69,6 +69,11 @@ TEST(FilmJoiner, TheWholeIsItsPartsInOrder) {
     ASSERT_EQ(whole.chapters.size(), 2u);
     EXPECT_NEAR(whole.chapters[1].start_s, 9.0 * 1001.0 / 30000.0, 1e-3);
     EXPECT_NE(test::read_text(folder / "whole.vtt").find("Words"), std::string::npos);
+    // another film of that name, without captions
+    FilmMetadata plain;
+    plain.frames = 22;
+    FilmJoiner(folder / ("whole" + ending)).join(parts, {30000, 1001}, "", "", plain);
+    EXPECT_FALSE(std::filesystem::exists(folder / "whole.vtt"));
   }
 }
 
@@ -86,7 +91,7 @@ TEST(FilmJoiner, PartsThatDoNotFitAreNamed) {
   test::expect_input_error(joined({good.file, 6}), "", "holds 5 frames instead of 6");
   test::expect_input_error(joined(wide), "", "encoded otherwise");
   test::expect_input_error(joined({folder / "text.mp4", 5}), "", "not a readable film");
-  test::expect_input_error(joined({folder / "none.mp4", 5}), "", "no such film");
+  test::expect_input_error(joined({folder / "none.mp4", 5}), "", "does not exist");
   EXPECT_EQ(folder.entries(), 3) << "the parts alone";
 }
 

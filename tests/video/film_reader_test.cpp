@@ -67,6 +67,20 @@ TEST(FilmReader, GivesFramesInOrderWithTheirTimes) {
   }
 }
 
+// of a picture that was used for something else before, every pixel is new
+TEST(FilmReader, AReusedPictureKeepsNoGround) {
+  const TemporaryFolder folder;
+  write_film(folder / "a.mp4", ramp(2));
+  FilmReader reader(folder / "a.mp4");
+  Image image;
+  image.wipe(64, 48, {0, 0, 0, 255});
+  image.painted.push_back({0, 0, 8, 8});
+  double time = 0.0;
+  ASSERT_TRUE(reader.next(image, time));
+  EXPECT_FALSE(image.ground);
+  EXPECT_TRUE(image.painted.empty());
+}
+
 // the fast conversion stays within a few levels of the careful one of the tests
 TEST(FilmReader, ColoursAreThoseOfAPlayer) {
   const TemporaryFolder folder;

@@ -49,6 +49,10 @@ TEST(SinkKinds, TheNameTellsTheKind) {
 TEST(SinkKinds, AnUnknownEndingNamesTheNearest) {
   test::expect_input_error([] { find_sink_kind("a.mp5"); }, "", "'.mp4'");
   test::expect_input_error([] { find_sink_kind("a.mp4/film"); }, "", "ending ''");
+  for (const char* picture : {"a.jpg", "a.jpeg", "a.tiff", "a.svg"})
+    test::expect_input_error([&] { find_sink_kind(picture); }, "", "'.png'");
+  test::expect_input_error([] { find_sink_kind("a.mp5", true); }, "", "'.png'");
+  EXPECT_TRUE(find_sink_kind("a.mp4", true).film) << "the caller refuses it";
   test::expect_input_error([] { find_sink_kind("nul"); }, "", "no format has the ending");
 }
 

@@ -82,6 +82,7 @@ std::string summary(const WorkPanel& panel) {
 
 std::string chart(const ChartJob& job) {
   const std::vector<const StepperInfo*> methods = parse_methods(job.methods);
+  refuse_same_stem(job.scenes);
   std::vector<Task> tasks;
   int runs = 0;
   for (const std::filesystem::path& file : job.scenes) {

@@ -28,8 +28,8 @@ struct ChartJob {
 // (input) with --methods as key for an unknown method or if none of them can integrate a scene,
 // and as load_with_overrides, make_model and start_state (motion/motion.h), accuracy_in_radians
 // (film/solved_scene.h), work_precision (chart/work_precision.h) and OutputFolder
-// (base/system/output_folder.h) do; (environment) without gnuplot or if a file cannot be
-// written; (interrupted).
+// (base/system/output_folder.h) do, without a place for two scenes of the same name; (environment)
+// without gnuplot or if a file cannot be written; (interrupted).
 std::string chart(const ChartJob& job);
 
 }  // namespace polhode

@@ -92,6 +92,7 @@ PicturePoint judged(const DrawingSetting& setting, const Drawn& drawn, const Dra
 }  // namespace
 
 std::string chart_pictures(const ChartJob& job) {
+  refuse_same_stem(job.scenes);
   std::vector<Solved> solved;
   for (const std::filesystem::path& file : job.scenes) {
     Scene scene = load_with_overrides(file, job.overrides);

@@ -38,6 +38,11 @@ BackendState examine_backend(const Backend& backend) {
 
 }  // namespace
 
+std::string state_of_program(const ProgramFound& program, const std::string& advice) {
+  if (program.why_not.empty()) return "ok, " + program.version;
+  return program.installed ? "fails: " + program.why_not : "missing: " + advice;
+}
+
 Diagnosis examine(const std::vector<ExternalNeed>& needs) {
   std::vector<TextRow> rows;
   bool draws = false;
@@ -50,8 +55,7 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
     rows.push_back({"back end " + backend.name, state.line});
     draws = draws || state.works;
   }
-  const std::string gnuplot = gnuplot_version();
-  rows.push_back({"charts", gnuplot.empty() ? "missing: install gnuplot-nox" : "ok, " + gnuplot});
+  rows.push_back({"charts", state_of_program(find_gnuplot(), "install gnuplot-nox")});
   for (const ExternalNeed& need : needs)
     rows.push_back({need.name, need.state});
   for (const FontFound& font : examine_fonts()) {

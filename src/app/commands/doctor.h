@@ -5,13 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "base/system/child_process.h"
+
 namespace polhode {
 
 // An optional program or file that only the caller knows how to find.
 struct ExternalNeed {
   std::string name;   // what it is, for the first column of the list
-  std::string state;  // "ok" with details, or "missing" with what to install
+  std::string state;  // "ok" with details, or "missing" with what to install, or "fails" and why
 };
+
+// The state of a program; `advice` is what to do if it is not installed.
+std::string state_of_program(const ProgramFound& program, const std::string& advice);
 
 // The result of the checks.
 struct Diagnosis {

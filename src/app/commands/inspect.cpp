@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFinest = 1e-12;  // rad: what is worth pricing
-
 Json list_of(const Vec3& v) {
   // adding zero turns -0 into 0
   return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0};
@@ -33,6 +31,7 @@ Json evaluations_of_ode(const Solved& solved) {
   numerics.model = "ode";
   MotionSpec beginning = solved.scene.motion;
   constexpr double kTurned = 500.0;  // rad
+  constexpr double kFinest = 1e-12;  // rad: what is worth pricing
   const double rate = typical_rate(solved.model, start_state(solved.model, beginning));
   const double parts = std::max(1.0, beginning.duration * rate / kTurned);
   beginning.duration /= parts;
@@ -127,7 +126,8 @@ nlohmann::ordered_json inspection(const Solved& solved) {
 }
 
 std::string inspect(const InspectJob& job) {
-  const Json facts = inspection(solve(load_with_overrides(job.scene, job.overrides)));
+  const Json facts =
+      inspection(solve(load_with_overrides(job.scene, job.overrides), ProgressKind::automatic));
   return job.json ? facts.dump(2) + "\n" : as_text(facts);
 }
 

@@ -72,7 +72,7 @@ void refuse_other_ending(const JoinJob& job) {
 Made join_pieces(const JoinJob& job) {
   Pieces pieces;
   for (const std::string& file : job.parts) {
-    refuse_same_file(job.output, "the output", file);
+    refuse_same_file(job.output, "the output", {file});
     add_piece(file, pieces);
   }
   refuse_missing(pieces);

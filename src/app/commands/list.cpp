@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/shipped_files.h"
+#include "base/system/files.h"
 #include "base/text_table.h"
 #include "model/solids.h"
 #include "motion/solution_method.h"
@@ -93,14 +93,12 @@ std::string list_scenes() {
   const bool here = std::getenv("POLHODE_SCENES") == nullptr && fs::is_directory("scenes", failed);
   const fs::path folder = here ? fs::path("scenes") : shipped_scenes();
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, failed)) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  }
+  if (is_there(folder)) files = entries_of(folder);
+  std::erase_if(files, [](const fs::path& file) { return file.extension() != ".toml"; });
   if (files.empty()) {
     throw input_error("there are no scenes in '{}'; POLHODE_SCENES can name another folder",
                       folder.string());
   }
-  std::sort(files.begin(), files.end());
   std::vector<TextRow> rows = {{"file", "title"}};
   for (const fs::path& file : files)
     rows.push_back({file.string(), load_scene(file).title});

@@ -76,7 +76,7 @@ Made write_preview(const PreviewJob& job) {
   if (!output.ends_with(".png")) {
     throw input_error("a preview is one picture; name a .png").at({output, 0, {}});
   }
-  refuse_same_file(output, "the output", job.scene);
+  refuse_same_file(output, "the output", input_files(plan.scene));
   AtomicFile file(output);
 
   const PreparedFilm film(plan);

@@ -14,6 +14,7 @@
 #include "film/report/film_report.h"
 #include "video/captions.h"
 #include "video/frame_sink.h"
+#include "video/png_sink.h"
 
 namespace polhode {
 namespace {
@@ -31,17 +32,34 @@ double process_cpu_seconds() {
   return sum;
 }
 
+// whether the file has the name of a frame of the sequence, whatever its number
+bool is_frame_of(const std::string& sequence, const std::string& file) {
+  const auto whole = [](const std::string& name) {
+    return std::filesystem::absolute(name).lexically_normal().string();
+  };
+  const NumberedName name = parse_numbered_name(whole(sequence));
+  std::string number = whole(file);
+  if (!number.starts_with(name.before) || !number.ends_with(name.after)) return false;
+  if (number.size() <= name.before.size() + name.after.size()) return false;
+  number.erase(number.size() - name.after.size()).erase(0, name.before.size());
+  return number.find_first_not_of("0123456789") == std::string::npos;
+}
+
 // no output lands on what is needed, or on another output
 void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   const std::string& output = plan.sink.output;
-  refuse_same_file(output, "the output", job.scene);
-  refuse_same_file(job.report, "--report", job.scene);
+  refuse_same_file(output, "the output", input_files(plan.scene));
+  refuse_same_file(job.report, "--report", input_files(plan.scene));
   if (output == kStandardOutput && job.report == kStandardOutput) {
     throw input_error("the film itself goes to standard output; give a file name")
         .at({{}, 0, "--report"});
   }
-  refuse_same_file(job.report, "--report", output);
-  if (!plan.story.empty()) refuse_same_file(job.report, "--report", captions_beside(output));
+  refuse_same_file(job.report, "--report", {output});
+  if (!plan.story.empty()) refuse_same_file(job.report, "--report", {captions_beside(output)});
+  if (output.ends_with(".png") && has_frame_number(output) && !job.report.empty() &&
+      is_frame_of(output, job.report)) {
+    throw input_error("--report would overwrite a frame of {}; choose another name", output);
+  }
 }
 
 }  // namespace

@@ -41,11 +41,20 @@ void append_row(std::string& text, const Sample& s) {
   text += '\n';
 }
 
+// a table under the name of something else cannot be opened
+void refuse_other_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending.empty() || ending == ".csv") return;
+  throw input_error("the motion is written as CSV; name a .csv, not '{}'", ending)
+      .at({output, 0, {}});
+}
+
 }  // namespace
 
 void write_csv(const SimulateJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
-  refuse_same_file(job.output, "the output", job.scene);
+  refuse_same_file(job.output, "the output", input_files(scene));
+  refuse_other_ending(job.output);
   const double rate = job.rate.value_or(scene.video.fps.value());
   if (!std::isfinite(rate) || rate <= 0.0) {
     throw input_error("must be a number of rows per second greater than 0, got {}", rate)
@@ -57,7 +66,7 @@ void write_csv(const SimulateJob& job) {
         .at({{}, 0, "--rate"});
   }
 
-  const Solved solved = solve(scene);
+  const Solved solved = solve(scene, ProgressKind::automatic);
   std::string text = kHeader;
   for (long row = 0; row <= static_cast<long>(last); ++row) {
     if (row % 4096 == 0) stop_if_interrupted();

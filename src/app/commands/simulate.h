@@ -23,8 +23,8 @@ struct SimulateJob {
 // (angular momentum about the fixed point, or else the centre of mass, components in S); x,y,z
 // (centre of mass in S); energy (Sample::energy in motion/motion.h). Throws Error as
 // load_with_overrides and solve (film/solved_scene.h) do; (input) with --rate as key for a rate
-// that is not positive or gives more than 1e7 rows, and for an output that is the scene or cannot
-// be written; (environment) if writing fails; (interrupted).
+// that is not positive or gives more than 1e7 rows, and for an output that is the scene, has
+// another ending than .csv, or cannot be written; (environment) if writing fails; (interrupted).
 void write_csv(const SimulateJob& job);
 
 }  // namespace polhode

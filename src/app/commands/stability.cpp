@@ -37,14 +37,10 @@ std::vector<MappedScene> make_places(const StabilityJob& job) {
     throw input_error("both directions are '{}'; take two different keys", job.x)
         .at({{}, 0, "--y"});
   }
+  refuse_same_stem(job.scenes);
   std::vector<MappedScene> places;
-  std::set<std::string> names;
-  for (const std::filesystem::path& file : job.scenes) {
+  for (const std::filesystem::path& file : job.scenes)
     places.push_back(make_place(file, job, methods));
-    if (names.insert(file.stem().string()).second) continue;
-    throw input_error("two scenes are called '{}'; their maps would overwrite each other",
-                      file.stem().string());
-  }
   return places;
 }
 
@@ -86,7 +82,15 @@ std::string line_of(const RowOfMap& which, const std::vector<StabilityCell>& cel
   return line;
 }
 
-// puts the row of such a line into its map; absent: it is of no map
+// a number as line_of() writes it; absent: it is none
+std::optional<double> number_of(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);  // NaN too, of cells without a number
+  if (text.empty() || *end != '\0') return {};
+  return value;
+}
+
+// puts the row of such a line into its map; absent: it is of no map, or is not ours
 std::optional<RowOfMap> take_up(const std::string& line,
                                 std::vector<StabilityMap>& maps,
                                 int columns) {
@@ -100,10 +104,11 @@ std::optional<RowOfMap> take_up(const std::string& line,
     in >> outcome >> error >> energy >> momentum;
     const auto place = static_cast<std::size_t>(which.second * columns + column);
     if (!in || which.second < 0 || place >= cells.size()) return {};
-    cells[place] = {parse_run_outcome(outcome),
-                    std::strtod(error.c_str(), nullptr),
-                    std::strtod(energy.c_str(), nullptr),
-                    std::strtod(momentum.c_str(), nullptr)};
+    const std::optional<RunOutcome> ended = find_run_outcome(outcome);
+    const std::optional<double> off = number_of(error), energy_drift = number_of(energy),
+                                momentum_drift = number_of(momentum);
+    if (!ended || !off || !energy_drift || !momentum_drift) return {};
+    cells[place] = {*ended, *off, *energy_drift, *momentum_drift};
   }
   return which;
 }

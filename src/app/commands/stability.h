@@ -15,8 +15,8 @@ namespace polhode {
 // make_place and prepare_place (app/commands/mapped_scene.h), OutputFolder
 // (base/system/output_folder.h) and KeptRows (base/system/kept_rows.h, for stability.resume) do,
 // with --methods as key for an unknown method, with --y as key for equal axes, and without a place
-// for two scenes of the same name and for an unknown outcome in stability.resume; (environment)
-// without gnuplot or if a file cannot be written; (interrupted).
+// for two scenes of the same name; (environment) without gnuplot or if a file cannot be written;
+// (interrupted).
 std::string stability(const StabilityJob& job);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/verify.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/system/atomic_file.h"
@@ -104,12 +105,29 @@ DifferenceInWords compare_lists(const Again& again) {
   }
 }
 
+// frames of one size behind a line that says what they are
+DifferenceInWords compare_raw(const Again& again) {
+  const std::string made = read_file(again.made), judged = read_file(again.judged);
+  const auto [in_made, in_judged] =
+      std::mismatch(made.begin(), made.end(), judged.begin(), judged.end());
+  const auto same = static_cast<std::size_t>(in_made - made.begin());
+  const std::size_t head = made.find('\n') + 1;
+  if (same < head) return "its first line differs";
+  const std::size_t frame = (made.size() - head) / static_cast<std::size_t>(again.count);
+  return fmt::format("{} {}",
+                     again.frame(again.first + static_cast<int>((same - head) / frame)),
+                     in_judged == judged.end() ? "is missing"
+                     : in_made == made.end()   ? "is one too many"
+                                               : "differs");
+}
+
 DifferenceInWords compare_outputs(const Again& again) {
   const std::string& kind = again.kind;
   if (kind == "png") return compare_pictures(again, false);
   if (kind == "png sequence") return compare_pictures(again, true);
   if (same_bytes(again.judged, again.made)) return {};
-  return kind == "hash" ? compare_lists(again) : compare_films(again);
+  if (kind == "hash") return compare_lists(again);
+  return kind == "y4m" ? compare_raw(again) : compare_films(again);
 }
 
 DifferenceInWords compare_captions(const Again& again) {
@@ -141,8 +159,15 @@ void refuse_nothing(const std::string& kind, const std::string& output) {
     throw input_error("writes no file that could be verified").at(place);
   }
   if (kind == "png sequence") return;
-  std::error_code ignored;
-  if (!fs::is_regular_file(output, ignored)) throw input_error("the file does not exist").at(place);
+  refuse_unless_file(output);
+}
+
+bool is_of_kind(const SinkJob& sink, const std::string& kind) {
+  try {
+    return find_sink_kind(sink.output, sink.still).name == kind;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -157,6 +182,13 @@ Verified verify(const VerifyJob& job) {
   ReportedFilm reported = read_report(report_file);
   if (reported.broken) {
     return {false, fmt::format("{}: was altered: {}", report_file, *reported.broken)};
+  }
+
+  if (!is_of_kind(reported.plan.sink, kind)) {
+    throw input_error("is the report of '{}', not of {}; name another with --report",
+                      reported.plan.sink.output,
+                      output)
+        .at({report_file, 0, {}});
   }
 
   // make it again, elsewhere

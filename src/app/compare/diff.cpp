@@ -89,9 +89,7 @@ struct Sides {
 Sides prepare(const DiffJob& job, const ScratchFolder& scratch) {
   Sides sides{job.actual, job.reference, false};
   for (const std::string* name : {&job.actual, &job.reference}) {
-    std::error_code ignored;
-    if (is_scene(*name) && !std::filesystem::exists(*name, ignored))
-      throw input_error("the file does not exist").at({*name, 0, {}});
+    if (is_scene(*name)) refuse_unless_file(*name);
   }
   if (!is_scene(job.actual) && !is_scene(job.reference)) {
     for (const auto& [given, option] : {std::pair{job.still.has_value(), "--still"},

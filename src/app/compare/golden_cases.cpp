@@ -10,6 +10,7 @@
 #include "app/commands/render.h"
 #include "base/name_list.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/version.h"
 #include "image/png.h"
 
@@ -23,14 +24,14 @@ std::vector<Reference> references_of(const fs::path& folder, const std::string& 
   const auto add = [&](const std::string& cause) {
     Reference one{cause, reference_file(folder, name, cause), false, {}};
     const fs::path sidecar = sidecar_file(one.file);
-    one.has_sidecar = fs::exists(sidecar);
+    one.has_sidecar = is_there(sidecar);
     if (one.has_sidecar) one.sidecar = load_golden_sidecar(sidecar);
     found.push_back(std::move(one));
   };
   std::set<std::string> causes;
   const std::string start = name + ".";
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string file = entry.path().filename().string();
+  for (const fs::path& entry : entries_of(folder)) {
+    const std::string file = entry.filename().string();
     if (!file.starts_with(start) || !file.ends_with(".png")) continue;
     if (file == name + ".png") {
       causes.insert("");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -69,18 +70,18 @@ std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<Loade
   parallel_for(static_cast<long>(cases.size()), job.jobs, [&](long i) {
     stop_if_interrupted();
     const LoadedCase& one = cases[static_cast<std::size_t>(i)];
-    CaseResult& result = results[static_cast<std::size_t>(i)];
-    result.rule = one.verdict;
+    CaseResult& kept = results[static_cast<std::size_t>(i)];
+    kept.rule = one.verdict;
     try {
+      CaseResult result;
+      result.rule = one.verdict;
       result.drawn = draw_case(job.folder, one.spec, job.backend, scratch);
       hold_against_references(one, result);
+      kept = std::move(result);
     } catch (const Error& error) {
       if (error.fault() == Fault::environment || error.fault() == Fault::interrupted) throw;
       // an unreadable reference, too, leaves nothing that could pass for a result
-      const GoldenVerdict rule = result.rule;
-      result = {};
-      result.rule = rule;
-      result.error = error.what();
+      kept.error = error.what();
     }
     const std::lock_guard lock(showing);
     progress.show(++done);

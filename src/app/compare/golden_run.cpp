@@ -10,6 +10,7 @@
 #include "app/compare/diff_page.h"
 #include "app/compare/golden_results.h"
 #include "base/system/output_folder.h"
+#include "base/system/system_error.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -29,7 +30,7 @@ void leave_pictures(const fs::path& folder, const LoadedCase& one, const CaseRes
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) {
-    throw input_error("cannot make the folder '{}': {}", folder.string(), failed.message())
+    throw system_error(failed.value(), fmt::format("cannot make the folder '{}'", folder.string()))
         .at({{}, 0, "--output"});
   }
   const Image& image = result.drawn->image;

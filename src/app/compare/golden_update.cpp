@@ -10,6 +10,7 @@
 #include "app/compare/golden_results.h"
 #include "base/system/atomic_file.h"
 #include "base/system/child_process.h"
+#include "base/system/files.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -24,6 +25,9 @@ void refuse_dirty(const GoldenJob& job) {
     std::vector<std::string> words = {"git", "-C", job.folder, "status", "--porcelain"};
     words.insert(words.end(), more.begin(), more.end());
     const ChildResult said = run_child(words, "");
+    if (said.signal != 0 || !said.exceeded.empty()) {
+      throw environment_error("git {}", how_it_ended(said));
+    }
     if (said.status != 0) {
       throw input_error(
           "git does not track this folder, so an update could not be reviewed or undone; give "
@@ -113,7 +117,7 @@ void write_references(const GoldenJob& job,
       const Image& image = results[i].drawn->image;
       one.picture = std::make_unique<AtomicFile>(file);
       write_png(*one.picture, image, !is_opaque(image));
-    } else if (fs::exists(beside)) {
+    } else if (is_there(beside)) {
       // the old picture was drawn by what its sidecar says
       sidecar = load_golden_sidecar(beside);
     }

@@ -14,6 +14,7 @@
 #include <sys/file.h>
 
 #include "base/error.h"
+#include "base/system/system_error.h"
 
 namespace polhode {
 namespace fs = std::filesystem;
@@ -57,14 +58,18 @@ AtomicFile::AtomicFile(fs::path target)
   }
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done
-  if (fs::is_symlink(part_, ignored)) {
-    throw input_error("'{}' is a link; remove it or choose another output", part_.string())
+  const fs::file_status there = fs::symlink_status(part_, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    // a pipe would be waited for
+    throw input_error("'{}' is {}; remove it or choose another output",
+                      part_.string(),
+                      fs::is_symlink(there) ? "a link" : "not a regular file")
         .at(place);
   }
   lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0) {
-    throw input_error(
-        "cannot create '{}' ({}); choose another output", part_.string(), std::strerror(errno))
+    throw system_error(
+        errno, fmt::format("cannot create '{}'", part_.string()), "choose another output")
         .at(place);
   }
   // a file system without locks is no reason to refuse
@@ -73,6 +78,7 @@ AtomicFile::AtomicFile(fs::path target)
     throw input_error("another run is writing this file; wait for it or choose another output")
         .at(place);
   }
+  unfinished_.emplace(part_);
 }
 
 AtomicFile::~AtomicFile() {
@@ -89,6 +95,10 @@ void AtomicFile::unlock() {
 }
 
 void AtomicFile::commit() {
+  // some systems tell only now that a disk is full; those that cannot do it at all are no reason
+  if (lock_ >= 0 && fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
+    throw environment_error("cannot write: {}", std::strerror(errno)).at({target_.string(), 0, {}});
+  }
   std::error_code failed;
   fs::rename(part_, target_, failed);
   if (failed) {
@@ -96,6 +106,7 @@ void AtomicFile::commit() {
         .at({target_.string(), 0, {}});
   }
   committed_ = true;
+  unfinished_.reset();
 }
 
 void AtomicFile::commit_with(std::string_view content) {
@@ -126,25 +137,31 @@ void write_file(const fs::path& target, std::string_view content) {
   AtomicFile(target).commit_with(content);
 }
 
-std::string read_file(const fs::path& path, std::size_t most) {
+void refuse_unless_file(const fs::path& path) {
   const Place place{path.string(), 0, {}};
-  std::error_code ignored, failed;
+  std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (status.type() == fs::file_type::not_found) {
     throw input_error("the file does not exist").at(place);
   }
   // a link to itself, or a folder that may not be entered
-  if (failed) throw input_error("cannot be read ({})", failed.message()).at(place);
-  if (fs::is_directory(path, ignored)) throw input_error("is a folder; give a file").at(place);
+  if (failed) throw system_error(failed.value(), "cannot be read").at(place);
+  if (fs::is_directory(status)) throw input_error("is a folder; give a file").at(place);
   // a pipe that nobody writes to would be waited for
-  if (!fs::is_regular_file(path, ignored)) {
+  if (!fs::is_regular_file(status)) {
     throw input_error("is not a regular file; write it to one first").at(place);
   }
+}
+
+std::string read_file(const fs::path& path, std::size_t most) {
+  refuse_unless_file(path);
+  const Place place{path.string(), 0, {}};
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw input_error("cannot be read ({})", std::strerror(errno)).at(place);
+  if (!in) throw system_error(errno, "cannot be read").at(place);
 
   // block by block, to stop at the limit
   std::string content;
+  errno = 0;
   std::array<char, 65536> block{};
   while (in.read(block.data(), block.size()), in.gcount() > 0) {
     content.append(block.data(), static_cast<std::size_t>(in.gcount()));
@@ -152,7 +169,7 @@ std::string read_file(const fs::path& path, std::size_t most) {
       throw input_error("is larger than {} bytes; is this the right file?", most).at(place);
     }
   }
-  if (in.bad()) throw input_error("cannot be read").at(place);
+  if (in.bad()) throw system_error(errno != 0 ? errno : EIO, "cannot be read").at(place);
   return content;
 }
 

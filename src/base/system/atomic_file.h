@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/system/unfinished.h"
 
 namespace polhode {
 
@@ -20,7 +23,8 @@ class AtomicFile {
  public:
   // Creates and locks NAME.part. If NAME is a symbolic link, the file it points to is meant. Throws
   // Error (input) if the folder is missing or cannot be written, if NAME is a folder, a device or
-  // write-protected, if NAME.part is a symbolic link, or if another run is writing it.
+  // write-protected, if NAME.part is a symbolic link or no regular file, or if another run is
+  // writing it, and as system_error() (base/system/system_error.h) does if it cannot be created.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -30,8 +34,8 @@ class AtomicFile {
   const std::filesystem::path& part() const { return part_; }
   // The final name; for a symbolic link, the file that it points to.
   const std::filesystem::path& target() const { return target_; }
-  // Renames the finished file to its final name. Call it once. Throws Error (environment) if
-  // that fails.
+  // Waits until the file is on the disk, unless it is unlocked, and renames it to its final name.
+  // Call it once. Throws Error (environment) if that fails.
   void commit();
   // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
@@ -46,6 +50,7 @@ class AtomicFile {
   std::filesystem::path part_;
   bool committed_ = false;
   int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
+  std::optional<Unfinished> unfinished_;
 };
 
 // Opens a file with fopen's `mode` ("wb", "ab"), writes the bytes and closes it. Returns 0 on
@@ -56,9 +61,14 @@ int failure_to_write(const std::filesystem::path& file, const char* mode, std::s
 // (environment) if writing or renaming fails, for example on a full disk.
 void write_file(const std::filesystem::path& target, std::string_view content);
 
-// The content of a whole file. Throws Error (input), with the file as its place, if it is missing,
-// a folder, unreadable, not a regular file (such as a pipe), or larger than `most` bytes; the
-// default is no limit.
+// Throws Error (input), with the file as its place, if `path` leads to no regular file: to nothing,
+// to a folder, to a pipe, or round in a circle. Throws as system_error()
+// (base/system/system_error.h) does if that cannot be found out.
+void refuse_unless_file(const std::filesystem::path& path);
+
+// The content of a whole file. Throws Error (input) as refuse_unless_file() does, and if the file
+// is larger than `most` bytes; the default is no limit. Throws as system_error() does if it cannot
+// be read.
 std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
 }  // namespace polhode

@@ -11,21 +11,25 @@
 #include <spawn.h>
 #include <unistd.h>
 
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "base/system/unfinished.h"
 
 namespace polhode {
 namespace {
+
+std::string not_installed(const std::string& program) {
+  return program + " is not installed";
+}
 
 // One end or both ends of a pipe, closed at the end.
 class Pipe {
  public:
   Pipe() {
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw environment_error("no pipe to another program: {}", std::strerror(errno));
+      throw environment_error("no program can be started: {}", std::strerror(errno));
     }
   }
   ~Pipe() {
@@ -74,8 +78,11 @@ class Child {
     posix_spawn_file_actions_destroy(&files);
     if (failure != 0) {
       id_ = -1;
-      throw environment_error("cannot start {}: {}", words[0], std::strerror(failure));
+      throw failure == ENOENT
+          ? environment_error("{}", not_installed(words[0]))
+          : environment_error("{} cannot be started: {}", words[0], std::strerror(failure));
     }
+    unfinished_.emplace(id_);
   }
   ~Child() {
     if (id_ < 0) return;
@@ -85,24 +92,44 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  // what it asks for beyond this is refused to it
-  void limit_memory(std::size_t bytes) const {
-    const rlimit limit{bytes, bytes};
-    prlimit(id_, RLIMIT_DATA, &limit, nullptr);
-  }
   void end_now() const { kill(id_, SIGKILL); }
 
+  // It is not reaped, so that its number stays its own.
+  bool has_ended() const {
+    siginfo_t what{};
+    return waitid(P_PID, static_cast<id_t>(id_), &what, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           what.si_pid == id_;
+  }
+
+  // as waitpid() tells it
   int wait_for_end() {
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }
+    unfinished_.reset();
     id_ = -1;
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    return status;
   }
 
  private:
   pid_t id_ = -1;
+  std::optional<Unfinished> unfinished_;
 };
+
+// the words of a program to which memory beyond a limit is refused from its first instruction
+std::vector<std::string> limited(std::vector<std::string> words,
+                                 const std::optional<std::size_t>& memory) {
+  if (!memory) return words;
+  words.insert(words.begin(), {"prlimit", fmt::format("--data={}", *memory), "--"});
+  return words;
+}
+
+// without the empty lines before it
+std::string first_line(const std::string& text) {
+  const std::size_t start = text.find_first_not_of(" \n\t");
+  if (start == std::string::npos) return "";
+  return text.substr(start, text.find('\n', start) - start);
+}
 
 // appends what is there to read; false at the end
 bool drain(int file, std::string& text) {
@@ -120,8 +147,7 @@ ChildResult run_child(const std::vector<std::string>& words,
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Pipe in, out, err;
-  Child child(words, in, out, err);
-  if (limits.memory) child.limit_memory(*limits.memory);
+  Child child(limited(words, limits.memory), in, out, err);
   in.close_end(0);
   out.close_end(1);
   err.close_end(1);
@@ -145,8 +171,12 @@ ChildResult run_child(const std::vector<std::string>& words,
     std::array<pollfd, 3> files = {{{out_open ? out.reader() : -1, POLLIN, 0},
                                     {err_open ? err.reader() : -1, POLLIN, 0},
                                     {in.writer(), POLLOUT, 0}}};
+    // what it has left behind may hold its pipes open; what it wrote itself is in them already
+    const bool ended = child.has_ended();
     constexpr int kPatience_ms = 100;  // between looks at our own signals
-    if (poll(files.data(), files.size(), kPatience_ms) <= 0) continue;
+    const int ready = poll(files.data(), files.size(), ended ? 0 : kPatience_ms);
+    if (ready == 0 && ended) break;
+    if (ready <= 0) continue;
     if (files[0].revents != 0) out_open = drain(out.reader(), result.out);
     if (files[1].revents != 0) err_open = drain(err.reader(), result.err);
     if (files[2].revents == 0) continue;
@@ -155,8 +185,39 @@ ChildResult run_child(const std::vector<std::string>& words,
     // it reads no more: let it end, and its exit code tell
     if (sent < 0 && errno != EAGAIN && errno != EINTR) input = {};
   }
-  result.status = child.wait_for_end();
+  const int status = child.wait_for_end();
+  result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  result.status = result.signal != 0 ? 128 + result.signal : WEXITSTATUS(status);
   return result;
+}
+
+bool ended_well(const ChildResult& result) {
+  return result.status == 0 && result.exceeded.empty();
+}
+
+std::string how_it_ended(const ChildResult& result) {
+  if (!result.exceeded.empty()) return result.exceeded;
+  if (result.signal != 0) {
+    return fmt::format("was ended by signal {} ({})", result.signal, strsignal(result.signal));
+  }
+  const std::string reason = first_line(result.err);
+  return fmt::format(
+      "ended with exit code {}{}{}", result.status, reason.empty() ? "" : ": ", reason);
+}
+
+ProgramFound find_program(const std::string& program) {
+  constexpr ChildLimits kLimits{.seconds = 10.0, .memory = {}, .output = 1U << 20U};
+  try {
+    const ChildResult ran = run_child({program, "--version"}, "", kLimits);
+    const std::string version = ended_well(ran) ? first_line(ran.out) : "";
+    if (!version.empty()) return {version, "", true};
+    return {"",
+            fmt::format("{} {}", program, ended_well(ran) ? "tells no version" : how_it_ended(ran)),
+            true};
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+    return {"", error.message(), error.message() != not_installed(program)};
+  }
 }
 
 }  // namespace polhode

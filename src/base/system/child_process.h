@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs another program to its end, without a shell, and collects its output.
+// Runs another program to its end, without a shell, collects its output, and words how it ended.
 #pragma once
 
 #include <cstddef>
@@ -23,19 +23,40 @@ struct ChildResult {
   std::string out;  // its standard output
   std::string err;  // its standard error
   int status = 0;   // its exit code, or 128 + n if signal n ended it
+  int signal = 0;   // the signal that ended it; 0: none
   // why it was killed: "took longer than 600 s"; empty if it ended by itself
   std::string exceeded;
 };
 
 // Runs words[0] (found on PATH if it has no slash) with the other words as arguments and `input` as
-// its standard input, and waits for it to end. It is killed when it exceeds the limit of time or
-// output; memory beyond its limit is refused to it. It inherits the environment and the working
-// folder. An exit code other than 0 is not an error. SIGPIPE must be ignored
-// (base/system/interrupt.h), because the program may exit before it has read its input.
-// Thread-safe. Throws Error (environment) if the program cannot be started, and (interrupted) after
+// its standard input, and waits for it to end, but not for programs that it has left behind with
+// its output open. It is killed when it exceeds the limit of time or output; memory beyond its
+// limit is refused to it. It inherits the environment and the working folder. An exit code other
+// than 0 is not an error. SIGPIPE must be ignored (base/system/interrupt.h), because the program
+// may exit before it has read its input. A limit of memory is set by prlimit (util-linux), which
+// exits with 127 if it cannot start the program. Thread-safe. Throws Error (environment), "gnuplot
+// is not installed" or "gnuplot cannot be started: Too many open files", and (interrupted) after
 // SIGINT, SIGTERM or SIGHUP; the program is then killed.
 ChildResult run_child(const std::vector<std::string>& words,
                       std::string_view input,
                       const ChildLimits& limits = {});
+
+// Whether it ended by itself, with the exit code 0.
+bool ended_well(const ChildResult& result);
+
+// How it ended, for a message whose subject is the program: "took longer than 30 s", "was ended by
+// signal 11 (Segmentation fault)", "ended with exit code 7: " and the first line of its standard
+// error.
+std::string how_it_ended(const ChildResult& result);
+
+// What a program says of itself.
+struct ProgramFound {
+  std::string version;  // the first line of `PROGRAM --version`; empty if it does not run
+  std::string
+      why_not;  // "gnuplot is not installed", "gnuplot took longer than 10 s"; empty if it runs
+  bool installed = true;  // false: there is no such program
+};
+// Runs `PROGRAM --version`, for at most 10 s. Throws Error (interrupted).
+ProgramFound find_program(const std::string& program);
 
 }  // namespace polhode

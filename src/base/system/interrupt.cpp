@@ -5,8 +5,11 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+#include <string_view>
+#include <unistd.h>
 
 #include "base/error.h"
+#include "base/system/unfinished.h"
 
 namespace polhode {
 namespace {
@@ -22,14 +25,24 @@ std::int64_t now_ms() {
   return static_cast<std::int64_t>(now.tv_sec) * 1000 + now.tv_nsec / 1'000'000 + 1;
 }
 
+// for what does not poll the flag: libraries, or a wait for one
+constexpr unsigned kPatienceSeconds = 2;
+
+extern "C" void stop_waiting(int /*signal*/) {
+  const std::string_view words = "polhode: interrupted\n";
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  end_at_once(static_cast<int>(Fault::interrupted));
+}
+
 extern "C" void remember_signal(int signal) {
   std::int64_t first = 0;
   const std::int64_t now = now_ms();
-  if (first_signal_ms.compare_exchange_strong(first, now)) return;
+  if (first_signal_ms.compare_exchange_strong(first, now)) {
+    alarm(kPatienceSeconds);
+    return;
+  }
   // a user who asks again wants the end at once
-  if (now - first < same_key_ms.load(std::memory_order_relaxed)) return;
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
+  if (now - first >= same_key_ms.load(std::memory_order_relaxed)) stop_waiting(signal);
 }
 
 }  // namespace
@@ -40,13 +53,15 @@ void watch_for_interrupt(std::chrono::milliseconds same_key) {
   std::signal(SIGINT, remember_signal);
   std::signal(SIGTERM, remember_signal);
   std::signal(SIGHUP, remember_signal);
+  std::signal(SIGALRM, stop_waiting);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  tidy_up_after_crashes();
 }
 
 void stop_if_interrupted() {
   if (first_signal_ms.load(std::memory_order_relaxed) != 0) {
-    throw Error(Fault::interrupted, "interrupted; nothing was written");
+    throw Error(Fault::interrupted, "interrupted");
   }
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/output_folder.h"
 
+#include <map>
+
 #include "base/check.h"
 #include "base/error.h"
+#include "base/system/system_error.h"
 
 namespace polhode {
 
@@ -11,11 +14,12 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder,
                            const char* option) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure || !std::filesystem::is_directory(folder)) {
-    throw input_error("cannot make the folder '{}': {}",
-                      folder.string(),
-                      failure ? failure.message() : "there is a file of that name")
-        .at({{}, 0, option});
+  if (failure || !std::filesystem::is_directory(folder, failure)) {
+    throw Error(fault_of(failure.value()),
+                fmt::format("cannot make the folder '{}': {}",
+                            folder.string(),
+                            failure ? failure.message() : "there is a file of that name"),
+                {{}, 0, option});
   }
   for (const std::string& name : names)
     files_.push_back(std::make_unique<AtomicFile>(folder / name));
@@ -32,6 +36,19 @@ std::filesystem::path folder_or_default(const std::string& asked,
                                         const std::string& what) {
   if (!asked.empty()) return asked;
   return std::filesystem::path("output") / (scene.stem().string() + "_" + what);
+}
+
+void refuse_same_stem(const std::vector<std::filesystem::path>& scenes) {
+  std::map<std::string, const std::filesystem::path*> by_name;
+  for (const std::filesystem::path& scene : scenes) {
+    const std::string name = scene.stem().string();
+    const auto [place, is_new] = by_name.emplace(name, &scene);
+    if (is_new) continue;
+    throw input_error("{} and {} are both called '{}' in the results; rename one of them",
+                      place->second->string(),
+                      scene.string(),
+                      name);
+  }
 }
 
 }  // namespace polhode

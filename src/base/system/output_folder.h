@@ -15,7 +15,7 @@ namespace polhode {
 // before it changes none of them. The files are locked, so two runs cannot write the same files.
 class OutputFolder {
  public:
-  // Creates the folder if needed and claims a file for each of `names` in it. Throws Error (input)
+  // Creates the folder if needed and claims a file for each of `names` in it. Throws Error
   // as AtomicFile does, and with `option`, the option that names the folder, as key if the folder
   // cannot be created.
   OutputFolder(const std::filesystem::path& folder,
@@ -35,5 +35,9 @@ class OutputFolder {
 std::filesystem::path folder_or_default(const std::string& asked,
                                         const std::filesystem::path& scene,
                                         const std::string& what);
+
+// Throws Error (input), without a place, if two of the files have the same name without folder and
+// ending, by which results are told apart. The message names both.
+void refuse_same_stem(const std::vector<std::filesystem::path>& scenes);
 
 }  // namespace polhode

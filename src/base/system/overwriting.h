@@ -4,14 +4,16 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace polhode {
 
-// Throws Error (input), without a place, if the output `written` is the same file as the input
-// `needed`, also by another path or a link, or ends in .toml, as scene files do. `what` names the
-// output in the message: "the output", "--report". An empty `written` (no output) is accepted.
+// Throws Error (input), without a place, if the output `written` is the same file as one of the
+// inputs `needed`, also by another path or a link, or ends in .toml, as scene files do. `what`
+// names the output in the message: "the output", "--report". An empty `written` (no output) is
+// accepted.
 void refuse_same_file(const std::string& written,
                       const std::string& what,
-                      const std::filesystem::path& needed);
+                      const std::vector<std::filesystem::path>& needed);
 
 }  // namespace polhode

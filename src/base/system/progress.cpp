@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/progress.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -11,6 +12,17 @@
 #include "base/system/console.h"
 
 namespace polhode {
+namespace {
+
+// a bar is for people at a terminal
+ProgressKind settled(ProgressKind kind) {
+  if (kind != ProgressKind::automatic) return kind;
+  return isatty(STDERR_FILENO) != 0 ? ProgressKind::bar : ProgressKind::none;
+}
+
+constexpr std::chrono::milliseconds kBetweenLines{100};
+
+}  // namespace
 
 const std::vector<std::string>& progress_names() {
   static const std::vector<std::string> names = {"auto", "bar", "json", "none"};
@@ -27,16 +39,12 @@ ProgressKind parse_progress(const std::string& text) {
 }
 
 Progress::Progress(ProgressKind kind, int total, std::string things, int there)
-    : kind_(kind),
+    : kind_(settled(kind)),
       total_(total),
       things_(std::move(things)),
       there_(there),
       start_(Clock::now()),
-      last_(start_) {
-  if (kind_ == ProgressKind::automatic) {
-    kind_ = isatty(STDERR_FILENO) != 0 ? ProgressKind::bar : ProgressKind::none;
-  }
-}
+      last_(start_) {}
 
 Progress::~Progress() {
   // leave the terminal on a line of its own
@@ -46,7 +54,7 @@ Progress::~Progress() {
 void Progress::show(int done, const std::string& limit) {
   if (kind_ == ProgressKind::none) return;
   const Clock::time_point now = Clock::now();
-  if (done + there_ < total_ && now - last_ < std::chrono::milliseconds(100)) return;
+  if (done + there_ < total_ && now - last_ < kBetweenLines) return;
   last_ = now;
   drawn_ = true;
   print(done, std::chrono::duration<double>(now - start_).count(), limit);
@@ -81,6 +89,24 @@ void Progress::print(int done_now, double seconds, const std::string& limit) con
                         things_,
                         left,
                         limit.empty() ? "" : fmt::format(", {} limits", limit)));
+}
+
+Waiting::Waiting(ProgressKind kind)
+    : kind_(settled(kind)), next_(Clock::now() + std::chrono::seconds(1)) {}
+
+Waiting::~Waiting() {
+  if (drawn_ > 0) print_err(fmt::format("\r{: <{}}\r", "", drawn_));
+}
+
+void Waiting::show(const std::string& words) {
+  if (kind_ == ProgressKind::none || Clock::now() < next_) return;
+  next_ = Clock::now() + kBetweenLines;
+  if (kind_ == ProgressKind::json) {
+    print_err(fmt::format("{{\"doing\":\"{}\"}}\n", words));
+    return;
+  }
+  print_err(fmt::format("\r{: <{}}", words, drawn_));
+  drawn_ = std::max(drawn_, words.size());
 }
 
 }  // namespace polhode

@@ -48,4 +48,26 @@ class Progress {
   bool drawn_ = false;
 };
 
+// Says what a computation of unknown length is doing, once it has taken a second, and at most ten
+// times a second: by a line of a terminal, which disappears at the end, or as {"doing":"..."}.
+// Not thread-safe.
+class Waiting {
+ public:
+  explicit Waiting(ProgressKind kind);
+  // Clears the line, if one was shown.
+  ~Waiting();
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+  // `words`: what is being done, without quotation marks and line breaks.
+  void show(const std::string& words);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  ProgressKind kind_;
+  Clock::time_point next_;
+  std::size_t drawn_ = 0;  // columns
+};
+
 }  // namespace polhode

@@ -4,9 +4,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
+#include "base/system/unfinished.h"
 
 namespace polhode {
 
@@ -23,6 +25,7 @@ class ScratchFolder {
       throw environment_error("cannot make a temporary folder '{}'; set TMPDIR", name);
     }
     path_ = name;
+    unfinished_.emplace(path_);
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -36,6 +39,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<Unfinished> unfinished_;
 };
 
 }  // namespace polhode

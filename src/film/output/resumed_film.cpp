@@ -8,8 +8,11 @@
 #include <system_error>
 
 #include "base/check.h"
+#include "base/one_line.h"
 #include "base/system/console.h"
+#include "base/system/files.h"
 #include "base/system/log.h"
+#include "base/system/system_error.h"
 #include "film/film_metadata.h"
 #include "video/seal.h"
 #include "video/sink_kinds.h"
@@ -65,7 +68,7 @@ void ResumedFilm::begin(const PreparedFilm& film) {
   std::error_code failed;
   fs::create_directory(folder_, failed);
   if (failed) {
-    throw input_error("cannot make the folder '{}': {}", folder_, failed.message())
+    throw system_error(failed.value(), fmt::format("cannot make the folder '{}'", folder_))
         .at({{}, 0, "--resume"});
   }
   for (int number = 1; number <= segments_; ++number) {
@@ -80,7 +83,7 @@ void ResumedFilm::begin(const PreparedFilm& film) {
   }
   if (whole_ > 0) {
     print_err(fmt::format("polhode: {}: {} of {} pieces are already complete\n",
-                          plan_.sink.output,
+                          one_line(plan_.sink.output),
                           whole_,
                           segments_));
   }
@@ -102,13 +105,13 @@ bool ResumedFilm::is_whole(int number) const {
 
 // hours of work are not thrown away for a slip of the keyboard
 void ResumedFilm::look_at_old_segments() {
-  std::error_code failed;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failed)) {
-    if (entry.path().extension() != ending_) continue;
+  if (!is_there(folder_)) return;
+  for (const fs::path& file : entries_of(folder_)) {
+    if (file.extension() != ending_) continue;
     std::string difference;
     try {
-      if (!sealed_text(entry.path())) continue;
-      difference = difference_between(record_, record_in(entry.path().string()));
+      if (!sealed_text(file)) continue;
+      difference = difference_between(record_, record_in(file.string()));
     } catch (const Error& error) {
       if (error.fault() == Fault::interrupted) throw;
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "film/output/segments.h"
 
+#include <array>
 #include <cstdint>
 
 #include <nlohmann/json.hpp>
@@ -47,13 +48,39 @@ Json captions_json(const FilmMetadata& metadata) {
   return all;
 }
 
+Error missing(const std::string& key) {
+  return input_error("its record lacks '{}'; make the piece again with --shard", key);
+}
+
+// the keys of comment_with() and settings_of()
+constexpr std::array kKeys = {"polhode",
+                              "ffmpeg",
+                              "scene",
+                              "title",
+                              "settings",
+                              "shard",
+                              "first",
+                              "count",
+                              "frames",
+                              "chapters",
+                              "captions"};
+constexpr std::array kSettings = {
+    "codec", "preset", "crf", "finest", "threads", "size", "fps", "from", "to", "transparent"};
+
 SegmentRecord record_from(const Json& json) {
+  for (const char* key : kKeys) {
+    if (!json.contains(key)) throw missing(key);
+  }
   SegmentRecord record;
   json.at("polhode").get_to(record.version);
   json.at("ffmpeg").get_to(record.ffmpeg);
   json.at("scene").get_to(record.scene);
   json.at("title").get_to(record.title);
   json.at("settings").get_to(record.settings);
+  for (const char* key : kSettings) {
+    if (!record.settings.contains(key)) throw missing(fmt::format("settings.{}", key));
+  }
+  parse_frame_rate(record.settings.at("fps"));
   record.shard = {json.at("shard").at(0), json.at("shard").at(1)};
   record.range = {json.at("first"), json.at("count")};
   json.at("frames").get_to(record.film.frames);

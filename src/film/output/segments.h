@@ -17,7 +17,8 @@ struct SegmentRecord {
   std::string ffmpeg;                           // version of FFmpeg that encoded it
   std::string scene;                            // scene_hash() (scene/scene.h)
   std::string title;                            // of the film
-  std::map<std::string, std::string> settings;  // of the whole film, such as "crf": "18"
+  std::map<std::string, std::string> settings;  // of the whole film, such as "crf": "18"; always
+                                                // with "fps", which parse_frame_rate() can read
   Shard shard;                                  // which part it is
   FrameRange range;                             // its frames, numbered as in the whole film
   FilmMetadata film;  // of the whole film: frames, chapters, captions; key frames are not stored
@@ -33,8 +34,8 @@ SegmentRecord record_of(const RenderPlan& plan,
 // (film/render_plan.h), followed by JSON. Throws Error (input), without a place, if it is longer
 // than 60000 bytes, which is so if the story has too much text.
 std::string comment_with(const SegmentRecord& record);
-// The record in such a comment. Throws Error (input), without a place, if it has none, or one that
-// contradicts itself.
+// The record in such a comment. Throws Error (input), without a place, if it has none, one that
+// lacks a key (the message names it), or one that contradicts itself.
 SegmentRecord parse_record(const std::string& comment);
 // The record in the comment of a film file. Throws Error (input), with the file as place, if it is
 // missing, not a film, or not a part of one.

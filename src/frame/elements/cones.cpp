@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
-constexpr double kWidestCone = 0.995 * kPi / 2.0;
 
 void add_arc(const Scenery& scenery,
              const Sample& sample,
@@ -35,7 +34,7 @@ void add_cone(const Scenery& scenery,
               double slant,
               const Material& material,
               Glyphs& glyphs) {
-  if (half_angle < kSmallestCone || half_angle > kWidestCone) return;
+  if (half_angle < kSmallestCone || slant <= 0.0) return;
   glyphs.cones.push_back(
       {sample.reference_S, axis, half_angle, slant, kRimRadius * scenery.scale.body, material});
 }
@@ -89,7 +88,8 @@ void add_body_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs)
            glyphs);
 }
 
-// about the vertical, through the body axis of this moment
+// about the vertical, through the body axis of this moment; a flat disc where that is level, and
+// about the other direction beyond
 void add_precession_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 figure = sample.q_SB * figure_axis_B(scenery);
   const Vec3& up = scenery.motion.model().up_S;

@@ -29,6 +29,7 @@ void add_body(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   for (const LookPart& part : scenery.look) {
     Material material = part.material;
     material.alpha = static_cast<float>(scenery.options.body_opacity);
+    material.covers = true;
     glyphs.meshes.push_back({part.mesh, space_from_body * part.body_from_mesh, material});
   }
   for (const Vec3& point_B : scenery.hull_B)
@@ -60,7 +61,9 @@ void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   place.translation() = -kStandHeight * size * up;
   place.linear() = turn_between(Vec3::UnitZ(), up).toRotationMatrix() *
                    (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
-  glyphs.meshes.push_back({scenery.stand, place, plain(scenery.theme.stand, 0.3f)});
+  Material material = plain(scenery.theme.stand, 0.3f);
+  material.covers = true;
+  glyphs.meshes.push_back({scenery.stand, place, material});
   // corners around the foot
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0})
@@ -75,7 +78,9 @@ void add_floor(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 start = scenery.motion.at(0.0).reference_S;
   const Vec3 center = start - depth * up;
   const Placement place = disc_placement(center, up, kFloorRadius * scenery.scale.body);
-  glyphs.meshes.push_back({scenery.disc, place, plain(scenery.theme.floor, 0.0f)});
+  Material material = plain(scenery.theme.floor, 0.0f);
+  material.covers = true;
+  glyphs.meshes.push_back({scenery.disc, place, material});
   add_rim_reach(place, 16, glyphs);
 
   // under the middle of the body, wider and paler the higher it is

@@ -32,6 +32,14 @@ Material shell(const glm::vec3& color, float alpha) {
   return material;
 }
 
+Material drawn_through(const Scenery& scenery, Material material) {
+  if (scenery.options.hidden == "none") return material;
+  const bool dashed = scenery.options.hidden == "dashed";
+  material.hidden = dashed ? 0.8f : 0.35f;
+  material.dashes = dashed ? 1.0f : 0.0f;
+  return material;
+}
+
 ArrowShape times(const ArrowShape& shape, double factor) {
   return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
 }
@@ -45,13 +53,16 @@ void add_vector(const Scenery& scenery,
                 const char* name) {
   const double length = (end - from).norm();
   const Vec3 tip = drawn_tip(scenery, from, end);
-  glyphs.arrows.push_back({from, tip, times(shape, scenery.scale.body), material});
+  glyphs.arrows.push_back(
+      {from, tip, times(shape, scenery.scale.body), drawn_through(scenery, material)});
   // the name of a vector that shrinks into the body goes with it
   const double named =
       (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
   if (name == nullptr || named <= 0.0) return;
   const auto fade = static_cast<float>(std::min(1.0, named));
-  glyphs.labels.push_back({tip, tip - from, name, material.color, fade});
+  const ArrowShape sizes = fitting(times(shape, scenery.scale.body), (tip - from).norm());
+  glyphs.labels.push_back(
+      {tip, tip - from, name, material.color, fade, sizes.head_length, sizes.head_radius});
 }
 
 void add_at_reference(const Scenery& scenery,
@@ -103,6 +114,26 @@ void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs) {
     const double angle = 2.0 * kPi * k / count;
     glyphs.reach.push_back(disc * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
+}
+
+void add_ball_reach(const Placement& place, Glyphs& glyphs) {
+  constexpr int kAround = 24;
+  // as far out as the middles of the faces between the points lie inside
+  static const std::vector<Vec3> points = [] {
+    const double step = 2.0 * kPi / kAround;
+    const double out = 1.0 / (std::cos(0.5 * step) * std::cos(0.5 * step));
+    std::vector<Vec3> found = {{0.0, 0.0, out}, {0.0, 0.0, -out}};
+    for (int i = 1; i < kAround / 2; ++i) {
+      for (int k = 0; k < kAround; ++k) {
+        const double r = std::sin(i * step);
+        found.emplace_back(
+            out * Vec3(r * std::cos(k * step), r * std::sin(k * step), std::cos(i * step)));
+      }
+    }
+    return found;
+  }();
+  for (const Vec3& point : points)
+    glyphs.reach.push_back(place * point);
 }
 
 Vec3 principal_rate(const BodyModel& model, const Sample& sample) {

@@ -21,6 +21,8 @@ inline constexpr ArrowShape kComponentShape{0.015, 0.042, 0.12};  // may lie alo
 inline constexpr ArrowShape kFieldShape{0.008, 0.024, 0.08};
 // The radius of tubes along rims and curves, in units of the body's radius.
 inline constexpr double kRimRadius = 0.008;
+// Polhodes, herpolhodes and Binet's curve are what their pictures are about.
+inline constexpr double kCurveRadius = 0.016;
 
 inline constexpr double kSmallestCone = 1e-4;  // rad; narrower cones are not drawn
 
@@ -28,6 +30,9 @@ inline constexpr double kSmallestCone = 1e-4;  // rad; narrower cones are not dr
 Material plain(const glm::vec3& color, float gloss);
 // A translucent material with the opacity `alpha`, 0..1.
 Material shell(const glm::vec3& color, float alpha);
+
+// The material of a line whose parts behind bodies are drawn as ShowSpec::hidden says.
+Material drawn_through(const Scenery& scenery, Material material);
 
 // Adds an arrow from `from` to `end` (S, m), shortened as drawn_tip() says. `shape` is in units of
 // the body's radius. With a name (markup, copied), the arrow gets a label, which fades while the
@@ -62,6 +67,10 @@ Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);
 // Adds `count` points of the rim of a disc to glyphs.reach, for framing.
 void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs);
 
+// Adds points to glyphs.reach whose convex hull contains the image of the unit ball and is hardly
+// larger, for framing.
+void add_ball_reach(const Placement& place, Glyphs& glyphs);
+
 // Angular velocity in P, rad/s; and twice the kinetic energy of a rotation with it, J.
 Vec3 principal_rate(const BodyModel& model, const Sample& sample);
 double twice_the_energy(const BodyModel& model, const Vec3& w_P);
@@ -91,8 +100,7 @@ Add add_stand, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 
-// Adds the part of a path in S between two times (s of motion); the whole path is framed. color:
-// sRGB-encoded, 0..1.
+// Adds the part of a path in S between two times (s of motion). color: sRGB-encoded, 0..1.
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
 
 }  // namespace polhode

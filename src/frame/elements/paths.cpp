@@ -23,8 +23,13 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
   if (trail.empty()) return;
   for (const MeshPtr& mesh : trail.part(from, to))
     glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f)});
-  for (std::size_t i = 0; i < trail.path().points.size(); i += 8)
-    glyphs.reach.push_back(trail.path().points[i]);
+  // what is not drawn yet needs no place: a camera that goes along comes nearer
+  const Path& path = trail.path();
+  const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);
+  for (auto i = static_cast<std::size_t>(first - path.parameters.begin());
+       i < path.points.size() && path.parameters[i] <= to;
+       i += 8)
+    glyphs.reach.push_back(path.points[i]);
 }
 
 void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -41,11 +46,8 @@ void add_trail_sphere(const Scenery& scenery, const Sample& sample, Glyphs& glyp
   Placement place = Placement::Identity();
   place.translation() = sample.reference_S;
   place.linear() *= 0.997 * kTrailRadius * scenery.scale.body;
-  glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.plane, 0.12f)});
-  for (int i = 0; i < 3; ++i) {
-    glyphs.reach.push_back(place * Vec3(Vec3::Unit(i)));
-    glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
-  }
+  glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.space_axes, 0.12f)});
+  add_ball_reach(place, glyphs);
 }
 
 namespace {
@@ -83,8 +85,8 @@ std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
 
 // the number of segments around a tube: pieces of a circle that look round grow as the root of its
 // radius
-int sides_of(const Scenery& scenery) {
-  return std::max(8, static_cast<int>(std::ceil(scenery.segments * std::sqrt(kRimRadius))));
+int sides_of(const Scenery& scenery, double radius) {
+  return std::max(8, static_cast<int>(std::ceil(scenery.segments * std::sqrt(radius))));
 }
 
 // paths of points in space, which grow with the motion
@@ -93,26 +95,35 @@ void make_trails(const Scenery& scenery, Paths& paths) {
   // a quarter of a pixel where the body is as high as the frame
   const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
   const int pieces = pieces_of_trail(motion);
-  const auto trail = [&](const auto& point) {
+  const auto trail = [&](double radius, const auto& point) {
     return Trail(sampled([&](double t) { return Vec3(point(motion.at(t))); },
                          0.0,
                          motion.duration(),
                          pieces,
                          tolerance),
-                 kRimRadius * scenery.scale.body,
+                 radius * scenery.scale.body,
                  scenery.scale.body,
-                 sides_of(scenery));
+                 sides_of(scenery, radius));
   };
   if (is_asked(scenery.options, "trail")) {
     const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
-    paths.axis = trail([&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
+    paths.axis = trail(kRimRadius,
+                       [&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }
   for (const Vec3& point_B : scenery.options.trail_points) {
-    paths.points.push_back(
-        trail([&](const Sample& now) { return point_position(motion.model(), now, point_B); }));
+    paths.points.push_back(trail(kRimRadius, [&](const Sample& now) {
+      return point_position(motion.model(), now, point_B);
+    }));
   }
-  if (is_asked(scenery.options, "herpolhode"))
-    paths.herpolhode = trail([&](const Sample& now) { return omega_tip(scenery, now); });
+  if (!is_asked(scenery.options, "herpolhode")) return;
+  for (const double t : framing_times(motion)) {
+    const Sample now = motion.at(t);
+    if (now.L_S.norm() == 0.0) continue;
+    const double off = now.w_S.cross(now.L_S.normalized()).norm();
+    paths.herpolhode_radius = std::max(paths.herpolhode_radius, scenery.scale.omega * off);
+  }
+  paths.herpolhode =
+      trail(kCurveRadius, [&](const Sample& now) { return omega_tip(scenery, now); });
 }
 
 // closed curves of the body, in units of its radius
@@ -120,20 +131,21 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
   const BodyModel& model = scenery.motion.model();
   const Vec3 w_P = principal_rate(model, scenery.motion.at(0.0));
   const int pieces = 8 * scenery.segments;
-  const auto curve = [&](const Vec3& w, const Vec3& factor) -> MeshPtr {
+  const auto curve = [&](const Vec3& w, const Vec3& factor, double radius) -> MeshPtr {
     std::vector<Vec3> points = polhode(model.moments, w, pieces);
     if (points.empty()) return nullptr;
     for (Vec3& point : points)
       point = point.cwiseProduct(factor) / scenery.scale.body;
-    return std::make_shared<const Mesh>(tube_along(points, kRimRadius, sides_of(scenery), true));
+    return std::make_shared<const Mesh>(
+        tube_along(points, radius, sides_of(scenery, radius), true));
   };
   const Vec3 as_omega = Vec3::Constant(scenery.scale.omega);
-  if (is_asked(scenery.options, "polhode")) paths.polhode = curve(w_P, as_omega);
+  if (is_asked(scenery.options, "polhode")) paths.polhode = curve(w_P, as_omega, kCurveRadius);
   if (is_asked(scenery.options, "binet"))
-    paths.binet = curve(w_P, scenery.scale.momentum * model.moments);
+    paths.binet = curve(w_P, scenery.scale.momentum * model.moments, kCurveRadius);
   if (!is_asked(scenery.options, "polhodes")) return;
   for (const Vec3& w : family_of(model, w_P)) {
-    if (const MeshPtr mesh = curve(w, as_omega)) paths.polhodes.push_back(mesh);
+    if (const MeshPtr mesh = curve(w, as_omega, kRimRadius)) paths.polhodes.push_back(mesh);
   }
 }
 

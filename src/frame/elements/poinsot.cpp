@@ -2,13 +2,18 @@
 // Poinsot's picture: the energy ellipsoid of the body rolls without slipping on the plane that L is
 // square to, and touches it at the tip of the angular velocity (Landau and Lifshitz, Mechanics,
 // section 37; Goldstein, 5.6). And Binet's: in the space of L, an ellipsoid and a sphere.
+#include <algorithm>
+
 #include "frame/elements/parts.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
 
 constexpr double kPlaneRadius = 1.9;
 constexpr double kAxisPlaneRadius = 1.45;
+constexpr double kContactRadius = 0.04;  // of the ball at the point of contact
+constexpr double kNameOff = 0.12;        // of names from their curves
 
 // {w : w.I w = twice the energy}, in metres of the picture
 Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
@@ -19,17 +24,6 @@ Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
       place.linear() *
       (scenery.scale.omega * (energy2 * model.inverse_moments).cwiseSqrt()).asDiagonal();
   return place;
-}
-
-// points around an ellipsoid, for framing
-void add_reach(const Placement& place, Glyphs& glyphs) {
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        if (x != 0 || y != 0 || z != 0) glyphs.reach.push_back(place * Vec3(x, y, z).normalized());
-      }
-    }
-  }
 }
 
 // a curve of the body's own, its mesh in units of the body's radius
@@ -44,12 +38,48 @@ void add_body_curve(const Scenery& scenery,
   glyphs.meshes.push_back({mesh, place, plain(color, 0.1f)});
 }
 
+// the name of a curve or a surface, smaller than those of vectors; `off`: from there to the name
+void add_name(const Scenery& scenery,
+              const Vec3& at,
+              const Vec3& off,
+              const char* name,
+              const glm::vec3& color,
+              float fade,
+              Glyphs& glyphs) {
+  const Vec3 away = kNameOff * scenery.scale.body * off.normalized();
+  glyphs.labels.push_back(
+      {at + away, away, std::string("<span size=\"62%\">") + name + "</span>", color, fade});
+}
+
+// a direction in the invariable plane, to the right in a camera that sees L vertical, and `nearer`
+// times as much towards it
+Vec3 beside(const Vec3& up, double nearer) {
+  const Vec3 vertical = up.z() < 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3(Vec3::UnitZ());
+  const Vec3 towards = Vec3(kDefaultDirection.x(), kDefaultDirection.y(), 0.0).normalized();
+  const Vec3 right = Vec3::UnitZ().cross(towards);
+  return turn_between(vertical, up) * Vec3((right + nearer * towards).normalized());
+}
+
+// of the ellipses that the body's curves are, the point on the other side of the axis around which
+// this one goes: as the contact moves on, so does it
+Vec3 opposite_on_polhode(const BodyModel& model, const Vec3& w_P) {
+  int least = 0, most = 0;
+  const double smallest = model.moments.minCoeff(&least);
+  const double largest = model.moments.maxCoeff(&most);
+  const double middle = model.moments.sum() - smallest - largest;
+  const double momentum2 = model.moments.cwiseProduct(w_P).squaredNorm();
+  const int axis = momentum2 >= twice_the_energy(model, w_P) * middle ? most : least;
+  Vec3 opposite = -w_P;
+  opposite[axis] = w_P[axis];
+  return opposite;
+}
+
 }  // namespace
 
 void add_ellipsoid(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Placement place = energy_ellipsoid(scenery, sample);
   glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.ellipsoid, 0.26f)});
-  add_reach(place, glyphs);
+  add_ball_reach(place, glyphs);
 }
 
 void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -61,19 +91,60 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   glyphs.sheets.push_back({{scenery.disc, place, material}, center, up});
   glyphs.meshes.push_back({scenery.ring, place, plain(scenery.theme.plane, 0.1f)});
   add_rim_reach(place, 24, glyphs);
+
+  Placement contact = Placement::Identity();
+  contact.translation() = omega_tip(scenery, sample);
+  contact.linear() *= kContactRadius * scenery.scale.body;
+  glyphs.meshes.push_back({scenery.ball, contact, plain(scenery.theme.position, 0.3f)});
+
+  const Vec3 out = beside(up, 0.5);
+  add_name(scenery,
+           center + kPlaneRadius * scenery.scale.body * out,
+           out,
+           "invariable plane",
+           scenery.theme.plane,
+           1.0f,
+           glyphs);
 }
 
 void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  if (!scenery.paths.polhode) return;
   add_body_curve(scenery, sample, scenery.paths.polhode, scenery.theme.polhode, glyphs);
+  const BodyModel& model = scenery.motion.model();
+  const Vec3 opposite_P = opposite_on_polhode(model, principal_rate(model, sample));
+  const Vec3 away = principal_placement(scenery, sample).linear() * opposite_P;
+  add_name(scenery,
+           sample.reference_S + scenery.scale.omega * away,
+           away,
+           "polhode",
+           scenery.theme.polhode,
+           1.0f,
+           glyphs);
 }
 
 void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   for (const MeshPtr& mesh : scenery.paths.polhodes)
-    add_body_curve(scenery, sample, mesh, scenery.theme.space_axes, glyphs);
+    add_body_curve(scenery, sample, mesh, scenery.theme.polhodes, glyphs);
 }
 
 void add_herpolhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  add_path(scenery.paths.herpolhode, 0.0, sample.t, scenery.theme.herpolhode, glyphs);
+  const Trail& trail = scenery.paths.herpolhode;
+  if (trail.empty()) return;
+  add_path(trail, 0.0, sample.t, scenery.theme.herpolhode, glyphs);
+  // beside all that it will be, as soon as there is something of it
+  const double turned = sample.t * sample.w_S.norm();
+  const auto fade = static_cast<float>(std::clamp(turned - 2.0, 0.0, 1.0));
+  if (fade <= 0.0f) return;
+  const Vec3 up = sample.L_S.normalized();
+  const Vec3 foot = sample.reference_S + scenery.scale.omega * sample.w_S.dot(up) * up;
+  const Vec3 out = beside(up, 0.3);
+  add_name(scenery,
+           foot + scenery.paths.herpolhode_radius * out,
+           out,
+           "herpolhode",
+           scenery.theme.herpolhode,
+           fade,
+           glyphs);
 }
 
 // {L : sum of L_i^2 / I_i = twice the energy} and the sphere of |L|, in the scale of L
@@ -84,13 +155,15 @@ void add_binet(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   ellipsoid.linear() =
       ellipsoid.linear() *
       (scenery.scale.momentum * (energy2 * model.moments).cwiseSqrt()).asDiagonal();
-  glyphs.meshes.push_back({scenery.sphere, ellipsoid, plain(scenery.theme.ellipsoid, 0.3f)});
-  add_reach(ellipsoid, glyphs);
+  Material material = plain(scenery.theme.ellipsoid, 0.3f);
+  material.covers = true;
+  glyphs.meshes.push_back({scenery.sphere, ellipsoid, material});
+  add_ball_reach(ellipsoid, glyphs);
   Placement sphere = Placement::Identity();
   sphere.translation() = sample.reference_S;
   sphere.linear() *= scenery.scale.momentum * sample.L_S.norm();
   glyphs.shells.push_back({scenery.sphere, sphere, shell(scenery.theme.momentum, 0.22f)});
-  add_reach(sphere, glyphs);
+  add_ball_reach(sphere, glyphs);
   add_body_curve(scenery, sample, scenery.paths.binet, scenery.theme.polhode, glyphs);
 }
 
@@ -102,10 +175,10 @@ void add_axis_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
   const Vec3 normal = across.normalized();
   const Placement place =
       disc_placement(sample.reference_S, normal, kAxisPlaneRadius * scenery.scale.body);
-  Material material = shell(scenery.theme.plane, 0.22f);
+  Material material = shell(scenery.theme.space_axes, 0.22f);
   material.flat = true;
   glyphs.sheets.push_back({{scenery.disc, place, material}, sample.reference_S, normal});
-  glyphs.meshes.push_back({scenery.ring, place, plain(scenery.theme.plane, 0.1f)});
+  glyphs.meshes.push_back({scenery.ring, place, plain(scenery.theme.space_axes, 0.1f)});
   add_rim_reach(place, 16, glyphs);
 }
 

@@ -64,8 +64,15 @@ void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyph
              sample.reference_S,
              kAxisShape,
              plain(scenery.theme.position, 0.2f),
-             glyphs,
-             "<b>R</b>");
+             glyphs);
+  // its name stands above its middle: at its tip are the feet of all the others
+  const Vec3 along = sample.reference_S.stableNormalized();
+  const Vec3 aside = Vec3::UnitZ() - along.z() * along;
+  if (sample.reference_S.norm() < scenery.scale.body || aside.norm() < 0.1) return;
+  glyphs.labels.push_back({0.5 * sample.reference_S,
+                           0.05 * scenery.scale.body * aside,
+                           "<b>R</b>",
+                           scenery.theme.position});
 }
 
 void add_omega(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -173,7 +180,8 @@ void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     const Vec3 at = sample.reference_S + q_SP * load.at_P;
     const Vec3 force = scenery.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
     if (load.kind == Load::Kind::spring) {
-      glyphs.rods.push_back({at, load.anchor_S, 0.012 * scenery.scale.body, material});
+      glyphs.rods.push_back(
+          {at, load.anchor_S, 0.012 * scenery.scale.body, drawn_through(scenery, material)});
     } else if (force.squaredNorm() > 0.0) {
       add_vector(scenery, at, at + force, kForceShape, material, glyphs, "<b>F</b>");
     }

@@ -8,6 +8,7 @@
 
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
+#include "base/system/system_error.h"
 
 namespace polhode {
 namespace {
@@ -46,7 +47,7 @@ LibavInput open_film(const std::string& file) {
     throw input_error(
         "is not a readable film: it is no MP4, MOV, Matroska, WebM, GIF, AVI or APNG file");
   }
-  if (opened < 0) throw input_error("is not a readable film: {}", libav_words(opened));
+  if (opened < 0) throw film_error(opened, "is not a readable film");
   return LibavInput(input);
 }
 
@@ -55,6 +56,12 @@ std::string libav_words(int code) {
   char words[AV_ERROR_MAX_STRING_SIZE] = {};
   av_strerror(code, words, sizeof words);
   return words;
+}
+
+Error film_error(int code, const std::string& what) {
+  const Fault fault = fault_of(AVUNERROR(code));
+  const bool lacks = fault == Fault::environment;
+  return {fault, fmt::format("{}: {}", lacks ? "cannot be read" : what, libav_words(code))};
 }
 
 int check_libav(int code, const std::string& what) {

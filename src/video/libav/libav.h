@@ -37,7 +37,8 @@ struct CloseInput {
 using LibavInput = std::unique_ptr<AVFormatContext, CloseInput>;
 
 // Opens a film. Only containers of films are known: libav would also read lists of other files,
-// whatever their name (concat, HLS). Throws Error (input), without a place, if it is none of them.
+// whatever their name (concat, HLS). Throws Error (input), without a place, if it is none of them,
+// and film_error() if it cannot be read.
 LibavInput open_film(const std::string& file);
 
 // Options for a libav call. The call removes the entries that it understands.
@@ -61,6 +62,11 @@ class LibavOptions {
 
 // libav's message for an error code.
 std::string libav_words(int code);
+
+// An Error without a place for a film that libav cannot read. `what` says what is wrong with the
+// film ("is damaged"), unless the code is that of a system call that failed for lack of memory or
+// open files: then the fault is (environment).
+Error film_error(int code, const std::string& what);
 
 // Checks the result of a libav call that fails through no fault of the user, and returns it. `what`
 // is what was attempted, for the message. Throws Error (environment) with libav's message,

@@ -6,6 +6,7 @@
 #include "app/compare/golden_folders.h"
 #include "base/version.h"
 #include "support/expect_error.h"
+#include "support/in_child.h"
 
 namespace polhode {
 namespace {
@@ -45,6 +46,26 @@ TEST(GoldenCases, HaveTheRuleOfTheFolderOrTheirOwn) {
   const GoldenFolder own("verdict = { max = 8, reason = \"thin lines\" }\n");
   EXPECT_EQ(own.only_case().verdict.thresholds.max, 8);
   EXPECT_EQ(own.only_case().verdict.reason, "thin lines");
+}
+
+// a folder in which nobody may look around, and a sidecar that leads nowhere
+TEST(GoldenCases, WhatCannotBeReadIsNamed) {
+  const GoldenFolder folder;
+  std::filesystem::permissions(folder.name(), std::filesystem::perms{0311});
+  EXPECT_EQ(test::exit_code_in_child([&] {
+              static_cast<void>(!setuid(65534));  // root may read everything
+              try {
+                load_cases(folder.name(), "");
+              } catch (const Error& error) {
+                return error.fault() == Fault::input && error.place().file == folder.name() ? 0 : 1;
+              }
+              return 2;
+            }),
+            0);
+  std::filesystem::permissions(folder.name(), std::filesystem::perms::owner_all);
+  folder.accept("top.png", Image(4, 4));
+  std::filesystem::create_symlink("top.png.toml", folder / "top.png.toml");
+  test::expect_input_error([&] { folder.only_case(); }, "", "cannot be looked at");
 }
 
 TEST(GoldenCases, CanBeChosenByName) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "base/error.h"
 #include "support/full_disk.h"
@@ -121,6 +122,12 @@ TEST_F(AtomicFileTest, RefusesALinkAsTemporaryFile) {
   fs::create_symlink(victim, folder_ / "out.txt.part");
   EXPECT_NE(error_of(folder_ / "out.txt").find("is a link"), std::string::npos);
   EXPECT_EQ(read_file(victim), "precious");
+}
+
+// opening a pipe to write would wait for somebody who reads it
+TEST_F(AtomicFileTest, RefusesAPipeAsTemporaryFile) {
+  ASSERT_EQ(mkfifo((folder_ / "out.txt.part").c_str(), 0600), 0);
+  EXPECT_NE(error_of(folder_ / "out.txt").find("is not a regular file"), std::string::npos);
 }
 
 TEST_F(AtomicFileTest, RefusesAnUnwritableFolder) {

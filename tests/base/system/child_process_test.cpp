@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/child_process.h"
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "support/expect_error.h"
+#include "support/in_child.h"
+#include "support/run.h"
 
 namespace polhode::test {
 namespace {
@@ -30,6 +35,56 @@ TEST(ChildProcess, ExitCodeAndSignalAreTold) {
   EXPECT_EQ(run_child({"sh", "-c", "echo word >&2; exit 7"}, "").status, 7);
   EXPECT_EQ(run_child({"sh", "-c", "echo word >&2; exit 7"}, "").err, "word\n");
   EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, "").status, 128 + 9);
+}
+
+TEST(ChildProcess, HowItEndedIsWorded) {
+  const auto words = [](const char* script) {
+    return how_it_ended(run_child({"sh", "-c", script}, ""));
+  };
+  EXPECT_EQ(words("echo; echo no disk >&2; echo more >&2; exit 7"),
+            "ended with exit code 7: no disk");
+  EXPECT_EQ(words("exit 7"), "ended with exit code 7");
+  EXPECT_EQ(words("exit 139"), "ended with exit code 139");
+  EXPECT_EQ(words("kill -SEGV $$"), "was ended by signal 11 (Segmentation fault)");
+  EXPECT_EQ(how_it_ended(run_child({"sleep", "100"}, "", {.seconds = 0.1})),
+            "took longer than 0.1 s");
+}
+
+// what it leaves behind holds its output open
+TEST(ChildProcess, NobodyWaitsForItsOwnChildren) {
+  const auto start = std::chrono::steady_clock::now();
+  const ChildResult ran = run_child({"sh", "-c", "sleep 20 & echo word"}, "unread");
+  EXPECT_EQ(ran.out, "word\n");
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(ChildProcess, AProgramIsAskedForItsVersion) {
+  const TemporaryFolder folder;
+  const auto found = [&](const std::string& script) {
+    write_text(folder / "program", "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(folder / "program", std::filesystem::perms::owner_all);
+    return find_program(folder / "program");
+  };
+  EXPECT_EQ(found("echo program 1.2; echo words").version, "program 1.2");
+  EXPECT_EQ(found("echo program 1.2").why_not, "");
+  const std::string name = folder / "program";
+  EXPECT_EQ(found("exit 0").why_not, name + " tells no version");
+  EXPECT_EQ(found("echo broken >&2; exit 7").why_not, name + " ended with exit code 7: broken");
+  EXPECT_EQ(found("exec yes").why_not, name + " wrote more than 1048576 bytes");
+  EXPECT_TRUE(found("exit 7").installed);
+  EXPECT_FALSE(find_program(folder / "none").installed);
+  EXPECT_EQ(find_program(folder / "none").why_not, folder / "none" + " is not installed");
+}
+
+TEST(ChildProcess, WhatCannotBeStartedIsInstalled) {
+  const auto told = [] {
+    const rlimit few{4, 4};
+    setrlimit(RLIMIT_NOFILE, &few);
+    const ProgramFound found = find_program("cat");
+    return found.installed && found.why_not.ends_with("Too many open files") ? 0 : 1;
+  };
+  EXPECT_EQ(exit_code_in_child(told), 0);
 }
 
 // a program that does not read its input is no error of ours
@@ -59,7 +114,7 @@ TEST(ChildProcess, AMissingProgramIsTheEnvironment) {
   expect_error([] { run_child({"polhode-no-such-program"}, ""); },
                Fault::environment,
                "",
-               "polhode-no-such-program");
+               "polhode-no-such-program is not installed");
 }
 
 }  // namespace

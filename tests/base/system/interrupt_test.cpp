@@ -52,7 +52,20 @@ TEST(Interrupt, ASecondKeyEndsTheProcess) {
     raise(SIGINT);
     return 0;
   });
-  EXPECT_EQ(code, -1);
+  EXPECT_EQ(code, 130);
+}
+
+TEST(Interrupt, WorkThatDoesNotListenIsEnded) {
+  const auto begun = std::chrono::steady_clock::now();
+  const int code = exit_code_in_child([] {
+    watch_for_interrupt();
+    raise(SIGTERM);
+    while (true)
+      pause();
+    return 0;
+  });
+  EXPECT_EQ(code, 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(10));
 }
 
 TEST(Interrupt, WritingToAClosedPipeIsAnErrorCode) {

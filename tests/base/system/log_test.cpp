@@ -24,5 +24,13 @@ TEST(Log, WarnsAlwaysAndRemarksWhenVerbose) {
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "") << "standard output is for data";
 }
 
+TEST(Log, NamesOfFilesStayWithinTheLine) {
+  spdlog::drop("polhode");
+  ::testing::internal::CaptureStderr();
+  start_log(false);
+  spdlog::warn("a\nb\x1b[2J");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "polhode: warning: a b\\x1b[2J\n");
+}
+
 }  // namespace
 }  // namespace polhode

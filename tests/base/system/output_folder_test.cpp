@@ -57,5 +57,15 @@ TEST(FolderOrDefault, IsWhatIsAskedElseNamedByTheScene) {
   EXPECT_EQ(folder_or_default("", "scenes/top.toml", "chart"), "output/top_chart");
 }
 
+TEST(RefuseSameStem, NamesBoth) {
+  EXPECT_NO_THROW(refuse_same_stem({"a/top.toml", "a/body.toml"}));
+  expect_input_error(
+      [] {
+        refuse_same_stem({"a/top.toml", "c.toml", "b/top.toml"});
+      },
+      "",
+      "a/top.toml and b/top.toml are both called 'top'");
+}
+
 }  // namespace
 }  // namespace polhode::test

@@ -15,7 +15,12 @@ void expect_refused(const std::string& written,
                     const std::filesystem::path& needed,
                     const std::string& words) {
   SCOPED_TRACE(written);
-  test::expect_input_error([&] { refuse_same_file(written, "--report", needed); }, "", words);
+  test::expect_input_error(
+      [&] {
+        refuse_same_file(written, "--report", {"other", needed});
+      },
+      "",
+      words);
 }
 
 TEST(RefuseSameFile, OneFileHasManyNames) {
@@ -33,7 +38,7 @@ TEST(RefuseSameFile, OneFileHasManyNames) {
 // what is not written yet has only its name
 TEST(RefuseSameFile, FilesThatAreNotThereYetAreComparedByName) {
   expect_refused("no/such/film.mp4", "no/such/../such/film.mp4", "would overwrite");
-  EXPECT_NO_THROW(refuse_same_file("no/such/film.mp4", "--report", "no/such/film.mkv"));
+  EXPECT_NO_THROW(refuse_same_file("no/such/film.mp4", "--report", {"no/such/film.mkv"}));
 }
 
 TEST(RefuseSameFile, SceneFilesAreNeverWritten) {
@@ -44,8 +49,8 @@ TEST(RefuseSameFile, OtherFilesAndNoFileAreFine) {
   const TemporaryFolder folder;
   test::write_text(folder / "a.json", "same");
   test::write_text(folder / "b.json", "same");
-  EXPECT_NO_THROW(refuse_same_file(folder / "a.json", "--report", folder / "b.json"));
-  EXPECT_NO_THROW(refuse_same_file("", "--report", ""));
+  EXPECT_NO_THROW(refuse_same_file(folder / "a.json", "--report", {folder / "b.json"}));
+  EXPECT_NO_THROW(refuse_same_file("", "--report", {""}));
 }
 
 }  // namespace

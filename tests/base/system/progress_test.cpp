@@ -81,5 +81,28 @@ TEST(ParseProgress, KnowsItsNamesAndNoOthers) {
   expect_input_error([] { parse_progress("jsn"); }, "--progress", "did you mean 'json'?");
 }
 
+// what a computation that says "half" leaves on standard error
+std::string waited(ProgressKind kind, bool long_enough) {
+  ::testing::internal::CaptureStderr();
+  {
+    Waiting waiting(kind);
+    waiting.show("half");
+    if (long_enough) {
+      becomes([&] {
+        waiting.show("half");
+        struct stat file {};
+        return fstat(STDERR_FILENO, &file) == 0 && file.st_size > 0;
+      });
+    }
+  }
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(Waiting, IsToldAfterAWhileAndClearsItsLine) {
+  EXPECT_EQ(waited(ProgressKind::bar, false), "");
+  EXPECT_EQ(waited(ProgressKind::bar, true), "\rhalf\r    \r");
+  EXPECT_EQ(waited(ProgressKind::json, true), "{\"doing\":\"half\"}\n");
+}
+
 }  // namespace
 }  // namespace polhode::test

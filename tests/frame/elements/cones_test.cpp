@@ -109,6 +109,38 @@ TEST(Cones, PrecessionConeFollowsTheTilt) {
   EXPECT_GT(most, least + 0.01) << "the top nutates";
 }
 
+// a gyroscope whose level axle nodes: its cone is there at every moment, and its rim, which is a
+// circle through the axle's end, never jumps
+TEST(Cones, PrecessionConeIsADiscWhenTheAxisIsLevel) {
+  MotionSpec spec = spinning_on_pivot();
+  spec.attitude.zxz = Vec3(0.0, 0.5 * kPi - 0.02, 0.0);
+  spec.spin.rates = Vec3(0.0, 0.0, 250.0);
+  const Motion motion = moving(cone_body(), spec);
+  const Composer picture = composer(cone_body(), spec);
+  const double step = 1e-3;
+  double least = 1.0, most = -1.0;
+  Vec3 before = Vec3::Zero();
+  for (double t = 0.0; t <= 1.0; t += step) {
+    const Sample s = motion.at(t);
+    const std::vector<Cone> cones = picture.glyphs_at(s).cones;
+    ASSERT_EQ(cones.size(), 1u) << t;
+    const Cone& cone = cones.front();
+    const double level = (s.q_SB * Vec3::UnitZ()).z();
+    least = std::min(least, level);
+    most = std::max(most, level);
+    EXPECT_LE(cone.half_angle, 0.5 * kPi + 1e-12);
+    const Vec3 middle = cone.slant * std::cos(cone.half_angle) * cone.axis;
+    EXPECT_NEAR(middle.z(), cone.slant * level, 1e-9 * cone.slant) << t;
+    if (t > 0.0) {
+      EXPECT_LT((middle - before).norm(), 2.0 * s.w_S.norm() * step * cone.slant) << t;
+    }
+    before = middle;
+    EXPECT_EQ(cone.material.alpha, picture.glyphs_at(motion.at(0.0)).cones.front().material.alpha);
+  }
+  EXPECT_LT(least, -1e-3) << "the axle passes the horizontal";
+  EXPECT_GT(most, 1e-3);
+}
+
 // each arc goes from an axis of space to that of the body, by the angle between them
 TEST(Cones, ArcsGoFromAxisToAxis) {
   const Composer picture = composer(prolate_body(), wobbling(), show_only("angles"));

@@ -86,7 +86,7 @@ TEST(Paths, PolhodeIsThatOfTheStart) {
   for (const Vertex& vertex : mesh->vertices) {
     // from a corner of the tube to the curve along the normal
     const Vec3 w = scenery.scale.body / scenery.scale.omega *
-                   (to_eigen(vertex.position) - kRimRadius * to_eigen(vertex.normal));
+                   (to_eigen(vertex.position) - kCurveRadius * to_eigen(vertex.normal));
     EXPECT_NEAR(twice_the_energy(model, w) / energy2, 1.0, 1e-5);
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is drawn of Poinsot's and Binet's pictures, against mechanics.
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +61,73 @@ TEST(Poinsot, TheContactDoesNotSlip) {
     const Vec3 moved =
         (motion.at(t + h).q_SB * contact_B - motion.at(t - h).q_SB * contact_B) / (2.0 * h);
     EXPECT_LT(moved.norm(), 1e-6 * contact_S.norm() * now.w_S.norm());
+  }
+}
+
+// the ball is where they touch; each name is beside what it names
+TEST(Poinsot, ContactAndNamesAreInTheirPlaces) {
+  for (const Vec3& spin : kSpins) {
+    const Composer picture = picture_of(test::brick_body(), spin);
+    const double size = picture.scenery().scale.body;
+    for (const double t : {1.6, 2.9}) {
+      const Sample now = picture.scenery().motion.at(t);
+      const Glyphs glyphs = picture.glyphs_at(now);
+      const Vec3 tip = omega_tip(picture.scenery(), now);
+      EXPECT_TRUE(std::any_of(glyphs.meshes.begin(), glyphs.meshes.end(), [&](const auto& glyph) {
+        return glyph.mesh == picture.scenery().ball &&
+               (glyph.space_from_mesh.translation() - tip).norm() < 1e-9 * size;
+      }));
+      const SheetGlyph& plane = glyphs.sheets.front();
+      const Placement& ellipsoid = glyphs.shells.front().space_from_mesh;
+      int found = 0;
+      for (const LabelGlyph& label : glyphs.labels) {
+        const Vec3 foot = label.at - label.away;
+        const auto is = [&](const char* name) {
+          return label.markup.find(std::string(">") + name + "<") != std::string::npos;
+        };
+        found += is("polhode") || is("herpolhode") || is("invariable plane") ? 1 : 0;
+        if (is("polhode")) {
+          // on the ellipsoid, and as far from the centre of Binet's as the contact
+          const BodyModel& model = picture.scenery().motion.model();
+          const auto momentum = [&](const Vec3& point) {
+            const Vec3 w_P =
+                model.R_BP.transpose() * (now.q_SB.conjugate() * Vec3(point - now.reference_S));
+            return model.moments.cwiseProduct(w_P).norm();
+          };
+          EXPECT_NEAR((ellipsoid.inverse() * foot).norm(), 1.0, 1e-9);
+          EXPECT_NEAR(momentum(foot) / momentum(tip), 1.0, 1e-9);
+        } else if (is("herpolhode") || is("invariable plane")) {
+          EXPECT_NEAR((foot - plane.point).dot(plane.normal), 0.0, 1e-6 * size);
+        }
+      }
+      EXPECT_EQ(found, 3);
+    }
+  }
+}
+
+// L is vertical in the picture unless the camera is given, whichever way it points in space
+TEST(Poinsot, IsSeenWithLVertical) {
+  const auto lean = [](const CameraSpec& camera, const char* shown, const Vec3& spin) {
+    MotionSpec spec = test::wobbling();
+    spec.spin.body = spin;
+    const BodySpec body = test::brick_body();
+    ShowSpec show;
+    show[shown] = true;
+    const Composer picture(test::moving(body, spec), body, camera, show, {}, {640, 360});
+    const Sample now = picture.scenery().motion.at(1.3);
+    const Camera seen = picture.camera_at(1.3);
+    const Vec2 along =
+        seen.project(momentum_tip(picture.scenery(), now)) - seen.project(now.reference_S);
+    return std::abs(along.x()) / along.norm();
+  };
+  CameraSpec given;
+  given.direction = kDefaultDirection;
+  for (const Vec3& spin : {Vec3(1.0, 0.8, 2.0), Vec3(-1.5, -0.6, -1.9), Vec3(2.0, 0.5, 0.3)}) {
+    EXPECT_GT(lean(given, "plane", spin), 0.02);
+    // as upright as perspective lets a line beside the middle be
+    for (const char* shown : {"plane", "herpolhode"})
+      EXPECT_LT(lean({}, shown, spin), 0.02) << shown;
+    EXPECT_GT(lean({}, "ellipsoid", spin), 0.02) << "nothing lies on a plane";
   }
 }
 

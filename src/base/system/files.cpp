@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/files.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "base/system/system_error.h"
+
+namespace polhode {
+namespace fs = std::filesystem;
+
+std::vector<fs::path> entries_of(const fs::path& folder, Fault fault) {
+  std::vector<fs::path> found;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+    found.push_back(it->path());
+  if (failed) {
+    const Error error = system_error(failed.value(), "cannot be read");
+    const bool lacks = error.fault() == Fault::environment;
+    throw Error(lacks ? error.fault() : fault, error.message(), {folder.string(), 0, {}});
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool is_there(const fs::path& file) {
+  std::error_code failed;
+  const bool there = fs::exists(file, failed);
+  if (failed) {
+    throw system_error(failed.value(), "cannot be looked at").at({file.string(), 0, {}});
+  }
+  return there;
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::rename(from, to, failed);
+  if (failed) throw environment_error("cannot write '{}': {}", to.string(), failed.message());
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code failed;
+  fs::remove_all(file, failed);
+  if (failed) throw environment_error("cannot remove '{}': {}", file.string(), failed.message());
+}
+
+}  // namespace polhode

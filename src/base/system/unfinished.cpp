@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/unfinished.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+
+#include <sys/wait.h>
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t kSlots = 64;
+constexpr std::size_t kLongestPath = 4000;
+
+// A signal handler may read nothing that needs a lock or memory.
+struct Slot {
+  std::atomic<bool> taken{false};
+  std::atomic<pid_t> owner{0};  // 0: not to be read
+  pid_t child = 0;              // 0: a path
+  std::array<char, kLongestPath + 1> path{};
+};
+std::array<Slot, kSlots> slots;
+
+// the number of a slot, kSlots if there is none
+std::size_t remember(std::string_view path, pid_t child) {
+  if (path.size() > kLongestPath) return kSlots;
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    if (slots[i].taken.exchange(true)) continue;
+    path.copy(slots[i].path.data(), path.size());
+    slots[i].path[path.size()] = '\0';
+    slots[i].child = child;
+    slots[i].owner.store(getpid(), std::memory_order_release);
+    return i;
+  }
+  return kSlots;
+}
+
+void remove(const char* path) {
+  if (unlink(path) == 0 || (errno != EISDIR && errno != EPERM)) return;
+  // fork() takes locks that the interrupted code may hold
+  const pid_t child = _Fork();
+  if (child == 0) {
+    execl("/bin/rm", "rm", "-rf", "--", path, static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  if (child > 0) waitpid(child, nullptr, 0);
+}
+
+void remove_unfinished() {
+  for (const Slot& slot : slots) {
+    if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
+    if (slot.child > 0) {
+      kill(slot.child, SIGKILL);
+    } else {
+      remove(slot.path.data());
+    }
+  }
+}
+
+extern "C" void end_after_crash(int signal) {
+  constexpr std::string_view kWords =
+      "polhode: crashed: a fault of the program or of a library, or no memory left; what was "
+      "unfinished is removed\n";
+  static_cast<void>(!write(STDERR_FILENO, kWords.data(), kWords.size()));
+  remove_unfinished();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+}  // namespace
+
+Unfinished::Unfinished(const std::filesystem::path& path)
+    : slot_([&] {
+        // the process may go to another folder
+        std::error_code failed;
+        const std::filesystem::path whole = std::filesystem::absolute(path, failed);
+        return remember(failed ? path.native() : whole.native(), 0);
+      }()) {}
+
+Unfinished::Unfinished(pid_t child) : slot_(remember({}, child)) {}
+
+Unfinished::~Unfinished() {
+  if (slot_ == kSlots) return;
+  slots[slot_].owner.store(0);
+  slots[slot_].taken.store(false);
+}
+
+void end_at_once(int exit_code) {
+  remove_unfinished();
+  _exit(exit_code);
+}
+
+void tidy_up_after_crashes() {
+  // a stack that has overflowed is no place for a handler
+  static std::array<char, 65536> other_stack;
+  stack_t stack{};
+  stack.ss_sp = other_stack.data();
+  stack.ss_size = other_stack.size();
+  sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if ((now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL) continue;
+    struct sigaction ours {};
+    ours.sa_handler = end_after_crash;
+    ours.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+    sigaction(signal, &ours, nullptr);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What must not be left behind when the process ends without running destructors: because a library
+// aborts, or does not come back after a signal to stop.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include <sys/types.h>
+
+namespace polhode {
+
+// Remembers an unfinished file, a folder of temporary files or a child process until it is
+// destroyed; end_at_once() removes or kills what is remembered then. If too much is remembered at
+// once (64 things, or paths of over 4000 bytes), the rest is not. Only the process that made it
+// removes it, not one forked from that. Thread-safe.
+class Unfinished {
+ public:
+  explicit Unfinished(const std::filesystem::path& path);
+  explicit Unfinished(pid_t child);
+  ~Unfinished();
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+ private:
+  std::size_t slot_;
+};
+
+// Removes all that is unfinished and ends the process with that exit code, without destructors.
+// May be called in a signal handler.
+[[noreturn]] void end_at_once(int exit_code);
+
+// From now on, a crash (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP) says so in one line on
+// standard error and removes what is unfinished before it ends the process. Signals that somebody
+// else handles, such as a sanitizer, stay as they are.
+void tidy_up_after_crashes();
+
+}  // namespace polhode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How far apart two motions of one body are, and at which times to look.
+#pragma once
+
+#include <vector>
+
+#include "motion/trajectory.h"
+
+namespace polhode {
+
+// The distance of two states: the angle between their attitudes, rad, or, with six degrees of
+// freedom and if larger, the distance of their positions in radii of gyration, sqrt(greatest moment
+// / mass). NaN if an attitude or, with six degrees of freedom, a position is NaN.
+double deviation(const BodyModel& model, const State& a, const State& b);
+
+// The largest deviation() of two motions at these times (s); NaN if one of them is NaN.
+double largest_deviation(const BodyModel& model,
+                         const Trajectory& a,
+                         const Trajectory& b,
+                         const std::vector<double>& times);
+
+// Times (s) in ascending order: 0, one at random in each of `parts` equal parts of the duration
+// (s), and the duration. Equal distances, and multiples of an irrational number too, may meet a
+// motion always in the same phases. The same on every machine; another `seed` gives other times.
+std::vector<double> scattered_times(double duration, int parts, unsigned seed = 5489);
+
+}  // namespace polhode

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "base/system/unfinished.h"
+
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/system/atomic_file.h"
+#include "base/system/scratch_folder.h"
+#include "support/in_child.h"
+
+namespace polhode::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Unfinished, IsRemovedWhenTheProcessEndsAtOnce) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "a.mp4") << "old";
+  const int code = exit_code_in_child([&] {
+    AtomicFile half(folder / "a.mp4");
+    half.write("half");
+    AtomicFile whole(folder / "b.mp4");
+    whole.commit_with("whole");
+    fs::create_directories(folder / "scratch/deep");
+    std::ofstream(folder / "scratch/deep/file") << "x";
+    const Unfinished scratch{fs::path(folder / "scratch")};
+    { const Unfinished done{fs::path(folder / "b.mp4")}; }
+    end_at_once(7);
+    return 0;
+  });
+  EXPECT_EQ(code, 7);
+  EXPECT_EQ(read_file(folder / "a.mp4"), "old");
+  EXPECT_EQ(read_file(folder / "b.mp4"), "whole");
+  EXPECT_FALSE(fs::exists(folder / "a.mp4.part"));
+  EXPECT_FALSE(fs::exists(folder / "scratch"));
+}
+
+TEST(Unfinished, ChildrenAreEnded) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  exit_code_in_child([&] {
+    const pid_t child = fork();
+    if (child == 0) {
+      while (true)
+        pause();
+    }
+    const Unfinished running(child);
+    end_at_once(0);
+    return 0;
+  });
+  // its end closes the last writing end of the pipe
+  close(ends[1]);
+  char byte = 0;
+  EXPECT_EQ(read(ends[0], &byte, 1), 0);
+  close(ends[0]);
+}
+
+TEST(Unfinished, BelongsToTheProcessThatMadeIt) {
+  const ScratchFolder folder;
+  const AtomicFile file(folder / "a");
+  exit_code_in_child([] {
+    end_at_once(0);
+    return 0;
+  });
+  EXPECT_TRUE(fs::exists(folder / "a.part"));
+}
+
+TEST(Unfinished, IsRemovedAfterACrash) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "crashes are the sanitizer's";
+#endif
+  for (const int signal : {SIGSEGV, SIGABRT, SIGTRAP}) {
+    const ScratchFolder folder;
+    const int code = exit_code_in_child([&] {
+      tidy_up_after_crashes();
+      AtomicFile half(folder / "a.mp4");
+      std::raise(signal);
+      return 0;
+    });
+    EXPECT_EQ(code, -1) << "by the signal, as others see it";
+    EXPECT_TRUE(fs::is_empty(fs::path(folder / "")));
+  }
+}
+
+// 64 things are remembered at once, however many have come and gone on whatever threads
+TEST(Unfinished, OfTooManyTheRestStays) {
+  const ScratchFolder folder;
+  const int code = exit_code_in_child([&] {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i) {
+      threads.emplace_back([] {
+        for (int n = 0; n < 1000; ++n)
+          const Unfinished one{fs::path("no such file")};
+      });
+    }
+    for (std::thread& thread : threads)
+      thread.join();
+    const Unfinished too_long{fs::path(std::string(5000, 'x'))};
+    std::vector<std::unique_ptr<Unfinished>> many;
+    for (int i = 0; i < 100; ++i) {
+      const std::string name = folder / std::to_string(i);
+      std::ofstream(name) << "x";
+      many.push_back(std::make_unique<Unfinished>(fs::path(name)));
+    }
+    end_at_once(0);
+    return 0;
+  });
+  EXPECT_EQ(code, 0);
+  const fs::directory_iterator left(folder / "");
+  EXPECT_EQ(std::distance(begin(left), end(left)), 100 - 63) << "the test itself has one";
+}
+
+}  // namespace
+}  // namespace polhode::test

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Hidden parts of lines against rays: a ball covers a rod through its middle and nothing else.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "frame/arrow.h"
+#include "frame/camera.h"
+#include "render/renderer.h"
+
+namespace polhode {
+namespace {
+
+constexpr PictureSize kHiddenSize{1280, 960};
+constexpr double kBall = 0.5;
+
+// A red rod along X through a ball that is black, and what is seen of it.
+class HiddenLine : public testing::Test {
+ protected:
+  HiddenLine()
+      : camera_(Vec3(0.3, -6.0, 1.5), Vec3::Zero(), 0.4, kHiddenSize, Vec3::Zero(), 2.0),
+        context_(open_context("osmesa")),
+        renderer_(*context_, {kHiddenSize.width, kHiddenSize.height, 0, false}) {}
+
+  Image drawn(float hidden, float dashes, bool covers = true) {
+    DrawList list;
+    list.view = camera_.view(DrawingFrame{Vec3::Zero(), 1.0});
+    Material red;
+    red.color = {1, 0, 0};
+    red.flat = true;
+    red.hidden = hidden;
+    red.dashes = dashes;
+    add_tube(list.opaque, arrow_meshes(32, 32), Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.06, red);
+    Material black;
+    black.color = {0, 0, 0};
+    black.flat = true;
+    black.covers = covers;
+    list.opaque.push_back(
+        {std::make_shared<const Mesh>(unit_sphere(128)),
+         to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
+         black,
+         Faces::front});
+    Image image;
+    renderer_.draw(list, image);
+    return image;
+  }
+
+  // red, 0..255, at the middle of the rod at this x
+  int red_at(const Image& image, double x) const {
+    const Vec2 at = camera_.project(Vec3(x, 0, 0));
+    return image.at(static_cast<int>(at.x()), static_cast<int>(at.y()))[0];
+  }
+
+  // whether the ball lies on the ray to that point of the rod
+  bool covered(double x) const {
+    const Vec3 eye = camera_.eye(), ray = (Vec3(x, 0, 0) - eye).normalized();
+    const double along = -eye.dot(ray);
+    const double off2 = eye.squaredNorm() - along * along;
+    return off2 < kBall * kBall &&
+           along - std::sqrt(kBall * kBall - off2) < (Vec3(x, 0, 0) - eye).norm() - 0.06;
+  }
+
+  Camera camera_;
+  std::unique_ptr<Context> context_;
+  Renderer renderer_;
+};
+
+TEST_F(HiddenLine, IsSeenThroughTheBodyWhereRaysSaySo) {
+  const Image image = drawn(0.4f, 0.0f);
+  int hidden = 0;
+  for (double x = -0.95; x < 0.96; x += 0.01) {
+    if (std::abs(std::abs(x) - kBall) < 0.08) continue;  // too near the edge to judge
+    EXPECT_NEAR(red_at(image, x), covered(x) ? 0.4 * 255 : 255, 2) << x;
+    hidden += covered(x) ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 50);
+}
+
+TEST_F(HiddenLine, IsNotSeenUnlessAskedFor) {
+  EXPECT_EQ(red_at(drawn(0.0f, 0.0f), 0.1), 0);
+  // nor through what is no body, such as another line
+  EXPECT_EQ(red_at(drawn(0.4f, 0.0f, false), 0.1), 0);
+}
+
+TEST_F(HiddenLine, HasDashesOfEqualLengthsFromItsFootOn) {
+  const Image image = drawn(0.4f, 1.0f);
+  // a dash and a gap take 0.09 (frame/arrow.h), and the foot is at x = -1
+  int changes = 0;
+  for (double x = -0.4; x < 0.4; x += 0.005) {
+    const double phase = std::fmod((x + 1.0) / 0.09, 1.0);
+    const double edge = std::min({phase, 1.0 - phase, std::abs(phase - 0.5)});
+    if (edge < 0.12) continue;
+    EXPECT_NEAR(red_at(image, x), phase < 0.5 ? 0.4 * 255 : 0, 4) << x;
+    ++changes;
+  }
+  EXPECT_GT(changes, 60);
+}
+
+}  // namespace
+}  // namespace polhode
