@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <string_view>
 
 #include <GL/osmesa.h>
 
@@ -14,6 +16,16 @@ namespace {
 // glFlush copies the whole user buffer, so it is tiny; pictures are drawn into framebuffer objects
 constexpr int kBufferSide = 16;  // pixels
 constexpr std::size_t kBufferBytes = std::size_t{4} * kBufferSide * kBufferSide;
+
+// OSMesa crashes if the environment asks for a driver that it does not have
+void refuse_other_drivers() {
+  const char* asked = std::getenv("GALLIUM_DRIVER");
+  if (asked == nullptr) return;
+  const std::string_view driver = asked;
+  if (driver.empty() || driver == "llvmpipe" || driver == "softpipe") return;
+  throw environment_error(
+      "GALLIUM_DRIVER is '{}', and OSMesa has llvmpipe and softpipe; unset GALLIUM_DRIVER", driver);
+}
 
 class OsmesaContext final : public Context {
  public:
@@ -62,6 +74,7 @@ class OsmesaContext final : public Context {
 }  // namespace
 
 std::unique_ptr<Context> open_osmesa() {
+  refuse_other_drivers();
   return std::make_unique<OsmesaContext>();
 }
 

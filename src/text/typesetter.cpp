@@ -85,7 +85,10 @@ GObjectPtr<PangoFontMap> make_font_map() {
     return true;
   }();
   static_cast<void>(told);
-  return GObjectPtr<PangoFontMap>(pango_cairo_font_map_new());
+  // the one that Fontconfig and FreeType feed, whatever PANGOCAIRO_BACKEND asks for
+  PangoFontMap* fonts = pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT);
+  if (fonts == nullptr) throw environment_error("Pango was built without FreeType");
+  return GObjectPtr<PangoFontMap>(fonts);
 }
 
 GObjectPtr<PangoContext> make_context(PangoFontMap* fonts) {

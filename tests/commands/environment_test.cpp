@@ -122,6 +122,21 @@ TEST(Environment, TooManyOpenFilesAreNoBadInput) {
   }
 }
 
+// Mesa and Pango crash when the environment asks for what they do not have
+TEST(Environment, DriversThatAreNotThereAreRefused) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string still =
+      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  for (const std::string backend : {"auto", "osmesa"}) {
+    const Ran ran = run_polhode(still + " --backend " + backend, "GALLIUM_DRIVER=none");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("GALLIUM_DRIVER is 'none'"), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(run_polhode(still, "PANGOCAIRO_BACKEND=none").code, 0);
+}
+
 // programs that fail are told as what they are, and what was there before stays
 TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
   const TemporaryFolder folder, programs;

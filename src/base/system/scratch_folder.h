@@ -2,7 +2,9 @@
 // A temporary folder for one run.
 #pragma once
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,16 +15,26 @@
 namespace polhode {
 
 // Owns a new folder in the system's folder for temporary files, which is the first of TMPDIR, TMP,
-// TEMP and TEMPDIR that is set, else /tmp. The destructor removes it with everything in it; failure
-// is ignored.
+// TEMP and TEMPDIR that is set, else /tmp; also /tmp if TMPDIR is empty. The destructor removes it
+// with everything in it; failure is ignored.
 class ScratchFolder {
  public:
   // Throws Error (environment) if it cannot be created.
   ScratchFolder() {
+    const char* named = std::getenv("TMPDIR");
+    const bool empty = named != nullptr && *named == 0;
     std::error_code failed;
-    std::string name = (std::filesystem::temp_directory_path(failed) / "polhode-XXXXXX").string();
-    if (failed || mkdtemp(name.data()) == nullptr) {
-      throw environment_error("cannot make a temporary folder '{}'; set TMPDIR", name);
+    const std::filesystem::path where =
+        empty ? "/tmp" : std::filesystem::temp_directory_path(failed);
+    if (failed) {
+      throw environment_error("there is no folder {} for temporary files; set TMPDIR",
+                              named != nullptr ? named : "/tmp");
+    }
+    std::string name = (where / "polhode-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw environment_error("cannot make a temporary folder in {}: {}; set TMPDIR",
+                              where.string(),
+                              std::strerror(errno));
     }
     path_ = name;
     unfinished_.emplace(path_);

@@ -32,6 +32,11 @@ TEST(ScratchFolder, LiesInTmpdirAndSaysSoWhenItCannot) {
       const ScratchFolder scratch;
       if (fs::path(scratch / "a").parent_path().parent_path() != folder.path()) return 1;
     }
+    setenv("TMPDIR", "", 1);
+    {
+      const ScratchFolder scratch;
+      if (fs::path(scratch / "a").parent_path().parent_path() != "/tmp") return 2;
+    }
     setenv("TMPDIR", (folder / "none").c_str(), 1);
     try {
       const ScratchFolder scratch;
