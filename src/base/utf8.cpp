@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/utf8.h"
 
+#include <algorithm>
+
+#include "base/error.h"
+
 namespace polhode {
 
 bool is_continuation(std::string_view text, std::size_t i) {
@@ -27,6 +31,21 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   if (lead == 0xf0 && byte(i + 1) < 0x90) return 0;
   if (lead == 0xf4 && byte(i + 1) >= 0x90) return 0;
   return length;
+}
+
+void refuse_other_encodings(std::string_view text, const std::string& name, const char* kind) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = text[i] == 0 ? 0 : utf8_length(text, i);
+    if (length == 0) {
+      const auto line =
+          1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n');
+      throw input_error("byte 0x{:02x} is not UTF-8 text; save the {} as UTF-8",
+                        static_cast<unsigned char>(text[i]),
+                        kind)
+          .at({name, static_cast<int>(line), {}});
+    }
+    i += length;
+  }
 }
 
 }  // namespace polhode

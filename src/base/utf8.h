@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace polhode {
@@ -13,5 +14,10 @@ bool is_continuation(std::string_view text, std::size_t i);
 // The number of bytes, 1 to 4, of the UTF-8 character that begins at byte i; 0 if the bytes there
 // are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
+
+// Throws Error (input), with the file `name` and the line, at the first byte that is not part of a
+// UTF-8 character, and at NUL, which no text has but one in UTF-16. `kind` says in the message what
+// is to be saved as UTF-8: "scene".
+void refuse_other_encodings(std::string_view text, const std::string& name, const char* kind);
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "base/system/atomic_file.h"
+#include "base/utf8.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -345,6 +346,7 @@ Json Deck::tree(const Json& with_blocks) const {
 }
 
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
+  refuse_other_encodings(text, name, "deck");
   return deck_of_tree(read_markdown(text), text, name, root);
 }
 

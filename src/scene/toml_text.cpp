@@ -14,18 +14,6 @@ int line_of(std::string_view text, std::size_t offset) {
   return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
 }
 
-void refuse_other_encodings(std::string_view text, const std::string& name) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) {
-      throw input_error("byte 0x{:02x} is not UTF-8; save the scene as UTF-8 text",
-                        static_cast<unsigned char>(text[i]))
-          .at({name, line_of(text, i), {}});
-    }
-    i += length;
-  }
-}
-
 // the offset behind the string that starts at i; the end of the text when it is never closed
 std::size_t skip_string(std::string_view text, std::size_t i) {
   const char quote = text[i];
@@ -96,7 +84,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   if (text.size() > kLargestScene) {
     throw input_error("is larger than {} bytes; is this a scene?", kLargestScene).at({name, 0, {}});
   }
-  refuse_other_encodings(text, name);
+  refuse_other_encodings(text, name, "scene");
   refuse_deep_nesting(text, name);
   try {
     return toml::parse(text);

@@ -41,6 +41,21 @@ TEST(Deck, WrongWordsGetTheirLineAndTheNearestOne) {
   EXPECT_NE(problem_of("---\nlang: '\"><script>'\n---\n").find("lang"), std::string::npos);
 }
 
+TEST(Deck, OtherEncodingsAreRefusedWithTheirLine) {
+  for (const auto& [text, start] : std::vector<std::pair<std::string, std::string>>{
+           {"# One\n\nCaf\xE9\n", "deck.md:3: byte 0xe9 is not UTF-8"},
+           {std::string("#\0 \0A\0", 6), "deck.md:1: byte 0x00 is not UTF-8"},
+           {"\xFF\xFE#", "deck.md:1: byte 0xff is not UTF-8"}}) {
+    try {
+      deck_of(text);
+      ADD_FAILURE() << "was taken; expected " << start;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      EXPECT_TRUE(std::string(error.what()).starts_with(start)) << error.what();
+    }
+  }
+}
+
 TEST(Deck, TextOfOthersStaysText) {
   for (const char* text : {"<script>alert(1)</script>\n",
                            "a <img src=x onerror=alert(1)> b\n",

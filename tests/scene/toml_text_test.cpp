@@ -38,7 +38,7 @@ TEST(Text, NamesTheLineOfASyntaxError) {
       {"= 1\n", "t:1: not valid TOML: "},
       {kBody + "mass = 1,5\n", "t:3: not valid TOML: "},
       {kBody + "[body]\n", "t:3: not valid TOML: "},
-      {std::string("a = \"\0\"\n", 8), "t:1: not valid TOML: "},
+      {std::string("a = \"\0\"\n", 8), "t:1: byte 0x00 is not UTF-8"},
   };
   for (const Case& c : cases) {
     const std::string error = error_of(c.text);
