@@ -72,7 +72,9 @@ class Child {
     sigset_t all;
     sigfillset(&all);
     posix_spawnattr_setsigdefault(&how, &all);
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGDEF);
+    // a group of its own, so that what it starts can be ended with it
+    posix_spawnattr_setpgroup(&how, 0);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
     const int failure = posix_spawnp(&id_, arguments[0], &files, &how, arguments.data(), environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);
@@ -86,13 +88,13 @@ class Child {
   }
   ~Child() {
     if (id_ < 0) return;
-    kill(id_, SIGKILL);
+    end_with_all_it_started(id_);
     wait_for_end();
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  void end_now() const { kill(id_, SIGKILL); }
+  void end_now() const { end_with_all_it_started(id_); }
 
   // It is not reaped, so that its number stays its own.
   bool has_ended() const {

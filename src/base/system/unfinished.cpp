@@ -56,7 +56,7 @@ void remove_unfinished() {
   for (const Slot& slot : slots) {
     if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
     if (slot.child > 0) {
-      kill(slot.child, SIGKILL);
+      end_with_all_it_started(slot.child);
     } else {
       remove(slot.path.data());
     }
@@ -89,6 +89,11 @@ Unfinished::~Unfinished() {
   if (slot_ == kSlots) return;
   slots[slot_].owner.store(0);
   slots[slot_].taken.store(false);
+}
+
+void end_with_all_it_started(pid_t child) {
+  // there is such a group only if the child leads it
+  if (kill(-child, SIGKILL) != 0) kill(child, SIGKILL);
 }
 
 void end_at_once(int exit_code) {

@@ -26,6 +26,10 @@ class Unfinished {
   std::size_t slot_;
 };
 
+// Kills a child and, if it leads a process group, the programs that it has started. May be called
+// in a signal handler.
+void end_with_all_it_started(pid_t child);
+
 // Removes all that is unfinished and ends the process with that exit code, without destructors.
 // May be called in a signal handler.
 [[noreturn]] void end_at_once(int exit_code);

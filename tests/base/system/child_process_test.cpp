@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -108,6 +109,16 @@ TEST(ChildProcess, LimitsEndIt) {
       run_child({"dd", "if=/dev/zero", "of=/dev/null", "bs=200M", "count=1"}, "", limits);
   EXPECT_NE(large.status, 0);
   EXPECT_EQ(large.exceeded, "");
+}
+
+TEST(ChildProcess, WhatItHasStartedIsEndedWithIt) {
+  const TemporaryFolder folder;
+  const std::string mark = folder / "mark";
+  const ChildResult result =
+      run_child({"sh", "-c", "(sleep 1; touch \"$0\") & wait", mark}, "", {.seconds = 0.2});
+  EXPECT_EQ(result.exceeded, "took longer than 0.2 s");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+  EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(ChildProcess, AMissingProgramIsTheEnvironment) {
