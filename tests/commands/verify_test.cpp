@@ -148,7 +148,15 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: it has 14 hashes of 15 frames");
   with([](Json& r) { r["scene"]["motion"]["duration"] = 0.9; });
   expect("a.mp4", 1, "was altered: its scene");
+  for (const char* key : {"width", "samples", "first_frame"}) {
+    with([&](Json& r) { r[key] = 7; });
+    expect("a.mp4", 1, fmt::format("was altered: {} is {}, and not 7", key, report[key].dump()));
+  }
+  with([](Json& r) { r.erase("edges"); });
+  expect("a.mp4", 2, "is not a report");
   // nothing to compare with
+  with([](Json& r) { r["versions"].erase("ffmpeg"); });
+  expect("a.mp4", 2, "does not say with which ffmpeg");
   with([](Json& r) { r["versions"]["polhode"] = "0.0.1"; });
   expect("a.mp4", 2, "made with polhode \"0.0.1\"");
   with([](Json& r) { r["gl_renderer"] = "another"; });

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
+#include "film/report/film_report.h"
 #include "film/report/reported_film.h"
 #include "image/png.h"
 #include "video/captions.h"
@@ -152,6 +154,26 @@ DifferenceInWords compare_hashes(const Again& again,
       "the report tells of {} frames, the scene makes {}", reported.size(), made.size());
 }
 
+// what a report says of its film and what cannot be another now; the frames, the scene and the
+// versions are held against each other elsewhere
+DifferenceInWords compare_reports(const Json& reported, const Json& made) {
+  for (const char* key : {"title",
+                          "samples",
+                          "edges",
+                          "model",
+                          "method",
+                          "frames",
+                          "width",
+                          "height",
+                          "fps",
+                          "first_frame"}) {
+    const Json says = reported.value(key, Json());
+    if (says == made.at(key)) continue;
+    return fmt::format("{} is {}, and not {}", key, made.at(key).dump(), one_line(says.dump()));
+  }
+  return {};
+}
+
 // there must be something to compare
 void refuse_nothing(const std::string& kind, const std::string& output) {
   const Place place{output, 0, {}};
@@ -213,7 +235,10 @@ Verified verify(const VerifyJob& job) {
     progress.show(step.done, limiting_stage(plan, step));
   });
 
-  // hold it against the report, and against the output
+  // hold the report against it, and it against the report and the output
+  const DifferenceInWords altered =
+      compare_reports(reported.record, json_of(film_report(plan, film, *remade, *renderer)));
+  if (!altered.empty()) return {false, fmt::format("{}: was altered: {}", report_file, altered)};
   const Again again{
       kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
   DifferenceInWords difference = compare_hashes(again, reported.hashes, remade->hashes());

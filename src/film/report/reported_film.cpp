@@ -20,6 +20,12 @@ void refuse_other_versions(const Json& made_with) {
                       version.dump(),
                       here.dump());
   }
+  for (const auto& [what, here] : now.items()) {
+    if (made_with.contains(what)) continue;
+    throw input_error("cannot be compared: it does not say with which {} it was made; this is {}",
+                      what,
+                      here.dump());
+  }
 }
 
 // settings that a user could have asked for
@@ -86,13 +92,15 @@ ReportedFilm read_report(const std::string& file) {
   const std::string text = read_file(file, kLargest);
   const Place place{file, 0, {}};
   try {
-    const Json report = Json::parse(text);
+    Json report = Json::parse(text);
     refuse_other_versions(report.at("versions"));
     FilmReport record;
     read_json(report, record);
-    ReportedFilm film{plan_from(record), record.gl_renderer, std::move(record.frame_hashes), {}};
+    ReportedFilm film{
+        plan_from(record), record.gl_renderer, std::move(record.frame_hashes), {}, {}};
     film.broken = contradiction(record, film);
     if (!film.broken) check_time_range(film.plan.scene, film.plan.range);
+    film.record = std::move(report);
     return film;
   } catch (const Json::exception&) {
     throw input_error("is not a report of `polhode render --report`").at(place);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/render_plan.h"
+#include "film/report/json_fields.h"
 
 namespace polhode {
 
@@ -18,6 +19,7 @@ struct ReportedFilm {
   // Why the report does not fit: its scene, or a mesh file that it names, has another hash now, or
   // it has another number of hashes than frames. Absent: it fits. With it, plan.range is unchecked.
   std::optional<std::string> broken;
+  Json record = {};  // all that the report says
 };
 
 // Reads the report in that file. Throws Error, with the file as place: (input) if it is missing,
