@@ -70,12 +70,9 @@ ProgramFound find_gnuplot() {
 }
 
 void require_gnuplot() {
-  const ProgramFound found = find_gnuplot();
-  if (found.why_not.empty()) return;
-  throw environment_error(
-      "the charts cannot be drawn: {}{}",
-      found.why_not,
-      found.installed ? "" : "; install gnuplot-nox, or run tools/install-dependencies");
+  require_program("gnuplot",
+                  "the charts cannot be drawn",
+                  "install gnuplot-nox, or run tools/install-dependencies");
 }
 
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height) {

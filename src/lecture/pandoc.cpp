@@ -143,12 +143,8 @@ ProgramFound find_pandoc() {
 }
 
 void require_pandoc() {
-  const ProgramFound found = find_pandoc();
-  if (found.why_not.empty()) return;
-  throw environment_error(
-      "the deck cannot be read: {}{}",
-      found.why_not,
-      found.installed ? "" : "; install it (tools/install-dependencies --for lecture)");
+  require_program(
+      "pandoc", "the deck cannot be read", "install it (tools/install-dependencies --for lecture)");
 }
 
 nlohmann::ordered_json read_markdown(const std::string& text) {

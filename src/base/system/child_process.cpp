@@ -222,4 +222,12 @@ ProgramFound find_program(const std::string& program) {
   }
 }
 
+void require_program(const std::string& program,
+                     const std::string& what,
+                     const std::string& advice) {
+  const ProgramFound found = find_program(program);
+  if (found.why_not.empty()) return;
+  throw environment_error("{}: {}{}", what, found.why_not, found.installed ? "" : "; " + advice);
+}
+
 }  // namespace polhode

@@ -60,4 +60,11 @@ struct ProgramFound {
 // Runs `PROGRAM --version`, for at most 10 s. Throws Error (interrupted).
 ProgramFound find_program(const std::string& program);
 
+// Throws Error (environment) if the program does not run: "the deck cannot be read: pandoc is not
+// installed; install it (…)", with `what` as its first words and `advice`, which is told only where
+// the program is missing, as its last; and (interrupted). Call it before long work that needs it.
+void require_program(const std::string& program,
+                     const std::string& what,
+                     const std::string& advice);
+
 }  // namespace polhode
