@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/version.h"
 #include "film/report/motion_report.h"
 
@@ -21,13 +22,8 @@ class DataFolder {
   explicit DataFolder(fs::path folder) : folder_(std::move(folder)) {}
 
   void add(const std::string& name, const std::string& bytes) {
-    std::error_code failed;
     const fs::path file = folder_ / name;
-    fs::create_directories(file.parent_path(), failed);
-    if (failed) {
-      throw environment_error(
-          "cannot make the folder '{}': {}", file.parent_path().string(), failed.message());
-    }
+    make_folder(file.parent_path());
     write_file(file, bytes);
     files_.push_back({{"name", name}, {"bytes", bytes.size()}, {"hash", content_hash(bytes)}});
     names_.insert(name);

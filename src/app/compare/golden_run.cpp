@@ -9,8 +9,8 @@
 
 #include "app/compare/diff_page.h"
 #include "app/compare/golden_results.h"
+#include "base/system/files.h"
 #include "base/system/output_folder.h"
-#include "base/system/system_error.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -27,12 +27,7 @@ void leave_pictures(const fs::path& folder, const LoadedCase& one, const CaseRes
   fs::remove(actual, ignored);
   fs::remove(difference, ignored);
   if (!result.drawn || result.same()) return;
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) {
-    throw system_error(failed.value(), fmt::format("cannot make the folder '{}'", folder.string()))
-        .at({{}, 0, "--output"});
-  }
+  make_folder(folder, {{}, 0, "--output"});
   const Image& image = result.drawn->image;
   write_png(actual, image, !is_opaque(image));
   if (result.verdict) {

@@ -32,6 +32,15 @@ bool is_there(const fs::path& file) {
   return there;
 }
 
+void make_folder(const fs::path& folder, const Place& place) {
+  const std::string what = fmt::format("cannot make the folder '{}'", folder.string());
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw system_error(failed.value(), what).at(place);
+  if (fs::is_directory(folder, failed)) return;
+  throw input_error("{}: there is a file of that name", what).at(place);
+}
+
 void move_file(const fs::path& from, const fs::path& to) {
   std::error_code failed;
   fs::rename(from, to, failed);

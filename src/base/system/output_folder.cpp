@@ -5,22 +5,14 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/system/system_error.h"
+#include "base/system/files.h"
 
 namespace polhode {
 
 OutputFolder::OutputFolder(const std::filesystem::path& folder,
                            const std::vector<std::string>& names,
                            const char* option) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure || !std::filesystem::is_directory(folder, failure)) {
-    throw Error(fault_of(failure.value()),
-                fmt::format("cannot make the folder '{}': {}",
-                            folder.string(),
-                            failure ? failure.message() : "there is a file of that name"),
-                {{}, 0, option});
-  }
+  make_folder(folder, {{}, 0, option});
   for (const std::string& name : names)
     files_.push_back(std::make_unique<AtomicFile>(folder / name));
 }

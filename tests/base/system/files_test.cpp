@@ -35,6 +35,23 @@ TEST(Files, OfAFolderThatCannotBeReadAreAnErrorOfTheFolder) {
   }
 }
 
+TEST(Files, FoldersAreMadeWithThoseAboveThem) {
+  const TemporaryFolder folder;
+  make_folder(folder / "a/b");
+  make_folder(folder / "a/b");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+  write_text(folder / "file", "");
+  for (const char* name : {"file", "file/c"}) {
+    expect_error(
+        [&] {
+          make_folder(folder / name, {{}, 0, "--output"});
+        },
+        Fault::input,
+        "--output",
+        "cannot make the folder");
+  }
+}
+
 TEST(Files, AreThereOrNotOrCannotBeLookedAt) {
   const TemporaryFolder folder;
   write_text(folder / "file", "");
