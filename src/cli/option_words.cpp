@@ -5,6 +5,7 @@
 
 #include "base/system/progress.h"
 #include "film/render_plan.h"
+#include "frame/view_spec.h"
 #include "lecture/lecture.h"
 #include "motion/motion_spec.h"
 #include "motion/stepper_table.h"
@@ -62,6 +63,10 @@ std::vector<std::string> quality_words() {
 
 std::vector<std::string> stepper_words() {
   return words_of(stepper_table(), &StepperInfo::name);
+}
+
+std::vector<std::string> theme_words() {
+  return theme_names();
 }
 
 }  // namespace polhode

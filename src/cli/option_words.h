@@ -17,5 +17,6 @@ std::vector<std::string> preset_words();    // --preset
 std::vector<std::string> progress_words();  // --progress
 std::vector<std::string> quality_words();   // --quality
 std::vector<std::string> stepper_words();   // --methods of `chart` and `stability`
+std::vector<std::string> theme_words();     // --theme
 
 }  // namespace polhode

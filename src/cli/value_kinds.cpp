@@ -30,6 +30,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"PRESET", ValueForm::word, preset_words(), {}},
       {"QUALITY", ValueForm::word, quality_words(), {}},
       {"SHELL", ValueForm::word, {"bash", "zsh"}, {}},
+      {"THEME", ValueForm::word, theme_words(), {}},
       {"TABLE", ValueForm::word, list_names(), {}},
       {"SCENE", ValueForm::file, {}, {"toml"}},
       {"DECK", ValueForm::file, {}, {"md"}},

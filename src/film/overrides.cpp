@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/at_place.h"
+#include "frame/theme.h"
 #include "motion/simulate.h"
 #include "motion/stepper_table.h"
 
@@ -58,6 +59,12 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   }
   if (overrides.fps) {
     replace("video.fps", "--fps", [&] { scene.video.fps = parse_frame_rate(*overrides.fps); });
+  }
+  if (overrides.theme) {
+    replace("video.theme", "--theme", [&] {
+      find_theme(*overrides.theme);
+      scene.theme = {.theme = *overrides.theme, .background = {}};
+    });
   }
   if (overrides.loop) scene.video.loop = true;
   return scene;

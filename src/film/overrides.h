@@ -20,13 +20,15 @@ struct Overrides {
   std::optional<std::string> accuracy;  // of the attitude: pixels as "0.1px", radians as "1e-6"
   std::optional<std::string> size;      // of the picture, pixels, as "1920x1080"
   std::optional<std::string> fps;       // frames per second, as "60" or "30000/1001"
+  std::optional<std::string> theme;     // one of theme_names() (frame/view_spec.h); the background
+                                        // is that of the theme then
   bool loop = false;                    // true: end the film where the motion is back at its start
 };
 
 // Loads a scene and applies the overrides. A method also removes numerics.compare and, if it is not
 // the scene's own, the scene's step and tolerance. Scene::options records which options have
 // replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
-// (--method, --step, --tolerance, --accuracy, --size, --fps) as key for an invalid value.
+// (--method, --step, --tolerance, --accuracy, --size, --fps, --theme) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/at_place.h"
 #include "base/color.h"
 #include "base/error.h"
 #include "base/nearest.h"
@@ -135,15 +136,17 @@ std::vector<std::string> theme_names() {
   return names;
 }
 
-Theme make_theme(const ThemeSpec& spec) {
-  for (const Theme& row : themes()) {
-    if (row.name != spec.theme) continue;
-    Theme theme = row;
-    if (spec.background) theme.background = color_from_hex(*spec.background);
-    return theme;
+const Theme& find_theme(const std::string& name) {
+  for (const Theme& theme : themes()) {
+    if (theme.name == name) return theme;
   }
-  throw input_error("unknown theme '{}'{}", spec.theme, suggestion(spec.theme, theme_names()))
-      .at({{}, 0, "video.theme"});
+  throw input_error("unknown theme '{}'{}", name, suggestion(name, theme_names()));
+}
+
+Theme make_theme(const ThemeSpec& spec) {
+  Theme theme = at_place({{}, 0, "video.theme"}, [&] { return find_theme(spec.theme); });
+  if (spec.background) theme.background = color_from_hex(*spec.background);
+  return theme;
 }
 
 }  // namespace polhode

@@ -46,6 +46,10 @@ const std::vector<Theme>& themes();
 // The finish for a name from material_names(); plain for any other name.
 Finish finish_named(const std::string& material);
 
+// The theme of that name; it exists until the program ends. Throws Error (input), without a key,
+// for an unknown name.
+const Theme& find_theme(const std::string& name);
+
 // The theme with the scene's own background, if it gives one. Throws Error (input): naming
 // video.theme for an unknown theme, without a key for a background that is not "#rrggbb".
 Theme make_theme(const ThemeSpec& spec);

@@ -283,6 +283,8 @@ const std::vector<PictureClass>& picture_classes() {
                                       "WxH, pixels (that of the command line, else of the scene)"};
   static const PictureSetting fps = {
       "fps", "frames per second (that of the command line, else of the scene)"};
+  static const PictureSetting theme = {
+      "theme", "colours, as video.theme (those of the command line, else of the scene)"};
   static const PictureSetting method = {"method",
                                         "numerical method, as numerics.method (that of the scene)"};
   static const PictureSetting step = {"step", "step of the method, s (that of the scene)"};
@@ -295,16 +297,27 @@ const std::vector<PictureClass>& picture_classes() {
   static const PictureSetting methods = {
       "methods", "names of the methods to compare, separated by commas (all)"};
   static const std::vector<PictureClass> table = {
-      {PictureKind::film, "film", "a film", {from, to, at, stills, size, fps, method, step, alt}},
+      {PictureKind::film,
+       "film",
+       "a film",
+       {from, to, at, stills, size, fps, theme, method, step, alt}},
       {PictureKind::loop,
        "loop",
        "a film that closes and repeats",
-       {at, stills, size, fps, method, step, alt}},
-      {PictureKind::still, "still", "one picture", {at, size, method, step, alt}},
+       {at, stills, size, fps, theme, method, step, alt}},
+      {PictureKind::still, "still", "one picture", {at, size, theme, method, step, alt}},
       {PictureKind::compare,
        "compare",
        "films side by side on one clock",
-       {{"with", "the other scenes, separated by spaces"}, from, to, at, stills, size, fps, alt}},
+       {{"with", "the other scenes, separated by spaces"},
+        from,
+        to,
+        at,
+        stills,
+        size,
+        fps,
+        theme,
+        alt}},
       {PictureKind::chart,
        "chart",
        "speed against accuracy of the methods",

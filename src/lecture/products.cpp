@@ -58,6 +58,8 @@ Overrides overrides_of(const DeckPicture& picture, const LectureSettings& settin
   if (!overrides.size) overrides.size = settings.size;
   overrides.fps = text_of(picture, "fps");
   if (!overrides.fps) overrides.fps = settings.fps;
+  overrides.theme = text_of(picture, "theme");
+  if (!overrides.theme) overrides.theme = settings.theme;
   overrides.method = text_of(picture, "method");
   overrides.step = number_in(picture, "step");
   overrides.loop = picture.kind == PictureKind::loop;
@@ -75,8 +77,11 @@ std::string key_of_product(const std::string& kind,
 
 // everything that a picture of a scene depends on besides the scene
 std::vector<std::string> words_of(const DeckPicture& picture, const LectureSettings& settings) {
-  std::vector<std::string> words = {
-      settings.size.value_or(""), settings.fps.value_or(""), settings.quality, settings.backend};
+  std::vector<std::string> words = {settings.size.value_or(""),
+                                    settings.fps.value_or(""),
+                                    settings.theme.value_or(""),
+                                    settings.quality,
+                                    settings.backend};
   for (const auto& [key, value] : picture.settings) {
     // words that change no pixel
     if (key != "alt" && key != "with") words.push_back(fmt::format("{}={}", key, value));

@@ -16,6 +16,8 @@ namespace polhode {
 struct LectureSettings {
   std::optional<std::string> size;  // "1280x720", of every picture that has no setting of its own
   std::optional<std::string> fps;   // "60" or "30000/1001", in the same way
+  // one of theme_names() (frame/view_spec.h), in the same way
+  std::optional<std::string> theme;
   std::string quality = "lecture";  // a name of qualities() (film/render_plan.h)
   std::string backend = "auto";     // for open_context() (render/context.h)
 };

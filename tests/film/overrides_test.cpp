@@ -63,6 +63,19 @@ TEST_F(OverridesOfAScene, EachGoesToItsKey) {
   EXPECT_EQ(scene.options, options);
 }
 
+TEST_F(OverridesOfAScene, AThemeBringsItsOwnBackground) {
+  test::write_text(
+      folder_ / "scene.toml",
+      std::string(test::kSmallScene) + "theme = \"light\"\nbackground = \"#123456\"\n");
+  Overrides overrides;
+  EXPECT_EQ(with(overrides).theme.background, "#123456");
+  overrides.theme = "print";
+  const Scene scene = with(overrides);
+  EXPECT_EQ(scene.theme.theme, "print");
+  EXPECT_FALSE(scene.theme.background);
+  EXPECT_EQ(scene.options.at("video.theme"), "--theme");
+}
+
 // the scene's step suits the scene's method; a comparison is of other methods
 TEST_F(OverridesOfAScene, AnotherMethodLeavesTheScenesStepBehind) {
   Overrides other;
@@ -112,6 +125,9 @@ TEST_F(OverridesOfAScene, WrongValuesNameTheirOption) {
   wrong = {};
   wrong.fps = "29.97";
   expect_refused(wrong, "--fps", "30000/1001");
+  wrong = {};
+  wrong.theme = "prnit";
+  expect_refused(wrong, "--theme", "did you mean 'print'?");
 }
 
 TEST_F(OverridesOfAScene, ErrorsOfTheFileKeepTheirLine) {

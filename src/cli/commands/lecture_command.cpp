@@ -37,6 +37,11 @@ Action define_lecture(CLI::App& command) {
   add_text(
       command, "--fps", job->settings.fps, "frame rate of all films (default: each scene's own)")
       ->type_name("N");
+  add_text(command,
+           "--theme",
+           job->settings.theme,
+           "colours of all pictures: dark, light, projector or print (default: each scene's own)")
+      ->type_name("THEME");
   add_text(command, "--quality", job->settings.quality, "draft, lecture or archive")
       ->type_name("QUALITY");
   add_whole_number(command, "--jobs", *jobs, "films rendered at the same time (default: 2)")

@@ -15,6 +15,8 @@ Action define_preview(CLI::App& command) {
   add_text(command, "-o,--output", job->output, "the sheet (default output/SCENE_preview.png)")
       ->type_name("OUT.png");
   add_numerics_options(command, job->overrides);
+  add_text(command, "--theme", job->overrides.theme, "colours: dark, light, projector or print")
+      ->type_name("THEME");
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("BACKEND");
   add_quiet(command, *progress);

@@ -22,6 +22,8 @@ Action define_render(CLI::App& command) {
   add_text(command, "--size", job->overrides.size, "picture size")->type_name("WxH");
   add_text(command, "--fps", job->overrides.fps, "frames per second, 60 or 30000/1001")
       ->type_name("N");
+  add_text(command, "--theme", job->overrides.theme, "colours: dark, light, projector or print")
+      ->type_name("THEME");
   add_number(command, "--from", job->from, "start of the film, seconds of the motion")
       ->type_name("T");
   add_number(command, "--to", job->to, "end of the film, seconds of the motion")->type_name("T");
