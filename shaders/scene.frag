@@ -1,9 +1,10 @@
 #version 330 core
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
-// 2 brushed metal, 3 ceramic), FLAT (colour and alpha as they are), SOFT (of a flat disc: less
-// towards its rim), MARKED (a strip and a darker half), SHELL (alpha under 1), FADING (fade under
-// 1), DASHED (with gaps along z), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
+// 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
+// alpha as they are), SOFT (of a flat disc: less towards its rim), MARKED (a strip and a darker
+// half), SHELL (alpha under 1), FADING (fade under 1), DASHED (with gaps along z), FACES (those
+// that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 out vec4 o_color;            // premultiplied
 
@@ -22,6 +23,10 @@ noperspective in vec3 v_halfway;
 in vec3 v_to_eye;
 noperspective in vec2 v_along;
 in vec3 v_mesh;
+#if FINISH == 2
+in float v_lengthways;
+const float kStroke = 0.022;  // how much each stroke brightens and darkens
+#endif
 flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec3 f_alpha;
@@ -46,17 +51,37 @@ float bands(float x) {
   return mix(wave, 0.5, clamp(2.0 * fwidth(x), 0.0, 1.0));
 }
 
+// Brush strokes of period 1 in x between -1 and 1: parabolas, which lack the high harmonics of a
+// triangle. They are full where a period has eight pixels and gone where it has four.
+float strokes(float x) {
+  float wave = 2.0 * fract(x) - 1.0;
+  wave *= 4.0 * (1.0 - abs(wave));
+  return wave * clamp(2.0 - 8.0 * fwidth(x), 0.0, 1.0);
+}
+// Strokes of three widths, so that some are seen at any size.
+float brushed(float x) {
+  return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7);
+}
+
 // What wood and metal do to the colour: grain in rings about the axis, brush strokes.
 vec3 worn(vec3 color) {
 #if FINISH == 1 || FINISH == 2
   float unit_length = max(f_mark.w, 1e-9);
+#endif
+#if FINISH == 1 || TURNED
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;
 #endif
 #if FINISH == 1
   float grain = bands(0.8 * radius + 0.25 * v_mesh.z / unit_length);
   return color * (0.88 + 0.17 * grain * grain);
 #elif FINISH == 2
-  return color * (0.90 + 0.14 * bands(7.0 * radius));
+  // faces across x have strokes along y
+#if TURNED
+  float across = brushed(radius);
+#else
+  float across = brushed(v_mesh.y / unit_length) * v_lengthways;
+#endif
+  return color * (0.97 + kStroke * (across + brushed(v_mesh.z / unit_length)));
 #else
   return color;
 #endif

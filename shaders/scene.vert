@@ -29,6 +29,9 @@ noperspective out vec3 v_halfway;  // between the key light and the eye
 out vec3 v_to_eye;
 noperspective out vec2 v_along;    // the normal's parts along the lights
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
+#if FINISH == 2
+out float v_lengthways;  // 0 on faces across x
+#endif
 flat out vec4 f_color;  // and gloss
 flat out vec4 f_mark;   // colour and half-width
 flat out vec3 f_alpha;  // and fade, and number of dashes
@@ -53,6 +56,9 @@ void main() {
   v_to_eye = to_eye;
   v_along = along;
   v_mesh = a_position;
+#if FINISH == 2
+  v_lengthways = 1.0 - a_normal.x * a_normal.x;
+#endif
   f_color = vec4(u_color, u_gloss);
   f_mark = vec4(u_mark_color, u_mark_width);
   f_alpha = vec3(u_alpha, u_fade, u_dashes);

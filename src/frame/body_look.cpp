@@ -70,6 +70,12 @@ LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, cons
   return {std::make_shared<const Mesh>(std::move(mesh)), place, material};
 }
 
+// whether it is a surface of revolution about z
+bool is_round(const SolidSpec& solid) {
+  if (solid.kind == "ellipsoid") return solid.semi_axes->x() == solid.semi_axes->y();
+  return solid.kind != "box" && solid.kind != "mesh";
+}
+
 // `segments` are those of a circle as large as the body
 LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments, double body_reach) {
   Placement place = Placement::Identity();
@@ -78,10 +84,12 @@ LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments, do
   // a chord's distance from its arc goes with the radius over the square of the pieces
   const double size = body_reach > 0.0 ? reach_of(solid_mesh(solid, kCoarse)) / body_reach : 1.0;
   const double pieces = std::ceil(segments * std::sqrt(std::min(1.0, size)));
-  return painted(solid_mesh(solid, std::max(kCoarse, static_cast<int>(pieces))),
-                 place,
-                 solid.color ? color_from_hex(*solid.color) : theme.body,
-                 theme);
+  LookPart part = painted(solid_mesh(solid, std::max(kCoarse, static_cast<int>(pieces))),
+                          place,
+                          solid.color ? color_from_hex(*solid.color) : theme.body,
+                          theme);
+  part.material.turned = is_round(solid);
+  return part;
 }
 
 // the homogeneous ellipsoid with these mass properties: a1^2 = 5 (I2 + I3 - I1) / (2 m)
@@ -122,6 +130,7 @@ std::vector<LookPart> points_look(const BodySpec& spec,
   // one ball and one rod, placed as often as needed
   const int fine = std::max(kCoarse, static_cast<int>(0.36 * segments));  // balls are small
   LookPart ball = painted(unit_sphere(fine), Placement::Identity(), theme.body, theme);
+  ball.material.turned = true;
   LookPart rod = painted(unit_cylinder(fine), Placement::Identity(), theme.stand, theme);
   rod.material.mark_width = 0.0f;
   std::vector<LookPart> look;

@@ -26,6 +26,7 @@ struct Material {
   float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units, and the half x < 0
                                // is darker; 0: neither
   Finish finish = Finish::plain;
+  bool turned = false;  // the strokes of metal go round z; else they are along x
   bool flat = false;    // unlit: the same colour and alpha from every direction
   bool soft = false;    // for a flat disc: alpha falls to 0 at the rim
   float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears

@@ -44,10 +44,12 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
   std::unique_ptr<Made>& entry = programs_[kind];
   if (entry == nullptr) {
     const std::string constants = fmt::format(
-        "#define FINISH {}\n#define FLAT {:d}\n#define SOFT {:d}\n#define MARKED {:d}\n"
+        "#define FINISH {}\n#define TURNED {:d}\n#define FLAT {:d}\n#define SOFT {:d}\n#define "
+        "MARKED {:d}\n"
         "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define FACES {}\n#define "
         "LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
+        kind.turned,
         kind.flat,
         kind.soft,
         kind.marked,
@@ -74,6 +76,7 @@ void SurfacePrograms::use(const Material& material,
                           bool hidden) {
   const float fade = hidden ? material.fade * material.hidden : material.fade;
   Made& now = made({material.finish,
+                    material.finish == Finish::metal && material.turned,
                     material.flat,
                     material.flat && material.soft,
                     material.mark_width > 0.0f,

@@ -35,9 +35,12 @@ class SurfacePrograms {
   // The constants that a program is compiled with.
   struct Kind {
     Finish finish = Finish::plain;
+    bool turned = false;
     bool flat = false, soft = false, marked = false, shell = false, fading = false, dashed = false;
     Faces faces = Faces::front;
-    auto all() const { return std::tie(finish, flat, soft, marked, shell, fading, dashed, faces); }
+    auto all() const {
+      return std::tie(finish, turned, flat, soft, marked, shell, fading, dashed, faces);
+    }
     friend bool operator<(const Kind& a, const Kind& b) { return a.all() < b.all(); }
   };
   struct Uniforms {
