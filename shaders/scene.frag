@@ -2,7 +2,7 @@
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
-// alpha as they are), SOFT (of a flat disc: less towards its rim), MARKED (a strip and a darker
+// alpha as they are), SOFT (of a flat mesh: alpha times the z of its normals), MARKED (a strip and a darker
 // half), SHELL (alpha under 1), FADING (fade under 1), DASHED (with gaps along z), FACES (those
 // that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
@@ -23,6 +23,9 @@ noperspective in vec3 v_halfway;
 in vec3 v_to_eye;
 noperspective in vec2 v_along;
 in vec3 v_mesh;
+#if SOFT
+in float v_density;
+#endif
 #if FINISH == 2
 in float v_lengthways;
 const float kStroke = 0.022;  // how much each stroke brightens and darkens
@@ -95,8 +98,10 @@ float stretch(vec3 v) {
 
 void main() {
 #if FLAT
-  float inside = SOFT == 1 ? max(1.0 - dot(v_mesh.xy, v_mesh.xy), 0.0) : 1.0;
-  o_color = vec4(f_color.rgb, 1.0) * (f_alpha.x * f_alpha.y * inside * inside);
+  o_color = vec4(f_color.rgb, 1.0) * (f_alpha.x * f_alpha.y);
+#if SOFT
+  o_color *= v_density;
+#endif
 #else
   float to_unit = stretch(v_normal);
 #if FACES == 1

@@ -29,6 +29,9 @@ noperspective out vec3 v_halfway;  // between the key light and the eye
 out vec3 v_to_eye;
 noperspective out vec2 v_along;    // the normal's parts along the lights
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
+#if SOFT
+out float v_density;
+#endif
 #if FINISH == 2
 out float v_lengthways;  // 0 on faces across x
 #endif
@@ -56,6 +59,9 @@ void main() {
   v_to_eye = to_eye;
   v_along = along;
   v_mesh = a_position;
+#if SOFT
+  v_density = a_normal.z;
+#endif
 #if FINISH == 2
   v_lengthways = 1.0 - a_normal.x * a_normal.x;
 #endif

@@ -16,6 +16,7 @@ struct LookPart {
   MeshPtr mesh;
   Placement body_from_mesh;  // maps mesh coordinates to B, m
   Material material;
+  MeshPtr rough = {};  // roughly the same mesh, for its shadow
 };
 
 // The meshes of a [body] table: its look if there is one, else its solids or points, else (moments

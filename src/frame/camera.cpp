@@ -70,9 +70,10 @@ Vec3 nearest_eye(const std::vector<Vec3>& points_C, const Tangents& tangent, con
 
 }  // namespace
 
-// close around what is drawn, a ball at that depth: depth keeps its precision
+// close around what is drawn, a ball at that depth: depth keeps its precision. A floor may reach
+// farther than what is framed.
 Camera::ClipPlanes Camera::clip_planes(double depth, double radius) {
-  const double far_plane = std::max(depth + 1.5 * radius, 1e-6 * radius);
+  const double far_plane = std::max(depth + 3.0 * radius, 1e-6 * radius);
   return {std::max(depth - 1.5 * radius, 1e-3 * far_plane), far_plane};
 }
 

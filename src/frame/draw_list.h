@@ -28,7 +28,7 @@ struct Material {
   Finish finish = Finish::plain;
   bool turned = false;  // the strokes of metal go round z; else they are along x
   bool flat = false;    // unlit: the same colour and alpha from every direction
-  bool soft = false;    // for a flat disc: alpha falls to 0 at the rim
+  bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha
   float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears
   bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
   float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen

@@ -115,7 +115,14 @@ const std::vector<Element>& elements() {
        [](const Scenery& scenery) { return on_pivot(scenery) && stays_above_stand(scenery); },
        needs_pivot,
        add_stand},
-      {"floor", "a floor with the body's shadow", never, nothing_against, add_floor},
+      {"floor",
+       "a floor, with the shadow of the body and its stand",
+       [](const Scenery& scenery) {
+         return on_pivot(scenery) && needs_weight(scenery).empty() && stays_above_stand(scenery) &&
+                stays_above_floor(scenery);
+       },
+       nothing_against,
+       add_floor},
       {"forces",
        "the forces of motion.torque at their points of action, springs as rods",
        has_forces,

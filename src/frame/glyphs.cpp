@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "frame/shadow.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -33,11 +34,35 @@ void add_arc(const ArcGlyph& arc,
   }
 }
 
-DrawItem item_of(const MeshGlyph& glyph, const DrawingFrame& frame, Faces faces) {
-  Placement place = glyph.space_from_mesh;
+glm::mat4 drawn(Placement place, const DrawingFrame& frame) {
   place.linear() /= frame.unit;
   place.translation() = frame.point(place.translation());
-  return {glyph.mesh, to_glm(place.matrix()), glyph.material, faces};
+  return to_glm(place.matrix());
+}
+
+DrawItem item_of(const MeshGlyph& glyph, const DrawingFrame& frame, Faces faces) {
+  return {glyph.mesh, drawn(glyph.space_from_mesh, frame), glyph.material, faces};
+}
+
+// floors, and on them the shadows that fall away from the light of the list
+void add_floors(const Glyphs& glyphs, const DrawingFrame& frame, DrawList& list) {
+  for (const FloorGlyph& floor : glyphs.floors) {
+    list.translucent.push_back(item_of(floor.disc, frame, Faces::front));
+    const Placement floor_from_space = floor.disc.space_from_mesh.inverse();
+    std::vector<ShadowCaster> casters;
+    for (const MeshGlyph& glyph : glyphs.meshes) {
+      if (glyph.rough == nullptr) continue;
+      const float density = std::min(glyph.material.alpha, 1.0f) * glyph.material.fade;
+      casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
+    }
+    const Vec3 to_light = floor_from_space.linear() * to_eigen(list.view.key_light);
+    MeshGlyph shadow = floor.disc;
+    shadow.mesh = shadow_mesh(casters, to_light);
+    if (shadow.mesh == nullptr) continue;
+    shadow.material.color = glm::vec3(0.0f);
+    shadow.material.alpha = floor.shadow_alpha;
+    list.translucent.push_back(item_of(shadow, frame, Faces::front));
+  }
 }
 
 // Translucent surfaces from far to near, as exactly as whole surfaces can be put in order: sheets
@@ -49,8 +74,7 @@ void add_translucent(const Glyphs& glyphs,
                      const Vec3& eye,
                      DrawList& list) {
   std::vector<DrawItem>& items = list.translucent;
-  for (const MeshGlyph& glyph : glyphs.shades)
-    items.push_back(item_of(glyph, frame, Faces::front));
+  add_floors(glyphs, frame, list);
   const auto behind = [&](const SheetGlyph& sheet) {
     // the reference point is where cones begin; sheets through it count as behind
     const double rest = (glyphs.middle - sheet.point).dot(sheet.normal);
@@ -95,7 +119,7 @@ GlyphCounts::GlyphCounts(const Glyphs& glyphs)
       rods(glyphs.rods.size()),
       arcs(glyphs.arcs.size()),
       cones(glyphs.cones.size()),
-      shades(glyphs.shades.size()),
+      floors(glyphs.floors.size()),
       ghosts(glyphs.ghosts.size()),
       shells(glyphs.shells.size()),
       sheets(glyphs.sheets.size()),
@@ -112,11 +136,12 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   materials(glyphs.rods, before.rods);
   materials(glyphs.arcs, before.arcs);
   materials(glyphs.cones, before.cones);
-  materials(glyphs.shades, before.shades);
   materials(glyphs.ghosts, before.ghosts);
   materials(glyphs.shells, before.shells);
   for (std::size_t i = before.sheets; i < glyphs.sheets.size(); ++i)
     glyphs.sheets[i].mesh.material.fade *= fade;
+  for (std::size_t i = before.floors; i < glyphs.floors.size(); ++i)
+    glyphs.floors[i].disc.material.fade *= fade;
   for (std::size_t i = before.labels; i < glyphs.labels.size(); ++i)
     glyphs.labels[i].fade *= fade;
 }

@@ -25,6 +25,13 @@ struct MeshGlyph {
   MeshPtr mesh;
   Placement space_from_mesh;  // maps mesh coordinates to S, m
   Material material;
+  MeshPtr rough = {};  // roughly the same mesh, which throws its shadow; null: it throws none
+};
+
+// A floor, with the shadows of the meshes that throw one.
+struct FloorGlyph {
+  MeshGlyph disc;          // a unit disc, see frame/shadow.h
+  float shadow_alpha = 0;  // how dark a full shadow is
 };
 
 // A straight thin tube.
@@ -67,8 +74,8 @@ struct Glyphs {
   std::vector<MeshGlyph> meshes;
   std::vector<RodGlyph> rods;
   std::vector<ArcGlyph> arcs;
-  std::vector<Cone> cones;        // with a common apex
-  std::vector<MeshGlyph> shades;  // shadows on the floor, lowest first
+  std::vector<Cone> cones;  // with a common apex
+  std::vector<FloorGlyph> floors;
   std::vector<MeshGlyph> ghosts;  // translucent bodies, oldest first
   std::vector<MeshGlyph> shells;  // translucent convex surfaces around all cones, outermost first
   std::vector<SheetGlyph> sheets;
@@ -81,7 +88,7 @@ struct Glyphs {
 // How many glyphs there were of each kind when this was made, for fade_new().
 struct GlyphCounts {
   explicit GlyphCounts(const Glyphs& glyphs);
-  std::size_t arrows, meshes, rods, arcs, cones, shades, ghosts, shells, sheets, labels;
+  std::size_t arrows, meshes, rods, arcs, cones, floors, ghosts, shells, sheets, labels;
 };
 // Multiplies the fade of the glyphs that were added since `before` by `presence`: 1 is fully
 // visible, 0 invisible.
@@ -101,7 +108,7 @@ struct GlyphMeshes {
 };
 
 // Adds the glyphs, except their labels, to `list` in the coordinates of `frame`. Translucent items
-// are ordered for `eye` (S, m).
+// are ordered for `eye` (S, m). Shadows fall away from the key light of list.view.
 void add_items(const Glyphs& glyphs,
                const GlyphMeshes& meshes,
                const DrawingFrame& frame,

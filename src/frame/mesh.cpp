@@ -2,7 +2,13 @@
 #include "frame/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+#include <glm/common.hpp>
 
 #include "base/units.h"
 
@@ -184,6 +190,33 @@ Mesh unit_disc(int segments) {
   return mesh;
 }
 
+Mesh fading_disc(int segments) {
+  constexpr int kRings = 12;  // from the inner half to the rim
+  Mesh mesh;
+  mesh.vertices.push_back({{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}});
+  const auto corner = [&](int ring, int k) {
+    return static_cast<std::uint32_t>(1 + ring * segments + k % segments);
+  };
+  for (int ring = 0; ring <= kRings; ++ring) {
+    const double part = static_cast<double>(ring) / kRings;
+    const double radius = 0.5 + 0.5 * part;
+    const auto density = static_cast<float>(1.0 - part * part * (3.0 - 2.0 * part));
+    for (int k = 0; k < segments; ++k) {
+      const double angle = 2.0 * kPi * k / segments;
+      mesh.vertices.push_back({glm::vec3(radius * std::cos(angle), radius * std::sin(angle), 0.0),
+                               {0.0f, 0.0f, density}});
+      const std::uint32_t a = corner(ring, k), b = corner(ring, k + 1);
+      if (ring == 0) {
+        mesh.indices.insert(mesh.indices.end(), {0u, a, b});
+      } else {
+        const std::uint32_t c = corner(ring - 1, k), d = corner(ring - 1, k + 1);
+        mesh.indices.insert(mesh.indices.end(), {c, a, b, c, b, d});
+      }
+    }
+  }
+  return mesh;
+}
+
 Mesh torus(double radius, double tube, int segments) {
   // around the tube as fine as along it: pieces grow with the root of the radius
   const int around = std::max(6, static_cast<int>(std::ceil(segments * std::sqrt(tube / radius))));
@@ -247,6 +280,38 @@ Mesh faceted(const TriangleMesh& surface) {
     }
   }
   return mesh;
+}
+
+Mesh clustered(const Mesh& mesh, int cells) {
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  for (const Vertex& vertex : mesh.vertices) {
+    low = glm::min(low, vertex.position);
+    high = glm::max(high, vertex.position);
+  }
+  const glm::vec3 size = glm::max(high - low, glm::vec3(std::numeric_limits<float>::min()));
+  const auto last = static_cast<float>(cells - 1);
+
+  Mesh out;
+  std::map<std::array<int, 3>, std::uint32_t> first;  // vertex of `out` for each cell
+  std::vector<std::uint32_t> number;                  // and for each vertex of `mesh`
+  number.reserve(mesh.vertices.size());
+  for (const Vertex& vertex : mesh.vertices) {
+    const glm::vec3 at =
+        glm::min((vertex.position - low) / size * static_cast<float>(cells), glm::vec3(last));
+    const std::array<int, 3> cell{
+        static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)};
+    const auto [found, is_new] =
+        first.emplace(cell, static_cast<std::uint32_t>(out.vertices.size()));
+    if (is_new) out.vertices.push_back(vertex);
+    number.push_back(found->second);
+  }
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const std::uint32_t a = number[mesh.indices[i]];
+    const std::uint32_t b = number[mesh.indices[i + 1]];
+    const std::uint32_t c = number[mesh.indices[i + 2]];
+    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {a, b, c});
+  }
+  return out;
 }
 
 Mesh scaled(const Mesh& mesh, const Vec3& factors) {

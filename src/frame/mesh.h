@@ -17,7 +17,7 @@ namespace polhode {
 // A corner of a triangle.
 struct Vertex {
   glm::vec3 position;  // mesh coordinates
-  glm::vec3 normal;    // unit, outwards
+  glm::vec3 normal;    // unit, outwards; of a shadow: see frame/shadow.h
 };
 
 // Triangles, counter-clockwise seen from outside.
@@ -50,6 +50,9 @@ Mesh unit_cylinder(int segments);
 Mesh unit_cone(int segments);
 // The unit disc in the plane z = 0, facing +z.
 Mesh unit_disc(int segments);
+// The unit disc in the plane z = 0 for a material that is `soft`: the z of the normals falls
+// smoothly from 1, in the inner half, to 0 at the rim.
+Mesh fading_disc(int segments);
 // A torus about z. radius: distance of the tube's centre from the axis; tube: radius of the tube.
 Mesh torus(double radius, double tube, int segments);
 // The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be
@@ -61,6 +64,11 @@ Mesh box(const Vec3& size);
 // A triangle mesh of the scene for drawing, m. At each corner, faces whose normals differ by less
 // than kCreaseAngle are shaded as one smooth surface.
 Mesh faceted(const TriangleMesh& surface);
+
+// A coarser mesh for shadows: the box around the mesh is divided into `cells` parts along each
+// axis, and vertices in the same cell become one, the first of them. Its normals are those of the
+// first.
+Mesh clustered(const Mesh& mesh, int cells);
 
 // The mesh scaled by a positive factor per axis, with correct normals.
 Mesh scaled(const Mesh& mesh, const Vec3& factors);

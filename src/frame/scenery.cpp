@@ -16,6 +16,11 @@ constexpr double kOmegaLength = 1.3;
 constexpr double kMomentumLength = kReachOfVectors;
 constexpr double kVelocityLength = 0.6;
 
+constexpr int kRoughSegments = 24;  // of meshes that throw shadows
+
+constexpr std::size_t kFineTriangles = 4000;  // a mesh with more throws the shadow of a rough one
+constexpr int kRoughCells = 40;
+
 constexpr int kFramingTimes = 480;
 constexpr std::size_t kFieldPoints = 48;
 
@@ -36,10 +41,23 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
   return chosen;
 }
 
+MeshPtr rough(const MeshPtr& mesh) {
+  if (mesh->indices.size() <= 3 * kFineTriangles) return mesh;
+  return std::make_shared<const Mesh>(clustered(*mesh, kRoughCells));
+}
+
+// The weight ends above the floor, unless it would become too short. In units of the body's radius,
+// like `lowest`: how far the centre of mass stays above the pivot.
+double weight_length(double lowest) {
+  const double above_floor = 0.95 * (lowest + kStandHeight);
+  return above_floor > 0.5 * kForceLength ? std::min(kForceLength, above_floor) : kForceLength;
+}
+
 // the longest vector of the film has the full length; a body at rest has none to scale
 Scale make_scale(const Scenery& scenery, double radius) {
   const BodyModel& model = scenery.motion.model();
   double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0, turned_by = 0.0;
+  double lowest = std::numeric_limits<double>::infinity();  // centre of mass above the pivot
   for (const double t : framing_times(scenery.motion)) {
     const Sample sample = scenery.motion.at(t);
     for (const Load& load : model.loads.listed) {
@@ -47,6 +65,7 @@ Scale make_scale(const Scenery& scenery, double radius) {
       force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
     }
     turned_by = std::max(turned_by, torque(model, t, scenery.motion.state_at(t)).norm());
+    lowest = std::min(lowest, (sample.center_S - sample.reference_S).dot(model.up_S));
     turning = std::max(turning, sample.w_S.norm());
     momentum = std::max(momentum, sample.L_S.norm());
     for (const Vec3& r_B : scenery.field_points_B)
@@ -60,7 +79,8 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(kMomentumLength, momentum),
           per(kVelocityLength, speed),
           per(kForceLength, force),
-          per(kForceLength, turned_by)};
+          per(kForceLength, turned_by),
+          weight_length(lowest / radius) * radius};
 }
 
 }  // namespace
@@ -81,8 +101,13 @@ std::vector<double> framing_times(const Motion& motion) {
 
 void make_look(Scenery& scenery, const BodySpec& body, int segments) {
   scenery.look = body_look(body, scenery.motion.model(), scenery.theme, segments);
-  for (LookPart& part : scenery.look)
+  for (LookPart& part : scenery.look) {
     part.material.finish = finish_named(scenery.options.material);
+  }
+  const std::vector<LookPart> coarse =
+      body_look(body, scenery.motion.model(), scenery.theme, std::min(segments, kRoughSegments));
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    scenery.look[i].rough = rough(coarse[i].mesh);
 }
 
 Scenery make_scenery(const Motion& motion,
@@ -103,7 +128,9 @@ Scenery make_scenery(const Motion& motion,
   const int large = segments * 3 / 2;
   scenery.sphere = shared(unit_sphere(large));
   scenery.stand = shared(unit_cone(segments));
+  scenery.rough_stand = shared(unit_cone(kRoughSegments));
   scenery.disc = shared(unit_disc(large));
+  scenery.floor = shared(fading_disc(large));
   scenery.ring = shared(torus(1.0, 0.006, large));
   scenery.hull_B = hull_of(scenery.look);
   scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);

@@ -21,6 +21,7 @@ struct Scale {
   double velocity = 1.0;  // metres per m/s
   double force = 1.0;     // metres per N
   double torque = 1.0;    // metres per N m
+  double weight = 1.0;    // the length of the weight, m
 };
 
 // The curves of a film that the scene asks for, made once; those that it does not ask for, and
@@ -42,6 +43,8 @@ inline constexpr double kTrailRadius = 1.25;
 // The length of the longest force and of the longest torque of a film, in units of the body's
 // radius.
 inline constexpr double kForceLength = 0.8;
+// The height of the stand under a pivot, in units of the body's radius.
+inline constexpr double kStandHeight = 0.55;
 
 // What all moments of a film share. A value: copies share only the meshes, which never change.
 struct Scenery {
@@ -55,6 +58,8 @@ struct Scenery {
   MeshPtr disc = {};                      // unit disc about z
   MeshPtr ring = {};                      // a thin tube along the rim of the disc
   MeshPtr stand = {};                     // unit cone, for the stand under the pivot
+  MeshPtr rough_stand = {};               // the same, for its shadow
+  MeshPtr floor = {};                     // unit disc about z that fades outwards
   ShowSpec options = {};                  // the [show] table
   int segments = 96;                      // pieces of a circle as large as the picture
   std::vector<Vec3> field_points_B = {};  // points of the velocity field, m

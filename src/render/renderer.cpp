@@ -56,6 +56,15 @@ std::array<glm::vec3, 8> box_corners(const Mesh& mesh) {
   return corners;
 }
 
+// the box around a mesh in the plane z = 0, from its corners
+Mesh flat_box(const std::array<glm::vec3, 8>& corners) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < 4; ++i)
+    mesh.vertices.push_back({corners[i], glm::vec3(0.0f, 0.0f, 1.0f)});
+  mesh.indices = {0, 1, 3, 0, 3, 2};
+  return mesh;
+}
+
 // premultiplied colour, as blending leaves it, to the straight alpha of Image
 void unpremultiply(Image& image, const PixelBox& box) {
   for (int y = box.y; y < box.bottom(); ++y) {
@@ -201,7 +210,11 @@ class Renderer::Implementation {
     for (const std::vector<DrawItem>* items : {&panel.list.opaque, &panel.list.translucent}) {
       for (const DrawItem& item : *items) {
         Uploaded& mesh = uploaded(item.mesh);
-        if (mesh.edges == nullptr) mesh.edges = std::make_unique<MeshEdges>(*item.mesh);
+        if (mesh.edges == nullptr) {
+          // what is soft has no outlines; it only has to be within what is drawn
+          mesh.edges =
+              std::make_unique<MeshEdges>(item.material.soft ? flat_box(mesh.corners) : *item.mesh);
+        }
         smoother_.add(*mesh.edges, item);
       }
     }

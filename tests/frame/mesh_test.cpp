@@ -51,5 +51,47 @@ TEST(Mesh, UnitShapesAreClosedAndHaveTheirVolumes) {
   }
 }
 
+// a coarser mesh is about as large, and closed where the fine one is
+TEST(Mesh, ClusteringKeepsTheShape) {
+  const Mesh fine = scaled(unit_sphere(512), {1, 2, 0.01});
+  const Mesh coarse = clustered(fine, 32);
+  EXPECT_LT(coarse.indices.size(), fine.indices.size() / 10);
+  EXPECT_NEAR(test::signed_volume(coarse) / test::signed_volume(fine), 1.0, 0.1);
+  EXPECT_EQ(test::open_edges(coarse), 0);
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  for (const Vertex& vertex : coarse.vertices) {
+    const Vec3 at(vertex.position.x, vertex.position.y, vertex.position.z);
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  EXPECT_LT((high - low - Vec3(2, 4, 0.02)).cwiseQuotient(Vec3(2, 4, 0.02)).norm(), 0.1);
+  // where every vertex has a cell of its own, nothing changes
+  EXPECT_EQ(clustered(unit_cone(8), 64).indices.size(), unit_cone(8).indices.size());
+}
+
+// it covers the disc, opaque in the middle and gone at the rim
+TEST(Mesh, AFadingDiscCoversTheDisc) {
+  const Mesh disc = fading_disc(64);
+  double area = 0.0;
+  for (std::size_t i = 0; i < disc.indices.size(); i += 3) {
+    const glm::vec3& a = disc.vertices[disc.indices[i]].position;
+    const glm::vec3& b = disc.vertices[disc.indices[i + 1]].position;
+    const glm::vec3& c = disc.vertices[disc.indices[i + 2]].position;
+    const float piece = 0.5f * glm::cross(b - a, c - a).z;
+    EXPECT_GT(piece, 0.0f);
+    area += piece;
+  }
+  EXPECT_NEAR(area, kPi, 0.01);
+  for (const Vertex& vertex : disc.vertices) {
+    const float radius = glm::length(vertex.position);
+    if (radius < 0.501f) {
+      EXPECT_EQ(vertex.normal.z, 1.0f);
+    }
+    if (radius > 0.999f) {
+      EXPECT_NEAR(vertex.normal.z, 0.0f, 1e-6f);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
-#include <algorithm>
-#include <limits>
-
 #include "frame/elements/parts.h"
 #include "math/so3.h"
 
 namespace polhode {
 namespace {
 
-constexpr double kStandHeight = 0.55;
 constexpr double kStandRadius = 0.17;
-constexpr double kFloorRadius = 1.9;
-constexpr double kFreeFloor = 1.25;    // below the centre of a free body
-constexpr double kShadowRadius = 1.3;  // of the body's shadow on the floor
-constexpr double kShadowDepth = 0.75;  // how dark its middle is
+constexpr double kFloorRadius = 1.6;
+constexpr double kFreeFloorRadius = 2.2;  // under a free body
+constexpr double kFramedFloor = 0.55;     // the part of it that a picture has to show
+constexpr double kFreeFloor = 1.25;       // below the centre of a free body
+constexpr float kShadowDepth = 0.5f;      // how dark a full shadow is
 constexpr float kGhostAlpha = 0.16f;
+
+// wider where the body is higher above it
+double floor_radius(const Scenery& scenery) {
+  return (scenery.motion.model().on_pivot ? kFloorRadius : kFreeFloorRadius) * scenery.scale.body;
+}
 
 // where the floor is: under the stand, or below all that a free body reaches
 double floor_depth(const Scenery& scenery) {
@@ -30,7 +32,8 @@ void add_body(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     Material material = part.material;
     material.alpha = static_cast<float>(scenery.options.body_opacity);
     material.covers = true;
-    glyphs.meshes.push_back({part.mesh, space_from_body * part.body_from_mesh, material});
+    glyphs.meshes.push_back(
+        {part.mesh, space_from_body * part.body_from_mesh, material, part.rough});
   }
   for (const Vec3& point_B : scenery.hull_B)
     glyphs.reach.push_back(space_from_body * point_B);
@@ -63,7 +66,7 @@ void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
                    (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
   Material material = plain(scenery.theme.stand, 0.3f);
   material.covers = true;
-  glyphs.meshes.push_back({scenery.stand, place, material});
+  glyphs.meshes.push_back({scenery.stand, place, material, scenery.rough_stand});
   // corners around the foot
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0})
@@ -71,34 +74,16 @@ void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   }
 }
 
-// a disc, with a shadow that is darkest where the body is near
-void add_floor(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+// a disc that fades outwards, with the shadow of the body and its stand
+void add_floor(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   const Vec3& up = scenery.motion.model().up_S;
-  const double depth = floor_depth(scenery);
-  const Vec3 start = scenery.motion.at(0.0).reference_S;
-  const Vec3 center = start - depth * up;
-  const Placement place = disc_placement(center, up, kFloorRadius * scenery.scale.body);
+  const Vec3 center = scenery.motion.at(0.0).reference_S - floor_depth(scenery) * up;
   Material material = plain(scenery.theme.floor, 0.0f);
-  material.covers = true;
-  glyphs.meshes.push_back({scenery.disc, place, material});
-  add_rim_reach(place, 16, glyphs);
-
-  // under the middle of the body, wider and paler the higher it is
-  Vec3 middle = Vec3::Zero();
-  double lowest = std::numeric_limits<double>::infinity();
-  const Placement body = body_placement(scenery, sample);
-  for (const Vec3& point_B : scenery.hull_B) {
-    const Vec3 point = body * point_B - center;
-    middle += (point - point.dot(up) * up) / static_cast<double>(scenery.hull_B.size());
-    lowest = std::min(lowest, point.dot(up));
-  }
-  const double high = std::clamp(lowest / depth, 0.0, 1.0);
-  const double wide = kShadowRadius * (0.75 + 0.5 * high) * scenery.scale.body;
-  Material shade = plain(glm::vec3(0.0f), 0.0f);
-  shade.flat = shade.soft = true;
-  shade.alpha = static_cast<float>(kShadowDepth * (1.0 - 0.6 * high));
-  const Vec3 just_above = center + middle + 1e-3 * scenery.scale.body * up;
-  glyphs.shades.push_back({scenery.disc, disc_placement(just_above, up, wide), shade});
+  material.flat = material.soft = true;
+  const double radius = floor_radius(scenery);
+  glyphs.floors.push_back(
+      {{scenery.floor, disc_placement(center, up, radius), material}, kShadowDepth});
+  add_rim_reach(disc_placement(center, up, kFramedFloor * radius), 16, glyphs);
 }
 
 }  // namespace polhode

@@ -162,6 +162,19 @@ bool stays_above_stand(const Scenery& scenery) {
   });
 }
 
+bool stays_above_floor(const Scenery& scenery) {
+  const double floor = -kStandHeight * scenery.scale.body;
+  const std::vector<double> times = framing_times(scenery.motion);
+  return std::all_of(times.begin(), times.end(), [&](double t) {
+    const Sample sample = scenery.motion.at(t);
+    const Vec3 up_B = sample.q_SB.conjugate() * scenery.motion.model().up_S;
+    const Vec3& from_B = scenery.motion.model().reference_B();
+    return std::all_of(scenery.hull_B.begin(), scenery.hull_B.end(), [&](const Vec3& point_B) {
+      return (point_B - from_B).dot(up_B) > floor;
+    });
+  });
+}
+
 bool has_forces(const Scenery& scenery) {
   const std::vector<Load>& listed = scenery.motion.model().loads.listed;
   return std::any_of(listed.begin(), listed.end(), [](const Load& load) {

@@ -79,7 +79,8 @@ double twice_the_energy(const BodyModel& model, const Vec3& w_P);
 // what it needs. Cones need a symmetric top that turns freely, apart from damping of L, and about
 // another axis than its own; free means that no torque acts and that the body is no thin rod and
 // not at rest; forces are the forces, couples and springs of motion.torque. stays_above_stand:
-// whether figure_axis_B() never points far below the horizontal.
+// whether figure_axis_B() never points far below the horizontal; stays_above_floor: whether no part
+// of a body on a pivot comes as low as the foot of the stand.
 std::string needs_cones(const Scenery& scenery);
 std::string needs_pivot(const Scenery& scenery);
 std::string needs_free(const Scenery& scenery);
@@ -87,6 +88,7 @@ std::string needs_forces(const Scenery& scenery);
 bool has_cones(const Scenery& scenery);
 bool has_forces(const Scenery& scenery);
 bool stays_above_stand(const Scenery& scenery);
+bool stays_above_floor(const Scenery& scenery);
 
 // The functions `add` of the table of elements (frame/elements.h); the rows in frame/elements.cpp
 // say what each draws.

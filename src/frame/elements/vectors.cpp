@@ -150,7 +150,7 @@ void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 // m g on the centre of mass
 void add_gravity(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 down = -kForceLength * scenery.scale.body * scenery.motion.model().up_S;
+  const Vec3 down = -scenery.scale.weight * scenery.motion.model().up_S;
   add_vector(scenery,
              sample.center_S,
              sample.center_S + down,

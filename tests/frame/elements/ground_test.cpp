@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The body, where it was, and what it stands on.
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
+#include "frame/to_glm.h"
 #include "support/motions.h"
 #include "support/show_only.h"
 
@@ -58,32 +57,75 @@ TEST(Ground, TheStandReachesFromTheFloorToThePivot) {
   const Composer picture = picture_of(test::cone_body(), test::spinning_on_pivot(), show);
   const Sample now = picture.scenery().motion.at(0.3);
   const std::vector<MeshGlyph> meshes = picture.glyphs_at(now).meshes;
-  ASSERT_EQ(meshes.size(), 2u);
+  ASSERT_EQ(meshes.size(), 1u);
   const Vec3 apex = meshes[0].space_from_mesh * Vec3::UnitZ();
   EXPECT_LT((apex - now.reference_S).norm(), 1e-15);
   const Vec3 foot = meshes[0].space_from_mesh * Vec3::Zero();
-  const Vec3 floor = meshes[1].space_from_mesh.translation();
+  const Vec3 floor = picture.glyphs_at(now).floors.at(0).disc.space_from_mesh.translation();
   EXPECT_NEAR(foot.z(), floor.z(), 1e-15);
   EXPECT_LT(foot.z(), apex.z());
 }
 
-// the shadow stays under the body, and is paler and wider the higher the body is
+// the floor stays where it is, and the body's shadow moves over it
 TEST(Ground, TheShadowFollowsTheBody) {
   MotionSpec motion = test::wobbling();
-  motion.velocity = Vec3(0.2, 0.1, 0.1);
-  const Composer picture = picture_of(test::prolate_body(), motion, test::show_only("floor"));
-  const Motion& solution = picture.scenery().motion;
+  motion.velocity = Vec3(0.2, 0.1, 0.0);
+  ShowSpec show = test::show_only("floor");
+  show["body"] = true;
+  const Composer picture = picture_of(test::prolate_body(), motion, show);
+  // the middle of the darkness, S
   const auto shade_at = [&](double t) {
-    return picture.glyphs_at(solution.at(t)).shades.at(0);
+    const Sample sample = picture.scenery().motion.at(t);
+    const Placement floor = picture.glyphs_at(sample).floors.at(0).disc.space_from_mesh;
+    Vec3 sum = Vec3::Zero();
+    double dark = 0.0;
+    for (const Vertex& vertex : picture.at(t).translucent.at(1).mesh->vertices) {
+      sum += vertex.normal.z * (floor * to_eigen(vertex.position));
+      dark += vertex.normal.z;
+    }
+    return Vec3(sum / dark);
   };
-  const MeshGlyph early = shade_at(0.0), late = shade_at(4.0);
-  const Vec3 moved = late.space_from_mesh.translation() - early.space_from_mesh.translation();
-  EXPECT_NEAR(moved.x(), 0.8, 0.02);
-  EXPECT_NEAR(moved.y(), 0.4, 0.02);
-  EXPECT_NEAR(moved.z(), 0.0, 1e-12);
-  EXPECT_LT(late.material.alpha, early.material.alpha);
-  EXPECT_GT(late.space_from_mesh.linear().determinant(),
-            early.space_from_mesh.linear().determinant());
+  const Sample before = picture.scenery().motion.at(0.0), after = picture.scenery().motion.at(0.3);
+  EXPECT_EQ(picture.glyphs_at(before).floors.at(0).disc.space_from_mesh.matrix(),
+            picture.glyphs_at(after).floors.at(0).disc.space_from_mesh.matrix());
+  const Vec3 moved = shade_at(0.3) - shade_at(0.0);
+  const Vec3 body = after.center_S - before.center_S;
+  EXPECT_LT((moved - body).norm(), 0.2 * body.norm());
+}
+
+// the weight of a body that stands ends above the floor, that of one that hangs is as long as ever
+TEST(Ground, TheWeightEndsAboveTheFloor) {
+  for (const double tilt : {0.2, 1.2, 2.9}) {
+    SCOPED_TRACE(tilt);
+    MotionSpec motion = test::spinning_on_pivot();
+    motion.attitude.zxz = Vec3(0.0, tilt, 0.0);
+    ShowSpec show = test::show_only("gravity");
+    show["floor"] = true;
+    const Composer picture = picture_of(test::cone_body(), motion, show);
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.0));
+    const ArrowGlyph& weight = glyphs.arrows.at(0);
+    const double floor = glyphs.floors.at(0).disc.space_from_mesh.translation().z();
+    const double length = (weight.tip - weight.from).norm() / picture.scenery().scale.body;
+    if (tilt < 1.5) {
+      EXPECT_GT(weight.tip.z(), floor);
+      EXPECT_LE(length, kForceLength);
+    } else {
+      EXPECT_NEAR(length, kForceLength, 1e-12);
+    }
+  }
+}
+
+// a floor belongs to a body that stands and stays above it
+TEST(Ground, AFloorIsShownUnderWhatStands) {
+  const auto has_floor = [](const BodySpec& body, const MotionSpec& motion) {
+    const Composer picture = picture_of(body, motion, ShowSpec{});
+    return !picture.glyphs_at(picture.scenery().motion.at(0.0)).floors.empty();
+  };
+  MotionSpec hanging = test::spinning_on_pivot();
+  hanging.attitude.zxz = Vec3(0.0, 2.9, 0.0);
+  EXPECT_TRUE(has_floor(test::cone_body(), test::spinning_on_pivot()));
+  EXPECT_FALSE(has_floor(test::cone_body(), hanging));
+  EXPECT_FALSE(has_floor(test::prolate_body(), test::wobbling()));
 }
 
 }  // namespace

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "frame/shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include "base/units.h"
+#include "frame/to_glm.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kSamples = 56;   // per radius of the floor
+constexpr int kLights = 12;    // points of the light
+constexpr int kBlurs = 2;      // means of three neighbours, in each direction
+constexpr int kCorners = 2;    // samples from one corner of the mesh to the next
+constexpr float kRim = 0.08f;  // the shadow fades so near the rim, in radii of the floor
+
+// the vertices of a caster in samples, with their heights
+std::vector<glm::vec3> in_samples(const ShadowCaster& caster) {
+  const glm::mat4 place = to_glm(caster.floor_from_mesh.matrix());
+  std::vector<glm::vec3> points;
+  points.reserve(caster.mesh->vertices.size());
+  for (const Vertex& vertex : caster.mesh->vertices) {
+    const glm::vec3 p(place * glm::vec4(vertex.position, 1.0f));
+    points.push_back(static_cast<float>(kSamples) * glm::vec3(p.x, p.y, std::max(p.z, 0.0f)));
+  }
+  return points;
+}
+
+// The samples of a rectangle of the floor, and how much light is kept from each.
+class Samples {
+ public:
+  // low, high: corners of the rectangle, in samples from the middle of the floor
+  Samples(const glm::vec2& low, const glm::vec2& high) {
+    const auto whole = [](float at) {
+      const auto most = static_cast<float>(kSamples);
+      return static_cast<int>(std::floor(glm::clamp(at, -most, most) / kCorners)) * kCorners;
+    };
+    const float beyond = kBlurs + 2 * kCorners;
+    left_ = whole(low.x - beyond);
+    bottom_ = whole(low.y - beyond);
+    columns_ = whole(high.x + beyond) - left_ + 1;
+    rows_ = whole(high.y + beyond) - bottom_ + 1;
+    const std::size_t count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    last_.assign(count, 0);
+    dark_.assign(count, 0.0f);
+  }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  glm::vec2 place(int x, int y) const {
+    return glm::vec2(left_ + x, bottom_ + y) / static_cast<float>(kSamples);
+  }
+  float dark(int x, int y) const { return dark_[index(x, y)]; }
+
+  // a triangle stops the light of one point; others may have done so before
+  void stop(int light, glm::vec2 a, glm::vec2 b, glm::vec2 c) {
+    const glm::vec2 corner(left_, bottom_);
+    a -= corner, b -= corner, c -= corner;
+    const int top = std::min(rows_ - 1, static_cast<int>(std::max({a.y, b.y, c.y})));
+    for (int y = std::max(0, first(std::min({a.y, b.y, c.y}))); y <= top; ++y) {
+      float from = std::numeric_limits<float>::infinity();
+      float to = -from;
+      const auto cut = [&](const glm::vec2& p, const glm::vec2& q) {
+        const auto row = static_cast<float>(y);
+        if ((p.y <= row) == (q.y <= row)) return;
+        const float x = p.x + (row - p.y) * (q.x - p.x) / (q.y - p.y);
+        from = std::min(from, x);
+        to = std::max(to, x);
+      };
+      cut(a, b), cut(b, c), cut(c, a);
+      if (to < 0.0f || from > static_cast<float>(columns_)) continue;
+      const int end = std::min(columns_ - 1, static_cast<int>(to));
+      for (int x = std::max(0, first(from)); x <= end; ++x) {
+        const std::size_t at = index(x, y);
+        if (last_[at] == light + 1) continue;
+        last_[at] = static_cast<std::uint8_t>(light + 1);
+        dark_[at] += 1.0f / kLights;
+      }
+    }
+  }
+
+  void blur() {
+    for (int k = 0; k < kBlurs; ++k) {
+      for (int y = 0; y < rows_; ++y)
+        mean_of_three(index(0, y), 1, columns_);
+      for (int x = 0; x < columns_; ++x)
+        mean_of_three(index(x, 0), static_cast<std::size_t>(columns_), rows_);
+    }
+  }
+
+ private:
+  static int first(float at) { return static_cast<int>(std::ceil(at)); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
+  void mean_of_three(std::size_t at, std::size_t step, int count) {
+    float before = 0.0f;
+    for (int k = 0; k < count; ++k, at += step) {
+      const float here = dark_[at];
+      const float next = k + 1 < count ? dark_[at + step] : 0.0f;
+      dark_[at] = (before + here + next) / 3.0f;
+      before = here;
+    }
+  }
+
+  int left_ = 0, bottom_ = 0, columns_ = 0, rows_ = 0;
+  std::vector<std::uint8_t> last_;  // one more than the last point of the light that was stopped
+  std::vector<float> dark_;
+};
+
+// squares of samples, where any of their corners is dark
+MeshPtr mesh_of(const Samples& samples) {
+  Mesh mesh;
+  const int columns = samples.columns() / kCorners + 1;
+  const int rows = samples.rows() / kCorners + 1;
+  const auto dark = [&](int x, int y) {
+    const int right = kCorners * x, up = kCorners * y;
+    if (right >= samples.columns() || up >= samples.rows()) return 0.0f;
+    const float in = 1.0f - glm::length(samples.place(right, up));
+    return samples.dark(right, up) * glm::clamp(in / kRim, 0.0f, 1.0f);
+  };
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> corners(
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), kNone);
+  const auto corner = [&](int x, int y) {
+    std::uint32_t& number =
+        corners[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                static_cast<std::size_t>(x)];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(mesh.vertices.size());
+      const glm::vec2 at = samples.place(kCorners * x, kCorners * y);
+      mesh.vertices.push_back({{at.x, at.y, 0.0f}, {0.0f, 0.0f, dark(x, y)}});
+    }
+    return number;
+  };
+  for (int y = 0; y + 1 < rows; ++y) {
+    for (int x = 0; x + 1 < columns; ++x) {
+      if (dark(x, y) + dark(x + 1, y) + dark(x, y + 1) + dark(x + 1, y + 1) == 0.0f) continue;
+      const std::uint32_t a = corner(x, y), b = corner(x + 1, y);
+      const std::uint32_t c = corner(x + 1, y + 1), d = corner(x, y + 1);
+      mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+    }
+  }
+  if (mesh.indices.empty()) return nullptr;
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+}  // namespace
+
+std::vector<Vec2> light_slopes(const Vec3& to_light) {
+  const Vec3 given = to_light.normalized();
+  const double height = std::max(given.z(), kLeastLightHeight);
+  const double across = std::sqrt(1.0 - height * height) / height;
+  const Vec2 middle = across * Vec2(given.x(), given.y()).stableNormalized();
+
+  // spread evenly over a disc (a sunflower's seeds), in an order in which any first ones are too
+  std::vector<Vec2> slopes;
+  Vec2 mean = Vec2::Zero();
+  const double golden = kPi * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < kLights; ++k) {
+    const int seed = 7 * k % kLights;
+    const double out = kLightSize * std::sqrt((seed + 0.5) / kLights);
+    slopes.emplace_back(out * std::cos(golden * seed), out * std::sin(golden * seed));
+    mean += slopes.back() / kLights;
+  }
+  for (Vec2& slope : slopes)
+    slope += middle - mean;
+  return slopes;
+}
+
+MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light) {
+  const std::vector<Vec2> slopes = light_slopes(to_light);
+  glm::vec2 low(std::numeric_limits<float>::infinity());
+  glm::vec2 high(-low);
+  std::vector<std::vector<glm::vec3>> points;
+  for (const ShadowCaster& caster : casters) {
+    points.push_back(in_samples(caster));
+    for (const Vec2& slope : slopes) {
+      for (const glm::vec3& p : points.back()) {
+        const glm::vec2 falls = glm::vec2(p) - p.z * glm::vec2(slope.x(), slope.y());
+        low = glm::min(low, falls);
+        high = glm::max(high, falls);
+      }
+    }
+  }
+  if (!(low.x <= high.x)) return nullptr;
+
+  Samples samples(low, high);
+  std::vector<glm::vec2> fallen;
+  for (int light = 0; light < kLights; ++light) {
+    const Vec2& there = slopes[static_cast<std::size_t>(light)];
+    const glm::vec2 slope(there.x(), there.y());
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+      // what is half transparent stops the light of half of the points
+      if (light + 0.5 > casters[i].density * kLights) continue;
+      fallen.clear();
+      for (const glm::vec3& p : points[i])
+        fallen.push_back(glm::vec2(p) - p.z * slope);
+      const std::vector<std::uint32_t>& indices = casters[i].mesh->indices;
+      for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
+        const std::uint32_t a = indices[k], b = indices[k + 1], c = indices[k + 2];
+        if (points[i][a].z + points[i][b].z + points[i][c].z <= 0.0f) continue;
+        // the sides that face the light are enough
+        const glm::vec2 ab = fallen[b] - fallen[a], ac = fallen[c] - fallen[a];
+        if (ab.x * ac.y <= ab.y * ac.x) continue;
+        samples.stop(light, fallen[a], fallen[b], fallen[c]);
+      }
+    }
+  }
+  samples.blur();
+  return mesh_of(samples);
+}
+
+}  // namespace polhode

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The shadow of bodies on a floor. A floor has coordinates of its own: it is the unit disc z = 0,
+// and what is above it has z > 0.
+#pragma once
+
+#include <vector>
+
+#include "frame/mesh.h"
+#include "frame/to_glm.h"
+
+namespace polhode {
+
+// The light is round and far away: its radius over its distance, for a light that stands overhead.
+inline constexpr double kLightSize = 0.1;
+// The least height of the light: a lower one is raised, so that no shadow becomes very long.
+inline constexpr double kLeastLightHeight = 0.5;  // sine of the angle above the floor
+// How far beyond its penumbra a shadow is smoothed, in radii of the floor.
+inline constexpr double kShadowBlur = 0.08;
+
+// Something that stops light.
+struct ShadowCaster {
+  MeshPtr mesh;  // not null; a rough one will do
+  Placement floor_from_mesh;
+  double density = 1.0;  // the part of the light that it stops, 0..1
+};
+
+// The directions to points of the light around `to_light` (floor coordinates, not zero), as slopes:
+// the shadow of a point p falls on (p.x, p.y) - p.z * slope. Their mean is that of the middle.
+std::vector<Vec2> light_slopes(const Vec3& to_light);
+
+// The shadow, as a flat mesh in the plane z = 0 of the floor. Its normals are not unit: their z is
+// the darkness (0..1), for a material that is `soft`. Parts below the floor throw no shadow, and
+// nothing falls beside the floor. Null if there is no shadow.
+MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light);
+
+}  // namespace polhode
