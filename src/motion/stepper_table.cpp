@@ -140,8 +140,12 @@ const StepperInfo& find_stepper(const std::string& name) {
 
 std::vector<const StepperInfo*> parse_methods(const std::string& names) {
   std::vector<const StepperInfo*> methods;
-  for (const std::string& name : split_names(names))
-    at_place({{}, 0, "--methods"}, [&] { methods.push_back(&find_stepper(name)); });
+  for (const std::string& name : split_names(names)) {
+    const StepperInfo& found =
+        at_place({{}, 0, "--methods"}, [&]() -> const StepperInfo& { return find_stepper(name); });
+    if (std::find(methods.begin(), methods.end(), &found) == methods.end())
+      methods.push_back(&found);
+  }
   if (methods.empty()) {
     for (const StepperInfo& row : stepper_table())
       methods.push_back(&row);

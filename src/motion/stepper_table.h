@@ -49,8 +49,8 @@ const std::vector<StepperInfo>& stepper_table();
 // The row of that name. Throws Error (input), without a key, that suggests the nearest name.
 const StepperInfo& find_stepper(const std::string& name);
 
-// The methods of a list such as "rk4,dop853", in its order, or all methods for "". Throws Error
-// (input), naming --methods, for an unknown or empty name.
+// The methods of a list such as "rk4,dop853", in its order and each once, or all methods for "".
+// Throws Error (input), naming --methods, for an unknown or empty name.
 std::vector<const StepperInfo*> parse_methods(const std::string& names);
 
 // "" if the method can integrate the model, else the reason why not and the names of methods that

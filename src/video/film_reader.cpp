@@ -184,13 +184,15 @@ class FilmReader::Implementation {
                                     nullptr,
                                     nullptr));
     if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
-    int matrix = from.colorspace;
+    // damaged films have values there that the enumeration lacks
+    int matrix = 0;
+    std::memcpy(&matrix, &from.colorspace, sizeof matrix);
+    const bool full = from.color_range == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB;
     if (matrix == AVCOL_SPC_UNSPECIFIED || matrix == AVCOL_SPC_RGB) {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
     }
     const int* weights = sws_getCoefficients(matrix);
-    const bool full = from.color_range == AVCOL_RANGE_JPEG || from.colorspace == AVCOL_SPC_RGB;
     constexpr int kOne = 1 << 16;
     // pixel formats without a matrix refuse this, and need none
     static_cast<void>(sws_setColorspaceDetails(

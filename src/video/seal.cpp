@@ -30,8 +30,9 @@ constexpr std::string_view kMatroskaBegins = "\x1a\x45\xdf\xa3";  // EBML, RFC 8
 // A file in memory, to be read only.
 class MappedFile {
  public:
+  // a pipe that nobody writes to is not waited for
   explicit MappedFile(const std::filesystem::path& file) {
-    const int handle = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const int handle = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     const off_t end = handle < 0 ? -1 : lseek(handle, 0, SEEK_END);
     if (end > 0) {
       size_ = static_cast<std::size_t>(end);

@@ -31,9 +31,12 @@ FrameRate parse_frame_rate(const std::string& text) {
       slash == std::string::npos ? std::optional(1) : parse_integer(text.substr(slash + 1));
   if (!above || !below) {
     const std::optional<double> decimal = parse_number(text);
-    if (decimal && *decimal > 0.0 && *decimal < kMostFramesPerSecond) {
+    if (decimal && *decimal >= 1.0 && *decimal < kMostFramesPerSecond) {
       throw input_error(
           "frame rates are exact: write \"{}\" instead of {}", exact_rate(*decimal), text);
+    }
+    if (decimal) {
+      throw input_error("must be 1 to {} frames per second, got {}", kMostFramesPerSecond, text);
     }
     throw input_error("'{}' is not a frame rate; write 60 or \"30000/1001\"", text.substr(0, 40));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "base/hash.h"
 #include "support/background.h"
@@ -248,6 +249,23 @@ TEST_F(SegmentsResumed, AKilledFilmGoesOnAndIsTheSame) {
     found += report.find(line.substr(line.rfind(' ') + 1)) != std::string::npos ? 1 : 0;
   }
   EXPECT_EQ(found, 800u);
+}
+
+// a pipe in a piece's place is not waited for, and what is not the program's is not removed
+TEST_F(SegmentsResumed, OtherFilesAmongThePiecesStay) {
+  const std::string notes = folder_ / ".a.mp4.parts/notes.txt";
+  std::filesystem::create_directories(folder_ / ".a.mp4.parts/more");
+  write_text(notes, "mine");
+  ASSERT_EQ(mkfifo(piece(3).c_str(), 0600), 0);
+  expect_one_line(render("a.mp4", "--resume -q"), 2, "00003.mp4: is no piece of a film");
+  std::filesystem::remove(piece(3));
+  ASSERT_EQ(render("a.mp4", "--resume -q").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(piece(1)));
+  EXPECT_EQ(read_text(notes), "mine");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / ".a.mp4.parts/more"));
+  expect_one_line(render("b.mp4", fmt::format("--resume --report {}", at(".b.mp4.parts"))),
+                  2,
+                  "--report would overwrite");
 }
 
 TEST_F(SegmentsResumed, AnInterruptKeepsPiecesAndSaysHowToGoOn) {

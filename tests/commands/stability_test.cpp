@@ -128,6 +128,8 @@ TEST_F(Stability, BadInputIsOneLine) {
       {"--y motion.spn --y-range 1:2", "motion.spn"},
       {"--x spin", "two different keys"},
       {"--turns 0", "--turns"},
+      {"--turns 1e9", "--turns: a run would take"},
+      {"--x-range 1e-300:1e-299", "--turns: a run would take"},
       {"--allowed -1", "--allowed"},
   };
   for (const auto& [options, words] : cases) {

@@ -125,6 +125,9 @@ TEST_F(Verify, OnePixelIsEnough) {
   image.at(3, 4)[1] ^= 1;
   write_png(folder_ / "f_7.png", image, false);
   expect("f_%d.png", 1, "frame 7 (0.700 s) differs");
+  std::filesystem::copy_file(folder_ / "f_3.png", folder_ / "f_15.png");
+  render("f_%d.png");
+  expect("f_%d.png", 1, "frame 15 (1.500 s) is one too many");
   std::filesystem::remove(folder_ / "f_5.png");
   expect("f_%d.png", 1, "frame 5 (0.500 s)");
   render("a.hash");
@@ -152,6 +155,12 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
     with([&](Json& r) { r[key] = 7; });
     expect("a.mp4", 1, fmt::format("was altered: {} is {}, and not 7", key, report[key].dump()));
   }
+  with([](Json& r) { r["trusted"] = !r["trusted"]; });
+  expect("a.mp4", 1, "was altered: trusted is ");
+  with([](Json& r) { r["doubts"].push_back("bad"); });
+  expect("a.mp4", 1, "was altered: doubts are []");
+  with([](Json& r) { r["accuracy_rad"] = 1.0; });
+  expect("a.mp4", 1, "was altered: accuracy_rad is ");
   with([](Json& r) { r.erase("edges"); });
   expect("a.mp4", 2, "is not a report");
   // nothing to compare with

@@ -56,6 +56,34 @@ TEST(Conditioning, SeparatrixIsDoubted) {
   EXPECT_NE(report.reliability.doubts[0].find("separatrix"), std::string::npos);
 }
 
+// a pendulum that is let go, for 1e13 s: off by 2.6e-3 rad against 50 digits
+TEST(Conditioning, ManyTurnsAreDoubted) {
+  BodyModel model = heavy_body({0.14, 0.14, 0.02}, Vec3(0, 0, 0.3 * 9.80665));
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.attitude.zxz = Vec3(0.1, 0.7, 0.2);
+  for (const double duration : {1e3, 1e9, 1e13}) {
+    spec.duration = duration;
+    const SimulationReport report = simulate(model, spec, {}, 1e-4).report;
+    EXPECT_EQ(report.method, "exact");
+    EXPECT_GT(report.conditioning->effect, duration * 2.6e-16);
+    EXPECT_LT(report.conditioning->effect, duration * 1e-14);
+    EXPECT_EQ(report.reliability.doubts.empty(), duration < 1e11) << duration;
+    EXPECT_EQ(report.conditioning->exceeds_limit, duration > 1e11) << duration;
+  }
+}
+
+// the last digits of an attitude are not rounded away
+TEST(Conditioning, NeighboursOfTheLastDigitsAreOthers) {
+  const State start{exp_rotation({0.1, 0.2, 0.3}), {1.0, 2.0, 3.0}};
+  for (const State& s : neighbours_of(start, 0x1p-49).starts) {
+    const double turned = (s.q.coeffs() - start.q.coeffs()).norm();
+    const double changed = (s.y - start.y).norm() / start.y.norm();
+    EXPECT_GT(std::max(turned, changed), 0.2 * 0x1p-49);
+    EXPECT_LT(std::max(turned, changed), 1.5 * 0x1p-49);
+  }
+}
+
 TEST(Conditioning, IsNotDoubtedAwayFromIt) {
   EXPECT_TRUE(report_of(free_body({1, 2, 3}), {1.0, 0.3, 0.5}, 60.0).reliability.doubts.empty());
 }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* kSpinKey = "spin";
 constexpr int kMostCells = 1024;  // in one direction
+constexpr double kMostStepsOfCell = 1e6;
 
 MapAxis parse_range(const std::string& text, const std::string& option) {
   MapAxis axis;
@@ -75,9 +76,20 @@ StabilitySetup make_setup(const MappedScene& place, double x, double y, const St
     const double rate = typical_rate(model, start);
     if (rate <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
+    const double duration = job.turns * 2.0 * kPi / rate;
     StabilitySetup setup;
-    setup.problem = std::make_unique<StabilityProblem>(model, start, job.turns * 2.0 * kPi / rate);
     setup.step = step.value_or(scene.numerics.step.value_or(0.1 / rate));
+    if (const double steps = duration / setup.step; !(steps <= kMostStepsOfCell)) {
+      throw input_error(
+          "a run would take {:.3g} steps of {:.3g} s, and a map has to do with {:.0e}; ask for "
+          "fewer "
+          "turns or longer steps",
+          steps,
+          setup.step,
+          kMostStepsOfCell)
+          .at({{}, 0, "--turns"});
+    }
+    setup.problem = std::make_unique<StabilityProblem>(model, start, duration);
     return setup;
   });
 }

@@ -54,7 +54,8 @@ MappedScene make_place(const std::filesystem::path& file,
 
 // Computes the setups of all cells, with their reference solutions, on job.jobs threads. Throws
 // Error (input) as load_scene, make_model and start_state do for values along the axes that the
-// scene cannot have, and with motion.spin as key for a body at rest; (interrupted).
+// scene cannot have, with motion.spin as key for a body at rest, and with --turns as key for runs
+// of more than a million steps; (interrupted).
 void prepare_place(MappedScene& place, const StabilityJob& job);
 
 // Runs the method on one cell, see try_method() (chart/stability.h); column and row count from 0,

@@ -11,6 +11,7 @@
 #include "base/system/overwriting.h"
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
+#include "film/output/resumed_film.h"
 #include "film/report/film_report.h"
 #include "video/captions.h"
 #include "video/frame_sink.h"
@@ -55,6 +56,7 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
         .at({{}, 0, "--report"});
   }
   refuse_same_file(job.report, "--report", {output});
+  if (plan.resume) refuse_same_file(job.report, "--report", {folder_of_pieces(output)});
   if (!plan.story.empty()) refuse_same_file(job.report, "--report", {captions_beside(output)});
   if (output.ends_with(".png") && has_frame_number(output) && !job.report.empty() &&
       is_frame_of(output, job.report)) {

@@ -2,10 +2,12 @@
 #include "app/commands/verify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/system/interrupt.h"
 #include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
@@ -36,6 +38,8 @@ struct Again {
     return fmt::format("frame {} ({:.3f} s)", number, number / fps.value());
   }
 };
+
+constexpr double kRoundOff = 1e-9;  // rad; below it, errors are not compared
 
 // empty: there is none
 using DifferenceInWords = std::string;
@@ -73,6 +77,13 @@ DifferenceInWords compare_films(const Again& again) {
   }
 }
 
+// a picture behind the last one would be taken for one of the film
+DifferenceInWords compare_count(const Again& again) {
+  const int behind = again.first + again.count;
+  if (!is_there(parse_numbered_name(again.judged).of(behind))) return {};
+  return fmt::format("{} is one too many", again.frame(behind));
+}
+
 DifferenceInWords compare_pictures(const Again& again, bool numbered) {
   for (int number = again.first; number < again.first + again.count; ++number) {
     stop_if_interrupted();
@@ -88,7 +99,7 @@ DifferenceInWords compare_pictures(const Again& again, bool numbered) {
     }
     return fmt::format("{} differs", again.frame(number));
   }
-  return {};
+  return numbered ? compare_count(again) : "";
 }
 
 DifferenceInWords compare_lists(const Again& again) {
@@ -162,6 +173,7 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
                           "edges",
                           "model",
                           "method",
+                          "trusted",
                           "frames",
                           "width",
                           "height",
@@ -170,6 +182,18 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
     const Json says = reported.value(key, Json());
     if (says == made.at(key)) continue;
     return fmt::format("{} is {}, and not {}", key, made.at(key).dump(), one_line(says.dump()));
+  }
+  // their numbers may be rounded otherwise on another machine
+  const Json doubts = reported.value("doubts", Json());
+  if (!doubts.is_array() || doubts.size() != made.at("doubts").size())
+    return fmt::format("doubts are {}", made.at("doubts").dump());
+  for (const char* key : {"accuracy_rad", "error_estimate_rad", "attitude_error_rad"}) {
+    const Json says = reported.value(key, Json()), is = made.at(key);
+    const bool same = says.is_number() && is.is_number()
+                          ? std::abs(says.get<double>() - is.get<double>()) <=
+                                0.1 * std::abs(is.get<double>()) + kRoundOff
+                          : says == is;
+    if (!same) return fmt::format("{} is {}, and not {}", key, is.dump(), one_line(says.dump()));
   }
   return {};
 }

@@ -85,10 +85,11 @@ fs::path reference_file(const fs::path& folder, const std::string& name, const s
 std::vector<LoadedCase> load_cases(const fs::path& folder, const std::string& names) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
-    throw input_error("the folder does not exist").at({folder.string(), 0, {}});
+    throw input_error("{}", is_there(folder) ? "is no folder" : "the folder does not exist")
+        .at({folder.string(), 0, {}});
   }
   const fs::path list = folder / "cases.toml";
-  if (!fs::exists(list, ignored)) {
+  if (!is_there(list)) {
     throw input_error("has no cases.toml; docs/golden.md describes it")
         .at({folder.string(), 0, {}});
   }
@@ -116,7 +117,15 @@ DrawnCase draw_case(const fs::path& folder,
   job.backend = backend;
   job.progress = ProgressKind::none;
   job.report = scratch / (one.name + ".json");
-  render_film(job);
+  try {
+    render_film(job);
+  } catch (const Error& error) {
+    // nobody gave this option
+    if (error.place().key != "--still") throw;
+    throw Error(error.fault(),
+                error.message(),
+                {(folder / "cases.toml").string(), 0, fmt::format("{}.still", one.name)});
+  }
 
   DrawnCase drawn;
   drawn.image = read_png(job.output);

@@ -19,6 +19,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// what fails leaves pictures where no reference is looked for
+void refuse_folder_of_references(const GoldenJob& job) {
+  std::error_code ignored;
+  const fs::path output = fs::weakly_canonical(job.output, ignored);
+  if (output != fs::weakly_canonical(job.folder, ignored)) return;
+  throw input_error("is the folder of the references; choose another").at({{}, 0, "--output"});
+}
+
 // pictures of failures, for a person; of what passes none are left
 void leave_pictures(const fs::path& folder, const LoadedCase& one, const CaseResult& result) {
   const fs::path actual = folder / (one.spec.name + ".actual.png");
@@ -108,6 +116,7 @@ int exit_code_of(const std::vector<CaseResult>& results) {
 
 GoldenResult golden_run(const GoldenJob& job) {
   const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  refuse_folder_of_references(job);
   std::unique_ptr<OutputFolder> page;
   if (!job.html.empty()) {
     page =
@@ -131,11 +140,14 @@ GoldenResult golden_run(const GoldenJob& job) {
       "{:<28} {:<15} {:>7} {:>9}  {}\n", "case", "", "largest", "over max", "reference");
   for (std::size_t i = 0; i < cases.size(); ++i)
     text += row(cases[i], results[i]);
+  const bool pictures = std::any_of(results.begin(), results.end(), [](const CaseResult& result) {
+    return result.drawn && !result.same();
+  });
   text += good ? fmt::format("all {} cases are the same\n", cases.size())
-               : fmt::format("{} of {} cases failed; their pictures are in {}\n",
+               : fmt::format("{} of {} cases failed{}\n",
                              static_cast<long>(cases.size()) - same,
                              cases.size(),
-                             job.output);
+                             pictures ? "; their pictures are in " + job.output : "");
   return {exit_code_of(results), text};
 }
 

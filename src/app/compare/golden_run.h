@@ -12,8 +12,8 @@ namespace polhode {
 // removed first, also for cases that pass or cannot be rendered. Writes the HTML page if it is
 // asked for. Throws Error as load_cases (app/compare/golden_cases.h) and draw_cases
 // (app/compare/golden_results.h) do; (input) with --output or --html as key if that folder cannot
-// be created, and as AtomicFile (base/system/atomic_file.h) does for the pictures and the page;
-// (environment) if one cannot be written.
+// be created, or if --output is job.folder; and as AtomicFile (base/system/atomic_file.h) does for
+// the pictures and the page; (environment) if one cannot be written.
 GoldenResult golden_run(const GoldenJob& job);
 
 }  // namespace polhode

@@ -142,6 +142,7 @@ void refuse_unless_file(const fs::path& path) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (status.type() == fs::file_type::not_found) {
+    if (path.empty()) throw input_error("an empty text names no file");
     throw input_error("the file does not exist").at(place);
   }
   // a link to itself, or a folder that may not be entered

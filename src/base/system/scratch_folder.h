@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include <sys/stat.h>
+
 #include "base/error.h"
 #include "base/system/unfinished.h"
 
@@ -36,6 +38,7 @@ class ScratchFolder {
                               where.string(),
                               std::strerror(errno));
     }
+    chmod(name.c_str(), S_IRWXU);  // whatever the umask
     path_ = name;
     unfinished_.emplace(path_);
   }

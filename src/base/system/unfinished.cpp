@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/unfinished.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -63,14 +65,36 @@ void remove_unfinished() {
   }
 }
 
-extern "C" void end_after_crash(int signal) {
-  constexpr std::string_view kWords =
+// what the program, a library or the machine does wrong; the rest comes from outside
+constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS};
+constexpr int kOrders[] = {SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF};
+
+extern "C" void end_after_signal(int signal) {
+  constexpr std::string_view kCrash =
       "polhode: crashed: a fault of the program or of a library, or no memory left; what was "
       "unfinished is removed\n";
-  static_cast<void>(!write(STDERR_FILENO, kWords.data(), kWords.size()));
+  constexpr std::string_view kLimit =
+      "polhode: the limit of processor time is reached (ulimit -t); what was unfinished is "
+      "removed\n";
+  constexpr std::string_view kOrder =
+      "polhode: ended by a signal; what was unfinished is removed\n";
+  const bool crashed =
+      std::find(std::begin(kCrashes), std::end(kCrashes), signal) != std::end(kCrashes);
+  const std::string_view words = crashed ? kCrash : signal == SIGXCPU ? kLimit : kOrder;
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
   remove_unfinished();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
+}
+
+void tidy_up_after(int signal) {
+  struct sigaction now {};
+  sigaction(signal, nullptr, &now);
+  if ((now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL) return;
+  struct sigaction ours {};
+  ours.sa_handler = end_after_signal;
+  ours.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  sigaction(signal, &ours, nullptr);
 }
 
 }  // namespace
@@ -108,15 +132,10 @@ void tidy_up_after_crashes() {
   stack.ss_sp = other_stack.data();
   stack.ss_size = other_stack.size();
   sigaltstack(&stack, nullptr);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP}) {
-    struct sigaction now {};
-    sigaction(signal, nullptr, &now);
-    if ((now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL) continue;
-    struct sigaction ours {};
-    ours.sa_handler = end_after_crash;
-    ours.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
-    sigaction(signal, &ours, nullptr);
-  }
+  for (const int signal : kCrashes)
+    tidy_up_after(signal);
+  for (const int signal : kOrders)
+    tidy_up_after(signal);
 }
 
 }  // namespace polhode

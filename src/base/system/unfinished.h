@@ -34,9 +34,10 @@ void end_with_all_it_started(pid_t child);
 // May be called in a signal handler.
 [[noreturn]] void end_at_once(int exit_code);
 
-// From now on, a crash (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP) says so in one line on
-// standard error and removes what is unfinished before it ends the process. Signals that somebody
-// else handles, such as a sanitizer, stay as they are.
+// From now on, a crash (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS) or a signal that
+// asks for the end without saying when (SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF)
+// says so in one line on standard error and removes what is unfinished before it ends the process.
+// Signals that somebody else handles, such as a sanitizer, stay as they are.
 void tidy_up_after_crashes();
 
 }  // namespace polhode

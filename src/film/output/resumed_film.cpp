@@ -23,12 +23,6 @@ namespace {
 
 constexpr double kSegmentSeconds = 5.0;  // of film: at most so much is lost
 
-// .film.mp4.parts beside film.mp4
-std::string folder_of(const std::string& output) {
-  const fs::path path(output);
-  return (path.parent_path() / fmt::format(".{}.parts", path.filename().string())).string();
-}
-
 StageTime sum(const StageTime& a, const StageTime& b) {
   return {a.wall_s + b.wall_s, a.cpu_s + b.cpu_s};
 }
@@ -41,17 +35,22 @@ const std::string& examined(const RenderPlan& plan) {
 
 }  // namespace
 
+std::string folder_of_pieces(const std::string& output) {
+  const fs::path path(output);
+  return (path.parent_path() / fmt::format(".{}.parts", path.filename().string())).string();
+}
+
 ResumedFilm::ResumedFilm(const RenderPlan& plan)
     : plan_(plan),
-      folder_(folder_of(plan.sink.output)),
+      folder_(folder_of_pieces(plan.sink.output)),
       ending_(fs::path(plan.sink.output).extension().string()),
       joiner_(examined(plan)) {}
 
-// an empty folder is no use to the next run
+// an empty folder is no use to the next run; a link to one stays
 ResumedFilm::~ResumedFilm() {
   segment_.reset();
   std::error_code ignored;
-  fs::remove(folder_, ignored);
+  if (!fs::is_symlink(folder_, ignored)) fs::remove(folder_, ignored);
 }
 
 std::string ResumedFilm::file_of(int number) const {
@@ -94,6 +93,9 @@ bool ResumedFilm::is_whole(int number) const {
   const std::string file = file_of(number);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return false;
+  if (!fs::is_regular_file(file, ignored)) {
+    throw input_error("is no piece of a film; remove it").at({file, 0, {}});
+  }
   try {
     if (sealed_text(file) && record_in(file).shard.number == number) return true;
   } catch (const Error& error) {
@@ -181,8 +183,10 @@ void ResumedFilm::finish() {
     parts.push_back({file_of(number), range_of({number, segments_}, metadata_.frames).count});
   }
   joiner_.join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  // what else somebody keeps in the folder is not ours
+  for (int number = 1; number <= segments_; ++number) {
+    remove_file(file_of(number));
+  }
 }
 
 Error ResumedFilm::explained(const Error& error) const {

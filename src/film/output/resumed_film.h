@@ -12,12 +12,15 @@
 
 namespace polhode {
 
-// The segments of film.mp4 are in the folder .film.mp4.parts/ beside it, each about five seconds
+// The folder .film.mp4.parts beside film.mp4.
+std::string folder_of_pieces(const std::string& output);
+
+// The segments of a film are in folder_of_pieces(), each about five seconds
 // long. A segment gets its name when it is complete and sealed (video/seal.h). push() of the sink
 // opens them, and also throws Error as make_sink (video/sink_kinds.h) and comment_with
-// (film/output/segments.h) do. finish() joins them into the film and removes the folder; it also
-// throws Error as FilmJoiner::join does, and (environment) if a segment has changed. Invariant: the
-// folder contains segments of this film only.
+// (film/output/segments.h) do. finish() joins them into the film and removes them and, if it is
+// empty, the folder; it also throws Error as FilmJoiner::join does, and (environment) if a segment
+// has changed or cannot be removed. Invariant: the folder contains segments of this film only.
 class ResumedFilm final : public RenderOutput, private FrameSink {
  public:
   // Claims the output. `plan` must outlive this object. Throws Error (input) and (environment) as
@@ -27,7 +30,8 @@ class ResumedFilm final : public RenderOutput, private FrameSink {
 
   // Looks for segments of an earlier run, says on stderr how many are complete, and warns of
   // damaged ones, which are made again. Throws Error (input) with --resume as key if they belong to
-  // another film or the folder cannot be created; (interrupted).
+  // another film or the folder cannot be created, and without a key if a segment's name is taken by
+  // something else than a file; (interrupted).
   void begin(const PreparedFilm& film) override;
   FrameSink& sink() override { return *this; }
   SinkTimes times() const override;

@@ -164,7 +164,7 @@ std::string difference_between(const SegmentRecord& a, const SegmentRecord& b) {
   if (a.ffmpeg != b.ffmpeg) {
     return fmt::format("versions differ (FFmpeg {} and {})", a.ffmpeg, b.ffmpeg);
   }
-  if (a.scene != b.scene) return "scenes differ";
+  if (a.scene != b.scene) return "scenes differ, or options that change them";
   for (const auto& [key, value] : a.settings) {
     const auto other = b.settings.find(key);
     if (other == b.settings.end()) return fmt::format("settings differ ({})", key);

@@ -69,7 +69,8 @@ FilmOutput::FilmOutput(const std::string& output) {
   file_.emplace(output);
   // the protocol is named, or libav would find one in a name such as "take:1.mp4"
   url_ = "file:" + file_->part().string();
-  check_libav(avio_open(&stream_, url_.c_str(), AVIO_FLAG_WRITE), "cannot open the film");
+  check_libav(avio_open(&stream_, url_.c_str(), AVIO_FLAG_WRITE),
+              fmt::format("cannot open the film {}", output));
 }
 
 FilmOutput::~FilmOutput() {

@@ -86,6 +86,8 @@ TEST(GoldenCases, AFolderWithoutAListIsRefused) {
   test::expect_input_error([&] { load_cases(empty.path(), ""); }, "", "has no cases.toml");
   test::expect_input_error(
       [&] { load_cases(empty / "none", ""); }, "", "the folder does not exist");
+  test::write_text(empty / "file", "");
+  test::expect_input_error([&] { load_cases(empty / "file", ""); }, "", "is no folder");
 }
 
 // as `render --still` draws it, and what it was drawn with

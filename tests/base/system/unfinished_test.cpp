@@ -74,7 +74,7 @@ TEST(Unfinished, IsRemovedAfterACrash) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "crashes are the sanitizer's";
 #endif
-  for (const int signal : {SIGSEGV, SIGABRT, SIGTRAP}) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGTRAP, SIGQUIT, SIGXCPU, SIGUSR1}) {
     const ScratchFolder folder;
     const int code = exit_code_in_child([&] {
       tidy_up_after_crashes();
