@@ -7,9 +7,9 @@ namespace polhode {
 namespace {
 
 constexpr double kStandRadius = 0.17;
-constexpr double kFloorRadius = 1.6;
+constexpr double kFloorRadius = 1.4;
 constexpr double kFreeFloorRadius = 2.2;  // under a free body
-constexpr double kFramedFloor = 0.55;     // the part of it that a picture has to show
+constexpr double kFramedFloor = 0.65;     // the part of it that a picture has to show
 constexpr double kFreeFloor = 1.25;       // below the centre of a free body
 constexpr float kShadowDepth = 0.5f;      // how dark a full shadow is
 constexpr float kGhostAlpha = 0.16f;
