@@ -188,7 +188,8 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
   if (!doubts.is_array() || doubts.size() != made.at("doubts").size())
     return fmt::format("doubts are {}", made.at("doubts").dump());
   for (const char* key : {"accuracy_rad", "error_estimate_rad", "attitude_error_rad"}) {
-    const Json says = reported.value(key, Json()), is = made.at(key);
+    const Json says = reported.value(key, Json());
+    const Json& is = made.at(key);
     const bool same = says.is_number() && is.is_number()
                           ? std::abs(says.get<double>() - is.get<double>()) <=
                                 0.1 * std::abs(is.get<double>()) + kRoundOff
