@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/pages.h"
 
+#include <cmath>
 #include <cstdlib>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "frame/theme.h"
+#include "html/page_parts.h"
 #include "lecture/decks.h"
 #include "support/in_child.h"
 #include "support/run.h"
@@ -85,6 +89,20 @@ TEST(Pages, HaveWhatTheirReadersNeed) {
   const std::string slides = slides_page({}, "b", {"4", "/* reveal */", "reveal()", ""});
   EXPECT_LT(slides.find("/* reveal */"), slides.find("</style>"));
   EXPECT_LT(slides.find("reveal()"), slides.rfind("<script nonce")) << "ours comes behind it";
+}
+
+// page, slide and film are one ground: a letterbox between them would be a third dark
+TEST(Pages, HaveTheGroundOfTheirFilms) {
+  const glm::vec3 ground = 255.0f * find_theme("dark").background;
+  const std::string color = fmt::format(
+      "#{:02x}{:02x}{:02x}", std::lround(ground.r), std::lround(ground.g), std::lround(ground.b));
+  for (const std::string& css : {lecture_css(), slides_css()}) {
+    EXPECT_TRUE(has(css, "video { ")) << "films have a rule";
+    EXPECT_TRUE(has(css, "background: " + color));
+  }
+  EXPECT_TRUE(has(lecture_css(), "--paper: " + color));
+  EXPECT_TRUE(has(slides_css(),
+                  ".reveal-viewport, html, body { margin: 0; height: 100%; background: " + color));
 }
 
 // a child has its own environment: is reveal.js found, and is it this one?

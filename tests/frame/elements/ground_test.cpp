@@ -79,7 +79,8 @@ TEST(Ground, TheShadowFollowsTheBody) {
     const Placement floor = picture.glyphs_at(sample).floors.at(0).disc.space_from_mesh;
     Vec3 sum = Vec3::Zero();
     double dark = 0.0;
-    for (const Vertex& vertex : picture.at(t).translucent.at(1).mesh->vertices) {
+    const DrawItem shadow = picture.at(t).translucent.at(1);
+    for (const Vertex& vertex : shadow.mesh->vertices) {
       sum += vertex.normal.z * (floor * to_eigen(vertex.position));
       dark += vertex.normal.z;
     }
