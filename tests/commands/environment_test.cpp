@@ -122,6 +122,66 @@ TEST(Environment, TooManyOpenFilesAreNoBadInput) {
   }
 }
 
+// what tests/support/lacking.cpp takes away, one at a time; the film and the captions of an earlier
+// run stay, or the film is whole
+TEST(Environment, WhatLibrariesLackIsToldInOneLine) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer wants to be loaded first";
+#endif
+  const struct {
+    const char *lacks, *output, *options, *says;
+  } cases[] = {
+      {"threads", "a.png", " --still 0", "no more than 0 threads can be started"},
+      {"shared_memory", "a.mp4", " --jobs 2", "not enough memory for so many --jobs"},
+      {"chapters", "a.mp4", "", "no memory for the film"},
+      {"cairo", "a.mp4", "", "text cannot be drawn: out of memory"},
+      {"removal", "a.mp4", "", "cannot remove the captions of an earlier film"},
+      {"reason", "a.mp4", "", "unexpected: no reason"},
+  };
+  for (const auto& [lacks, output, options, says] : cases) {
+    SCOPED_TRACE(lacks);
+    const TemporaryFolder folder;
+    std::string scene = test::kSmallScene;
+    // a film without captions removes those of an earlier film
+    const bool captions = lacks != std::string("removal");
+    scene += "[[shots]]\nat = 0\nname = \"start\"\n";
+    if (captions) scene += "[[story]]\nat = 0\ncaption = \"It turns\"\n";
+    write_text(folder / "scene.toml", scene);
+    write_text(folder / "a.mp4", "old");
+    write_text(folder / "a.vtt", "WEBVTT - captions by polhode\n");
+    const Ran ran = run_polhode(
+        "render '" + (folder / "scene.toml") + "' -o '" + (folder / output) + "'" + options,
+        std::string("POLHODE_LACKS=") + lacks + " LD_PRELOAD='" POLHODE_LACKING "'");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_EQ(lines_of_polhode(ran.err), 1) << ran.err;
+    EXPECT_NE(ran.err.find(says), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.entries(), 3);
+    if (captions) {
+      EXPECT_EQ(test::read_text(folder / "a.mp4"), "old");
+    }
+  }
+}
+
+// libraries that are opened only where they are needed
+TEST(Environment, LibrariesThatAreOpenedLateAreNamed) {
+  const TemporaryFolder folder, libraries;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  for (int version = 7; version < 15; ++version) {
+    write_text(libraries / ("libavfilter.so." + std::to_string(version)), "");
+  }
+  const std::string render = "render '" + (folder / "scene.toml") + "' -o '" + (folder / "a");
+  const Ran gif =
+      run_polhode(render + ".gif'", "LD_LIBRARY_PATH='" + libraries.path().string() + "'");
+  EXPECT_EQ(gif.code, 3) << gif.err;
+  EXPECT_NE(gif.err.find("a GIF needs libavfilter"), std::string::npos) << gif.err;
+  // an EGL that knows no driver
+  const Ran egl =
+      run_polhode(render + ".mp4' --backend egl", "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json");
+  EXPECT_EQ(egl.code, 3) << egl.err;
+  EXPECT_NE(egl.err.find("EGL has no surfaceless platform"), std::string::npos) << egl.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 // Mesa and Pango crash when the environment asks for what they do not have
 TEST(Environment, DriversThatAreNotThereAreRefused) {
   const TemporaryFolder folder;

@@ -191,7 +191,7 @@ TEST_F(Formats, AMissingEncoderIsNamedWithWhatToInstall) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer wants to be loaded first";
 #endif
-  const std::string without = "LD_PRELOAD='" POLHODE_WITHOUT_ENCODERS "'";
+  const std::string without = "POLHODE_LACKS=encoders LD_PRELOAD='" POLHODE_LACKING "'";
   const struct {
     Way way;
     const char* says;

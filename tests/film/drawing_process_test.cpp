@@ -137,6 +137,9 @@ TEST(DrawingProcess, WhatCannotBeOpenedIsAnErrorOfTheFirstLook) {
   DrawingProcess other(
       kPaper, {1}, []() -> std::unique_ptr<FrameRenderer> { throw std::logic_error("odd"); });
   test::expect_error([&] { other.info(); }, Fault::environment, "", "unexpected: odd");
+  DrawingProcess full(
+      kPaper, {1}, []() -> std::unique_ptr<FrameRenderer> { throw std::bad_alloc(); });
+  test::expect_error([&] { full.info(); }, Fault::environment, "", "out of memory");
 }
 
 TEST(DrawingProcess, OneThatIsKilledOrEndsIsAnErrorOfTheEnvironment) {

@@ -61,6 +61,21 @@ std::string flat_head() {
          shader_source("light.glsl");
 }
 
+// a function that is declared and nowhere defined
+TEST_F(GlObjects, ShadersThatDoNotLinkAreAnError) {
+  test::expect_error(
+      [&] {
+        const Program program(
+            gl_,
+            "scene.vert",
+            "scene.frag",
+            flat_head() + "float nowhere(vec3 a, vec3 b);\n#define dot nowhere\n");
+      },
+      Fault::environment,
+      "",
+      "shaders scene.vert and scene.frag do not link here");
+}
+
 // a mesh covers the pixels whose centres lie inside of it, and no others
 TEST_F(GlObjects, AMeshIsDrawnWhereItsCornersAre) {
   const Framebuffer buffer(gl_, kSide, kSide, 0, false);

@@ -2,6 +2,7 @@
 #include "text/typesetter.h"
 
 #include <cmath>
+#include <glib.h>
 
 #include <gtest/gtest.h>
 
@@ -161,6 +162,13 @@ TEST(Typesetter, ARimStandsAroundTheLetters) {
     blue = blue || stamp.sprite->pixels[i + 2] > 200;
   }
   EXPECT_TRUE(red && blue);
+}
+
+// GLib aborts where it finds no memory; the process ends in our words, and with our exit code
+TEST(Typesetter, WhatGlibCannotDoEndsTheProcessInOneLine) {
+  Typesetter typesetter;
+  typesetter.measure("a", style(20));
+  EXPECT_EXIT(g_error("no memory"), ::testing::ExitedWithCode(3), "text cannot be set: no memory");
 }
 
 }  // namespace
