@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 
 #include "app/version_text.h"
 #include "base/error.h"
@@ -113,7 +114,18 @@ void keep_large_blocks_apart() {
 #endif
 }
 
+// a stack that overflows is a crash with no reason
+void refuse_small_stack() {
+  constexpr rlim_t kLeast_KB = 512;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >> 10 >= kLeast_KB) return;
+  throw environment_error("the stack may have {} KB only (ulimit -s); {} KB are needed",
+                          limit.rlim_cur >> 10,
+                          kLeast_KB);
+}
+
 int run(int argc, char** argv) {
+  refuse_small_stack();
   CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
   app.set_version_flag("--version", version_text(program_commit()));
   bool verbose = false;

@@ -120,11 +120,11 @@ Comparison::Comparison(const Solved& truth, double frame_s)
   for (std::size_t i = 0; i < scene.numerics.compare.size(); ++i) {
     try {
       contenders_.push_back(run(scene, model, truth.simulation.motion, scene.numerics.compare[i]));
+      contenders_.back().untrusted_from = first_error(contenders_.back(), frame_s);
     } catch (const Error& error) {
       const Error found(error.fault(), error.message());
       throw placed(scene, found.at({{}, 0, fmt::format("numerics.compare[{}]", i)}));
     }
-    contenders_.back().untrusted_from = first_error(contenders_.back(), frame_s);
   }
 }
 

@@ -15,7 +15,8 @@ namespace {
 template <class Spec>
 Spec load(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const toml::table tree = parse_toml(read_file(file, kLargestScene), name);
+  const toml::table tree =
+      parse_toml(read_file(file, kLargestScene), name, "it needs the keys of golden pictures");
   Spec spec;
   Reader reader(tree, {name, 0, {}}, keys_of<Spec>());
   reader.read_tables({tree, {name, 0, {}}, suffixes_of(Unit::none).front()}, spec);

@@ -77,9 +77,9 @@ std::string cut(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most)) + "...";
 }
 
-toml::table parse_toml(std::string_view text, const std::string& name) {
+toml::table parse_toml(std::string_view text, const std::string& name, const std::string& least) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw input_error("is empty; a scene needs at least a [body] table").at({name, 0, {}});
+    throw input_error("is empty; {}", least).at({name, 0, {}});
   }
   if (text.size() > kLargestScene) {
     throw input_error("is larger than {} bytes; is this a scene?", kLargestScene).at({name, 0, {}});

@@ -14,10 +14,13 @@ namespace polhode {
 inline constexpr std::size_t kLargestScene = 16'000'000;  // bytes
 inline constexpr int kDeepestNesting = 32;                // nested brackets, or dots in one key
 
-// Parses a TOML text; `name` is the file name for messages. Throws Error (input) with the file for
-// empty text and text of more than kLargestScene bytes; with file and line for bytes that are not
-// UTF-8, nesting deeper than kDeepestNesting, and syntax errors.
-toml::table parse_toml(std::string_view text, const std::string& name);
+// Parses a TOML text; `name` is the file name for messages, and `least` what the file needs, such
+// as "a scene needs at least a [body] table". Throws Error (input) with the file for empty text and
+// text of more than kLargestScene bytes; with file and line for bytes that are not UTF-8, nesting
+// deeper than kDeepestNesting, and syntax errors.
+toml::table parse_toml(std::string_view text,
+                       const std::string& name,
+                       const std::string& least = "a scene needs at least a [body] table");
 
 // At most the first `most` bytes of a user's text, for messages, followed by "..." if something is
 // cut off. Never splits a UTF-8 character.

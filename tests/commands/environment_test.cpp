@@ -84,6 +84,15 @@ TEST(Environment, LittleMemoryIsToldInOneLine) {
   }
 }
 
+TEST(Environment, ASmallStackIsToldBeforeItOverflows) {
+  for (const int stack_KB : {64, 256}) {
+    const Ran ran = run_polhode("list shapes", "ulimit -s " + std::to_string(stack_KB) + ";");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("ulimit -s"), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(run_polhode("list shapes", "ulimit -s 512;").code, 0);
+}
+
 // a decoder that gets no memory takes the film for damaged
 TEST(Environment, AFilmIsNotDamagedWhereMemoryLacks) {
 #ifdef __SANITIZE_ADDRESS__
