@@ -39,6 +39,41 @@ std::vector<Vec2> upwards(std::vector<Vec2> profile) {
   return profile;
 }
 
+// Leaves out the points that lie within `tolerance` (m) of a straight piece between others (Douglas
+// and Peucker, Cartographica 10 (1973) 112), unless the outline turns noticeably on the way.
+std::vector<Vec2> simplified(const std::vector<Vec2>& outline, double tolerance) {
+  constexpr double kMostTurn = 0.15;  // rad, from the piece to the edges that it stands for
+  const double least = std::cos(kMostTurn);
+  std::vector<Vec2> kept = {outline.front()};
+  // the pieces that are still to be looked at, the lowest on top
+  std::vector<std::pair<std::size_t, std::size_t>> pieces = {{0, outline.size() - 1}};
+  while (!pieces.empty()) {
+    const auto [first, last] = pieces.back();
+    pieces.pop_back();
+    const Vec2 along = outline[last] - outline[first];
+    const double length = along.norm();
+    double farthest = 0.0;
+    std::size_t split = (first + last) / 2;
+    bool straight = length > 0.0;
+    for (std::size_t i = first; i < last && length > 0.0; ++i) {
+      const Vec2 edge = outline[i + 1] - outline[i], out = outline[i] - outline[first];
+      straight = straight && edge.dot(along) >= least * edge.norm() * length;
+      const double distance = std::abs(along.x() * out.y() - along.y() * out.x()) / length;
+      if (distance > farthest) {
+        farthest = distance;
+        split = i;
+      }
+    }
+    if (last - first < 2 || (straight && farthest <= tolerance)) {
+      kept.push_back(outline[last]);
+    } else {
+      pieces.emplace_back(split, last);
+      pieces.emplace_back(first, split);
+    }
+  }
+  return kept;
+}
+
 Mesh cylinder_mesh(double radius, double height, int segments) {
   const double z = 0.5 * height;
   return revolved({{0, -z}, {radius, -z}, {radius, z}, {0, z}}, segments);
@@ -192,7 +227,9 @@ Mesh solid_mesh(const SolidSpec& s, int segments) {
     radius = std::max(radius, point.x());
     reach = std::max(reach, point.norm());
   }
-  return revolved(outline, thinner(radius, reach));
+  // as far off as the pieces of its circles
+  const double tolerance = reach * (1.0 - std::cos(kPi / segments));
+  return revolved(simplified(outline, tolerance), thinner(radius, reach));
 }
 
 std::vector<LookPart> body_look(const BodySpec& spec,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,43 @@ TEST(BodyLook, ALatheDrawnDownwardsLooksTheSame) {
   std::reverse(down.profile.begin(), down.profile.end());
   EXPECT_NEAR(
       signed_volume(solid_mesh(down, 64)), signed_volume(solid_mesh(example("lathe"), 64)), 1e-6);
+}
+
+// a smooth outline has eight pieces between two points; most are too short to be seen
+TEST(BodyLook, ALatheHasNoNeedlessBands) {
+  SolidSpec vase = example("lathe");
+  vase.smooth = true;
+  for (const int segments : {64, 128}) {
+    SCOPED_TRACE(segments);
+    const std::vector<Vec2> outline = lathe_outline(vase);
+    double reach = 0.0;
+    for (const Vec2& point : outline)
+      reach = std::max(reach, point.norm());
+    const Mesh mesh = solid_mesh(vase, segments);
+    std::set<float> heights;
+    for (const Vertex& vertex : mesh.vertices)
+      heights.insert(vertex.position.z);
+    EXPECT_LT(heights.size(), outline.size());
+    // no point of the outline is farther from the drawn one than a circle's pieces from the circle
+    const double allowed = reach * (1.0 - std::cos(kPi / segments));
+    std::vector<Vec2> corners;
+    for (const Vertex& vertex : mesh.vertices)
+      corners.emplace_back(std::hypot(vertex.position.x, vertex.position.y), vertex.position.z);
+    std::sort(
+        corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    for (const Vec2& point : outline) {
+      double nearest = reach;
+      for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const Vec2 along = corners[i + 1] - corners[i], out = point - corners[i];
+        const double share = along.squaredNorm() > 0.0
+                                 ? std::clamp(out.dot(along) / along.squaredNorm(), 0.0, 1.0)
+                                 : 0.0;
+        nearest = std::min(nearest, (out - share * along).norm());
+      }
+      // beside it, corners stand as far outside as the middles of pieces stand inside
+      EXPECT_LT(nearest, 1.6 * allowed) << point.transpose();
+    }
+  }
 }
 
 std::vector<LookPart> look_of(const BodySpec& body, const BodyModel& model) {
