@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at_place.h"
 #include "base/error.h"
 #include "base/numbers.h"
 
@@ -112,6 +113,21 @@ void add_quiet(CLI::App& command, ProgressOptions& options) {
 ProgressKind progress_of(const ProgressOptions& options) {
   const ProgressKind kind = parse_progress(options.progress);
   return options.quiet ? ProgressKind::none : kind;
+}
+
+void add_settings(CLI::App& command, std::vector<Setting>& settings) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&settings](const std::vector<std::string>& texts) {
+            at_place({{}, 0, "--set"}, [&] {
+              for (const std::string& text : texts)
+                settings.push_back(parse_setting(text));
+            });
+          },
+          "replaces a value of the scene, as motion.spin.body[2]=40; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
 }
 
 void add_numerics_options(CLI::App& command, Overrides& overrides) {

@@ -63,6 +63,10 @@ void add_quiet(CLI::App& command, ProgressOptions& options);
 // for an unknown kind, also with --quiet.
 ProgressKind progress_of(const ProgressOptions& options);
 
+// Adds --set, which may be given several times. `settings` must outlive parsing, which throws Error
+// (input), with --set as key, for a value that is not KEY=VALUE.
+void add_settings(CLI::App& command, std::vector<Setting>& settings);
+
 // Adds --method, --step, --tolerance and --accuracy. `overrides` must outlive parsing;
 // load_with_overrides() checks the values.
 void add_numerics_options(CLI::App& command, Overrides& overrides);

@@ -19,7 +19,7 @@ double positive(double value) {
 }  // namespace
 
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
-  Scene scene = load_scene(file);
+  Scene scene = load_scene(file, overrides.settings);
   // runs `set`, and remembers where the value of the key comes from; its errors name the option
   const auto replace = [&](const char* key, const char* option, const auto& set) {
     at_place({{}, 0, option}, set);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -12,6 +13,7 @@ namespace polhode {
 
 // The values; those that are absent are taken from the scene.
 struct Overrides {
+  std::vector<Setting> settings;  // come first; the other values replace them
   // Name of a stepper (motion/stepper_table.h), "exact" or "auto".
   std::optional<std::string> method;
   std::optional<double> step;           // s, positive

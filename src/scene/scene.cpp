@@ -5,24 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "base/at_place.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
 #include "model/solids.h"
+#include "scene/key_path.h"
 #include "scene/reader.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
 namespace {
-
-// a key without the unit that it is spelled in: "radius_cm" is "radius"
-std::string without_suffix(const std::string& key) {
-  for (const std::string& suffix : all_suffixes()) {
-    if (key.size() > suffix.size() && key.ends_with(suffix)) {
-      return key.substr(0, key.size() - suffix.size());
-    }
-  }
-  return key;
-}
 
 void record_lines(const toml::node& node,
                   const std::string& path,
@@ -46,74 +38,26 @@ void record_lines(const toml::node& node,
   }
 }
 
-// "motion.spin.body[2]" to its parts "motion", "spin", "body" and 2
-struct PathPart {
-  std::string key;
-  long index = -1;  // in the list of the part before; -1: a key
-};
-std::vector<PathPart> parts_of(const std::string& path) {
-  std::vector<PathPart> parts;
-  for (std::size_t i = 0; i < path.size();) {
-    if (path[i] == '[') {
-      const std::size_t end = path.find(']', i);
-      const std::string inside = path.substr(i + 1, end == std::string::npos ? end : end - i - 1);
-      const bool digits = !inside.empty() && inside.size() < 6 &&
-                          inside.find_first_not_of("0123456789") == std::string::npos;
-      if (end == std::string::npos || !digits)
-        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
-      parts.push_back({"", std::stol(inside)});
-      i = end + 1;
-    } else {
-      if (path[i] == '.') ++i;
-      const std::size_t end = std::min(path.find_first_of(".[", i), path.size());
-      if (end == i)
-        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
-      parts.push_back({path.substr(i, end - i), -1});
-      i = end;
-    }
-  }
-  return parts;
+// is the first path, in whatever units, the second or inside of it?
+bool is_within(const std::string& path, const std::string& around) {
+  const std::string inner = without_suffixes(path), outer = without_suffixes(around);
+  return inner.starts_with(outer) &&
+         (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
 }
 
-// the node inside `node` that a part names; null if it is not there
-toml::node* inside(toml::node& node, const PathPart& part) {
-  if (part.index < 0) {
-    toml::table* table = node.as_table();
-    return table == nullptr ? nullptr : table->get(part.key);
-  }
-  toml::array* array = node.as_array();
-  return array == nullptr ? nullptr : array->get(static_cast<std::size_t>(part.index));
+// the message of an error inside a setting, with its key unless that is the setting's own
+std::string about(const Error& error, const Setting& setting) {
+  if (error.place().key == setting.key) return error.message();
+  return fmt::format("{}: {}", error.place().key, error.message());
 }
 
-// a key that is not there yet is made, for the strict reader to judge; a place in a list is not
-void replace_number(toml::table& tree, const std::string& path, double value) {
-  const std::vector<PathPart> parts = parts_of(path);
-  if (parts.empty()) throw input_error("'' is not a key");
-  toml::node* node = &tree;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const PathPart& part = parts[i];
-    const bool last = i + 1 == parts.size();
-    toml::node* next = inside(*node, part);
-    toml::table* table = node->as_table();
-    if (part.index >= 0) {
-      if (next == nullptr || (last && !next->is_number()))
-        throw input_error("the scene has no number at '{}'", path);
-      if (last) {
-        toml::array& array = *node->as_array();
-        const auto place = array.begin() + part.index;
-        array.replace(place, value);
-        return;
-      }
-    } else if (table == nullptr || (last && next != nullptr && !next->is_number())) {
-      throw input_error("the scene has no number at '{}'", path);
-    } else if (last) {
-      table->insert_or_assign(part.key, value);
-      return;
-    } else if (next == nullptr) {
-      next = &table->insert_or_assign(part.key, toml::table{}).first->second;
-    }
-    node = next;
+// the file with these settings
+toml::table tree_of(const std::filesystem::path& file, const std::vector<Setting>& settings) {
+  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
+  for (const Setting& setting : settings) {
+    at_place({{}, 0, option_of(setting)}, [&] { replace_value(tree, setting.key, setting.value); });
   }
+  return tree;
 }
 
 Scene scene_from(const toml::table& tree, const std::string& name) {
@@ -131,25 +75,59 @@ Scene parse_scene(std::string_view text, const std::string& name) {
   return scene_from(parse_toml(text, name), name);
 }
 
-Scene load_scene(const std::filesystem::path& file) {
-  return load_scene(file, {});
-}
-
-std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path) {
-  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
-  toml::node* node = &tree;
-  for (const PathPart& part : parts_of(path)) {
-    node = inside(*node, part);
-    if (node == nullptr) return {};
+Setting parse_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    throw input_error("'{}' is no KEY=VALUE; write motion.spin.body[2]=40 or the like",
+                      cut(text, 60));
   }
-  return node->value<double>();
+  const auto trimmed = [](const std::string& part) {
+    const std::size_t first = part.find_first_not_of(" \t");
+    return first == std::string::npos
+               ? std::string()
+               : part.substr(first, part.find_last_not_of(" \t") + 1 - first);
+  };
+  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
 }
 
-Scene load_scene(const std::filesystem::path& file, const Replacements& numbers) {
-  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
+std::string option_of(const Setting& setting) {
+  return "--set " + setting.key;
+}
+
+Scene load_scene(const std::filesystem::path& file) {
+  return load_scene(file, {}, {});
+}
+
+std::optional<double> number_in_scene(const std::filesystem::path& file,
+                                      const std::vector<Setting>& settings,
+                                      const std::string& path) {
+  const toml::table tree = tree_of(file, settings);
+  const toml::node* node = node_at(tree, path);
+  return node == nullptr ? std::nullopt : node->value<double>();
+}
+
+Scene load_scene(const std::filesystem::path& file,
+                 const std::vector<Setting>& settings,
+                 const Replacements& numbers) {
+  toml::table tree = tree_of(file, settings);
   for (const auto& [path, value] : numbers)
     replace_number(tree, path, value);
-  Scene scene = scene_from(tree, file.string());
+  Scene scene;
+  try {
+    scene = scene_from(tree, file.string());
+  } catch (const Error& error) {
+    for (const Setting& setting : settings) {
+      if (is_within(error.place().key, setting.key))
+        throw Error(error.fault(), about(error, setting), {{}, 0, option_of(setting)});
+    }
+    throw;
+  }
+  for (const Setting& setting : settings) {
+    const std::string key = without_suffixes(setting.key);
+    // what it brings has no line
+    std::erase_if(scene.lines, [&](const auto& line) { return is_within(line.first, key); });
+    scene.options[key] = option_of(setting);
+  }
 
   // the files that it names stand beside it
   try {

@@ -34,7 +34,8 @@ struct Scene {
   std::string file;  // the file it was read from, as the user named it
   // Line of each key in it, and of each table in a list, by dotted path without unit suffixes.
   std::map<std::string, int> lines;
-  std::map<std::string, std::string> options;  // key -> option that has overridden its value
+  // Key, or table of keys -> option that has overridden its value: "--size", "--set video.size".
+  std::map<std::string, std::string> options;
 };
 
 template <class Visitor>
@@ -58,16 +59,32 @@ void fields(Visitor& v, Scene& s) {
 // load_meshes (model/solids.h) do. Whether the values together make sense is checked later, by
 // make_model and start_state. Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
-// Numbers that replace those in the file, by the path of the key as the file spells it:
-// "motion.spin.body[2]", "body.solid.radius_cm". They are in the unit of that spelling.
+// A value that replaces the one in the file: `--set KEY=VALUE`. The key is a path as the file could
+// spell it, such as "motion.spin.body[2]" or "body.solid.radius_cm"; the value is TOML, or words
+// that count as text.
+struct Setting {
+  std::string key, value;
+};
+// Throws Error (input), without a place, for text that is not KEY=VALUE.
+Setting parse_setting(const std::string& text);
+// Its key in errors: "--set KEY".
+std::string option_of(const Setting& setting);
+// Numbers that replace those in the file, by paths of keys likewise.
 using Replacements = std::vector<std::pair<std::string, double>>;
-// Reads a scene with these replacements. A key that the file lacks is added. Also throws Error
-// (input), without a place, for a path that is not a key, for a path to something that is not a
-// number, and for an entry of a list that does not exist.
-Scene load_scene(const std::filesystem::path& file, const Replacements& numbers);
-// The number at such a path, in the unit of its spelling; absent if the file has none there. Throws
-// Error (input) as read_file and parse_toml do, and, without a place, for a path that is not a key.
-std::optional<double> number_in_scene(const std::filesystem::path& file, const std::string& path);
+// Reads a scene with these settings and then these numbers, as if they stood in the file; keys that
+// it lacks are added. Scene::options names the settings. Also throws Error (input): with
+// option_of() the setting as key for a value that the key cannot have, a key that is none, and an
+// entry of a list that does not exist; without a place for a path of a number that is no key or
+// leads to something else.
+Scene load_scene(const std::filesystem::path& file,
+                 const std::vector<Setting>& settings,
+                 const Replacements& numbers = {});
+// The number at such a path, in the unit of its spelling; absent if there is none. Throws Error
+// (input) as read_file and parse_toml do, as load_scene does for settings, and, without a place,
+// for a path that is not a key.
+std::optional<double> number_in_scene(const std::filesystem::path& file,
+                                      const std::vector<Setting>& settings,
+                                      const std::string& path);
 // A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
 // Throws Error (input) as parse_toml and Reader do.
 Scene parse_scene(std::string_view text, const std::string& name);

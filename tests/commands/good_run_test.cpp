@@ -50,6 +50,34 @@ TEST_F(GoodRun, FilmWithReport) {
   EXPECT_EQ(report["stages"]["smooth"]["wall_s"], 0.0) << "nothing was smoothed";
 }
 
+// a film with --set is the film of the scene that has the value, and its report knows
+TEST_F(GoodRun, SettingsAreAsIfInTheFile) {
+  const std::string set = " --set motion.spin.body[2]=5 --set 'body.solid.mass_g = 500'";
+  ASSERT_EQ(run_polhode("render " + scene() + set + out("set.hash")).code, 0);
+  std::string text = test::kSmallScene;
+  text.replace(text.find("[1, 0, 3]"), 9, "[1, 0, 5]");
+  text.replace(text.find("mass = 1.0"), 10, "mass = 0.5");
+  write_text(folder_ / "own.toml", text);
+  ASSERT_EQ(run_polhode("render '" + (folder_ / "own.toml") + "'" + out("own.hash")).code, 0);
+  EXPECT_EQ(read_text(folder_ / "set.hash"), read_text(folder_ / "own.hash"));
+  const std::string report = "'" + (folder_ / "r.json") + "'";
+  ASSERT_EQ(run_polhode("render " + scene() + set + out("a.mp4") + " --report " + report).code, 0);
+  EXPECT_EQ(run_polhode("verify '" + (folder_ / "a.mp4") + "' --report " + report).code, 0);
+  for (const std::string& command :
+       {"simulate " + scene() + set + out("a.csv"),
+        "inspect " + scene() + set,
+        "preview " + scene() + set + out("p.png"),
+        "chart " + scene() + set + " --methods rk4" + out("chart"),
+        "stability " + scene() + set + " --methods rk4 --cells 2x2" + out("map")}) {
+    const Ran ran = run_polhode(command);
+    EXPECT_EQ(ran.code, 0) << command << ran.err;
+    const Ran wrong = run_polhode(command + " --set motion.spin.body[2]=fast");
+    EXPECT_EQ(wrong.code, 2) << command;
+    EXPECT_NE(wrong.err.find("--set motion.spin.body[2]: must be a number"), std::string::npos)
+        << wrong.err;
+  }
+}
+
 TEST_F(GoodRun, StillIsTheFrameOfTheFilm) {
   ASSERT_EQ(run_polhode("render " + scene() + out("still.png") + " --still 0.5").code, 0);
   ASSERT_EQ(run_polhode("render " + scene() + out("f_%03d.png")).code, 0);

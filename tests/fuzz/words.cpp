@@ -65,7 +65,7 @@ void read_quote(const std::string& text) {
 // the path of a number, as in --x of `stability`
 void read_key_path(const std::string& text) {
   static const FileInMemory scene("body.moments = [1, 2, 3]\nbody.parts = [{ mass = 1 }]\n");
-  number_in_scene(scene.name(), text);
+  number_in_scene(scene.name(), {}, text);
 }
 
 void read_escapes(const std::string& text) {

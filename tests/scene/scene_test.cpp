@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "scene/scene_texts.h"
 #include "support/expect_error.h"
 #include "support/run.h"
@@ -102,6 +103,7 @@ class SceneNumbers : public testing::Test {
 
 TEST_F(SceneNumbers, StandWhereTheFilesStood) {
   const Scene scene = load_scene(file_,
+                                 {},
                                  {{"motion.spin.body[2]", -7.5},
                                   {"motion.duration", 2.0},
                                   {"body.solid.semi_axes[0]", 0.15},
@@ -114,17 +116,17 @@ TEST_F(SceneNumbers, StandWhereTheFilesStood) {
 }
 
 TEST_F(SceneNumbers, AreFound) {
-  EXPECT_EQ(number_in_scene(file_, "motion.spin.body[2]"), 3.0);
-  EXPECT_EQ(number_in_scene(file_, "body.solid.mass"), 1.0);
+  EXPECT_EQ(number_in_scene(file_, {}, "motion.spin.body[2]"), 3.0);
+  EXPECT_EQ(number_in_scene(file_, {}, "body.solid.mass"), 1.0);
   for (const char* path : {"motion.spin.body[3]", "motion.spn", "motion.spin", "video.size"})
-    EXPECT_FALSE(number_in_scene(file_, path)) << path;
+    EXPECT_FALSE(number_in_scene(file_, {}, path)) << path;
 }
 
 // what is no number of the file is refused, by its path or by the strict reader
 TEST_F(SceneNumbers, WrongPathsAreRefused) {
   const auto with = [&](const char* path, double value = 1.0) {
     return [=, this] {
-      load_scene(file_, {{path, value}});
+      load_scene(file_, {}, {{path, value}});
     };
   };
   for (const char* path : {"motion.spin.body[7]", "motion.spin", "video.size[0]", "motion.spin[0]"})
@@ -133,6 +135,69 @@ TEST_F(SceneNumbers, WrongPathsAreRefused) {
     expect_input_error(with(path), "", "not a key");
   expect_input_error(with("motion.durration"), "motion.durration", "did you mean 'duration'?");
   expect_input_error(with("motion.duration", -1.0), "motion.duration", "greater than 0");
+}
+
+class SceneSettings : public SceneNumbers {
+ protected:
+  Scene with(const std::vector<std::string>& texts) const {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts)
+      settings.push_back(parse_setting(text));
+    return load_scene(file_, settings);
+  }
+};
+
+TEST_F(SceneSettings, StandAsIfInTheFile) {
+  const Scene scene = with({"motion.spin.body[2]=-7.5",
+                            "motion.attitude={ zxz_deg = [0, 90, 0] }",
+                            "body.solid.mass_g=250",
+                            "video.theme=light",
+                            "video.size=\"64x48\"",
+                            "show.floor=true",
+                            "title = a = b"});
+  EXPECT_EQ(*scene.motion.spin.body, Vec3(1, 0, -7.5));
+  EXPECT_NEAR((*scene.motion.attitude.zxz)[1], 0.5 * kPi, 1e-15);
+  EXPECT_EQ(*scene.body.solid->mass, 0.25) << "instead of the mass in kilograms";
+  EXPECT_EQ(scene.theme.theme, "light");
+  EXPECT_EQ(scene.video.size.width, 64);
+  EXPECT_EQ(scene.show.asked.at("floor"), true);
+  EXPECT_EQ(scene.title, "a = b");
+  // and the same scene written out has the same hash
+  std::string text = kSmallScene;
+  const auto write = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  write("\"test\"", "\"a = b\"");
+  write("mass = 1.0", "mass = 0.25");
+  write("[0, 40, 0]", "[0, 90, 0]");
+  write("[1, 0, 3]", "[1, 0, -7.5]");
+  write("\"128x72\"", "\"64x48\"\ntheme = \"light\"");
+  EXPECT_EQ(scene_hash(scene), scene_hash(parse_scene(text + "[show]\nfloor = true\n", "")));
+  // errors that are found later can name them
+  EXPECT_EQ(scene.options.at("body.solid.mass"), "--set body.solid.mass_g");
+  EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), line_of(scene, "motion"));
+}
+
+TEST_F(SceneSettings, ThatAreWrongAreNamedByTheirOption) {
+  const struct {
+    const char *text, *key, *words;
+  } cases[] = {
+      {"motion.spin.body[2]=fast", "--set motion.spin.body[2]", "must be a number"},
+      {"motion.spin.body[3]=1", "--set motion.spin.body[3]", "no value at"},
+      {"motion.spn=1", "--set motion.spn", "did you mean 'spin'?"},
+      {"motion={spn=1}", "--set motion", "motion.spn: unknown key"},
+      {"body.solid.mass_g=x", "--set body.solid.mass_g", "must be a number"},
+      {"title=\"open", "--set title", "not valid TOML"},
+      {"title=1\nmass=2", "--set title", "more than one value"},
+      {"a[=1", "--set a[", "not a key"},
+      {"a b=1", "--set a b", "not a key"},
+      {"motion.duration", "", "no KEY=VALUE"},
+      {"=1", "", "no KEY=VALUE"},
+  };
+  for (const auto& [text, key, words] : cases) {
+    SCOPED_TRACE(text);
+    expect_input_error([&, text = text] { with({text}); }, key, words);
+  }
 }
 
 // the names as they are spelled, of every place where a mesh may stand; none is opened

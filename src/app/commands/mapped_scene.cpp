@@ -68,7 +68,7 @@ StabilitySetup make_setup(const MappedScene& place, double x, double y, const St
   };
   apply(place.x.key, x);
   apply(place.y.key, y);
-  const Scene scene = load_scene(place.file, numbers);
+  const Scene scene = load_scene(place.file, job.settings, numbers);
   return with_place(scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     State start = start_state(model, scene.motion);
@@ -96,6 +96,7 @@ StabilitySetup make_setup(const MappedScene& place, double x, double y, const St
 
 // the axis with its key; its range, unless given, a factor of ten to both sides of the scene's own
 MapAxis make_axis(const MappedScene& place,
+                  const std::vector<Setting>& settings,
                   const std::string& key,
                   const std::optional<std::string>& range,
                   const std::string& option,
@@ -107,7 +108,7 @@ MapAxis make_axis(const MappedScene& place,
     axis.from = 0.1 / rate;
     axis.to = 10.0 / rate;
   } else if (key != kSpinKey) {
-    const std::optional<double> own = number_in_scene(place.file, key);
+    const std::optional<double> own = number_in_scene(place.file, settings, key);
     if (!own) {
       throw input_error(
           "{} has no number at '{}'; give {}-range A:B", place.file.string(), key, option)
@@ -130,7 +131,7 @@ MappedScene make_place(const std::filesystem::path& file,
                        const std::vector<const StepperInfo*>& methods) {
   MappedScene place;
   place.file = file;
-  place.scene = load_scene(file);
+  place.scene = load_scene(file, job.settings);
   const double rate = with_place(place.scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     for (const StepperInfo* method : methods) {
@@ -146,8 +147,8 @@ MappedScene make_place(const std::filesystem::path& file,
     return found;
   });
   const std::array<int, 2> cells = parse_cells(job.cells);
-  place.x = make_axis(place, job.x, job.x_range, "--x", rate);
-  place.y = make_axis(place, job.y, job.y_range, "--y", rate);
+  place.x = make_axis(place, job.settings, job.x, job.x_range, "--x", rate);
+  place.y = make_axis(place, job.settings, job.y, job.y_range, "--y", rate);
   place.x.cells = cells[0];
   place.y.cells = cells[1];
   return place;

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "base/system/progress.h"
+#include "scene/scene.h"
 
 namespace polhode {
 
 // The options as the user gave them. make_place() (app/commands/mapped_scene.h) checks the axes.
 struct StabilityJob {
   std::vector<std::filesystem::path> scenes;  // at least one
+  std::vector<Setting> settings;              // --set, for each scene
   std::string output;   // folder, created if needed; empty: output/SCENE_stability of the first
   std::string methods;  // names, separated by commas; empty: all that can integrate the scene
   // the keys that change along the horizontal and the vertical axis: a key of the scene with a

@@ -32,6 +32,7 @@ Action define_chart(CLI::App& command) {
            job->overrides.accuracy,
            "the accuracy that the chart marks (default: what the scene needs)")
       ->type_name("RAD|PX");
+  add_settings(command, job->overrides.settings);
   add_progress(command, *progress);
   return [job, progress, pictures] {
     job->progress = progress_of(*progress);

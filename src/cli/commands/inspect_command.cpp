@@ -12,6 +12,7 @@ Action define_inspect(CLI::App& command) {
   auto job = std::make_shared<InspectJob>();
   add_scene(command, job->scene);
   command.add_flag("--json", job->json, "print JSON with units in the key names");
+  add_settings(command, job->overrides.settings);
   add_numerics_options(command, job->overrides);
   return [job] {
     print_out(inspect(*job));

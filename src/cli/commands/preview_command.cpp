@@ -14,6 +14,7 @@ Action define_preview(CLI::App& command) {
   add_scene(command, job->scene);
   add_text(command, "-o,--output", job->output, "the sheet (default output/SCENE_preview.png)")
       ->type_name("OUT.png");
+  add_settings(command, job->overrides.settings);
   add_numerics_options(command, job->overrides);
   add_text(command, "--theme", job->overrides.theme, "colours: dark, light, projector or print")
       ->type_name("THEME");

@@ -34,6 +34,7 @@ Action define_render(CLI::App& command) {
       ->type_name("PRESET");
   add_whole_number(command, "--crf", job->crf, "quality, 1 (best) to 51; to 63 for VP9 and AV1")
       ->type_name("N");
+  add_settings(command, job->overrides.settings);
   add_numerics_options(command, job->overrides);
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("BACKEND");

@@ -15,6 +15,7 @@ Action define_simulate(CLI::App& command) {
       ->type_name("FILE.csv");
   add_number(command, "--rate", job->rate, "rows per second (default: the scene's frame rate)")
       ->type_name("HZ");
+  add_settings(command, job->overrides.settings);
   add_numerics_options(command, job->overrides);
   return [job] {
     write_csv(*job);

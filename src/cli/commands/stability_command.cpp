@@ -40,6 +40,7 @@ Action define_stability(CLI::App& command) {
       ->type_name("RAD");
   add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
       ->type_name("N");
+  add_settings(command, job->settings);
   add_progress(command, *progress);
   return [=] {
     const auto positive = [](const auto& value, const char* option) {
