@@ -6,6 +6,7 @@ namespace polhode {
 // Long, because it is one table: a row for each.
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = {
+      {"new", "write a commented scene to start from", "polhode new heavy_top", define_new},
       {"render",
        "make a film or a picture of a scene",
        "polhode render top.toml -o top.mp4",

@@ -30,6 +30,7 @@ const std::vector<Command>& commands();
 
 // The `define` functions of the table, one per command; each has its file in cli/commands/, except
 // that small commands share one.
+Action define_new(CLI::App& command);
 Action define_render(CLI::App& command);
 Action define_join(CLI::App& command);
 Action define_verify(CLI::App& command);

@@ -2,6 +2,7 @@
 #include "cli/value_kinds.h"
 
 #include "app/commands/list.h"
+#include "app/commands/new_scene.h"
 #include "cli/command.h"
 #include "cli/option_words.h"
 
@@ -12,6 +13,13 @@ std::vector<std::string> command_names() {
   std::vector<std::string> names;
   for (const Command& command : commands())
     names.emplace_back(command.name);
+  return names;
+}
+
+std::vector<std::string> new_kind_words() {
+  std::vector<std::string> names;
+  for (const NewKind& kind : new_kinds())
+    names.emplace_back(kind.name);
   return names;
 }
 
@@ -27,6 +35,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"METHOD", ValueForm::word, method_words(), {}},
       {"METHODS", ValueForm::words_with_commas, stepper_words(), {}},
       {"DOCUMENTS", ValueForm::words_with_commas, document_words(), {}},
+      {"NEW", ValueForm::word, new_kind_words(), {}},
       {"PRESET", ValueForm::word, preset_words(), {}},
       {"QUALITY", ValueForm::word, quality_words(), {}},
       {"SHELL", ValueForm::word, {"bash", "zsh"}, {}},

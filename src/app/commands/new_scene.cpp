@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/new_scene.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/at_place.h"
+#include "base/error.h"
+#include "base/nearest.h"
+#include "base/system/atomic_file.h"
+
+namespace polhode {
+
+const std::vector<NewKind>& new_kinds() {
+  static const std::vector<NewKind> table = {
+      {"free_top", "a symmetric body in free flight, with its cones", {"free_top.toml"}},
+      {"heavy_top", "a wooden top on its tip", {"heavy_top.toml"}},
+      {"racket", "a tennis racket that flips over", {"racket.toml"}},
+      {"gyroscope", "a wheel with a level axle on a stand", {"gyroscope.toml"}},
+      {"comparison", "one motion by three methods, side by side", {"comparison.toml"}},
+      {"deck", "a lecture of three slides, with its scene", {"deck.md", "heavy_top.toml"}},
+  };
+  return table;
+}
+
+std::string write_new(const std::string& kind, const std::filesystem::path& output) {
+  const std::vector<NewKind>& kinds = new_kinds();
+  const auto found = std::find_if(
+      kinds.begin(), kinds.end(), [&](const NewKind& row) { return row.name == kind; });
+  if (found == kinds.end()) {
+    std::vector<std::string> names;
+    for (const NewKind& row : kinds)
+      names.emplace_back(row.name);
+    throw input_error("nothing is called '{}'{}", kind, suggestion(kind, names)).at({{}, 0, "new"});
+  }
+  const std::filesystem::path first = output.empty() ? found->files.front() : output;
+  std::string written;
+  for (std::size_t i = 0; i < found->files.size(); ++i) {
+    const std::filesystem::path file = i == 0 ? first : first.parent_path() / found->files[i];
+    std::error_code unknown;
+    const bool taken = std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
+    // a deck may stand beside a scene that has been changed
+    if (taken && i > 0) continue;
+    if (taken) {
+      throw input_error("{} is already there; give another name with -o", file.string())
+          .at({{}, 0, "--output"});
+    }
+    write_file(file, template_files().at(found->files[i]));
+    written += fmt::format("{}{}", written.empty() ? "" : ", ", file.string());
+  }
+  const char* command = first.extension() == ".md" ? "lecture" : "render";
+  return fmt::format("{}; next: polhode {} {}", written, command, first.string());
+}
+
+}  // namespace polhode

@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ file that holds the files of src/app/templates/.
+set(text "// Made by src/app/embed_templates.cmake; the sources are in src/app/templates/.\n")
+string(APPEND text "#include \"app/commands/new_scene.h\"\n\nnamespace polhode {\n\n")
+string(APPEND text "const std::map<std::string, std::string>& template_files() {\n")
+string(APPEND text "  static const std::map<std::string, std::string> files = {\n")
+foreach(file IN LISTS FILES)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" source)
+  string(APPEND text "      {\"${name}\", R\"file(${source})file\"},\n")
+endforeach()
+string(APPEND text "  };\n  return files;\n}\n\n}  // namespace polhode\n")
+file(WRITE "${OUTPUT}" "${text}")

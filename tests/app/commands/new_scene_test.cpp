@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/new_scene.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "film/prepared_film.h"
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+class NewScene : public ::testing::TestWithParam<NewKind> {
+ protected:
+  test::TemporaryFolder folder_;
+};
+
+// a scene that somebody begins with must be right: trusted, complete, without a warning
+TEST_P(NewScene, CanBeFilmedAsItIs) {
+  const std::string first =
+      folder_ / ("a" + std::filesystem::path(GetParam().files[0]).extension().string());
+  const std::string next = write_new(GetParam().name, first);
+  EXPECT_NE(next.find("next: polhode "), std::string::npos);
+  EXPECT_EQ(folder_.entries(), static_cast<long>(GetParam().files.size()));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+    if (entry.path().extension() != ".toml") continue;
+    RenderJob job;
+    job.scene = entry.path();
+    job.output = folder_ / "a.png";
+    job.still = 1.0;
+    const PreparedFilm film(plan_render(job));
+    EXPECT_TRUE(film.solved().simulation.report.reliability.doubts.empty());
+    for (const FilmPanel& panel : film.film().panels())
+      EXPECT_TRUE(panel.composer->warnings().empty());
+  }
+}
+
+TEST_P(NewScene, NothingIsReplaced) {
+  const std::string first = folder_ / "mine.toml";
+  test::write_text(first, "my own");
+  test::expect_input_error(
+      [&] { write_new(GetParam().name, first); }, "--output", "is already there");
+  EXPECT_EQ(test::read_text(first), "my own");
+  EXPECT_EQ(folder_.entries(), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, NewScene, ::testing::ValuesIn(new_kinds()), [](const auto& row) {
+  return std::string(row.param.name);
+});
+
+TEST(NewKinds, AnUnknownOneGetsTheNearestName) {
+  test::expect_input_error([] { write_new("hevy_top", ""); }, "new", "did you mean 'heavy_top'?");
+}
+
+TEST(NewKinds, HaveAllTemplates) {
+  std::size_t used = 0;
+  for (const auto& [name, text] : template_files()) {
+    const bool is_used =
+        std::any_of(new_kinds().begin(), new_kinds().end(), [&, file = name](const NewKind& kind) {
+          return std::find(kind.files.begin(), kind.files.end(), file) != kind.files.end();
+        });
+    EXPECT_TRUE(is_used) << name;
+    used += is_used ? 1 : 0;
+  }
+  EXPECT_GT(used, 0u);
+}
+
+}  // namespace
+}  // namespace polhode
