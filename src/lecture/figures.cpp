@@ -81,8 +81,14 @@ std::string video_element(const Json& facts,
   return text + fmt::format("<a href=\"{}\">The film</a></video>", media(facts, "film"));
 }
 
-std::string img_element(const std::string& file, const std::string& alt) {
-  return fmt::format("<img src=\"{}\" alt=\"{}\">", file, escaped(alt));
+// `look`: where it is shown, "on-dark" or "on-light"; empty: everywhere
+std::string img_element(const std::string& file,
+                        const std::string& alt,
+                        const std::string& look = "") {
+  return fmt::format("<img{} src=\"{}\" alt=\"{}\">",
+                     look.empty() ? "" : fmt::format(" class=\"{}\"", look),
+                     file,
+                     escaped(alt));
 }
 
 // the films of a picture, one or several side by side
@@ -144,6 +150,11 @@ Json columns(const std::vector<Json>& contents) {
   return Json::array({div("columns", inside)});
 }
 
+// The slides of LaTeX are white; those with links to the films show how these begin.
+std::string shown_in(const Json& facts, bool links) {
+  return media(facts, links ? "poster" : "paper");
+}
+
 // The posters of films that are compared, each with its scene's title; the first has the caption
 // too. `across`: how many stand side by side; the others come on further slides.
 Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
@@ -158,7 +169,7 @@ Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
     }
     one.caption = words;
     posters.push_back(
-        picture_blocks(one, media(facts, "poster"), links ? media(facts, "film") : "", "fig:"));
+        picture_blocks(one, shown_in(facts, links), links ? media(facts, "film") : "", "fig:"));
   }
   Json blocks = Json::array();
   for (std::size_t i = 0; i < posters.size(); i += across) {
@@ -172,6 +183,13 @@ Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
   return blocks;
 }
 
+// a still, as these elements show it
+Json still_blocks(const DeckPicture& picture, const std::string& elements) {
+  return framed(
+      fmt::format("<figure class=\"still\" id=\"{}\">{}", escaped(picture.name), elements),
+      picture);
+}
+
 Json document_blocks(const Figure& figure, bool links, std::size_t across) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
@@ -180,7 +198,7 @@ Json document_blocks(const Figure& figure, bool links, std::size_t across) {
   if (figure.facts.size() > 1) return compared_blocks(figure, links, across);
   const Json& facts = figure.facts[0];
   const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
-  return picture_blocks(picture, media(facts, "poster"), link, "fig:");
+  return picture_blocks(picture, shown_in(facts, links), link, "fig:");
 }
 
 Json cell(const Json& inlines) {
@@ -233,9 +251,13 @@ Json page_blocks(const Figure& figure) {
   if (figure.facts.empty()) return failed_blocks(figure);
   if (is_plot(picture)) return plot_blocks(figure, "svg");
   if (picture.kind == PictureKind::still) {
-    const std::string still = img_element(media(figure.facts[0], "poster"), alt_of(picture));
-    return framed(fmt::format("<figure class=\"still\" id=\"{}\">{}", escaped(picture.name), still),
-                  picture);
+    // a page has the look that its reader likes
+    const Json& facts = figure.facts[0];
+    if (facts.at("paper") == facts.at("poster"))
+      return still_blocks(picture, img_element(media(facts, "poster"), alt_of(picture)));
+    return still_blocks(picture,
+                        img_element(media(facts, "poster"), alt_of(picture), "on-dark") +
+                            img_element(media(facts, "paper"), alt_of(picture), "on-light"));
   }
   if (picture.kind == PictureKind::inspect) {
     Json blocks = Json::array({raw_html(fmt::format(
@@ -253,6 +275,10 @@ Json slide_blocks(const Figure& figure) {
   const PictureKind kind = figure.picture->kind;
   const bool films_here =
       kind == PictureKind::film || kind == PictureKind::loop || kind == PictureKind::compare;
+  if (kind == PictureKind::still && !figure.facts.empty()) {
+    return still_blocks(*figure.picture,
+                        img_element(media(figure.facts[0], "poster"), alt_of(*figure.picture)));
+  }
   if (figure.facts.empty() || !films_here) return page_blocks(figure);
   return framed(films(figure, true), *figure.picture);
 }
@@ -260,15 +286,16 @@ Json slide_blocks(const Figure& figure) {
 Json handout_blocks(const Figure& figure) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
-  if (picture.kind == PictureKind::inspect || picture.kind == PictureKind::still)
-    return page_blocks(figure);
+  if (picture.kind == PictureKind::inspect) return page_blocks(figure);
+  if (picture.kind == PictureKind::still)
+    return still_blocks(picture, img_element(media(figure.facts[0], "paper"), alt_of(picture)));
   if (is_plot(picture)) return plot_blocks(figure, "svg");
   std::string text;
   int count = 0;
   for (const Json& facts : figure.facts) {
     Json stills = facts.at("stills");
     if (stills.empty()) {
-      stills = Json::array({{{"file", facts.at("poster")},
+      stills = Json::array({{{"file", facts.at("paper")},
                              {"at", facts.at("poster_at")},
                              {"caption", figure.facts.size() > 1 ? facts.at("title") : Json("")}}});
     }

@@ -128,6 +128,26 @@ void render_still(const DeckScene& scene,
   render_film(job);
 }
 
+// the colours of paper, ink on white, unless somebody has asked for others
+Overrides on_paper(Overrides overrides) {
+  if (!overrides.theme) overrides.theme = "print";
+  return overrides;
+}
+
+// A picture for screens, and one for paper where that is another. Returns the name of the second.
+std::string render_for_both(const DeckScene& scene,
+                            const Overrides& overrides,
+                            const LectureSettings& settings,
+                            double at,
+                            const fs::path& folder,
+                            const std::string& shown,
+                            const std::string& paper) {
+  render_still(scene, overrides, settings, at, folder / shown);
+  if (overrides.theme) return shown;
+  render_still(scene, on_paper(overrides), settings, at, folder / paper);
+  return paper;
+}
+
 // Where a film stops by itself, in its own seconds, and what is shown there.
 struct Stops {
   std::vector<Pause> pauses;
@@ -177,7 +197,7 @@ Json make_film_files(const DeckPicture& picture,
   const fs::path captions = folder / (stem + ".vtt");
   facts["vtt"] = is_there(captions) ? read_file(captions) : "";
 
-  // the poster, and what the handout shows
+  // the poster, and what is shown on paper
   const double from = report["from_s"], to = report["to_s"];
   std::vector<double> times = numbers_in(picture, "stills");
   const bool asked = !times.empty();
@@ -187,15 +207,18 @@ Json make_film_files(const DeckPicture& picture,
   }
   const double at =
       number_in(picture, "at").value_or(times.empty() ? from + (to - from) / 3.0 : times.back());
-  render_still(scene, overrides, settings, at, folder / (stem + "-poster.png"));
-  facts["poster"] = stem + "-poster.png";
+  const std::string poster = stem + "-poster.png";
+  const std::string paper =
+      render_for_both(scene, overrides, settings, at, folder, poster, stem + "-paper.png");
+  facts["poster"] = poster;
+  facts["paper"] = paper;
   facts["poster_at"] = at;
   facts["stills"] = Json::array();
   for (std::size_t i = 0; i < times.size(); ++i) {
-    std::string file = stem + "-poster.png";
+    std::string file = paper;
     if (times[i] != at) {
       file = fmt::format("{}-still-{}.png", stem, i + 1);
-      render_still(scene, overrides, settings, times[i], folder / file);
+      render_still(scene, on_paper(overrides), settings, times[i], folder / file);
     }
     facts["stills"].push_back(
         {{"file", file},
@@ -250,9 +273,11 @@ Product still_product(const DeckPicture& picture,
   return {name_of_product(scene, "still"),
           key_of_product("still", scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {
-            render_still(scene, overrides, settings, at, folder / (stem + ".png"));
+            const std::string shown = stem + ".png";
+            const std::string paper =
+                render_for_both(scene, overrides, settings, at, folder, shown, stem + "-paper.png");
             check_unchanged(scene);
-            return Json{{"kind", "still"}, {"poster", stem + ".png"}, {"poster_at", at}};
+            return Json{{"kind", "still"}, {"poster", shown}, {"paper", paper}, {"poster_at", at}};
           }};
 }
 

@@ -37,15 +37,16 @@ struct DeckScene {
 // changed since it was loaded. Facts that name files contain their names in media/; all facts have
 // "kind": "film" (also of a loop), "still", "chart", "stability", "inspect" or "motion".
 
-// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "poster_at" (s of
-// motion), "stills" (a list of objects with "file", "at" in s of motion, and "caption"), "vtt" (the
-// text of the captions; "" if there are none), "pauses" (a list of [begin, end], s of film),
-// "frames", "fps", "width" and "height" (pixels), "from_s" and "to_s" (s of motion), "duration" (s
-// of film), "title".
+// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "paper" (the poster
+// in the colours of paper: the theme print, unless the picture or the settings ask for one),
+// "poster_at" (s of motion), "stills" (in those colours, too; a list of objects with "file", "at"
+// in s of motion, and "caption"), "vtt" (the text of the captions; "" if there are none), "pauses"
+// (a list of [begin, end], s of film), "frames", "fps", "width" and "height" (pixels), "from_s" and
+// "to_s" (s of motion), "duration" (s of film), "title".
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
-// A single picture. Facts: "poster", "poster_at" (s of motion).
+// A single picture. Facts: "poster", "paper", "poster_at" (s of motion).
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings);

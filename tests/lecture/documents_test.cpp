@@ -23,6 +23,7 @@ constexpr const char* kText =
 Figure figure_of(const DeckPicture& picture) {
   const Json facts = {{"film", "film.mp4"},
                       {"poster", "poster.png"},
+                      {"paper", "paper.png"},
                       {"poster_at", 0.5},
                       {"stills", Json::array()},
                       {"vtt", ""},
@@ -60,7 +61,7 @@ TEST(Documents, SlidesHaveTheNotesForTheSpeaker) {
 
 TEST(Documents, TheHandoutHasPicturesInPlaceOfFilms) {
   const std::string handout = make_handout_html(deck_of(kText), figure_of);
-  EXPECT_TRUE(has(handout, "<img src=\"media/poster.png\""));
+  EXPECT_TRUE(has(handout, "<img src=\"media/paper.png\""));
   EXPECT_TRUE(has(handout, "t = 0.5 s"));
   EXPECT_FALSE(has(handout, "<video"));
   EXPECT_TRUE(has(handout, "Say this."));
@@ -70,7 +71,7 @@ TEST(Documents, TheHandoutHasPicturesInPlaceOfFilms) {
 TEST(Documents, BeamerHasPostersAndCharactersThatTexHas) {
   const std::string tex = make_beamer(deck_of(kText), figure_of);
   EXPECT_TRUE(has(tex, "\\documentclass"));
-  EXPECT_TRUE(has(tex, "media/poster.png"));
+  EXPECT_TRUE(has(tex, "media/paper.png"));
   EXPECT_FALSE(has(tex, "film.mp4"));
   EXPECT_TRUE(has(tex, "\\frac{1}{2}"));
   EXPECT_TRUE(has(tex, "\\(\\omega\\)")) << tex.substr(tex.find("frame"));

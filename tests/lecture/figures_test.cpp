@@ -14,6 +14,7 @@ TEST(Figures, HostileWordsAreEscaped) {
   picture.settings["alt"] = "\"><script>alert(1)</script>";
   const Json facts = {{"film", "a\"b.mp4"},
                       {"poster", "p<.png"},
+                      {"paper", "q<.png"},
                       {"poster_at", 0.0},
                       {"stills", Json::array()},
                       {"vtt", "WEBVTT\n\n<script>"},

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/products.h"
 
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "frame/theme.h"
 #include "image/png.h"
 #include "lecture/deck_scenes.h"
 #include "support/expect_error.h"
@@ -92,6 +96,20 @@ TEST(Products, NumbersThatAreNoneAreToldAtOnce) {
       [&] { stability_product(map, folder.scene); }, "", "turns must be greater than 0");
 }
 
+using Pixel = std::array<int, 3>;
+
+Pixel color_of_pixel(const Image& picture, int x, int y) {
+  const std::uint8_t* pixel = picture.at(x, y);
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+Pixel ground_of_theme(const std::string& name) {
+  const glm::vec3 color = 255.0f * find_theme(name).background;
+  return {static_cast<int>(std::lround(color.r)),
+          static_cast<int>(std::lround(color.g)),
+          static_cast<int>(std::lround(color.b))};
+}
+
 // ten frames of motion, and the pause of the story where the lecture will stop
 TEST(Products, AFilmHasItsPosterAndItsPauses) {
   const DeckSceneFolder folder("[[story]]\nat = 0.3\nhold = 0.5\ncaption = \"It stands\"\n");
@@ -112,7 +130,7 @@ TEST(Products, AFilmHasItsPosterAndItsPauses) {
   // the handout shows the pause, with its words
   EXPECT_EQ(facts.at("poster_at"), 0.3);
   ASSERT_EQ(facts.at("stills").size(), 1U);
-  EXPECT_EQ(facts.at("stills").at(0).at("file"), "stem-poster.png");
+  EXPECT_EQ(facts.at("stills").at(0).at("file"), "stem-paper.png");
   EXPECT_EQ(facts.at("stills").at(0).at("caption"), "It stands");
   EXPECT_EQ(FilmReader(made.folder / "stem.mp4").info().frames, 13);
   EXPECT_EQ(read_png(made.folder / "stem-poster.png").width, 64);
@@ -128,9 +146,9 @@ TEST(Products, AFilmShowsTheStillsThatAreAskedFor) {
   EXPECT_EQ(made.facts.at("width"), 96) << "the picture's own size";
   ASSERT_EQ(made.facts.at("stills").size(), 2U);
   EXPECT_EQ(made.facts.at("stills").at(0).at("file"), "stem-still-1.png");
-  EXPECT_EQ(made.facts.at("stills").at(1).at("file"), "stem-poster.png");
+  EXPECT_EQ(made.facts.at("stills").at(1).at("file"), "stem-paper.png");
   EXPECT_NE(read_png(made.folder / "stem-still-1.png").pixels,
-            read_png(made.folder / "stem-poster.png").pixels);
+            read_png(made.folder / "stem-paper.png").pixels);
   EXPECT_TRUE(made.facts.at("pauses").empty());
   // without a story and stills the poster is a third of the way
   const MadeProduct plain(
@@ -146,11 +164,38 @@ TEST(Products, AStillIsOnePictureAtItsTime) {
   EXPECT_EQ(made.facts.at("kind"), "still");
   EXPECT_EQ(made.facts.at("poster"), "stem.png");
   EXPECT_EQ(made.facts.at("poster_at"), 0.5);
-  EXPECT_EQ(made.folder.entries(), 1);
+  EXPECT_EQ(made.folder.entries(), 2);
   const MadeProduct start(
       still_product(picture_of(PictureKind::still), folder.scene, small_settings()));
   EXPECT_EQ(start.facts.at("poster_at"), 0.0);
   EXPECT_NE(read_png(start.folder / "stem.png").pixels, read_png(made.folder / "stem.png").pixels);
+}
+
+// what is printed is white, unless the deck or the command line asks for other colours
+TEST(Products, PicturesOnPaperAreInkOnWhite) {
+  const DeckSceneFolder folder("[[story]]\nat = 0.3\nhold = 0.5\ncaption = \"It stands\"\n");
+  const auto ground = [](const MadeProduct& made, const std::string& key) {
+    const Image picture = read_png(made.folder / made.facts.at(key).get<std::string>());
+    return color_of_pixel(picture, 0, 0);
+  };
+  for (const PictureKind kind : {PictureKind::still, PictureKind::film}) {
+    const auto product = [&](const DeckPicture& picture, const LectureSettings& settings) {
+      return kind == PictureKind::still ? still_product(picture, folder.scene, settings)
+                                        : film_product(picture, folder.scene, settings);
+    };
+    const MadeProduct made(product(picture_of(kind), small_settings()));
+    EXPECT_EQ(ground(made, "poster"), ground_of_theme("dark"));
+    EXPECT_EQ(ground(made, "paper"), ground_of_theme("print"));
+    LectureSettings light = small_settings();
+    light.theme = "light";
+    for (const Product& one : {product(picture_of(kind, {{"theme", "light"}}), small_settings()),
+                               product(picture_of(kind), light)}) {
+      EXPECT_NE(one.key, product(picture_of(kind), small_settings()).key);
+      const MadeProduct other(one);
+      EXPECT_EQ(ground(other, "poster"), ground_of_theme("light"));
+      EXPECT_EQ(other.facts.at("paper"), other.facts.at("poster"));
+    }
+  }
 }
 
 TEST(Products, NumbersAndMotionsAreThoseOfTheScene) {
