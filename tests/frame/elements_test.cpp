@@ -111,7 +111,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"polhodes", {.meshes = 36}},
                                                {"herpolhode", {.meshes = 1}},
                                                {"binet", {.meshes = 2, .shells = 1}},
-                                               {"trail", {.meshes = 1}},
+                                               {"trail", {.meshes = 1, .rods = 1}},
                                                {"trail_sphere", {.shells = 1}},
                                                {"floor", {.floors = 1}}};
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";

@@ -32,7 +32,13 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
     glyphs.reach.push_back(path.points[i]);
 }
 
+// the path of the axis, and the axis from the body to where it writes: else the path would hover
 void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
+  glyphs.rods.push_back({sample.reference_S,
+                         sample.reference_S + sample.q_SB * tip_B,
+                         kRimRadius * scenery.scale.body,
+                         plain(scenery.theme.trail, 0.1f)});
   add_tail(scenery, sample, scenery.paths.axis, glyphs);
 }
 

@@ -30,6 +30,11 @@ TEST(Paths, TrailEndsWhereThePointIs) {
     for (std::size_t i = vertices.size() - 8; i < vertices.size(); ++i)
       middle += to_eigen(vertices[i].position) / 8.0;
     EXPECT_LT((scenery.paths.axis.place() * middle - tip).norm(), 2e-3 * scenery.scale.body) << t;
+    // and the axis of the body reaches as far
+    const std::vector<RodGlyph> rods = picture.glyphs_at(now).rods;
+    ASSERT_EQ(rods.size(), 1u);
+    EXPECT_LT((rods[0].from - now.reference_S).norm(), 1e-12);
+    EXPECT_LT((rods[0].to - tip).norm(), 1e-12);
   }
 }
 
