@@ -68,6 +68,48 @@ std::string units_instead(const std::string& name, const KeyList& keys) {
   return "";
 }
 
+// A word that people write, and what it is here.
+struct OtherWord {
+  const char *written, *instead;
+};
+constexpr OtherWord kOtherWords[] = {
+    {"friction", "motion.torque = [{ kind = \"damping\", c = ... }]"},
+    {"damping", "motion.torque = [{ kind = \"damping\", c = ... }]"},
+    {"drag", "motion.torque = [{ kind = \"damping\", c = ... }]"},
+    {"spring", "motion.torque = [{ kind = \"spring\", k = ... }]"},
+    {"force", "motion.torque = [{ kind = \"force\", space = [x, y, z] }]"},
+    {"tilt", "motion.attitude = { zxz_deg = [0, tilt, 0] }"},
+    {"angle", "motion.attitude = { zxz_deg = [0, tilt, 0] }"},
+    {"angles", "motion.attitude = { zxz_deg = [phi, theta, psi] }"},
+    {"orientation", "motion.attitude"},
+    {"rotation", "motion.spin, or motion.attitude"},
+    {"omega", "motion.spin = { body = [x, y, z] }"},
+    {"angular_velocity", "motion.spin = { body = [x, y, z] }"},
+    {"angular_momentum", "motion.spin = { momentum_body = [x, y, z] }"},
+    {"hz", "motion.spin = { body_rpm = [0, 0, 60] } for one turn a second"},
+    {"rpm", "motion.spin = { body_rpm = [0, 0, rpm] }"},
+    {"inertia", "body.moments or body.tensor"},
+    {"shape", "body.solid = { kind = ... }"},
+    {"time", "motion.duration"},
+    {"length", "motion.duration"},
+    {"speed", "video.time_scale"},
+    {"slow_motion", "video.time_scale"},
+    {"resolution", "video.size"},
+    {"framerate", "video.fps"},
+    {"colour", "color of a solid, or video.theme"},
+    {"shadow", "show.floor"},
+    {"grid", "show.floor"},
+};
+
+// what such a word is here, whatever its unit; empty: it is none
+std::string instead_of(const std::string& name) {
+  for (const OtherWord& word : kOtherWords) {
+    if (name == word.written || name.starts_with(std::string(word.written) + "_"))
+      return word.instead;
+  }
+  return "";
+}
+
 void refuse_unknown(const Place& place,
                     const std::string& name,
                     const KeyList& keys,
@@ -81,6 +123,8 @@ void refuse_unknown(const Place& place,
     if (!near.empty()) message += fmt::format(" (or did you mean '{}'?)", near);
   } else if (!other_units.empty()) {
     message += other_units;
+  } else if (const std::string instead = instead_of(name); !instead.empty()) {
+    message += fmt::format(" (here it is {})", instead);
   } else if (!near.empty()) {
     message += fmt::format(" (did you mean '{}'?)", near);
   } else {

@@ -80,6 +80,8 @@ std::vector<BadSceneText> unknown_keys() {
        2, "body.format", "'format' is a key of the top of the file"},
       {"nothing near", kBody + "[show]\nxylophone = true\n",
        4, "show.xylophone", "(known: body, ghosts, axes, "},
+      {"another word", kBody + "[motion]\nfriction = 0.1\n", 4, "motion.friction", "here it is motion.torque"},
+      {"another word with a unit", kBody + "[motion]\ntilt_deg = 3\n", 4, "motion.tilt_deg", "here it is motion.attitude"},
       {"first by line", kBody + "[video]\nzzz = 1\naaa = 2\n", 4, "video.zzz", "unknown key"},
       {"unit that the key has not", "[body]\nmoments_cm = [1, 2, 3]\n",
        2, "body.moments_cm", "did you mean 'moments' in kg m^2"},

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/able_methods.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/output_folder.h"
@@ -37,18 +38,9 @@ Task make_task(const std::filesystem::path& file,
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};
-    for (const StepperInfo* method : methods) {
-      if (why_not(*method, model).empty()) task.methods.push_back(method);
-    }
+    task.methods = able_methods(methods, job.methods, model, file.string());
     task.panel.accuracy_rad = accuracy_in_radians(scene, model);
   });
-  if (task.methods.empty()) {
-    throw input_error("{} cannot take {}: {}",
-                      methods.front()->name,
-                      file.string(),
-                      why_not(*methods.front(), task.problem.model))
-        .at({{}, 0, "--methods"});
-  }
   task.panel.scene = file.stem().string();
   task.panel.title = scene.title.empty() ? task.panel.scene : scene.title;
   task.panel.accuracy_why = scene.numerics.accuracy.pixels

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/able_methods.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/system/parallel.h"
@@ -134,13 +135,7 @@ MappedScene make_place(const std::filesystem::path& file,
   place.scene = load_scene(file, job.settings);
   const double rate = with_place(place.scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
-    for (const StepperInfo* method : methods) {
-      if (why_not(*method, model).empty()) place.methods.push_back(method);
-    }
-    if (place.methods.empty()) {
-      throw input_error(
-          "{} cannot take this scene: {}", methods.front()->name, why_not(*methods.front(), model));
-    }
+    place.methods = able_methods(methods, job.methods, model, file.string());
     const double found = typical_rate(model, start_state(model, place.scene.motion));
     if (found <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});

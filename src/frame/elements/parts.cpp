@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "math/so3.h"
 
 namespace polhode {
@@ -188,8 +190,11 @@ std::string needs_forces(const Scenery& scenery) {
 }
 
 std::string needs_cones(const Scenery& scenery) {
-  return has_cones(scenery) ? ""
-                            : "the space and body cones need a free symmetric top that wobbles";
+  if (has_cones(scenery)) return "";
+  return fmt::format(
+      "the space and body cones need a free symmetric top whose angular velocity is at least {:g} "
+      "rad from its angular momentum",
+      kSmallestCone);
 }
 
 std::string needs_pivot(const Scenery& scenery) {
@@ -197,7 +202,9 @@ std::string needs_pivot(const Scenery& scenery) {
 }
 
 std::string needs_free(const Scenery& scenery) {
-  if (!is_free_top(scenery)) return "needs a free body: no torque may turn it";
+  if (scenery.motion.model().on_pivot && !is_free_top(scenery))
+    return "needs a body that no torque turns; on a pivot, gravity does";
+  if (!is_free_top(scenery)) return "needs a body that no torque turns";
   if (scenery.motion.model().kind.rotator) return "needs a body that is no thin rod";
   return scenery.motion.at(0.0).w_B.norm() > 0.0 ? "" : "needs a body that turns";
 }

@@ -10,6 +10,12 @@
 #include "support/run.h"
 
 namespace polhode {
+
+// how a kind is called in the names of its tests
+void PrintTo(const NewKind& kind, std::ostream* out) {
+  *out << kind.name;
+}
+
 namespace {
 
 class NewScene : public ::testing::TestWithParam<NewKind> {
