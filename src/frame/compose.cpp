@@ -69,6 +69,58 @@ bool travels(const Scenery& scenery) {
   });
 }
 
+// the tip and the rim of an arrow's head (S, m); empty for an arrow of no length
+std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
+  constexpr int kAround = 12;
+  const Vec3 along = arrow.tip - arrow.from;
+  const double length = along.norm();
+  if (!(length > 0.0)) return {};
+  const ArrowShape shape = fitting(arrow.shape, length);
+  const Mat3 turn = turn_between(Vec3::UnitZ(), along / length).toRotationMatrix();
+  std::vector<Vec3> points = {arrow.tip};
+  for (int k = 0; k < kAround; ++k) {
+    const double angle = 2.0 * kPi * k / kAround;
+    const Vec3 rim(shape.head_radius * std::cos(angle),
+                   shape.head_radius * std::sin(angle),
+                   -shape.head_length);
+    points.push_back(arrow.tip + turn * rim);
+  }
+  return points;
+}
+
+TextRoom around(const Vec2& point, double radius) {
+  return {point.x() - radius, point.y() - radius, point.x() + radius, point.y() + radius};
+}
+
+// the smallest rectangle that holds both
+TextRoom both(const TextRoom& a, const TextRoom& b) {
+  return {std::min(a.left, b.left),
+          std::min(a.top, b.top),
+          std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+// the rectangles around what labels must not cover, as the camera sees it
+std::vector<TextRoom> marks_of(const Glyphs& glyphs, const Camera& camera) {
+  std::vector<TextRoom> marks;
+  for (const ArrowGlyph& arrow : glyphs.arrows) {
+    const std::vector<Vec3> points = outline_of_head(arrow);
+    const bool seen = std::all_of(
+        points.begin(), points.end(), [&](const Vec3& point) { return camera.sees(point); });
+    if (points.empty() || !seen) continue;
+    TextRoom room = around(camera.project(points.front()), 0.0);
+    for (const Vec3& point : points)
+      room = both(room, around(camera.project(point), 0.0));
+    marks.push_back(room);
+  }
+  for (const MarkGlyph& mark : glyphs.marks) {
+    if (!camera.sees(mark.at)) continue;
+    marks.push_back(
+        around(camera.project(mark.at), mark.radius * camera.pixels_per_metre(mark.at)));
+  }
+  return marks;
+}
+
 Camera make_camera(const CameraSpec& spec,
                    const std::vector<Vec3>& points,
                    PictureSize size,
@@ -172,10 +224,22 @@ CameraView Composer::camera_view(double film, double end) const {
   seen_now.list.view = camera.view(drawing_);
   seen_now.list.background = scenery_.theme.background;
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
-  for (const LabelGlyph& label : glyphs.labels) {
-    if (camera.sees(label.at)) seen_now.labels.push_back(seen(label, camera));
-  }
+  seen_now.names = labels_of(glyphs, camera);
   return seen_now;
+}
+
+LabelView Composer::label_view(double film, double end) const {
+  const double t = std::min(staging_.timeline.motion_time(film), end);
+  return labels_of(glyphs_at(scenery_.motion.at(t), film), camera_at(film));
+}
+
+LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
+  LabelView names;
+  for (const LabelGlyph& label : glyphs.labels) {
+    if (camera.sees(label.at)) names.labels.push_back(seen(label, camera));
+  }
+  names.marks = marks_of(glyphs, camera);
+  return names;
 }
 
 // does anything that is shown stand in space, so that a camera should too?
@@ -291,13 +355,14 @@ SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const double pixel = 0.05 * scenery_.scale.body * camera.pixels_per_metre(label.at);
   const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
   const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
-  SeenLabel seen{from, at, away.normalized(), label.markup, label.color, label.fade, at};
-  const Vec3 neck = label.at - label.head_length * label.away.stableNormalized();
-  if (label.head_length > 0.0 && camera.sees(neck)) {
-    seen.neck = camera.project(neck);
-    seen.head_radius = label.head_radius * camera.pixels_per_metre(neck);
-  }
-  return seen;
+  return {from,
+          at,
+          away.normalized(),
+          label.markup,
+          label.color,
+          label.fade,
+          label.of_arrow,
+          label.size};
 }
 
 std::vector<double> Composer::film_times() const {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "frame/elements.h"
+#include "frame/labels.h"
 #include "frame/timeline.h"
 
 namespace polhode {
@@ -18,18 +19,24 @@ namespace polhode {
 struct SeenLabel {
   Vec2 from;  // foot of the vector that it names; `at` if it names a point or the foot is not seen
   Vec2 at;
-  Vec2 away;                 // unit vector from `at` towards the label
-  std::string markup;        // see text/typesetter.h
-  glm::vec3 color;           // sRGB-encoded, 0..1
-  float fade = 1.0f;         // multiplies the opacity
-  Vec2 neck = Vec2::Zero();  // where the head of the arrow begins; `at` if there is no head
-  double head_radius = 0.0;  // of the head there, pixels
+  Vec2 away;              // unit vector from `at` towards the label
+  std::string markup;     // see text/typesetter.h
+  glm::vec3 color;        // sRGB-encoded, 0..1
+  float fade = 1.0f;      // multiplies the opacity
+  bool of_arrow = false;  // it names an arrow whose tip is `at`
+  double size = 1.0;      // of its type, in that of names of vectors
+};
+
+// The labels that a camera sees at one moment, and what they must not cover.
+struct LabelView {
+  std::vector<SeenLabel> labels;
+  std::vector<TextRoom> marks;  // around heads of arrows and marked points, pixels likewise
 };
 
 // What a camera sees at one moment.
 struct CameraView {
   DrawList list;
-  std::vector<SeenLabel> labels;
+  LabelView names;
 };
 
 // How the motion is filmed: cameras, time and margins.
@@ -69,6 +76,8 @@ class Composer {
 
   // The view at the time `film` (s of film). After `end` (s of motion) the motion stands still.
   CameraView camera_view(double film, double end) const;
+  // Its labels alone.
+  LabelView label_view(double film, double end) const;
   // The draw list at the time t (s of motion).
   DrawList at(double t) const;
   // Warnings, which are not thrown, with the key concerned: camera.eye for a camera that sees
@@ -118,6 +127,7 @@ class Composer {
   };
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
+  LabelView labels_of(const Glyphs& glyphs, const Camera& camera) const;
 
   Scenery scenery_;
   std::map<std::string, bool> shown_;

@@ -2,7 +2,9 @@
 #include "frame/film.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -14,6 +16,9 @@ namespace polhode {
 namespace {
 
 constexpr double kSeamWidth = 0.0022;
+constexpr double kLeaderWidth = 0.05;  // of the type
+// s of film: labels that are in each other's way give way over about four times as long
+constexpr double kGiveWay = 0.1;
 const Rgb kAlarm{196, 60, 18};
 
 TextRoom room_of(const PixelBox& box) {
@@ -21,6 +26,58 @@ TextRoom room_of(const PixelBox& box) {
           static_cast<double>(box.y),
           static_cast<double>(box.right()),
           static_cast<double>(box.bottom())};
+}
+
+TextRoom moved(const TextRoom& room, const Vec2& by) {
+  return {room.left + by.x(), room.top + by.y(), room.right + by.x(), room.bottom + by.y()};
+}
+
+// The weights with which a uniform cubic spline takes its four control points, at the fraction
+// `part` (0..1) of the step between the middle two.
+std::array<double, 4> spline_weights(double part) {
+  const double rest = 1.0 - part;
+  return {rest * rest * rest / 6.0,
+          (3.0 * part * part * part - 6.0 * part * part + 4.0) / 6.0,
+          (3.0 * rest * rest * rest - 6.0 * rest * rest + 4.0) / 6.0,
+          part * part * part / 6.0};
+}
+
+// The end of a vector as far as it lies in the room; nothing if it begins outside.
+std::optional<Vec2> visible_end(const TextShaft& shaft, const TextRoom& room) {
+  if (distance(room, shaft.from) > 0.0) return std::nullopt;
+  const Vec2 way = shaft.tip - shaft.from;
+  double part = 1.0;
+  const auto clip = [&part](double from, double by, double low, double high) {
+    if (by < 0.0) part = std::min(part, (low - from) / by);
+    if (by > 0.0) part = std::min(part, (high - from) / by);
+  };
+  clip(shaft.from.x(), way.x(), room.left, room.right);
+  clip(shaft.from.y(), way.y(), room.top, room.bottom);
+  if (part >= 1.0) return shaft.tip;
+  return shaft.from + part * way;
+}
+
+// px
+double capital_height(const Typesetter& typesetter, const TextStyle& style) {
+  return typesetter.measure("L", style).ink_height();
+}
+
+// the line from a name to its tip, with half the rim that the letters have
+Stamp leader_stamp(const PlacedText& text) {
+  const Leader& leader = *text.leader;
+  const double width = std::max(1.0, kLeaderWidth * text.style.size);
+  const double rim = 0.5 * width + text.style.halo + 1.0;
+  const int left = static_cast<int>(std::floor(std::min(leader.from.x(), leader.to.x()) - rim));
+  const int top = static_cast<int>(std::floor(std::min(leader.from.y(), leader.to.y()) - rim));
+  const double right = std::max(leader.from.x(), leader.to.x()) + rim;
+  const double bottom = std::max(leader.from.y(), leader.to.y()) + rim;
+  Sprite line(static_cast<int>(std::ceil(right)) - left, static_cast<int>(std::ceil(bottom)) - top);
+  const std::vector<Polyline> way = {{{leader.from.x() - left, leader.from.y() - top},
+                                      {leader.to.x() - left, leader.to.y() - top}}};
+  stroke(line, way, width + text.style.halo, text.style.halo_color);
+  stroke(line, way, width, text.style.color);
+  return {
+      std::make_shared<const Sprite>(std::move(line)), left, top, text.opacity * leader.opacity};
 }
 
 // lines between the parts of a frame with several panels
@@ -75,8 +132,23 @@ std::string clock_text(double t, double time_scale) {
 // a picture while text is added to it
 struct Film::Page {
   Picture picture;
-  std::vector<TextRoom> taken;
+  std::vector<Stamp> leaders;
+  PlacedPage placed;
   double title_ends = 0.0;  // px from the top
+};
+
+// labels of a panel before they are placed
+struct Film::Layout {
+  double size = 0.0;               // of the type, px
+  TextRoom frame;                  // where labels may stand
+  std::vector<std::string> names;  // of the labels, each only once
+  std::vector<LabelWish> wishes;
+  std::vector<TextStyle> styles;
+  std::vector<TextShaft> shafts;
+  Obstacles obstacles;
+
+  double gap() const { return 0.2 * size; }
+  std::vector<Vec2> pushed() const { return pushed_apart(wishes, obstacles, shafts, frame, gap()); }
 };
 
 struct Film::WithFonts {
@@ -131,9 +203,12 @@ Film::Page Film::page_at(double film) const {
   for (const FilmPanel& panel : panels_) {
     const double notes_end = add_notes(panel, t, page);
     CameraView view = panel.composer->camera_view(film, panel.end);
-    if (text_.labels) add_labels(panel, view.labels, notes_end, page);
+    if (text_.labels) add_labels(panel, view.names, film, notes_end, page);
     page.picture.panels.push_back({panel.place, std::move(view.list)});
   }
+  // under all text
+  std::vector<Stamp>& stamps = page.picture.stamps;
+  stamps.insert(stamps.begin(), page.leaders.begin(), page.leaders.end());
   return page;
 }
 
@@ -148,14 +223,30 @@ Picture Film::bare_at(double film) const {
   return picture;
 }
 
-std::vector<TextRoom> Film::text_rooms(double film) const {
-  return page_at(film).taken;
+PlacedPage Film::placed(double film) const {
+  return page_at(film).placed;
+}
+
+TextRoom Film::add_text(TextRole role,
+                        const std::string& markup,
+                        const TextStyle& style,
+                        double x,
+                        double y,
+                        Page& page) const {
+  const TextBox box = typesetter_->measure(markup, style);
+  const TextRoom ink{x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom};
+  page.picture.stamps.push_back(typesetter_->set(markup, style, x, y));
+  page.placed.texts.push_back({role, markup, style, ink});
+  return ink;
 }
 
 void Film::add_plots(double t, Page& page) const {
   if (areas_.plots.empty()) return;
-  with_fonts().plots->draw(t, page.picture.stamps);
-  page.taken.push_back(room_of(areas_.plots));
+  const PlotStack& plots = *with_fonts().plots;
+  plots.draw(t, page.picture.stamps);
+  page.placed.rooms.push_back(room_of(areas_.plots));
+  for (PlacedText& text : plots.texts(t))
+    page.placed.texts.push_back(std::move(text));
 }
 
 // title and clock in the bar above, the caption in that below
@@ -163,12 +254,13 @@ void Film::add_bars(double film, Page& page) const {
   const Timeline& timeline = panels_.front().composer->timeline();
   const Theme& theme = panels_.front().composer->scenery().theme;
   const double edge = edge_of({0, 0, size_.width, size_.height});
-  const auto add = [&](const std::string& markup, const TextStyle& style, double x, double middle) {
-    const TextBox box = typesetter_->measure(markup, style);
-    const double y = middle - 0.5 * box.height;
-    page.picture.stamps.push_back(typesetter_->set(markup, style, x, y));
-    page.taken.push_back(
-        {x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom});
+  const auto add = [&](TextRole role,
+                       const std::string& markup,
+                       const TextStyle& style,
+                       double x,
+                       double middle) {
+    const double y = middle - 0.5 * typesetter_->measure(markup, style).height;
+    page.placed.rooms.push_back(add_text(role, markup, style, x, y, page));
   };
 
   const PixelBox& above = areas_.title;
@@ -184,21 +276,24 @@ void Film::add_bars(double film, Page& page) const {
     style.size *= shrink;
     style.halo *= shrink;
     const std::string markup = clock_text(timeline.motion_time(film), text_.time_scale);
-    add(markup, style, free_to - typesetter_->measure(markup, style).width, middle);
+    const double x = free_to - typesetter_->measure(markup, style).width;
+    add(TextRole::clock, markup, style, x, middle);
     free_to -= typesetter_->measure(last, style).width + edge;
   }
   if (!text_.title.empty()) {
     TextStyle style = style_of(theme, title_size(text_, size_), theme.position);
     style.bold = true;
     const std::string markup = plain_text(text_.title);
-    add(markup, fitted(*typesetter_, markup, style, free_to - edge, above.height), edge, middle);
+    style = fitted(*typesetter_, markup, style, free_to - edge, above.height);
+    add(TextRole::title, markup, style, edge, middle);
   }
   const std::string caption = timeline.caption(film).value_or(text_.caption);
   if (!caption.empty() && !areas_.caption.empty()) {
     const PixelBox& below = areas_.caption;
     const TextStyle style = style_of(theme, caption_size(text_, size_), theme.position);
     const std::string markup = plain_text(caption);
-    add(markup,
+    add(TextRole::caption,
+        markup,
         fitted(*typesetter_, markup, style, size_.width - 2.0 * edge, below.height),
         edge,
         below.y + 0.5 * below.height);
@@ -211,12 +306,10 @@ void Film::add_frame_text(double film, Page& page) const {
   const std::string caption = timeline.caption(film).value_or(text_.caption);
   const double edge = edge_of({0, 0, size_.width, size_.height});
   const Theme& theme = panels_.front().composer->scenery().theme;
-  const auto add = [&](const std::string& markup, const TextStyle& style, double x, double y) {
-    const TextBox box = typesetter_->measure(markup, style);
-    page.picture.stamps.push_back(typesetter_->set(markup, style, x, y));
-    page.taken.push_back(
-        {x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom});
-  };
+  const auto add =
+      [&](TextRole role, const std::string& markup, const TextStyle& style, double x, double y) {
+        page.placed.rooms.push_back(add_text(role, markup, style, x, y, page));
+      };
 
   if (!text_.title.empty()) {
     TextStyle style = style_of(theme, title_size(text_, size_), theme.position);
@@ -224,7 +317,7 @@ void Film::add_frame_text(double film, Page& page) const {
     style.width = size_.width - 2.0 * edge;
     const std::string markup = plain_text(text_.title);
     page.title_ends = 0.6 * edge + typesetter_->measure(markup, style).height;
-    add(markup, style, edge, 0.6 * edge);
+    add(TextRole::title, markup, style, edge, 0.6 * edge);
   }
   double bottom = size_.height - 0.6 * edge;
   if (!caption.empty()) {
@@ -232,14 +325,14 @@ void Film::add_frame_text(double film, Page& page) const {
     style.width = 0.72 * size_.width;
     const std::string markup = plain_text(caption);
     bottom -= typesetter_->measure(markup, style).height;
-    add(markup, style, edge, bottom);
+    add(TextRole::caption, markup, style, edge, bottom);
     bottom = size_.height - 0.6 * edge;
   }
   if (text_.clock) {
     const TextStyle style = style_of(theme, clock_size(text_, size_), theme.space_axes);
     const std::string markup = clock_text(t, text_.time_scale);
     const TextBox box = typesetter_->measure(markup, style);
-    add(markup, style, size_.width - edge - box.width, bottom - box.height);
+    add(TextRole::clock, markup, style, size_.width - edge - box.width, bottom - box.height);
   }
 }
 
@@ -262,8 +355,8 @@ double Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
     const std::string markup = plain_text(line);
     style = fitted(*typesetter_, markup, style, width, height);
     const TextBox box = typesetter_->measure(markup, style);
-    page.picture.stamps.push_back(typesetter_->set(markup, style, place.x + edge, y));
-    page.taken.push_back({place.x + edge, y, place.x + edge + box.width, y + box.height});
+    add_text(TextRole::note, markup, style, place.x + edge, y, page);
+    page.placed.rooms.push_back({place.x + edge, y, place.x + edge + box.width, y + box.height});
     y += height;
   };
   if (!notes.name.empty()) add(notes.name, sizes.name, true);
@@ -288,46 +381,99 @@ double Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
       {std::make_shared<Sprite>(filled_sprite(badge.width, badge.height, kAlarm, 0.92)),
        badge.x,
        badge.y});
-  page.picture.stamps.push_back(
-      typesetter_->set(markup, style, badge.x + pad, badge.y + 0.5 * (badge.height - box.height)));
-  page.taken.push_back(room_of(badge));
+  const double middle = badge.y + 0.5 * (badge.height - box.height);
+  add_text(TextRole::note, markup, style, badge.x + pad, middle, page);
+  page.placed.rooms.push_back(room_of(badge));
   return badge.bottom();
 }
 
-void Film::add_labels(const FilmPanel& panel,
-                      const std::vector<SeenLabel>& labels,
-                      double top,
-                      Page& page) const {
+Film::Layout Film::layout_of(const FilmPanel& panel,
+                             const LabelView& view,
+                             double top,
+                             const std::vector<TextRoom>& text) const {
   const PixelBox& place = panel.place;
   const Theme& theme = panel.composer->scenery().theme;
-  const double size = label_size(text_, place, size_);
-  std::vector<LabelWish> wishes;
-  std::vector<TextShaft> shafts;
-  std::vector<TextStyle> styles;
   const Vec2 corner(place.x, place.y);
-  for (const SeenLabel& label : labels) {
+  Layout layout;
+  layout.size = label_size(text_, place, size_);
+  std::map<std::string, int> count;
+  for (const SeenLabel& label : view.labels) {
+    const double size = std::max(label.size * layout.size, least_text_size(text_, size_));
     TextStyle style = style_of(theme, size, label.color);
     style.face = Face::math;
     const TextBox box = typesetter_->measure(label.markup, style);
-    wishes.push_back({corner + label.at, label.away, box.ink_width(), box.ink_height()});
-    shafts.push_back(
-        {corner + label.from, corner + label.at, corner + label.neck, label.head_radius});
-    styles.push_back(style);
+    layout.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
+    layout.wishes.push_back({corner + label.at, label.away, box.ink_width(), box.ink_height()});
+    layout.shafts.push_back({corner + label.from, corner + label.at});
+    layout.styles.push_back(style);
   }
-  const double inset = 0.25 * size;
-  TextRoom frame = room_of(place);
-  frame = {frame.left + inset,
-           std::max(frame.top, top) + inset,
-           frame.right - inset,
-           frame.bottom - inset};
-  const std::vector<TextRoom> rooms = place_labels(wishes, page.taken, shafts, frame, 0.2 * size);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const TextBox box = typesetter_->measure(labels[i].markup, styles[i]);
+  layout.obstacles.text = text;
+  for (const TextRoom& mark : view.marks)
+    layout.obstacles.marks.push_back(moved(mark, corner));
+  const double inset = 0.25 * layout.size;
+  const TextRoom all = room_of(place);
+  layout.frame = {
+      all.left + inset, std::max(all.top, top) + inset, all.right - inset, all.bottom - inset};
+  return layout;
+}
+
+// The ways that labels are pushed, averaged over a short time: one that changes sides goes there
+// instead of jumping. They are a spline between ways at fixed times, and so a function of time.
+std::vector<Vec2> Film::steadily_pushed(const FilmPanel& panel,
+                                        double film,
+                                        double top,
+                                        const std::vector<TextRoom>& text,
+                                        const Layout& now) const {
+  const double end = panel.composer->timeline().film_duration();
+  const double before = std::floor(film / kGiveWay);
+  const std::array<double, 4> weights = spline_weights(film / kGiveWay - before);
+  std::vector<Vec2> sums(now.names.size(), Vec2::Zero());
+  std::vector<double> shares(now.names.size(), 0.0);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const double time = std::clamp((before + static_cast<double>(k) - 1.0) * kGiveWay, 0.0, end);
+    const Layout then = layout_of(panel, panel.composer->label_view(time, panel.end), top, text);
+    const std::vector<Vec2> ways = then.pushed();
+    for (std::size_t i = 0; i < now.names.size(); ++i) {
+      const auto found = std::find(then.names.begin(), then.names.end(), now.names[i]);
+      if (found == then.names.end()) continue;
+      sums[i] += weights[k] * ways[static_cast<std::size_t>(found - then.names.begin())];
+      shares[i] += weights[k];
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (shares[i] > 0.0) sums[i] /= shares[i];
+  return sums;
+}
+
+void Film::add_labels(
+    const FilmPanel& panel, const LabelView& view, double film, double top, Page& page) const {
+  const Layout layout = layout_of(panel, view, top, page.placed.rooms);
+  const std::vector<Vec2> pushed = steadily_pushed(panel, film, top, page.placed.rooms, layout);
+  const std::vector<TextRoom> rooms =
+      settled(layout.wishes, pushed, layout.obstacles, layout.frame, layout.gap());
+  const std::vector<TextRoom>& marks = layout.obstacles.marks;
+  page.placed.marks.insert(page.placed.marks.end(), marks.begin(), marks.end());
+
+  std::vector<PlacedText> texts;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const SeenLabel& label = view.labels[i];
+    PlacedText text{TextRole::label, label.markup, layout.styles[i], rooms[i], label.fade};
+    if (label.of_arrow) {
+      text.tip = visible_end(layout.shafts[i], room_of(panel.place));
+      const double letter = capital_height(*typesetter_, layout.styles[i]);
+      if (text.tip) text.leader = leader_to(*text.tip, rooms[i], letter);
+    }
+    if (text.leader) page.leaders.push_back(leader_stamp(text));
+    texts.push_back(std::move(text));
+  }
+  for (PlacedText& text : texts) {
+    const TextBox box = typesetter_->measure(text.markup, text.style);
     Stamp stamp = typesetter_->set(
-        labels[i].markup, styles[i], rooms[i].left - box.ink_left, rooms[i].top - box.ink_top);
-    stamp.opacity = labels[i].fade;
+        text.markup, text.style, text.room.left - box.ink_left, text.room.top - box.ink_top);
+    stamp.opacity = text.opacity;
     page.picture.stamps.push_back(stamp);
-    page.taken.push_back(rooms[i]);
+    page.placed.rooms.push_back(text.room);
+    page.placed.texts.push_back(std::move(text));
   }
 }
 

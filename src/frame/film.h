@@ -10,6 +10,7 @@
 #include "frame/compose.h"
 #include "frame/labels.h"
 #include "frame/layout.h"
+#include "frame/placed_text.h"
 #include "frame/plot.h"
 #include "text/typesetter.h"
 
@@ -33,6 +34,13 @@ struct FilmPanel {
   NoteRows rows = {};  // what notes may have
 };
 
+// Where everything stands that is laid over a picture; pixels of the frame.
+struct PlacedPage {
+  std::vector<TextRoom> rooms;    // of all plots, and of text outside them
+  std::vector<PlacedText> texts;  // also those in plots
+  std::vector<TextRoom> marks;    // what labels must not cover: heads of arrows, marked points
+};
+
 // Immutable. Pictures are pure functions of time and may be made from any thread.
 class Film {
  public:
@@ -53,9 +61,8 @@ class Film {
   // as Motion::at does.
   Picture bare_at(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
-  // The rectangles (pixels of the frame) of all plots and text at this moment; for tests. Throws
-  // Error as at() does.
-  std::vector<TextRoom> text_rooms(double film) const;
+  // Where everything stands at this moment; for tests. Throws Error as at() does.
+  PlacedPage placed(double film) const;
 
  private:
   struct Page;
@@ -66,11 +73,26 @@ class Film {
   void add_bars(double film, Page& page) const;
   // Returns where they end, px of the frame.
   double add_notes(const FilmPanel& panel, double t, Page& page) const;
-  // Labels stay below `top`, px of the frame.
-  void add_labels(const FilmPanel& panel,
-                  const std::vector<SeenLabel>& labels,
-                  double top,
-                  Page& page) const;
+  struct Layout;
+  // Where the labels of a panel wish to stand, below `top` and off `text`.
+  Layout layout_of(const FilmPanel& panel,
+                   const LabelView& view,
+                   double top,
+                   const std::vector<TextRoom>& text) const;
+  std::vector<Vec2> steadily_pushed(const FilmPanel& panel,
+                                    double film,
+                                    double top,
+                                    const std::vector<TextRoom>& text,
+                                    const Layout& now) const;
+  void add_labels(
+      const FilmPanel& panel, const LabelView& view, double film, double top, Page& page) const;
+  // Returns the rectangle of its ink.
+  TextRoom add_text(TextRole role,
+                    const std::string& markup,
+                    const TextStyle& style,
+                    double x,
+                    double y,
+                    Page& page) const;
   Page page_at(double film) const;
 
   std::vector<FilmPanel> panels_;

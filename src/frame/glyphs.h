@@ -55,11 +55,17 @@ struct LabelGlyph {
   Vec3 at;    // in S, m
   Vec3 away;  // the vector that it names, from its foot to `at` (S, m); zero: it names a point and
               // stands above it
-  std::string markup;  // see text/typesetter.h
-  glm::vec3 color;     // sRGB-encoded, 0..1
-  float fade = 1.0f;   // multiplies the opacity
-  // of the arrow's head, which ends at `at`; m; 0: there is none
-  double head_length = 0.0, head_radius = 0.0;
+  std::string markup;     // see text/typesetter.h
+  glm::vec3 color;        // sRGB-encoded, 0..1
+  float fade = 1.0f;      // multiplies the opacity
+  bool of_arrow = false;  // it names an arrow whose tip is `at`
+  double size = 1.0;      // of its type, in that of names of vectors
+};
+
+// A point that labels should not cover.
+struct MarkGlyph {
+  Vec3 at;        // in S, m
+  double radius;  // of what is drawn there, m
 };
 
 // A flat translucent mesh and the plane that it lies in.
@@ -83,6 +89,7 @@ struct Glyphs {
   std::vector<Vec3> reach;     // points (S, m) that show how far the meshes, ghosts, shells and
                                // sheets reach, for framing
   std::vector<LabelGlyph> labels;
+  std::vector<MarkGlyph> marks;
 };
 
 // How many glyphs there were of each kind when this was made, for fade_new().

@@ -2,6 +2,7 @@
 // Places labels so that they do not overlap each other or other text.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "math/notation.h"
@@ -17,12 +18,22 @@ struct TextRoom {
   Vec2 center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
 };
 
-// A drawn vector that labels should not cover; pixels, y down. Its head, a triangle from the tip to
-// the neck, may be covered even less.
+// A drawn vector that labels should not cover; pixels, y down.
 struct TextShaft {
   Vec2 from, tip;
-  Vec2 neck = Vec2::Zero();
-  double head_radius = 0.0;  // at the neck; 0: there is no head
+};
+
+// What labels must keep off, pixels, y down. Those that cannot be clear of all of it give up
+// `marks` first.
+struct Obstacles {
+  std::vector<TextRoom> text;   // other text
+  std::vector<TextRoom> marks;  // heads of arrows, points of contact
+};
+
+// A thin line from a label to the tip that it names; pixels, y down.
+struct Leader {
+  Vec2 from, to;
+  double opacity = 1.0;  // 0..1
 };
 
 // Whether the rectangles have a common area.
@@ -37,14 +48,32 @@ struct LabelWish {
   double height = 0.0;  // of its ink
 };
 
-// The rectangle of each wish, in the order of the wishes, inside `frame`. Rectangles keep at least
-// `gap` pixels from `taken` and from each other if there is enough space, and keep off the heads of
-// `shafts`, and off their shafts where possible. A pure function: a picture does not depend on
-// which one was drawn before it.
-std::vector<TextRoom> place_labels(const std::vector<LabelWish>& wishes,
-                                   const std::vector<TextRoom>& taken,
-                                   const std::vector<TextShaft>& shafts,
-                                   const TextRoom& frame,
-                                   double gap);
+// Labels are placed in two steps, both pure functions, so that a picture does not depend on which
+// one was drawn before it. First, how far each label is pushed from where it wishes to stand
+// (pixels) when all labels push each other and the obstacles and shafts push them, with `gap`
+// pixels between them. These ways may be averaged over time.
+std::vector<Vec2> pushed_apart(const std::vector<LabelWish>& wishes,
+                               const Obstacles& obstacles,
+                               const std::vector<TextShaft>& shafts,
+                               const TextRoom& frame,
+                               double gap);
+
+// Second, the rectangle of each wish that is pushed that far, in the order of the wishes, inside
+// `frame`. Rectangles overlap neither each other nor obstacles if there is enough space: where they
+// would, they go the shortest way that keeps `gap` pixels from text and labels and half of it from
+// marks.
+std::vector<TextRoom> settled(const std::vector<LabelWish>& wishes,
+                              const std::vector<Vec2>& pushed,
+                              const Obstacles& obstacles,
+                              const TextRoom& frame,
+                              double gap);
+
+// How far a point is from a rectangle, pixels; 0 inside.
+double distance(const TextRoom& room, const Vec2& point);
+
+// The line from a label to the tip of its arrow, or to where that leaves the picture. It fades in
+// while the label is between 1 and 1.4 times `letter` from the tip, the height of a capital
+// (pixels); nearer there is none.
+std::optional<Leader> leader_to(const Vec2& tip, const TextRoom& room, double letter);
 
 }  // namespace polhode

@@ -146,7 +146,7 @@ NoteSizes note_sizes(const FilmText& text,
 
 double label_size(const FilmText& text, const PixelBox& panel, PictureSize size) {
   return std::max(kLabelSize * text.size * type_size(panel.width, panel.height),
-                  kLeast * whole(text, size));
+                  least_text_size(text, size));
 }
 
 double title_size(const FilmText& text, PictureSize size) {
@@ -163,6 +163,10 @@ double clock_size(const FilmText& text, PictureSize size) {
 
 double plot_text_size(const FilmText& text, PictureSize size) {
   return kPlotSize * whole(text, size);
+}
+
+double least_text_size(const FilmText& text, PictureSize size) {
+  return kLeast * whole(text, size);
 }
 
 double edge_of(const PixelBox& part) {

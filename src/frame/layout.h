@@ -75,6 +75,8 @@ double title_size(const FilmText& text, PictureSize size);
 double caption_size(const FilmText& text, PictureSize size);
 double clock_size(const FilmText& text, PictureSize size);
 double plot_text_size(const FilmText& text, PictureSize size);
+// The smallest size of type that can be read in the last row of a lecture hall.
+double least_text_size(const FilmText& text, PictureSize size);
 // What is free at the sides of a part of the frame, pixels.
 double edge_of(const PixelBox& part);
 

@@ -31,6 +31,8 @@ constexpr double kBetween = 0.8;  // names of curves
 constexpr double kSample = 1.6;   // width of a curve's sample, below its name
 // of what there is, at most
 constexpr double kMostOfHeight = 0.15, kMostOfWidth = 0.055;
+// of a plot's share of the height, at most, for type that is already smaller by this factor
+constexpr double kCrowded = 0.178, kLess = 0.9;
 constexpr double kHighest = 0.75;                             // of a plot, of its width
 constexpr double kGrid = 0.22, kAxis = 0.9, kPresent = 0.55;  // opacities
 
@@ -127,7 +129,9 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
                      const Typesetter& typesetter)
     : theme_(theme), typesetter_(typesetter) {
   const auto count = static_cast<double>(plots.size());
-  size_ = std::min({size, kMostOfHeight * room.height / count, kMostOfWidth * room.width});
+  const double share = room.height / count;
+  const double high = std::max(kMostOfHeight * share, std::min(kLess * size, kCrowded * share));
+  size_ = std::min({size, high, kMostOfWidth * room.width});
   line_ = std::max(1.0, kCurve * size_);
   const double pad = kPad * size_;
   const double left = room.x + pad;
@@ -200,7 +204,8 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
 void PlotStack::add_text(const std::string& text, const TextStyle& style, double x, double y) {
   const std::string markup = plain_text(text);
   fixed_.push_back(typesetter_.set(markup, style, x, y));
-  fixed_text_.push_back(ink_of(typesetter_.measure(markup, style), x, y));
+  fixed_text_.push_back(
+      {TextRole::plot, markup, style, ink_of(typesetter_.measure(markup, style), x, y)});
 }
 
 void PlotStack::add_line(const PixelBox& box, double opacity) {
@@ -421,12 +426,23 @@ std::vector<PixelBox> PlotStack::axes() const {
   return list;
 }
 
-std::vector<TextRoom> PlotStack::values(double t) const {
-  std::vector<TextRoom> list;
+std::vector<PlacedText> PlotStack::values(double t) const {
+  std::vector<PlacedText> list;
   for (const Drawn& one : plots_) {
-    for (const Value& value : values_of(one, t))
-      list.push_back(ink_of(value.box, value.x, value.y));
+    for (const Value& value : values_of(one, t)) {
+      list.push_back({TextRole::plot,
+                      plain_text(value.text),
+                      style_of(theme_, size_, color(value.curve)),
+                      ink_of(value.box, value.x, value.y)});
+    }
   }
+  return list;
+}
+
+std::vector<PlacedText> PlotStack::texts(double t) const {
+  std::vector<PlacedText> list = fixed_text_;
+  for (PlacedText& value : values(t))
+    list.push_back(std::move(value));
   return list;
 }
 

@@ -8,6 +8,7 @@
 
 #include "frame/labels.h"
 #include "frame/layout.h"
+#include "frame/placed_text.h"
 #include "frame/theme.h"
 #include "frame/ticks.h"
 #include "image/sprite.h"
@@ -60,9 +61,10 @@ class PlotStack {
 
   // For tests, pixels of the frame. Where the curves of each plot are:
   std::vector<PixelBox> axes() const;
-  // All text that keeps its place, and the values at a time.
-  const std::vector<TextRoom>& fixed_text() const { return fixed_text_; }
-  std::vector<TextRoom> values(double t) const;
+  // All text that keeps its place, the values at a time, and both.
+  const std::vector<PlacedText>& fixed_text() const { return fixed_text_; }
+  std::vector<PlacedText> values(double t) const;
+  std::vector<PlacedText> texts(double t) const;
 
  private:
   // A plot with its place and scale.
@@ -101,7 +103,7 @@ class PlotStack {
   double line_ = 0.0;  // width of curves, px
   std::vector<Drawn> plots_;
   std::vector<Stamp> fixed_;
-  std::vector<TextRoom> fixed_text_;
+  std::vector<PlacedText> fixed_text_;
   SpritePtr present_;  // the line of the present
 };
 

@@ -35,7 +35,7 @@ const std::vector<Theme>& themes() {
        .velocity = hex("#e56a52"),
        .position = hex("#f2f4f8"),
        .ellipsoid = hex("#94c886"),
-       .plane = hex("#b4487c"),
+       .plane = hex("#c45a92"),
        .polhode = hex("#fff04d"),
        .polhodes = hex("#d9e6d4"),
        .herpolhode = hex("#ff7a5c"),

@@ -160,7 +160,7 @@ TEST(FilmPanels, NotesAndLabelsStayInTheirPanel) {
         const Panels panels(scene);
         const double end = scene.motion.duration / scene.video.time_scale;
         for (const double part : {0.0, 0.2, 0.6, 1.0}) {
-          const std::vector<TextRoom> rooms = panels.film->text_rooms(part * end);
+          const std::vector<TextRoom> rooms = panels.film->placed(part * end).rooms;
           ASSERT_GE(rooms.size(), 2U + panels.all().size());
           // the first two are clock and title, which have a bar above all panels
           for (std::size_t i = 0; i < rooms.size(); ++i) {
@@ -196,7 +196,7 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
   constexpr int kLooks = 120;
   for (int i = 0; i <= kLooks; ++i) {
     const double now = duration * i / kLooks;
-    const std::vector<TextRoom> rooms = film.text_rooms(now);
+    const std::vector<TextRoom> rooms = film.placed(now).rooms;
     for (std::size_t a = 0; a < rooms.size(); ++a) {
       EXPECT_GE(rooms[a].left, -1.0) << now;
       EXPECT_GE(rooms[a].top, -1.0) << now;

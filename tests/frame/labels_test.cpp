@@ -9,6 +9,15 @@
 namespace polhode {
 namespace {
 
+std::vector<TextRoom> placed(const std::vector<LabelWish>& wishes,
+                             const Obstacles& obstacles,
+                             const std::vector<TextShaft>& shafts,
+                             const TextRoom& frame,
+                             double gap) {
+  const std::vector<Vec2> ways = pushed_apart(wishes, obstacles, shafts, frame, gap);
+  return settled(wishes, ways, obstacles, frame, gap);
+}
+
 class LabelsAnywhere : public ::testing::TestWithParam<unsigned> {};
 
 // labels that start anywhere, even in one heap, end apart and inside
@@ -19,6 +28,7 @@ TEST_P(LabelsAnywhere, StandApartAndInside) {
   const std::vector<TextRoom> taken = {{10, 10, 300, 40}, {500, 320, 630, 350}};
   std::vector<LabelWish> wishes;
   std::vector<TextShaft> shafts;
+  std::vector<TextRoom> marks;
   for (int i = 0; i < 9; ++i) {
     const double heap = GetParam() % 2 == 0 ? 0.1 : 1.0;
     const Vec2 at(320 + 300 * heap * (uniform(random) - 0.5),
@@ -26,8 +36,9 @@ TEST_P(LabelsAnywhere, StandApartAndInside) {
     const double angle = 6.28 * uniform(random);
     wishes.push_back({at, {std::cos(angle), std::sin(angle)}, 12 + 20 * uniform(random), 18.0});
     shafts.push_back({Vec2(320, 180), at});
+    marks.push_back({at.x() - 5.0, at.y() - 5.0, at.x() + 5.0, at.y() + 5.0});
   }
-  const std::vector<TextRoom> rooms = place_labels(wishes, taken, shafts, frame, 4.0);
+  const std::vector<TextRoom> rooms = placed(wishes, {taken, marks}, shafts, frame, 4.0);
   ASSERT_EQ(rooms.size(), wishes.size());
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     EXPECT_GE(rooms[i].left, frame.left - 1e-9);
@@ -39,13 +50,15 @@ TEST_P(LabelsAnywhere, StandApartAndInside) {
       EXPECT_FALSE(overlap(rooms[i], rooms[k]));
     for (const TextRoom& obstacle : taken)
       EXPECT_FALSE(overlap(rooms[i], obstacle));
+    for (const TextRoom& mark : marks)
+      EXPECT_FALSE(overlap(rooms[i], mark));
   }
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, LabelsAnywhere, ::testing::Range(0u, 40u));
 
 TEST(Labels, ALonelyOneStandsBeyondTheTip) {
   const TextRoom frame{0, 0, 640, 360};
-  const std::vector<TextRoom> rooms = place_labels(
+  const std::vector<TextRoom> rooms = placed(
       {{Vec2(300, 200), Vec2(1, 0), 20, 16}}, {}, {{Vec2(200, 200), Vec2(300, 200)}}, frame, 4.0);
   EXPECT_NEAR(rooms[0].left, 304.0, 1e-9);
   EXPECT_NEAR(rooms[0].center().y(), 200.0, 1e-9);
@@ -56,7 +69,7 @@ TEST(Labels, StandBesideShafts) {
   const TextRoom frame{0, 0, 640, 360};
   const std::vector<TextShaft> shafts = {{Vec2(100, 100), Vec2(500, 100)}};
   const std::vector<TextRoom> rooms =
-      place_labels({{Vec2(300, 90), Vec2(0, 1), 20, 16}}, {}, shafts, frame, 4.0);
+      placed({{Vec2(300, 90), Vec2(0, 1), 20, 16}}, {}, shafts, frame, 4.0);
   EXPECT_TRUE(rooms[0].bottom < 100.0 || rooms[0].top > 100.0)
       << rooms[0].top << ' ' << rooms[0].bottom;
 }
@@ -64,14 +77,15 @@ TEST(Labels, StandBesideShafts) {
 // two vectors in one line: the name of the shorter one stands beside the head of the longer one
 TEST(Labels, KeepOffHeads) {
   const TextRoom frame{0, 0, 640, 360};
-  const std::vector<TextShaft> shafts = {{Vec2(300, 300), Vec2(300, 100), Vec2(300, 150), 18.0},
-                                         {Vec2(300, 300), Vec2(300, 150), Vec2(300, 190), 22.0}};
+  const std::vector<TextShaft> shafts = {{Vec2(300, 300), Vec2(300, 100)},
+                                         {Vec2(300, 300), Vec2(300, 150)}};
+  const std::vector<TextRoom> heads = {{282, 100, 318, 150}, {278, 150, 322, 190}};
   const std::vector<LabelWish> wishes = {{Vec2(300, 100), Vec2(0, -1), 20, 16},
                                          {Vec2(300, 150), Vec2(0, -1), 20, 16}};
-  const std::vector<TextRoom> rooms = place_labels(wishes, {}, shafts, frame, 4.0);
+  const std::vector<TextRoom> rooms = placed(wishes, {{}, heads}, shafts, frame, 4.0);
   for (const TextRoom& room : rooms) {
-    EXPECT_FALSE(overlap(room, {282, 102, 318, 150}));
-    EXPECT_FALSE(overlap(room, {278, 152, 322, 190}));
+    for (const TextRoom& head : heads)
+      EXPECT_FALSE(overlap(room, head));
   }
   EXPECT_LT(rooms[0].bottom, 100.0);
   // still near its own tip

@@ -76,22 +76,22 @@ TEST(Plot, NoTextTouchesTextOrCurves) {
           plots.push_back(
               plot(low, high, 1 + i % 3, i == 1 ? "angular velocity in space axes" : "energy"));
         const PlotStack made = stack(plots, typesetter, size, room);
-        const std::vector<TextRoom>& fixed = made.fixed_text();
+        const std::vector<PlacedText>& fixed = made.fixed_text();
         for (std::size_t a = 0; a < fixed.size(); ++a) {
-          EXPECT_TRUE(inside(fixed[a], room)) << a;
+          EXPECT_TRUE(inside(fixed[a].room, room)) << a;
           for (std::size_t b = a + 1; b < fixed.size(); ++b)
-            EXPECT_FALSE(overlap(fixed[a], fixed[b])) << a << " and " << b;
+            EXPECT_FALSE(overlap(fixed[a].room, fixed[b].room)) << a << " and " << b;
           for (const PixelBox& axes : made.axes())
-            EXPECT_FALSE(overlap(fixed[a], room_of(axes))) << a;
+            EXPECT_FALSE(overlap(fixed[a].room, room_of(axes))) << a;
         }
         for (double t = 0.0; t <= kDuration; t += 0.1) {
-          const std::vector<TextRoom> values = made.values(t);
+          const std::vector<PlacedText> values = made.values(t);
           for (std::size_t a = 0; a < values.size(); ++a) {
-            EXPECT_TRUE(inside(values[a], room)) << t;
+            EXPECT_TRUE(inside(values[a].room, room)) << t;
             for (std::size_t b = a + 1; b < values.size(); ++b)
-              EXPECT_FALSE(overlap(values[a], values[b])) << t;
-            for (const TextRoom& text : fixed)
-              EXPECT_FALSE(overlap(values[a], text)) << t;
+              EXPECT_FALSE(overlap(values[a].room, values[b].room)) << t;
+            for (const PlacedText& text : fixed)
+              EXPECT_FALSE(overlap(values[a].room, text.room)) << t;
           }
         }
       }
@@ -110,8 +110,8 @@ TEST(Plot, IsLargeEnoughToBeRead) {
       heights += axes.height;
     EXPECT_GT(heights, before) << count;
     before = 0.5 * 1080;
-    for (const TextRoom& text : made.fixed_text())
-      EXPECT_LT(text.right - text.left, 826);
+    for (const PlacedText& text : made.fixed_text())
+      EXPECT_LT(text.room.width(), 826);
   }
 }
 

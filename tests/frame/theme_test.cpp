@@ -158,7 +158,7 @@ TEST(Theme, PoinsotsSurfacesHaveTheirOwnColours) {
       EXPECT_GT(apart(theme.herpolhode, theme.plane), 18.0) << theme.name;
     }
     for (const glm::vec3& color : {theme.polhode, theme.herpolhode, theme.plane})
-      EXPECT_GE(contrast(color, theme.background), 3.0) << theme.name << ": curves, names";
+      EXPECT_GE(contrast(color, theme.background), 4.5) << theme.name << ": curves, names";
   }
 }
 

@@ -62,9 +62,7 @@ void add_vector(const Scenery& scenery,
       (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
   if (name == nullptr || named <= 0.0) return;
   const auto fade = static_cast<float>(std::min(1.0, named));
-  const ArrowShape sizes = fitting(times(shape, scenery.scale.body), (tip - from).norm());
-  glyphs.labels.push_back(
-      {tip, tip - from, name, material.color, fade, sizes.head_length, sizes.head_radius});
+  glyphs.labels.push_back({tip, tip - from, name, material.color, fade, true});
 }
 
 void add_at_reference(const Scenery& scenery,

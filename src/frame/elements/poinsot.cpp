@@ -14,6 +14,7 @@ constexpr double kPlaneRadius = 1.9;
 constexpr double kAxisPlaneRadius = 1.45;
 constexpr double kContactRadius = 0.04;  // of the ball at the point of contact
 constexpr double kNameOff = 0.12;        // of names from their curves
+constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
 
 // {w : w.I w = twice the energy}, in metres of the picture
 Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
@@ -47,8 +48,7 @@ void add_name(const Scenery& scenery,
               float fade,
               Glyphs& glyphs) {
   const Vec3 away = kNameOff * scenery.scale.body * off.normalized();
-  glyphs.labels.push_back(
-      {at + away, away, std::string("<span size=\"62%\">") + name + "</span>", color, fade});
+  glyphs.labels.push_back({at + away, away, name, color, fade, false, kSizeOfNames});
 }
 
 // a direction in the invariable plane, to the right in a camera that sees L vertical, and `nearer`
@@ -96,6 +96,7 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   contact.translation() = omega_tip(scenery, sample);
   contact.linear() *= kContactRadius * scenery.scale.body;
   glyphs.meshes.push_back({scenery.ball, contact, plain(scenery.theme.position, 0.3f)});
+  glyphs.marks.push_back({contact.translation(), kContactRadius * scenery.scale.body});
 
   const Vec3 out = beside(up, 0.5);
   add_name(scenery,

@@ -200,6 +200,7 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
     place.translation() = at;
     place.linear() *= kBallRadius * scenery.scale.body;
     glyphs.meshes.push_back({scenery.ball, place, material});
+    glyphs.marks.push_back({at, kBallRadius * scenery.scale.body});
     for (int i = 0; i < 3; ++i) {
       glyphs.reach.push_back(place * Vec3::Unit(i));
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Whether the last row of a lecture hall can read the films: sizes and places of all text at 1080
+// lines, over whole films.
+#include <gtest/gtest.h>
+
+#include "film/prepared_film.h"
+#include "film/small_films.h"
+#include "motion/recorded.h"
+#include "support/scenes.h"
+
+namespace polhode {
+namespace {
+
+using test::scene_names;
+using test::scene_path;
+
+constexpr double kLeastType = 28.0;   // px, of 1080 lines
+constexpr double kLeastClock = 24.0;  // px
+constexpr double kFarthest = 1.5;     // heights of a capital between a name and its tip or leader
+constexpr double kLook = 0.1;         // s of film between looks
+
+RenderPlan plan_with_text(Scene scene) {
+  scene.video.size = {1920, 1080};
+  RenderPlan plan = test::plan_of(scene);
+  plan.text = true;
+  return plan;
+}
+
+void expect_large(const std::vector<PlacedText>& texts) {
+  for (const PlacedText& text : texts) {
+    const double least = text.role == TextRole::clock ? kLeastClock : kLeastType;
+    EXPECT_GE(text.style.size, least) << text.markup;
+  }
+}
+
+class LegibleFilm : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(LegibleFilm, TextIsLargeAndNamesStandByTheirTips) {
+  const PreparedFilm prepared(plan_with_text(load_scene(scene_path(GetParam()))));
+  const double end = prepared.frames().timeline.film_duration();
+  const Typesetter typesetter;
+  for (double now = 0.0; now <= end; now += kLook) {
+    SCOPED_TRACE(testing::Message() << now << " s");
+    const PlacedPage page = prepared.film().placed(now);
+    expect_large(page.texts);
+    for (const PlacedText& text : page.texts) {
+      if (text.role != TextRole::label) continue;
+      for (const TextRoom& mark : page.marks)
+        EXPECT_FALSE(overlap(text.room, mark)) << text.markup << " over the head of an arrow";
+      if (!text.tip) continue;
+      const double letter = typesetter.measure("L", text.style).ink_height();
+      if (distance(text.room, *text.tip) <= kFarthest * letter) continue;
+      ASSERT_TRUE(text.leader) << text.markup << " is far from its tip";
+      EXPECT_EQ(text.leader->opacity, 1.0);
+      EXPECT_LT(distance(text.room, text.leader->from), 1.0);
+      EXPECT_EQ(text.leader->to, *text.tip);
+      for (const FilmPanel& panel : prepared.film().panels()) {
+        const PixelBox& place = panel.place;
+        const TextRoom around{
+            1.0 * place.x, 1.0 * place.y, 1.0 * place.right(), 1.0 * place.bottom()};
+        if (!overlap(around, text.room)) continue;
+        EXPECT_LT(distance(around, *text.tip), 1e-6) << text.markup << " has its line elsewhere";
+      }
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Scenes,
+                         LegibleFilm,
+                         ::testing::ValuesIn(scene_names()),
+                         [](const auto& row) { return row.param; });
+
+// each quantity alone, and as many plots as fit, six
+TEST(LegiblePlots, TextIsLarge) {
+  std::vector<std::vector<std::string>> stacks;
+  for (const std::string& name : recorded_names())
+    stacks.push_back({name});
+  for (std::size_t count = 2; count <= 6; ++count)
+    stacks.emplace_back(count, "energy");
+  for (const std::vector<std::string>& plots : stacks) {
+    SCOPED_TRACE(testing::Message() << plots.size() << " of " << plots.front());
+    Scene scene = test::small_scene();
+    scene.show.plots = plots;
+    expect_large(PreparedFilm(plan_with_text(scene)).film().placed(0.5).texts);
+  }
+}
+
+}  // namespace
+}  // namespace polhode
