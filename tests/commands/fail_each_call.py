@@ -84,8 +84,20 @@ def calls_of(log):
     return {call: range(max(1, first[call]), most[call] + 1) for call in FAILURES}
 
 
+def injected_in(log):
+    """The lines of the calls that were made to fail, also where another thread's call parts them in two."""
+    begun, found = {}, []
+    for line in log.splitlines():
+        thread = line.split(" ", 1)[0]
+        if "<unfinished ...>" in line:
+            begun[thread] = line
+        elif "INJECTED" in line:
+            found.append(begun.pop(thread, "") + line if " resumed>" in line else line)
+    return "\n".join(found)
+
+
 def faults_of(ran, call, whole):
-    injected = "\n".join(line for line in ran.log.splitlines() if "INJECTED" in line)
+    injected = injected_in(ran.log)
     # the picture of a machine that lacks a font, or the time to look for one, is whole as well
     drawn_otherwise = "/fonts/" in injected or "/fontconfig/" in injected
     if ran.code == "hung":
