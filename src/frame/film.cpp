@@ -2,7 +2,6 @@
 #include "frame/film.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -17,8 +16,10 @@ namespace {
 
 constexpr double kSeamWidth = 0.0022;
 constexpr double kLeaderWidth = 0.05;  // of the type
-// s of film: labels that are in each other's way give way over about four times as long
-constexpr double kGiveWay = 0.1;
+// s of film between the moments for which sides of labels are chosen, at least; how many there are,
+// at most
+constexpr double kMoment = 0.1;
+constexpr double kMostMoments = 6000.0;
 const Rgb kAlarm{196, 60, 18};
 
 TextRoom room_of(const PixelBox& box) {
@@ -32,14 +33,9 @@ TextRoom moved(const TextRoom& room, const Vec2& by) {
   return {room.left + by.x(), room.top + by.y(), room.right + by.x(), room.bottom + by.y()};
 }
 
-// The weights with which a uniform cubic spline takes its four control points, at the fraction
-// `part` (0..1) of the step between the middle two.
-std::array<double, 4> spline_weights(double part) {
-  const double rest = 1.0 - part;
-  return {rest * rest * rest / 6.0,
-          (3.0 * part * part * part - 6.0 * part * part + 4.0) / 6.0,
-          (3.0 * rest * rest * rest - 6.0 * rest * rest + 4.0) / 6.0,
-          part * part * part / 6.0};
+// s of film
+double step_between_moments(double duration) {
+  return std::max(kMoment, duration / kMostMoments);
 }
 
 // The end of a vector as far as it lies in the room; nothing if it begins outside.
@@ -139,22 +135,19 @@ struct Film::Page {
 
 // labels of a panel before they are placed
 struct Film::Layout {
-  double size = 0.0;               // of the type, px
-  TextRoom frame;                  // where labels may stand
-  std::vector<std::string> names;  // of the labels, each only once
-  std::vector<LabelWish> wishes;
+  double size = 0.0;  // of the type, px
+  TextRoom frame;     // where labels may stand
+  LabelMoment moment;
   std::vector<TextStyle> styles;
-  std::vector<TextShaft> shafts;
-  Obstacles obstacles;
 
   double gap() const { return 0.2 * size; }
-  std::vector<Vec2> pushed() const { return pushed_apart(wishes, obstacles, shafts, frame, gap()); }
 };
 
 struct Film::WithFonts {
   std::vector<FilmPlot> asked;
   std::once_flag once;
   std::unique_ptr<const PlotStack> plots;  // null: none
+  std::vector<LabelTracks> tracks;         // of each panel; none without labels
 };
 
 Film::Film(std::vector<FilmPanel> panels,
@@ -177,6 +170,10 @@ Film::~Film() = default;
 
 const Film::WithFonts& Film::with_fonts() const {
   std::call_once(with_fonts_->once, [&] {
+    if (text_.labels) {
+      for (const FilmPanel& panel : panels_)
+        with_fonts_->tracks.push_back(tracks_of(panel));
+    }
     if (with_fonts_->asked.empty()) return;
     with_fonts_->plots =
         std::make_unique<const PlotStack>(with_fonts_->asked,
@@ -200,10 +197,11 @@ Film::Page Film::page_at(double film) const {
   } else {
     add_frame_text(film, page);
   }
-  for (const FilmPanel& panel : panels_) {
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const FilmPanel& panel = panels_[i];
     const double notes_end = add_notes(panel, t, page);
     CameraView view = panel.composer->camera_view(film, panel.end);
-    if (text_.labels) add_labels(panel, view.names, film, notes_end, page);
+    if (text_.labels) add_labels(panel, with_fonts().tracks[i], view.names, film, notes_end, page);
     page.picture.panels.push_back({panel.place, std::move(view.list)});
   }
   // under all text
@@ -402,14 +400,15 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
     TextStyle style = style_of(theme, size, label.color);
     style.face = Face::math;
     const TextBox box = typesetter_->measure(label.markup, style);
-    layout.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
-    layout.wishes.push_back({corner + label.at, label.away, box.ink_width(), box.ink_height()});
-    layout.shafts.push_back({corner + label.from, corner + label.at});
+    layout.moment.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
+    layout.moment.wishes.push_back(
+        {corner + label.at, label.away, box.ink_width(), box.ink_height()});
+    layout.moment.shafts.push_back({corner + label.from, corner + label.at});
     layout.styles.push_back(style);
   }
-  layout.obstacles.text = text;
+  layout.moment.obstacles.text = text;
   for (const TextRoom& mark : view.marks)
-    layout.obstacles.marks.push_back(moved(mark, corner));
+    layout.moment.obstacles.marks.push_back(moved(mark, corner));
   const double inset = 0.25 * layout.size;
   const TextRoom all = room_of(place);
   layout.frame = {
@@ -417,41 +416,42 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
   return layout;
 }
 
-// The ways that labels are pushed, averaged over a short time: one that changes sides goes there
-// instead of jumping. They are a spline between ways at fixed times, and so a function of time.
-std::vector<Vec2> Film::steadily_pushed(const FilmPanel& panel,
-                                        double film,
-                                        double top,
-                                        const std::vector<TextRoom>& text,
-                                        const Layout& now) const {
-  const double end = panel.composer->timeline().film_duration();
-  const double before = std::floor(film / kGiveWay);
-  const std::array<double, 4> weights = spline_weights(film / kGiveWay - before);
-  std::vector<Vec2> sums(now.names.size(), Vec2::Zero());
-  std::vector<double> shares(now.names.size(), 0.0);
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const double time = std::clamp((before + static_cast<double>(k) - 1.0) * kGiveWay, 0.0, end);
-    const Layout then = layout_of(panel, panel.composer->label_view(time, panel.end), top, text);
-    const std::vector<Vec2> ways = then.pushed();
-    for (std::size_t i = 0; i < now.names.size(); ++i) {
-      const auto found = std::find(then.names.begin(), then.names.end(), now.names[i]);
-      if (found == then.names.end()) continue;
-      sums[i] += weights[k] * ways[static_cast<std::size_t>(found - then.names.begin())];
-      shares[i] += weights[k];
-    }
+// from the text that stands there at the beginning
+LabelTracks Film::tracks_of(const FilmPanel& panel) const {
+  Page page;
+  if (panels_.size() > 1 || !areas_.plots.empty()) {
+    add_bars(0.0, page);
+  } else {
+    add_frame_text(0.0, page);
   }
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (shares[i] > 0.0) sums[i] /= shares[i];
-  return sums;
+  const double top = add_notes(panel, 0.0, page);
+  const double duration = panel.composer->timeline().film_duration();
+  const double step = step_between_moments(duration);
+  std::vector<LabelMoment> moments;
+  Layout layout;
+  for (double time = 0.0; time < duration + step; time += step) {
+    const LabelView view = panel.composer->label_view(std::min(time, duration), panel.end);
+    layout = layout_of(panel, view, top, page.placed.rooms);
+    moments.push_back(layout.moment);
+  }
+  return {moments, layout.frame, layout.gap()};
 }
 
-void Film::add_labels(
-    const FilmPanel& panel, const LabelView& view, double film, double top, Page& page) const {
+void Film::add_labels(const FilmPanel& panel,
+                      const LabelTracks& tracks,
+                      const LabelView& view,
+                      double film,
+                      double top,
+                      Page& page) const {
   const Layout layout = layout_of(panel, view, top, page.placed.rooms);
-  const std::vector<Vec2> pushed = steadily_pushed(panel, film, top, page.placed.rooms, layout);
+  const LabelMoment& moment = layout.moment;
+  const double at = film / step_between_moments(panel.composer->timeline().film_duration());
+  std::vector<Vec2> centers;
+  for (std::size_t i = 0; i < moment.wishes.size(); ++i)
+    centers.push_back(tracks.center(moment.names[i], moment.wishes[i], at));
   const std::vector<TextRoom> rooms =
-      settled(layout.wishes, pushed, layout.obstacles, layout.frame, layout.gap());
-  const std::vector<TextRoom>& marks = layout.obstacles.marks;
+      settled(moment.wishes, centers, moment.obstacles, layout.frame, layout.gap());
+  const std::vector<TextRoom>& marks = moment.obstacles.marks;
   page.placed.marks.insert(page.placed.marks.end(), marks.begin(), marks.end());
 
   std::vector<PlacedText> texts;
@@ -459,7 +459,7 @@ void Film::add_labels(
     const SeenLabel& label = view.labels[i];
     PlacedText text{TextRole::label, label.markup, layout.styles[i], rooms[i], label.fade};
     if (label.of_arrow) {
-      text.tip = visible_end(layout.shafts[i], room_of(panel.place));
+      text.tip = visible_end(moment.shafts[i], room_of(panel.place));
       const double letter = capital_height(*typesetter_, layout.styles[i]);
       if (text.tip) text.leader = leader_to(*text.tip, rooms[i], letter);
     }

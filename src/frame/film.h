@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frame/compose.h"
+#include "frame/label_tracks.h"
 #include "frame/labels.h"
 #include "frame/layout.h"
 #include "frame/placed_text.h"
@@ -74,18 +75,18 @@ class Film {
   // Returns where they end, px of the frame.
   double add_notes(const FilmPanel& panel, double t, Page& page) const;
   struct Layout;
-  // Where the labels of a panel wish to stand, below `top` and off `text`.
+  // The labels of a panel at one moment, below `top` and off `text`.
   Layout layout_of(const FilmPanel& panel,
                    const LabelView& view,
                    double top,
                    const std::vector<TextRoom>& text) const;
-  std::vector<Vec2> steadily_pushed(const FilmPanel& panel,
-                                    double film,
-                                    double top,
-                                    const std::vector<TextRoom>& text,
-                                    const Layout& now) const;
-  void add_labels(
-      const FilmPanel& panel, const LabelView& view, double film, double top, Page& page) const;
+  LabelTracks tracks_of(const FilmPanel& panel) const;
+  void add_labels(const FilmPanel& panel,
+                  const LabelTracks& tracks,
+                  const LabelView& view,
+                  double film,
+                  double top,
+                  Page& page) const;
   // Returns the rectangle of its ink.
   TextRoom add_text(TextRole role,
                     const std::string& markup,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places labels so that they do not overlap each other or other text.
+// Places labels so that they overlap neither each other nor other text nor heads of arrows.
 #pragma once
 
 #include <optional>
@@ -36,6 +36,12 @@ struct Leader {
   double opacity = 1.0;  // 0..1
 };
 
+// A rectangle by its middle and size.
+TextRoom room_at(const Vec2& center, double width, double height);
+// The rectangle with that much more on the left and right, and above and below.
+TextRoom grown(const TextRoom& room, double across, double along);
+// Whether a rectangle covers a part of a shaft.
+bool is_over(const TextRoom& room, const TextShaft& shaft);
 // Whether the rectangles have a common area.
 bool overlap(const TextRoom& a, const TextRoom& b);
 
@@ -48,22 +54,12 @@ struct LabelWish {
   double height = 0.0;  // of its ink
 };
 
-// Labels are placed in two steps, both pure functions, so that a picture does not depend on which
-// one was drawn before it. First, how far each label is pushed from where it wishes to stand
-// (pixels) when all labels push each other and the obstacles and shafts push them, with `gap`
-// pixels between them. These ways may be averaged over time.
-std::vector<Vec2> pushed_apart(const std::vector<LabelWish>& wishes,
-                               const Obstacles& obstacles,
-                               const std::vector<TextShaft>& shafts,
-                               const TextRoom& frame,
-                               double gap);
-
-// Second, the rectangle of each wish that is pushed that far, in the order of the wishes, inside
-// `frame`. Rectangles overlap neither each other nor obstacles if there is enough space: where they
+// Rectangles for labels that should stand around `centers`, in the order of the wishes, inside
+// `frame`. They overlap neither each other nor obstacles if there is enough space: where they
 // would, they go the shortest way that keeps `gap` pixels from text and labels and half of it from
-// marks.
+// marks. A pure function: a picture does not depend on which one was drawn before it.
 std::vector<TextRoom> settled(const std::vector<LabelWish>& wishes,
-                              const std::vector<Vec2>& pushed,
+                              const std::vector<Vec2>& centers,
                               const Obstacles& obstacles,
                               const TextRoom& frame,
                               double gap);

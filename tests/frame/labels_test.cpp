@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "frame/labels.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "frame/label_tracks.h"
 
 namespace polhode {
 namespace {
@@ -14,8 +14,14 @@ std::vector<TextRoom> placed(const std::vector<LabelWish>& wishes,
                              const std::vector<TextShaft>& shafts,
                              const TextRoom& frame,
                              double gap) {
-  const std::vector<Vec2> ways = pushed_apart(wishes, obstacles, shafts, frame, gap);
-  return settled(wishes, ways, obstacles, frame, gap);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < wishes.size(); ++i)
+    names.push_back(std::to_string(i));
+  const LabelTracks tracks({{names, wishes, shafts, obstacles}}, frame, gap);
+  std::vector<Vec2> centers;
+  for (std::size_t i = 0; i < wishes.size(); ++i)
+    centers.push_back(tracks.center(names[i], wishes[i], 0.0));
+  return settled(wishes, centers, obstacles, frame, gap);
 }
 
 class LabelsAnywhere : public ::testing::TestWithParam<unsigned> {};
