@@ -64,6 +64,27 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
 }
 
+// the attitude is back, but the body may be elsewhere in the picture
+void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
+  constexpr double kNoticed = 1.0;  // pixels
+  if (!frames.loop) return;
+  const Motion& motion = composer.scenery().motion;
+  const double end = frames.loop->duration;
+  const auto place = [&](double t) {
+    const Camera camera = composer.camera_at(composer.timeline().film_time(t));
+    return camera.project(motion.at(t).reference_S);
+  };
+  const double jump = (place(end) - place(0.0)).norm();
+  if (!(jump > kNoticed)) return;
+  const Error warning = input_error(
+      "the body turns as at the start after {:.4g} s, but stands {:.3g} pixels from there: the "
+      "film "
+      "jumps where it repeats",
+      end,
+      jump);
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
+}
+
 }  // namespace
 
 PreparedFilm::PreparedFilm(const RenderPlan& plan)
@@ -87,6 +108,7 @@ void PreparedFilm::warn() const {
   const Scene& scene = solved_.scene;
   if (text_) warn_of_missing_fonts();
   warn_of_open_loop(scene, frames_);
+  warn_of_jump(scene, frames_, *film_->panels().front().composer);
   for (const Error& warning : film_->panels().front().composer->warnings()) {
     spdlog::warn("{}", placed(scene, warning).what());
   }

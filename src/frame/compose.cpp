@@ -321,6 +321,11 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   for (std::size_t i = 0; i < staging_.shots.size(); ++i) {
     const ShotSpec& shot = staging_.shots[i];
     try {
+      const double end = staging_.timeline.motion_time(staging_.timeline.film_duration());
+      if (shot.at > end) {
+        throw input_error("must be a time within the motion, 0 to {} s, got {}", end, shot.at)
+            .at({{}, 0, fmt::format("shots[{}].at", i)});
+      }
       add(shot.camera, staging_.timeline.film_time(shot.at), shot.move);
     } catch (const Error& error) {
       // "camera.eye" of this shot

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kTimesOfRuns = 256;
 constexpr double kLeastToleranceRefined = 1e-15;
-constexpr double kTolerancesApart = 32.0;  // from run to run
 // differences that fall this many times faster or slower than the order demands are not believed
 constexpr double kFromOrder = 4.0;
 constexpr double kSafety = 2.0;

@@ -7,6 +7,9 @@
 
 namespace polhode {
 
+// The tolerances of successive runs differ by this factor; steps by two.
+inline constexpr double kTolerancesApart = 32.0;
+
 // The fineness of an integration is the step (s) of a fixed-step method, and the tolerance of an
 // adaptive one. Throws Error as integrate_fixed and integrate_adaptive do.
 Integration integrate_with(const StepperInfo& method,

@@ -153,6 +153,12 @@ std::vector<Candidate> candidates(const BodyModel& model,
     const char* what = chosen.splits ? "splitting" : "method";
     found.push_back({&find_stepper(able.front().method), reason_for(able, what) + others});
   }
+  // where steps that suit the start fail later, steps that choose their own length still tell why
+  const StepperInfo& last = find_stepper("dop853");
+  const bool tried = std::any_of(
+      found.begin(), found.end(), [&](const Candidate& one) { return one.method == &last; });
+  if (!tried && !chosen.splits && !numerics.step && why_not(last, model).empty())
+    found.push_back({&last, "cheaper methods failed" + others});
   return found;
 }
 
@@ -166,12 +172,18 @@ Integration integrate_by_cheapest(const BodyModel& model,
                                   SimulationReport& report) {
   const std::vector<Candidate> tried =
       candidates(model, chosen, start, duration, numerics, report.accuracy_rad);
+  // a refusal says what the motion needs; a number that is none, only that steps were too long
+  std::optional<Error> refusal;
   for (auto one = tried.begin();; ++one) {
     report.method_reason = one->reason;
     try {
       return integrate_by(*one->method, model, start, duration, numerics, watch, report);
     } catch (const Error& error) {
-      if (error.fault() == Fault::interrupted || one + 1 == tried.end()) throw;
+      if (error.fault() == Fault::interrupted) throw;
+      if (error.fault() == Fault::input && !refusal) refusal = error;
+      if (one + 1 != tried.end()) continue;
+      if (refusal) throw *refusal;
+      throw;
     }
   }
 }
@@ -193,6 +205,47 @@ Integration integrate(const BodyModel& model,
     return found;
   });
   return integrate_by(method, model, start, duration, numerics, watch, report);
+}
+
+// Without a closed form, a run with a given step or tolerance is held against a finer one: neither
+// energy nor momentum shows an attitude that is wrong.
+void doubt_given_fineness(const BodyModel& model,
+                          const State& start,
+                          double duration,
+                          const NumericsSpec& numerics,
+                          const SimulationWatch& watch,
+                          const Integration& found,
+                          SimulationReport& report) {
+  if (!(report.step || report.tolerance) || report.error_estimate_rad) return;
+  if (report.reliability.attitude_error_rad) return;
+  const StepperInfo& method = find_stepper(report.method);
+  const double finer = method.adaptive ? *report.tolerance / kTolerancesApart : 0.5 * *report.step;
+  const std::string against = method.adaptive ? fmt::format("a tolerance of {:.3g}", finer)
+                                              : fmt::format("a step of {:.3g} s", finer);
+  std::vector<std::string>& doubts = report.reliability.doubts;
+  try {
+    Effort effort{most_steps(numerics, kMostStepsGiven)};
+    if (watch) {
+      effort.watch = [&](double part) {
+        watch(2, part);
+      };
+    }
+    const Integration check = integrate_with(method, model, start, duration, finer, effort);
+    const double apart = largest_deviation(
+        model, *found.trajectory, *check.trajectory, scattered_times(duration, kTimesOfDrift));
+    // errors that fall by the order are this much larger than what the finer run takes away
+    const double order = method.adaptive ? 1.0 : 1.0 / (1.0 - std::exp2(-method.order));
+    report.error_estimate_rad = apart * order;
+    if (apart * order <= report.accuracy_rad) return;
+    doubts.push_back(
+        fmt::format("{} moves the attitude by up to {:.2g} rad, and the scene allows {:.2g}",
+                    against,
+                    apart,
+                    report.accuracy_rad));
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+    doubts.push_back(fmt::format("it could not be held against {}: {}", against, error.message()));
+  }
 }
 
 void doubt_conditioning(SimulationReport& report) {
@@ -256,6 +309,7 @@ Simulation simulate(const BodyModel& body,
     Integration found = integrate(model, chosen, start, motion.duration, numerics, watch, report);
     report.record = found.record;
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
+    doubt_given_fineness(model, start, motion.duration, numerics, watch, found, report);
     doubt_conditioning(report);
     return {Motion(model, found.trajectory, motion), report};
   }

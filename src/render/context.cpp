@@ -72,6 +72,9 @@ std::unique_ptr<Context> open_context(const std::string& name) {
   refuse_few_threads();
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
+  // shaders of another version than ours crash Mesa's compiler, or are refused
+  unsetenv("MESA_GLSL_VERSION_OVERRIDE");
+  unsetenv("MESA_GL_VERSION_OVERRIDE");
   std::string reasons;
   for (const Backend& backend : backends()) {
     if (name == backend.name) return backend.open();

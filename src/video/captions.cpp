@@ -101,12 +101,25 @@ std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const Fr
 }
 
 CaptionFile::CaptionFile(const std::string& film, bool expected) : name_(captions_beside(film)) {
-  if (expected) file_.emplace(name_);
+  if (expected) claim();
+}
+
+// what somebody else has written under that name is not ours to replace
+void CaptionFile::claim() {
+  std::error_code ignored;
+  if (std::filesystem::exists(name_, ignored) && std::filesystem::file_size(name_, ignored) > 0 &&
+      !is_ours(name_)) {
+    throw input_error(
+        "the captions of the film go there, and it is no file of captions by polhode; "
+        "move it, or give the film another name")
+        .at({name_, 0, {}});
+  }
+  file_.emplace(name_);
 }
 
 void CaptionFile::write(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps) {
   if (captions.empty()) return;
-  if (!file_) file_.emplace(name_);
+  if (!file_) claim();
   file_->write(web_vtt(captions, fps));
   written_ = true;
 }

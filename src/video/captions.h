@@ -26,7 +26,7 @@ std::string captions_beside(const std::string& output);
 class CaptionFile {
  public:
   // Claims the file now if captions are expected, else when they are written. Throws Error (input)
-  // as AtomicFile does.
+  // as AtomicFile does, and if the name belongs to a file that polhode has not written.
   CaptionFile(const std::string& film, bool expected);
   // Writes the captions; without any, the film will have no caption file. Throws Error (input) as
   // AtomicFile does, if captions were not expected, and (environment) if writing fails.
@@ -37,6 +37,7 @@ class CaptionFile {
   void commit();
 
  private:
+  void claim();
   std::string name_;
   std::optional<AtomicFile> file_;
   bool written_ = false;

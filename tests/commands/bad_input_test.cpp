@@ -151,7 +151,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a.mp4 --progress loud", 2, "json"},
     {"rendr SCENE", 2, "did you mean 'render'?"},
     {"render", 2, "scene"},
-    {"", 2, "give a command: render, join, verify, preview, simulate"},
+    {"", 2, "give a command: new, render, join, verify, preview, simulate"},
     {"list methds", 2, "did you mean 'methods'?"},
     {"manual rendr", 2, "did you mean 'render'?"},
     {"manual -o SCENE", 2, "scene.toml"},

@@ -205,6 +205,16 @@ TEST(Environment, DriversThatAreNotThereAreRefused) {
   EXPECT_EQ(run_polhode(still, "PANGOCAIRO_BACKEND=none").code, 0);
 }
 
+// Mesa crashes when it is told to take our shaders for others
+TEST(Environment, VersionsOfShadersAreOurs) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string still =
+      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  for (const std::string wrong : {"MESA_GLSL_VERSION_OVERRIDE=110", "MESA_GL_VERSION_OVERRIDE=2.1"})
+    EXPECT_EQ(run_polhode(still, wrong).code, 0) << wrong;
+}
+
 // programs that fail are told as what they are, and what was there before stays
 TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
   const TemporaryFolder folder, programs;

@@ -186,6 +186,19 @@ TEST_F(Formats, AnEncoderThatWillNotOpenIsOneLine) {
   }
 }
 
+// captions go beside the film, but not over what somebody else has written
+TEST_F(Formats, CaptionsReplaceOnlyTheirOwn) {
+  write_text(folder_ / "a.vtt", "my own file\n");
+  const Ran ran = run_polhode(render("a.mp4"));
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_NE(ran.err.find("a.vtt: the captions of the film go there"), std::string::npos) << ran.err;
+  EXPECT_EQ(test::read_text(folder_ / "a.vtt"), "my own file\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4"));
+  std::filesystem::remove(folder_ / "a.vtt");
+  EXPECT_EQ(run_polhode(render("a.mp4")).code, 0);
+  EXPECT_EQ(run_polhode(render("a.mp4")).code, 0) << "those of an earlier film are replaced";
+}
+
 // an FFmpeg that was built without them
 TEST_F(Formats, AMissingEncoderIsNamedWithWhatToInstall) {
 #ifdef __SANITIZE_ADDRESS__

@@ -86,5 +86,76 @@ TEST_F(Reliability, BackwardTurningIsTold) {
   EXPECT_NE(ran.err.find("video.fps"), std::string::npos) << ran.err;
 }
 
+// a heavy body keeps its energy with any step, and has no closed form to be held against
+const char* const kHeavy = R"(format = 1
+[body]
+moments = [1, 2, 2.5]
+center_of_mass = [0.1, 0, 0.3]
+[motion]
+hold = "pivot"
+duration = 10
+attitude = { zxz_deg = [0, 40, 0] }
+spin = { body = [1, 8, 2] }
+[numerics]
+accuracy = 1e-4
+[video]
+size = "64x36"
+fps = 10
+)";
+
+TEST(GivenSteps, AGivenStepIsHeldAgainstAFinerOne) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "scene.toml", kHeavy);
+  const struct {
+    const char* options;
+    bool trusted;
+  } cases[] = {{" --method kick_strang --step 0.01", false},
+               {" --method rk4 --step 0.05", false},
+               {" --method dopri5 --tolerance 1e-4", false},
+               {" --method rk4 --step 0.001", true},
+               {" --method dop853 --tolerance 1e-10", true}};
+  for (const auto& [options, trusted] : cases) {
+    SCOPED_TRACE(options);
+    const test::Ran ran = test::run_polhode("render '" + (folder / "scene.toml") +
+                                            "' --still 1 -o '" + (folder / "a.png") +
+                                            "' --report '" + (folder / "r.json") + "'" + options);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto report = nlohmann::json::parse(test::read_text(folder / "r.json"));
+    EXPECT_EQ(report["trusted"], trusted);
+    EXPECT_EQ(report["doubts"].size(), trusted ? 0u : 1u) << report["doubts"];
+    EXPECT_EQ(report["error_estimate_rad"].get<double>() <= 1e-4, trusted);
+    EXPECT_EQ(ran.err.find("moves the attitude by up to") == std::string::npos, trusted) << ran.err;
+  }
+}
+
+// a rate that grows makes steps too long that suit the start; the reason is told, not the accident
+TEST(GivenSteps, GrowingRatesAreRefusedForTheirSteps) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "scene.toml",
+                   "format = 1\n[body]\nmoments = [1, 1.5, 0.6]\n[motion]\nduration = 20\n"
+                   "torque = [{ kind = \"constant\", body = [0, 0, 3000] }]\n"
+                   "spin = { body = [1, 2, 0] }\n");
+  const test::Ran ran = test::run_polhode("inspect '" + (folder / "scene.toml") + "'");
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_NE(ran.err.find("steps"), std::string::npos) << ran.err;
+}
+
+// attitude alone makes no loop of a body that flies past a camera
+TEST(GivenSteps, ALoopThatJumpsIsTold) {
+  const test::TemporaryFolder folder;
+  const std::string scene =
+      "format = 1\n[body]\nmoments = [1, 2, 2.5]\n[motion]\nduration = 10\nspin = { body = [0, 0, "
+      "1] }\n[video]\nsize = \"64x36\"\nfps = 5\nloop = true\n";
+  test::write_text(folder / "still.toml", scene);
+  test::write_text(folder / "flies.toml", scene + "[show]\nfixed_frame = true\n");
+  const auto told = [&](const std::string& name, const std::string& set) {
+    return test::run_polhode("render '" + (folder / name) + "' -o null" + set).err.find("jumps") !=
+           std::string::npos;
+  };
+  EXPECT_FALSE(told("still.toml", ""));
+  EXPECT_FALSE(told("flies.toml", ""));
+  EXPECT_TRUE(told("flies.toml", " --set motion.velocity=[1,0,0]"));
+}
+
 }  // namespace
 }  // namespace polhode

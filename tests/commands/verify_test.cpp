@@ -158,7 +158,7 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   with([](Json& r) { r["trusted"] = !r["trusted"]; });
   expect("a.mp4", 1, "was altered: trusted is ");
   with([](Json& r) { r["doubts"].push_back("bad"); });
-  expect("a.mp4", 1, "was altered: doubts are []");
+  expect("a.mp4", 1, "was altered: doubts is []");
   with([](Json& r) { r["accuracy_rad"] = 1.0; });
   expect("a.mp4", 1, "was altered: accuracy_rad is ");
   with([](Json& r) { r.erase("edges"); });
@@ -187,6 +187,32 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   expect("b.mp4", 2, "the file does not exist");
   EXPECT_EQ(run_polhode("verify -").code, 2);
   EXPECT_EQ(run_polhode("verify null").code, 2);
+}
+
+// the rows of a comparison say whom to trust
+TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
+  write_text(folder_ / "scene.toml",
+             "format = 1\n[body]\nmoments = [1, 2, 2.5]\n[motion]\nduration = 0.4\n"
+             "spin = { body = [1, 8, 2] }\n[numerics]\nstep = 0.02\n"
+             "compare = [\"rk4\", \"explicit_euler\"]\n[video]\nsize = \"192x108\"\nfps = 5\n");
+  render("a.mp4");
+  const Json report = Json::parse(read_text(folder_ / "r.json"));
+  const auto with = [&](const auto& change) {
+    Json changed = report;
+    change(changed);
+    write_text(folder_ / "r.json", changed.dump());
+  };
+  expect("a.mp4", 0, "all 2");
+  with([](Json& r) { r["compare"][1]["trusted"] = true; });
+  expect("a.mp4", 1, "was altered: compare[1].trusted is false, and not true");
+  with([](Json& r) { r["compare"][0]["method"] = "rk5"; });
+  expect("a.mp4", 1, "was altered: compare[0].method is ");
+  with([](Json& r) { r["compare"].erase(1); });
+  expect("a.mp4", 1, "was altered: compare is ");
+  with([](Json& r) { r["energy_drift"] = 0.5; });
+  expect("a.mp4", 1, "was altered: energy_drift is ");
+  with([](Json& r) { r["conditioning"]["exceeds_accuracy"] = true; });
+  expect("a.mp4", 1, "was altered: conditioning.exceeds_accuracy is ");
 }
 
 TEST_F(Verify, APreviewIsASheetOfTwelve) {

@@ -288,6 +288,11 @@ TEST_F(Net, BadFoldersAndFilesAreToldInOneLine) {
   refused("golden run '" + g + "' --jobs 0", "--jobs");
   refused("golden run '" + g + "' --backend osmsea", "did you mean 'osmesa'");
   refused("golden update '" + g + "' --cause ../../x", "--cause");
+  refused("golden update '" + g + "' --cause actual", "--cause");
+  // pictures of failures are removed when a case passes: never among references
+  std::filesystem::create_directory(folder_ / "other");
+  write_text(folder_ / "other/cases.toml", "[[case]]\nname = \"a\"\nscene = \"t\"\n");
+  refused("golden run '" + g + "' --output '" + (folder_ / "other") + "'", "folder of references");
   for (const auto& [text, says] :
        {std::pair{"[[case]]\nname = \"../x\"\nscene = \"top.toml\"\n", "case[0].name"},
         {"[[case]]\nname = \"a\"\nscene = \"t\"\n[[case]]\nname = \"a\"\nscene = \"t\"\n",

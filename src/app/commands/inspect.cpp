@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "film/overrides.h"
 #include "motion/derived.h"
 #include "motion/scales.h"
@@ -67,7 +68,7 @@ std::string as_text(const Json& facts) {
       degrees =
           fmt::format("  ({:.6g} {})", value.get<double>() * 180.0 / kPi, rate ? "deg/s" : "deg");
     }
-    text += fmt::format("{:<42} {}{}\n", key, shown(value), degrees);
+    text += fmt::format("{:<42} {}{}\n", key, one_line(shown(value)), degrees);
   };
   for (const auto& [key, value] : facts.items()) {
     if (!value.is_object()) {

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/one_line.h"
 #include "base/shipped_files.h"
 #include "base/system/files.h"
 #include "base/text_table.h"
@@ -101,7 +102,7 @@ std::string list_scenes() {
   }
   std::vector<TextRow> rows = {{"file", "title"}};
   for (const fs::path& file : files)
-    rows.push_back({file.string(), load_scene(file).title});
+    rows.push_back({file.string(), one_line(load_scene(file).title)});
   return aligned(rows);
 }
 

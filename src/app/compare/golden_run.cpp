@@ -23,8 +23,12 @@ using Json = nlohmann::ordered_json;
 void refuse_folder_of_references(const GoldenJob& job) {
   std::error_code ignored;
   const fs::path output = fs::weakly_canonical(job.output, ignored);
-  if (output != fs::weakly_canonical(job.folder, ignored)) return;
-  throw input_error("is the folder of the references; choose another").at({{}, 0, "--output"});
+  if (output == fs::weakly_canonical(job.folder, ignored))
+    throw input_error("is the folder of the references; choose another").at({{}, 0, "--output"});
+  // pictures of what fails now are removed there when it passes
+  if (!fs::exists(output / "cases.toml", ignored)) return;
+  throw input_error("is a folder of references, with its own cases.toml; choose another")
+      .at({{}, 0, "--output"});
 }
 
 // pictures of failures, for a person; of what passes none are left

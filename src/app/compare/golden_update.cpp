@@ -140,6 +140,11 @@ GoldenResult golden_update(const GoldenJob& job) {
     throw input_error("must be letters, digits, _ and -, such as mesa-25; found '{}'", job.cause)
         .at({{}, 0, "--cause"});
   }
+  if (job.cause == "actual" || job.cause == "difference") {
+    throw input_error("'{}' is what the pictures of failures are called; take another name",
+                      job.cause)
+        .at({{}, 0, "--cause"});
+  }
   const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
   if (!job.allow_dirty) refuse_dirty(job);
   const std::vector<CaseResult> results = draw_cases(job, cases);
