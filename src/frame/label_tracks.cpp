@@ -149,7 +149,7 @@ LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom
 }
 
 Vec2 LabelTracks::center(const std::string& name, const LabelWish& wish, double at) const {
-  const Vec2 wished = center_on(wish, 0, gap_);
+  Vec2 wished = center_on(wish, 0, gap_);
   const auto found = tracks_.find(name);
   if (found == tracks_.end()) return wished;
   const Sides& sides = found->second;

@@ -29,9 +29,9 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
   const auto found = std::find_if(
       kinds.begin(), kinds.end(), [&](const NewKind& row) { return row.name == kind; });
   if (found == kinds.end()) {
-    std::vector<std::string> names;
-    for (const NewKind& row : kinds)
-      names.emplace_back(row.name);
+    std::vector<std::string> names(kinds.size());
+    std::transform(
+        kinds.begin(), kinds.end(), names.begin(), [](const NewKind& row) { return row.name; });
     throw input_error("nothing is called '{}'{}", kind, suggestion(kind, names)).at({{}, 0, "new"});
   }
   const std::filesystem::path first = output.empty() ? found->files.front() : output;

@@ -173,14 +173,14 @@ DifferenceInWords compare_values(const std::string& key, const Json& says, const
     if (std::abs(says.get<double>() - is.get<double>()) <= allowed) return {};
   } else if (says.is_object() && is.is_object()) {
     for (const auto& [inside, value] : is.items()) {
-      const DifferenceInWords found =
+      DifferenceInWords found =
           compare_values(fmt::format("{}.{}", key, inside), says.value(inside, Json()), value);
       if (!found.empty()) return found;
     }
     return {};
   } else if (says.is_array() && is.is_array() && says.size() == is.size()) {
     for (std::size_t i = 0; i < is.size(); ++i) {
-      const DifferenceInWords found = compare_values(fmt::format("{}[{}]", key, i), says[i], is[i]);
+      DifferenceInWords found = compare_values(fmt::format("{}[{}]", key, i), says[i], is[i]);
       if (!found.empty()) return found;
     }
     return {};
@@ -219,7 +219,7 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
                           "first_frame",
                           "compare",
                           "loop"}) {
-    const DifferenceInWords found =
+    DifferenceInWords found =
         compare_values(key, reported.value(key, Json()), made.value(key, Json()));
     if (!found.empty()) return found;
   }
