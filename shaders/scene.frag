@@ -32,7 +32,7 @@ const float kStroke = 0.022;  // how much each stroke brightens and darkens
 #endif
 flat in vec4 f_color;
 flat in vec4 f_mark;
-flat in vec3 f_alpha;
+flat in vec4 f_alpha;
 
 // A strip along +x and a darker half x < 0: one turn looks different from half a turn.
 vec3 painted() {
@@ -69,7 +69,7 @@ float brushed(float x) {
 // What wood and metal do to the colour: grain in rings about the axis, brush strokes.
 vec3 worn(vec3 color) {
 #if FINISH == 1 || FINISH == 2
-  float unit_length = max(f_mark.w, 1e-9);
+  float unit_length = max(f_alpha.w, 1e-9);
 #endif
 #if FINISH == 1 || TURNED
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;

@@ -17,6 +17,7 @@ uniform float u_alpha;                     // under 1: a shell
 uniform float u_gloss;
 uniform vec3 u_mark_color;                 // sRGB-encoded
 uniform float u_mark_width;                // half-width of the strip, mesh units
+uniform float u_grain;                     // unit of length of the finish, mesh units
 uniform float u_fade;                      // of the whole thing, 1: there
 uniform float u_dashes;                    // their number along z
 
@@ -37,7 +38,7 @@ out float v_lengthways;  // 0 on faces across x
 #endif
 flat out vec4 f_color;  // and gloss
 flat out vec4 f_mark;   // colour and half-width
-flat out vec3 f_alpha;  // and fade, and number of dashes
+flat out vec4 f_alpha;  // and fade, number of dashes, unit of the finish
 #endif
 
 void main() {
@@ -67,6 +68,6 @@ void main() {
 #endif
   f_color = vec4(u_color, u_gloss);
   f_mark = vec4(u_mark_color, u_mark_width);
-  f_alpha = vec3(u_alpha, u_fade, u_dashes);
+  f_alpha = vec4(u_alpha, u_fade, u_dashes, u_grain);
 #endif
 }

@@ -79,14 +79,35 @@ Mesh cylinder_mesh(double radius, double height, int segments) {
   return revolved({{0, -z}, {radius, -z}, {radius, z}, {0, z}}, segments);
 }
 
-// half-width of the strip that shows the spin, from how far the mesh reaches from its z axis
-float mark_width_of(const Mesh& mesh) {
-  constexpr float kShare = 0.13f;
-  float reach = 0.0f;
-  for (const Vertex& v : mesh.vertices) {
-    reach = std::max(reach, std::hypot(v.position.x, v.position.y));
-  }
-  return kShare * reach;
+// half-width of the strip that shows the spin: a share of how far the body reaches from the axis of
+// the strip, and at most a share of how far the painted mesh reaches across it. Otherwise it covers
+// whole arms and spokes.
+constexpr double kMarkOfReach = 0.13;
+constexpr double kMarkOfBreadth = 1.0 / 3.0;
+
+// how far a mesh reaches from its z axis
+double reach_from_axis(const Mesh& mesh) {
+  double reach = 0.0;
+  for (const Vertex& v : mesh.vertices)
+    reach = std::max(reach, to_eigen(v.position).head<2>().norm());
+  return reach;
+}
+
+// the widest strip about the x axis that a mesh can carry
+double widest_mark(const Mesh& mesh) {
+  double breadth = 0.0;
+  for (const Vertex& v : mesh.vertices)
+    breadth = std::max(breadth, static_cast<double>(std::abs(v.position.y)));
+  return kMarkOfBreadth * breadth;
+}
+
+// Whether a part whose coordinates are placed like this in those of another has its strip in the
+// same half-plane: both about the same z axis, and along the same x.
+bool marks_meet(const Placement& place, double width) {
+  constexpr double kSlack = 1e-3;  // rad
+  const Vec3 x = place.linear().col(0), z = place.linear().col(2);
+  return (x - Vec3::UnitX()).norm() < kSlack && std::abs(z.y()) < kSlack &&
+         place.translation().head<2>().norm() < width;
 }
 
 // how far a mesh reaches from its own origin
@@ -101,7 +122,9 @@ LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, cons
   Material material;
   material.color = color;
   material.mark_color = theme.mark;
-  material.mark_width = mark_width_of(mesh);
+  const double width = kMarkOfReach * reach_from_axis(mesh);
+  material.grain = static_cast<float>(width);
+  material.mark_width = static_cast<float>(std::min(width, widest_mark(mesh)));
   return {std::make_shared<const Mesh>(std::move(mesh)), place, material};
 }
 
@@ -125,6 +148,27 @@ LookPart solid_part(const SolidSpec& solid, const Theme& theme, int segments, do
                           theme);
   part.material.turned = is_round(solid);
   return part;
+}
+
+// Paints one strip on a body of several parts. A strip on each, in its own coordinates, would point
+// a different way on each, and would be nothing but stripes on thin ones, which show by themselves
+// how the body turns. The widest part leads; those about the same axis that are broad enough carry
+// the same strip, and the rest none.
+void share_mark(std::vector<LookPart>& look) {
+  const LookPart& widest =
+      *std::max_element(look.begin(), look.end(), [](const LookPart& a, const LookPart& b) {
+        return reach_from_axis(*a.mesh) < reach_from_axis(*b.mesh);
+      });
+  const Placement lead_from_body = widest.body_from_mesh.inverse();
+  double reach = 0.0;
+  for (const Vec3& point : points_of(look))
+    reach = std::max(reach, (lead_from_body * point).head<2>().norm());
+  const double width = kMarkOfReach * reach;
+  for (LookPart& part : look) {
+    const bool marked =
+        marks_meet(lead_from_body * part.body_from_mesh, width) && width <= widest_mark(*part.mesh);
+    part.material.mark_width = marked ? static_cast<float>(width) : 0.0f;
+  }
 }
 
 // the homogeneous ellipsoid with these mass properties: a1^2 = 5 (I2 + I3 - I1) / (2 m)
@@ -254,6 +298,7 @@ std::vector<LookPart> body_look(const BodySpec& spec,
   const double reach = body_radius(rough, model);
   for (const SolidSpec& part : spec.parts)
     look.push_back(solid_part(part, theme, segments, reach));
+  share_mark(look);
   return look;
 }
 

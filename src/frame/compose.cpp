@@ -421,8 +421,6 @@ Composer::Largest Composer::largest_on_screen() const {
       largest.tube = std::max(largest.tube, along(arrow.from, arrow.tip, shaft));
       largest.head = std::max(largest.head, along(arrow.from, arrow.tip, head));
     }
-    for (const RodGlyph& rod : glyphs.rods)
-      largest.tube = std::max(largest.tube, along(rod.from, rod.to, rod.radius));
     for (const ArcGlyph& arc : glyphs.arcs)
       largest.tube = std::max(largest.tube, pixels(arc.center, arc.radius, arc.tube_radius));
   }

@@ -26,6 +26,7 @@ struct Material {
   float mark_width = 0.0f;     // the strip is x > 0, |y| < width in mesh units, and the half x < 0
                                // is darker; 0: neither
   Finish finish = Finish::plain;
+  float grain = 0.0f;   // the unit of length of the finish, mesh units
   bool turned = false;  // the strokes of metal go round z; else they are along x
   bool flat = false;    // unlit: the same colour and alpha from every direction
   bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha

@@ -124,7 +124,7 @@ const std::vector<Element>& elements() {
        nothing_against,
        add_floor},
       {"forces",
-       "the forces of motion.torque at their points of action, springs as rods",
+       "the forces of motion.torque at their points of action, springs as coils",
        has_forces,
        needs_forces,
        add_forces},

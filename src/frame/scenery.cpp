@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/stand.h"
 #include "motion/deviation.h"
 
 namespace polhode {
@@ -127,8 +128,8 @@ Scenery make_scenery(const Motion& motion,
   // what surrounds the body may be as large as the frame, and bends in two directions
   const int large = segments * 3 / 2;
   scenery.sphere = shared(unit_sphere(large));
-  scenery.stand = shared(unit_cone(segments));
-  scenery.rough_stand = shared(unit_cone(kRoughSegments));
+  scenery.stand = shared(stand_mesh(kStandHeight, segments));
+  scenery.rough_stand = shared(stand_mesh(kStandHeight, kRoughSegments));
   scenery.disc = shared(unit_disc(large));
   scenery.floor = shared(fading_disc(large));
   scenery.ring = shared(torus(1.0, 0.006, large));

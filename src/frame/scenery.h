@@ -57,7 +57,7 @@ struct Scenery {
   MeshPtr sphere = {};                    // unit sphere, fine
   MeshPtr disc = {};                      // unit disc about z
   MeshPtr ring = {};                      // a thin tube along the rim of the disc
-  MeshPtr stand = {};                     // unit cone, for the stand under the pivot
+  MeshPtr stand = {};                     // stand_mesh() (frame/stand.h)
   MeshPtr rough_stand = {};               // the same, for its shadow
   MeshPtr floor = {};                     // unit disc about z that fades outwards
   ShowSpec options = {};                  // the [show] table

@@ -34,6 +34,7 @@ SurfacePrograms::Uniforms::Uniforms(const Program& p)
       gloss(p.uniform("u_gloss")),
       mark_color(p.uniform("u_mark_color")),
       mark_width(p.uniform("u_mark_width")),
+      grain(p.uniform("u_grain")),
       fade(p.uniform("u_fade")),
       dashes(p.uniform("u_dashes")) {}
 
@@ -102,6 +103,7 @@ void SurfacePrograms::use(const Material& material,
   gl_.Uniform1f(u.gloss, material.gloss);
   gl_.Uniform3fv(u.mark_color, 1, glm::value_ptr(material.mark_color));
   gl_.Uniform1f(u.mark_width, material.mark_width);
+  gl_.Uniform1f(u.grain, material.grain);
   gl_.Uniform1f(u.fade, fade);
   gl_.Uniform1f(u.dashes, material.dashes);
 }

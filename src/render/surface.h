@@ -46,7 +46,7 @@ class SurfacePrograms {
   struct Uniforms {
     explicit Uniforms(const Program& p);
     GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width, fade, dashes;
+        alpha, gloss, mark_color, mark_width, grain, fade, dashes;
   };
   struct Made {
     Made(const Gl& gl, const std::string& head);

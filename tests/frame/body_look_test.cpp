@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "frame/mesh_measures.h"
+#include "math/so3.h"
 #include "model/solids.h"
 #include "support/expect_error.h"
 #include "support/motions.h"
@@ -166,6 +167,58 @@ TEST(BodyLook, PointsAreBallsWithTheVolumeOfTheirMass) {
   const double volumes = balls[1].body_from_mesh.linear().determinant() /
                          balls[0].body_from_mesh.linear().determinant();
   EXPECT_NEAR(volumes, 8.0, 1e-12);
+}
+
+// One strip for the whole body: on the rim of a wheel, not on its spokes, axle and hub.
+TEST(BodyLook, TheMarkOfAWheelIsOnItsRim) {
+  BodySpec body;
+  body.parts = {example("ring"), example("rod"), example("cylinder"), example("rod")};
+  body.parts[1].radius = body.parts[2].radius = 0.1;
+  body.parts[3].radius = 0.05;
+  body.parts[3].turn = Vec3(0.0, 0.5 * kPi, 0.0);
+  const std::vector<LookPart> look = look_of(body, make_model(body, test::wobbling()));
+  ASSERT_EQ(look.size(), 4u);
+  EXPECT_NEAR(look[0].material.mark_width, 0.13 * 1.8, 0.01);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(look[i].material.mark_width, 0.0f) << i;
+    EXPECT_GT(look[i].material.grain, 0.0f) << i;
+  }
+}
+
+// Parts about one axis carry the same strip, however they are turned together; a part that is
+// turned against the others carries none.
+TEST(BodyLook, PartsAboutOneAxisHaveOneMark) {
+  for (const Vec3& turn : {Vec3(0, 0, 0), Vec3(0, 0.5 * kPi, 0), Vec3(0.3, -1.0, 2.0)}) {
+    SCOPED_TRACE(turn.transpose());
+    BodySpec body;
+    body.parts = {example("cylinder"), example("disc"), example("disc")};
+    body.parts[1].radius = 1.2;
+    for (SolidSpec& part : body.parts)
+      part.turn = turn;
+    const Vec3 axis = from_xyz_turns(turn) * Vec3::UnitZ();
+    body.parts[1].at = 2.0 * axis;
+    body.parts[2].turn += Vec3(0.0, 0.0, 0.4);
+    const std::vector<LookPart> look = look_of(body, make_model(body, test::wobbling()));
+    EXPECT_NEAR(look[0].material.mark_width, 0.13 * 1.5, 0.01);
+    EXPECT_EQ(look[1].material.mark_width, look[0].material.mark_width);
+    EXPECT_EQ(look[2].material.mark_width, 0.0f);
+  }
+}
+
+// a body of arms alone shows by itself how it turns, and a single solid is always marked
+TEST(BodyLook, TheMarkNeverCoversAnArm) {
+  BodySpec handle;
+  handle.parts = {example("rod"), example("rod")};
+  handle.parts[0].turn = Vec3(0.0, 0.5 * kPi, 0.0);
+  for (const LookPart& part : look_of(handle, make_model(handle, test::wobbling())))
+    EXPECT_EQ(part.material.mark_width, 0.0f);
+
+  BodySpec plank;
+  plank.solid = example("box");
+  plank.solid->size = Vec3(3.0, 0.2, 1.0);
+  const LookPart part = look_of(plank, make_model(plank, test::wobbling())).at(0);
+  EXPECT_GT(part.material.mark_width, 0.0f);
+  EXPECT_LE(part.material.mark_width, 0.1f / 3.0f + 1e-6f);
 }
 
 // in every direction the hull reaches as far as all vertices do

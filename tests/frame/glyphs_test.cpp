@@ -63,7 +63,7 @@ TEST(Glyphs, ItemsAreMovedAndScaledIntoTheFrame) {
 // everything that is drawn lies within the box of the points that the camera frames
 TEST(Glyphs, ExtentReachesAsFarAsWhatIsDrawn) {
   Glyphs glyphs;
-  glyphs.rods.push_back({Vec3(-1, 0, 0), Vec3(0, 3, 0), 1e-4, {}});
+  glyphs.arrows.push_back({Vec3(-1, 0, 0), Vec3(0, 3, 0), {1e-4, 3e-4, 9e-4}, {}});
   glyphs.arcs.push_back({Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 2.0, 1e-4, {}});
   Cone cone;
   cone.axis = Vec3(0, -1, 0);

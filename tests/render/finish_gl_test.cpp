@@ -54,7 +54,7 @@ Image metal_face(bool turned, const Vec3& towards_eye, double pixel, int larger)
   DrawItem item;
   item.mesh = face(target, 6.0 * across);
   item.material.color = glm::vec3(0.6f);
-  item.material.mark_width = 1.0f;
+  item.material.grain = 1.0f;
   item.material.finish = Finish::metal;
   item.material.turned = turned;
   list.opaque.push_back(item);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
 #include "frame/elements/parts.h"
-#include "math/so3.h"
+#include "frame/stand.h"
 
 namespace polhode {
 namespace {
 
-constexpr double kStandRadius = 0.17;
 constexpr double kFloorRadius = 1.4;
 constexpr double kFreeFloorRadius = 2.2;  // under a free body
 constexpr double kFramedFloor = 0.65;     // the part of it that a picture has to show
@@ -60,18 +59,11 @@ void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   const Vec3& up = scenery.motion.model().up_S;
   const double size = scenery.scale.body;
-  Placement place = Placement::Identity();
-  place.translation() = -kStandHeight * size * up;
-  place.linear() = turn_between(Vec3::UnitZ(), up).toRotationMatrix() *
-                   (size * Vec3(kStandRadius, kStandRadius, kStandHeight)).asDiagonal();
+  const Placement place = disc_placement(Vec3::Zero(), up, size);
   Material material = plain(scenery.theme.stand, 0.3f);
   material.covers = true;
   glyphs.meshes.push_back({scenery.stand, place, material, scenery.rough_stand});
-  // corners around the foot
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0})
-      glyphs.reach.push_back(place * Vec3(x, y, 0.0));
-  }
+  add_rim_reach(disc_placement(-kStandHeight * size * up, up, kStandFoot * size), 8, glyphs);
 }
 
 // a disc that fades outwards, with the shadow of the body and its stand

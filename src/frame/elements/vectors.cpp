@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Arrows: axes, angular velocity, angular momentum, torque, forces, velocities.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "frame/coil.h"
 #include "frame/elements.h"
 #include "frame/elements/parts.h"
 #include "math/so3.h"
@@ -13,6 +16,10 @@ namespace {
 constexpr double kBodyAxisLength = 1.2;
 constexpr double kSpaceAxisLength = 1.2;
 constexpr double kBallRadius = 0.05;
+// of springs, in units of the body's radius
+constexpr double kCoilRadius = 0.11;
+constexpr double kWireRadius = 0.02;
+constexpr double kCoilEnd = 0.2;  // straight
 
 // names of what is shown, as the notes write them
 constexpr const char* kOmegaName = "<b>Ω</b>";
@@ -36,6 +43,28 @@ void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
                glyphs,
                kSpaceAxisNames[static_cast<std::size_t>(i)]);
   }
+}
+
+// A spring from `from` to `to` (S, m), as a coil whose turns and thickness are always the same.
+void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs& glyphs) {
+  const double size = scenery.scale.body;
+  const double length = (to - from).norm() / size;
+  const Vec3 axis = length > 0.0 ? Vec3((to - from).stableNormalized()) : Vec3(Vec3::UnitZ());
+  // pieces grow with the root of the radius, as on a torus
+  const auto pieces = [&](double radius) {
+    return static_cast<int>(std::ceil(scenery.segments * std::sqrt(radius)));
+  };
+  const std::vector<Vec3> line =
+      coil_line(length, kCoilRadius, kCoilEnd, std::max(12, pieces(kCoilRadius)));
+  Mesh mesh = tube_along(line, kWireRadius, std::max(8, pieces(kWireRadius)), false);
+
+  // what the body hides of it is pale; dashes would break its turns
+  Material material = drawn_through(scenery, plain(scenery.theme.force, 0.35f));
+  material.dashes = 0.0f;
+  glyphs.meshes.push_back(
+      {std::make_shared<const Mesh>(std::move(mesh)), disc_placement(from, axis, size), material});
+  for (const Vec3& end : {from, to})
+    add_rim_reach(disc_placement(end, axis, kCoilRadius * size), 8, glyphs);
 }
 
 }  // namespace
@@ -171,7 +200,7 @@ void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& gl
   }
 }
 
-// forces at the points where they act; springs as thin rods to where they are held
+// forces at the points where they act; springs as coils to where they are held
 void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const BodyModel& model = scenery.motion.model();
   const Quat q_SP = sample.q_SB * Quat(model.R_BP);
@@ -180,8 +209,7 @@ void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     const Vec3 at = sample.reference_S + q_SP * load.at_P;
     const Vec3 force = scenery.scale.force * point_force(load, sample.t, q_SP, sample.reference_S);
     if (load.kind == Load::Kind::spring) {
-      glyphs.rods.push_back(
-          {at, load.anchor_S, 0.012 * scenery.scale.body, drawn_through(scenery, material)});
+      add_spring(scenery, at, load.anchor_S, glyphs);
     } else if (force.squaredNorm() > 0.0) {
       add_vector(scenery, at, at + force, kForceShape, material, glyphs, "<b>F</b>");
     }

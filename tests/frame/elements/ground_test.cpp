@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The body, where it was, and what it stands on.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
@@ -50,7 +52,7 @@ TEST(Ground, GhostsAreTheBodyOfEarlierMoments) {
   EXPECT_EQ(picture.glyphs_at(motion.at(0.7)).ghosts.size(), 2u) << "none before the start";
 }
 
-// the stand's apex is the pivot, and it stands on the floor
+// the tip of the stand is the pivot, and it stands on the floor; so does its shadow
 TEST(Ground, TheStandReachesFromTheFloorToThePivot) {
   ShowSpec show = test::show_only("pivot");
   show["floor"] = true;
@@ -58,12 +60,19 @@ TEST(Ground, TheStandReachesFromTheFloorToThePivot) {
   const Sample now = picture.scenery().motion.at(0.3);
   const std::vector<MeshGlyph> meshes = picture.glyphs_at(now).meshes;
   ASSERT_EQ(meshes.size(), 1u);
-  const Vec3 apex = meshes[0].space_from_mesh * Vec3::UnitZ();
-  EXPECT_LT((apex - now.reference_S).norm(), 1e-15);
-  const Vec3 foot = meshes[0].space_from_mesh * Vec3::Zero();
   const Vec3 floor = picture.glyphs_at(now).floors.at(0).disc.space_from_mesh.translation();
-  EXPECT_NEAR(foot.z(), floor.z(), 1e-15);
-  EXPECT_LT(foot.z(), apex.z());
+  ASSERT_NE(meshes[0].rough, nullptr);
+  for (const MeshPtr& mesh : {meshes[0].mesh, meshes[0].rough}) {
+    Vec3 tip = floor;
+    double foot = now.reference_S.z();
+    for (const Vertex& vertex : mesh->vertices) {
+      const Vec3 point = meshes[0].space_from_mesh * to_eigen(vertex.position);
+      if (point.z() > tip.z()) tip = point;
+      foot = std::min(foot, point.z());
+    }
+    EXPECT_LT((tip - now.reference_S).norm(), 1e-15);
+    EXPECT_NEAR(foot, floor.z(), 1e-7 * picture.scenery().scale.body);
+  }
 }
 
 // the floor stays where it is, and the body's shadow moves over it

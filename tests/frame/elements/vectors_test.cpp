@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Arrows, against the motion that they belong to.
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
 #include "frame/composers.h"
+#include "frame/to_glm.h"
 #include "support/motions.h"
 #include "support/show_only.h"
 
@@ -54,6 +58,44 @@ TEST(Vectors, PositionsCloseATriangle) {
   EXPECT_EQ(r_tilde.from, s.reference_S);
   EXPECT_LT(((R.tip - R.from) + (r_tilde.tip - r_tilde.from) - (r.tip - r.from)).norm(), 1e-15);
   EXPECT_LT((glyphs.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
+}
+
+// a spring reaches from the point of the body to where it is held, in any direction and however
+// short it is, and is always as thick
+TEST(Vectors, ASpringReachesFromTheBodyToWhereItIsHeld) {
+  const Vec3 at(0.02, 0.01, 0.05);
+  const MotionSpec still;
+  const Vec3 held = moving(prolate_body(), still).at(0.0).reference_S + at;
+  for (const Vec3& along :
+       {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.3, -0.8, 0.1), Vec3(-1e-9, 0, 0), Vec3(0, 0, 0)}) {
+    SCOPED_TRACE(along.transpose());
+    MotionSpec spec = still;
+    spec.torque.resize(1);
+    spec.torque[0].kind = "spring";
+    spec.torque[0].k = 0.2;
+    spec.torque[0].at = at;
+    spec.torque[0].to = held + along;
+    const Composer picture = composer(prolate_body(), spec, show_only("forces"));
+    const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.0));
+    ASSERT_EQ(glyphs.meshes.size(), 1u);
+    const double size = picture.scenery().scale.body;
+    const Placement& place = glyphs.meshes[0].space_from_mesh;
+    EXPECT_NEAR(place.linear().determinant(), std::pow(size, 3), 1e-12 * std::pow(size, 3));
+    // the flat ends of the wire are about the two points
+    const std::vector<Vertex>& vertices = glyphs.meshes[0].mesh->vertices;
+    double to_body = size, to_anchor = size, off_axis = 0.0;
+    for (const Vertex& vertex : vertices) {
+      const Vec3 point = place * to_eigen(vertex.position);
+      ASSERT_TRUE(point.allFinite());
+      to_body = std::min(to_body, (point - held).norm());
+      to_anchor = std::min(to_anchor, (point - held - along).norm());
+      const Vec3 axis = place.linear().col(2) / size;
+      off_axis = std::max(off_axis, (point - held).cross(axis).norm());
+    }
+    EXPECT_LT(to_body, 1e-6 * size);
+    EXPECT_LT(to_anchor, 1e-5 * size);
+    EXPECT_NEAR(off_axis / size, 0.13, 0.002);  // of the coil and its wire
+  }
 }
 
 // the sums that make components what they are
