@@ -116,6 +116,7 @@ void add_translucent(const Glyphs& glyphs,
 GlyphCounts::GlyphCounts(const Glyphs& glyphs)
     : arrows(glyphs.arrows.size()),
       meshes(glyphs.meshes.size()),
+      rods(glyphs.rods.size()),
       arcs(glyphs.arcs.size()),
       cones(glyphs.cones.size()),
       floors(glyphs.floors.size()),
@@ -132,6 +133,7 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   };
   materials(glyphs.arrows, before.arrows);
   materials(glyphs.meshes, before.meshes);
+  materials(glyphs.rods, before.rods);
   materials(glyphs.arcs, before.arcs);
   materials(glyphs.cones, before.cones);
   materials(glyphs.ghosts, before.ghosts);
@@ -156,6 +158,10 @@ void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points) {
     points.push_back(arrow.tip);
   }
   points.insert(points.end(), glyphs.reach.begin(), glyphs.reach.end());
+  for (const RodGlyph& rod : glyphs.rods) {
+    points.push_back(rod.from);
+    points.push_back(rod.to);
+  }
   for (const ArcGlyph& arc : glyphs.arcs) {
     for (int i = 0; i <= kPiecesOfArc; ++i)
       points.push_back(point_of(arc, static_cast<double>(i) / kPiecesOfArc));
@@ -188,6 +194,14 @@ void add_items(const Glyphs& glyphs,
               frame.point(arrow.tip),
               drawn(arrow.shape, frame),
               arrow.material);
+  }
+  for (const RodGlyph& rod : glyphs.rods) {
+    add_tube(list.opaque,
+             meshes.arrows,
+             frame.point(rod.from),
+             frame.point(rod.to),
+             frame.length(rod.radius),
+             rod.material);
   }
   for (const ArcGlyph& arc : glyphs.arcs)
     add_arc(arc, meshes.arrows, frame, list);

@@ -34,6 +34,13 @@ struct FloorGlyph {
   float shadow_alpha = 0;  // how dark a full shadow is
 };
 
+// A straight thin tube.
+struct RodGlyph {
+  Vec3 from, to;  // in S, m
+  double radius;  // m
+  Material material;
+};
+
 // The shorter arc of a circle from one direction to another, as a thin tube.
 struct ArcGlyph {
   Vec3 center;         // in S, m
@@ -71,6 +78,7 @@ struct SheetGlyph {
 struct Glyphs {
   std::vector<ArrowGlyph> arrows;
   std::vector<MeshGlyph> meshes;
+  std::vector<RodGlyph> rods;
   std::vector<ArcGlyph> arcs;
   std::vector<Cone> cones;  // with a common apex
   std::vector<FloorGlyph> floors;
@@ -87,7 +95,7 @@ struct Glyphs {
 // How many glyphs there were of each kind when this was made, for fade_new().
 struct GlyphCounts {
   explicit GlyphCounts(const Glyphs& glyphs);
-  std::size_t arrows, meshes, arcs, cones, floors, ghosts, shells, sheets, labels;
+  std::size_t arrows, meshes, rods, arcs, cones, floors, ghosts, shells, sheets, labels;
 };
 // Multiplies the fade of the glyphs that were added since `before` by `presence`: 1 is fully
 // visible, 0 invisible.
@@ -100,7 +108,7 @@ Vec3 point_of(const ArcGlyph& arc, double part);
 // arrows, shadows and labels.
 void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points);
 
-// The unit meshes that all arrows, arcs and cones share.
+// The unit meshes that all arrows, rods, arcs and cones share.
 struct GlyphMeshes {
   ArrowMeshes arrows;
   ConeMeshes cones;

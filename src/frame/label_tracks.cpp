@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/units.h"
+
 namespace polhode {
 namespace {
 

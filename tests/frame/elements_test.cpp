@@ -80,7 +80,7 @@ MotionSpec pulled() {
 
 TEST(Elements, EachNameAddsItsOwnGlyphs) {
   struct Count {
-    std::size_t arrows = 0, meshes = 0, arcs = 0, cones = 0;
+    std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
     std::size_t floors = 0, ghosts = 0, shells = 0, sheets = 0;
     bool operator==(const Count&) const = default;
   };
@@ -127,6 +127,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
     const Count found{glyphs.arrows.size(),
                       glyphs.meshes.size(),
+                      glyphs.rods.size(),
                       glyphs.arcs.size(),
                       glyphs.cones.size(),
                       glyphs.floors.size(),
@@ -135,6 +136,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                       glyphs.sheets.size()};
     EXPECT_TRUE(found == count) << ::testing::PrintToString(std::vector<std::size_t>{found.arrows,
                                                                                      found.meshes,
+                                                                                     found.rods,
                                                                                      found.arcs,
                                                                                      found.cones,
                                                                                      found.floors,
