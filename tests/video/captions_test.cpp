@@ -3,6 +3,7 @@
 #include "video/captions.h"
 
 #include "base/error.h"
+#include "support/expect_error.h"
 #include "support/run.h"
 #include "video/sink_kinds.h"
 
@@ -96,11 +97,15 @@ TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
   EXPECT_TRUE(make({}));
   EXPECT_EQ(folder.entries(), 1);
   // what others wrote is theirs
+  job.captions = false;
   for (const char* other : {"WEBVTT\n\n00:00:00.000 --> 00:00:01.000\nMine\n", "", "WEBVTT - c"}) {
     test::write_text(folder / "a.vtt", other);
     make({});
     EXPECT_EQ(test::read_text(folder / "a.vtt"), other);
   }
+  // and a film with words does not go over it
+  test::expect_input_error([&] { make({{0, 1, "Words"}}); }, "", "no file of captions by polhode");
+  EXPECT_EQ(test::read_text(folder / "a.vtt"), "WEBVTT - c");
 }
 
 TEST(Captions, ThatAreExpectedAreClaimedAtOnce) {

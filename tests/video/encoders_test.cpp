@@ -213,7 +213,7 @@ TEST(Encoders, AbandonedLeavesNothingAndKeepsTheOldOnes) {
     const TemporaryFolder folder;
     const SinkJob job = job_for(folder, way);
     test::write_text(job.output, "an older film");
-    test::write_text(folder / "a.vtt", "older words");
+    test::write_text(folder / "a.vtt", "WEBVTT - captions by polhode\nolder");
     {
       const std::unique_ptr<FrameSink> sink = make_sink(job);
       sink->describe(some_metadata());
@@ -223,7 +223,7 @@ TEST(Encoders, AbandonedLeavesNothingAndKeepsTheOldOnes) {
     }
     EXPECT_EQ(folder.entries(), 2);
     EXPECT_EQ(test::read_text(job.output), "an older film");
-    EXPECT_EQ(test::read_text(folder / "a.vtt"), "older words");
+    EXPECT_EQ(test::read_text(folder / "a.vtt"), "WEBVTT - captions by polhode\nolder");
   }
 }
 
