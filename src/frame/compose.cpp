@@ -162,7 +162,8 @@ Composer::Composer(const Motion& motion,
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
   // twice as fine as edges need: the eye sees the corners of a large limb
-  make_look(scenery_, body, 2 * std::min(most, circle_segments(largest.body)));
+  scenery_.body_segments = std::min(most, circle_segments(largest.body));
+  make_look(scenery_, body, 2 * scenery_.body_segments);
   meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)), largest.cones);
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);
@@ -421,6 +422,8 @@ Composer::Largest Composer::largest_on_screen() const {
       largest.tube = std::max(largest.tube, along(arrow.from, arrow.tip, shaft));
       largest.head = std::max(largest.head, along(arrow.from, arrow.tip, head));
     }
+    for (const RodGlyph& rod : glyphs.rods)
+      largest.tube = std::max(largest.tube, along(rod.from, rod.to, rod.radius));
     for (const ArcGlyph& arc : glyphs.arcs)
       largest.tube = std::max(largest.tube, pixels(arc.center, arc.radius, arc.tube_radius));
   }

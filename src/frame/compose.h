@@ -121,7 +121,7 @@ class Composer {
   struct Largest {
     double body = 0.0;
     double cone = 0.0;        // of rims
-    double tube = 0.0;        // shafts of arrows, arcs
+    double tube = 0.0;        // shafts of arrows, rods, arcs
     double head = 0.0;        // of arrows
     std::vector<Cone> cones;  // all that were seen
   };

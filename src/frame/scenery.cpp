@@ -122,7 +122,7 @@ Scenery make_scenery(const Motion& motion,
   };
   Scenery scenery{motion, theme};
   scenery.options = show;
-  scenery.segments = segments;
+  scenery.segments = scenery.body_segments = segments;
   make_look(scenery, body, segments);
   scenery.ball = shared(unit_sphere(std::max(16, segments / 4)));
   // what surrounds the body may be as large as the frame, and bends in two directions

@@ -62,6 +62,7 @@ struct Scenery {
   MeshPtr floor = {};                     // unit disc about z that fades outwards
   ShowSpec options = {};                  // the [show] table
   int segments = 96;                      // pieces of a circle as large as the picture
+  int body_segments = 96;                 // pieces of a circle as large as the body is ever drawn
   std::vector<Vec3> field_points_B = {};  // points of the velocity field, m
   Paths paths = {};
 };

@@ -21,6 +21,42 @@ using test::show_only;
 using test::spinning_on_pivot;
 using test::wobbling;
 
+// a coil has as many corners as its size on the screen needs: a small one has far fewer
+TEST(Compose, ASpringIsAsFineAsItIsDrawn) {
+  MotionSpec spec;
+  spec.torque.resize(1);
+  spec.torque[0].kind = "spring";
+  spec.torque[0].k = 0.2;
+  spec.torque[0].to = Vec3(0, 0, 0.3);
+  const auto corners = [&](double zoom) {
+    CameraSpec camera;
+    camera.zoom = zoom;
+    const Composer picture(moving(prolate_body(), spec),
+                           prolate_body(),
+                           camera,
+                           show_only("forces"),
+                           ThemeSpec{},
+                           {1920, 1080});
+    return picture.glyphs_at(picture.scenery().motion.at(0.0)).meshes.at(0).mesh->vertices.size();
+  };
+  EXPECT_LT(corners(0.2), corners(8.0) / 2);
+}
+
+// the pin from the body to its trail is round where it is thick
+TEST(Compose, ARodIsAsFineAsItIsDrawn) {
+  CameraSpec camera;
+  camera.zoom = 6.0;
+  const Composer picture(moving(prolate_body(), wobbling()),
+                         prolate_body(),
+                         camera,
+                         show_only("trail"),
+                         ThemeSpec{},
+                         {3840, 2160});
+  const DrawList list = picture.at(0.0);
+  ASSERT_EQ(list.opaque.size(), 1u);  // there is no trail yet
+  EXPECT_GT(list.opaque[0].mesh->vertices.size(), unit_cylinder(8).vertices.size());
+}
+
 // far side, then near side; cones would not know where to go
 TEST(Compose, BodiesThatAreSeenThroughHaveTwoSides) {
   ShowSpec show = show_only("body");

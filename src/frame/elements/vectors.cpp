@@ -50,9 +50,10 @@ void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs
   const double size = scenery.scale.body;
   const double length = (to - from).norm() / size;
   const Vec3 axis = length > 0.0 ? Vec3((to - from).stableNormalized()) : Vec3(Vec3::UnitZ());
-  // pieces grow with the root of the radius, as on a torus
+  // A coil is made anew for each frame, so it has no more pieces than its size needs. They grow
+  // with the root of the radius, as on a torus.
   const auto pieces = [&](double radius) {
-    return static_cast<int>(std::ceil(scenery.segments * std::sqrt(radius)));
+    return static_cast<int>(std::ceil(scenery.body_segments * std::sqrt(radius)));
   };
   const std::vector<Vec3> line =
       coil_line(length, kCoilRadius, kCoilEnd, std::max(12, pieces(kCoilRadius)));
