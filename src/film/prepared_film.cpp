@@ -35,9 +35,10 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
 void warn_of_missing_fonts() {
   for (const FontFound& font : examine_fonts()) {
     if (font.there) continue;
+    if (font.found.empty()) throw environment_error("no font is there; install {}", font.package);
     spdlog::warn("the font {} is missing, so {} is used instead; install {}",
                  font.wanted,
-                 font.found.empty() ? "another" : font.found,
+                 font.found,
                  font.package);
   }
 }

@@ -79,8 +79,21 @@ class Reader {
     }
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
-    if (Json* attributes = attributes_of(node)) clean(*attributes);
+    if (Json* attributes = attributes_of(node)) {
+      clean(*attributes);
+      take_place(*attributes);
+    }
     if (node.contains("c")) read(node["c"]);
+  }
+
+  // after all has been read: links within the deck lead somewhere
+  void check_links_within() {
+    std::vector<std::string> known(places_.begin(), places_.end());
+    known.insert(known.end(), names_.begin(), names_.end());
+    for (const auto& [place, line] : links_) {
+      if (!places_.contains(place) && !names_.contains(place))
+        tell(line, input_error("no place is called '#{}'{}", place, suggestion(place, known)));
+    }
   }
 
  private:
@@ -199,6 +212,12 @@ class Reader {
     const std::string target = link["c"][2][0];
     try {
       check_link(target);
+      // scripts of the page find "#film=a&t=2", a time of a film, and "#/3", a slide
+      if (target.starts_with("#") && !target.starts_with("#/") &&
+          target.find('=') == std::string::npos) {
+        const int line = lines_.next("(" + percent_decoded(target));
+        links_.emplace_back(percent_decoded(target.substr(1)), line);
+      }
     } catch (const Error& error) {
       const int line = lines_.next("(" + percent_decoded(target));
       tell(line > 0 ? line : lines_.next(target), error);
@@ -237,9 +256,19 @@ class Reader {
     attributes[2] = kept;
   }
 
+  // what links can lead to; only one may have the name
+  void take_place(const Json& attributes) {
+    const std::string place = attributes[0];
+    const int line = lines_.next("{#" + place);
+    if (place.empty() || places_.insert(place).second) return;
+    tell(line, input_error("a second '#{}'; links lead to the first", place));
+  }
+
   Deck& deck_;
   LineFinder lines_;
-  std::set<std::string> names_;
+  std::set<std::string> names_;                     // of pictures
+  std::set<std::string> places_;                    // identifiers
+  std::vector<std::pair<std::string, int>> links_;  // place, line
 };
 
 // of what a deck may say of itself
@@ -380,6 +409,7 @@ Deck deck_of_tree(Json tree,
     reader.read(value);
   }
   reader.read(tree["blocks"]);
+  reader.check_links_within();
   deck.blocks = std::move(tree["blocks"]);
   return deck;
 }

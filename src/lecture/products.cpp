@@ -51,6 +51,20 @@ std::vector<double> numbers_in(const DeckPicture& picture, const std::string& ke
   return numbers;
 }
 
+// times of these settings that the motion does not have, told before any work
+void check_times(const DeckPicture& picture,
+                 const Scene& scene,
+                 std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    for (const double t : numbers_in(picture, key)) {
+      if (t >= 0.0 && t <= scene.motion.duration) continue;
+      throw input_error(
+          "must be a time within the motion, 0 to {} s, got {}", scene.motion.duration, t)
+          .at({{}, 0, key});
+    }
+  }
+}
+
 // what the picture and the command line say in place of the scene
 Overrides overrides_of(const DeckPicture& picture, const LectureSettings& settings) {
   Overrides overrides;
@@ -255,7 +269,7 @@ Product film_product(const DeckPicture& picture,
   const char* kind = picture.kind == PictureKind::loop ? "loop" : "film";
   for (const char* key : {"from", "to", "at"})
     number_in(picture, key);
-  numbers_in(picture, "stills");
+  check_times(picture, scene.scene, {"from", "to", "at", "stills"});
   return {name_of_product(scene, kind),
           key_of_product(kind, scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {
@@ -270,6 +284,7 @@ Product still_product(const DeckPicture& picture,
                       const LectureSettings& settings) {
   const Overrides overrides = overrides_of(picture, settings);
   const double at = number_in(picture, "at").value_or(0.0);
+  check_times(picture, scene.scene, {"at"});
   return {name_of_product(scene, "still"),
           key_of_product("still", scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {

@@ -190,7 +190,6 @@ Quote parse_quote(const std::string& words) {
   quote.scene = inside.substr(0, hash);
   quote.key = inside.substr(hash + 1);
   const std::size_t bar = quote.key.find('|');
-  quote.format = "%.4g";
   if (bar != std::string::npos) {
     const std::string how = quote.key.substr(bar + 1);
     quote.key.resize(bar);
@@ -200,11 +199,12 @@ Quote parse_quote(const std::string& words) {
   }
   const std::string& f = quote.format;
   const bool good =
-      f.size() >= 2 && f.size() <= 5 && f[0] == '%' &&
-      std::string_view("efg").find(f.back()) != std::string_view::npos &&
-      (f.size() == 2 ||
-       (f[1] == '.' && f.size() > 3 &&
-        std::all_of(f.begin() + 2, f.end() - 1, [](char c) { return c >= '0' && c <= '9'; })));
+      f.empty() ||
+      (f.size() >= 2 && f.size() <= 5 && f[0] == '%' &&
+       std::string_view("efg").find(f.back()) != std::string_view::npos &&
+       (f.size() == 2 ||
+        (f[1] == '.' && f.size() > 3 &&
+         std::all_of(f.begin() + 2, f.end() - 1, [](char c) { return c >= '0' && c <= '9'; }))));
   if (!good) throw input_error("'{}' is not a number format; write %.3g, %.2f or %.1e", f);
   if (quote.key.empty()) throw input_error("'{}' does not name a number", words);
   return quote;
@@ -251,7 +251,10 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
     unit = other->text;
     factor = other->factor;
   }
-  Quoted out = value_text(value, factor, quote.format);
+  const bool word = value.is_string() || value.is_boolean();
+  if (word && !quote.format.empty())
+    throw input_error("'{}' is no number; leave out '|{}'", quote.key, quote.format);
+  Quoted out = value_text(value, factor, quote.format.empty() ? "%.4g" : quote.format);
   if (unit.empty()) return out;
   out.text += (unit.starts_with("°") ? "" : "\u00A0") + unit;
   out.tex += tex_unit(unit);

@@ -16,7 +16,8 @@ struct Quote {
   // dotted path in inspection() (app/commands/inspect.h), with the number of an entry of a list:
   // "principal_moments.0"; units and "derived." may be omitted
   std::string key;
-  // "%", perhaps "." and one or two digits, then e, f or g: "%.3f"; "%.4g" if the quote gives none
+  // "%", perhaps "." and one or two digits, then e, f or g: "%.3f"; empty (for numbers "%.4g") if
+  // the quote gives none
   std::string format;
   // unit to convert to, such as "rpm" (docs/lecture.md lists them); "none": the number without its
   // unit; empty: the key's own unit
@@ -36,7 +37,8 @@ struct Quoted {
 // The formatted value of the quote's key in `inspection`, the result of inspection(). quote.format
 // must be as parse_quote() checks it. Throws Error
 // (input), without a place, for an unknown key (suggesting the nearest), for a key that names a
-// group of values or has none (null), and for a unit that the value cannot be converted to.
+// group of values or has none (null), for a format of what is no number, and for a unit that the
+// value cannot be converted to.
 Quoted quoted(const Json& inspection, const Quote& quote);
 
 // Splits a key of inspect into name and unit: "flip_time_s" into {"flip_time", "s"}. The unit is as

@@ -100,23 +100,6 @@ void read_vector(const Found& found, const Doc& doc, const std::string& wanted, 
   }
 }
 
-// the exact ratio that a decimal frame rate stands for: 29.97 is 30000/1001, 12.5 is 25/2
-std::string exact_ratio(double rate) {
-  if (!(rate >= 0.001 && rate <= 1e6)) return "60";
-  if (rate == std::round(rate)) return fmt::format("{}", rate);
-  // the television rates are thousandths below a whole number
-  const double whole = std::round(rate * 1.001);
-  if (std::abs(whole / 1.001 - rate) < 0.005) {
-    return fmt::format("\"{}/1001\"", static_cast<int>(whole) * 1000);
-  }
-  for (int denominator = 2; denominator <= 1000; ++denominator) {
-    const double numerator = std::round(rate * denominator);
-    if (std::abs(numerator / denominator - rate) > 1e-9 * rate) continue;
-    return fmt::format("\"{}/{}\"", static_cast<int>(numerator), denominator);
-  }
-  return "\"30000/1001\"";
-}
-
 }  // namespace
 
 void refuse(const Found& found, const std::string& message) {
@@ -248,9 +231,7 @@ void read_value(const Found& found, const Doc&, FrameRate& value) {
   } else if (const auto* ratio = found.node.as_string()) {
     text = ratio->get();
   } else if (const auto* rate = found.node.as_floating_point()) {
-    refuse(found,
-           fmt::format(
-               "must be exact; write {} instead of {}", exact_ratio(rate->get()), rate->get()));
+    text = fmt::format("{}", rate->get());
   } else {
     refuse_type(found, "a whole number, such as 60, or an exact ratio, such as \"30000/1001\"");
   }

@@ -13,24 +13,26 @@ namespace {
 
 constexpr int kMostFramesPerSecond = 1000;
 
-// what a decimal rate most likely means: a whole number, or one of television's over 1001
+// what a decimal rate most likely means: one of television's over 1001, else what it says
 std::string exact_rate(double decimal) {
-  const double rounded = std::round(decimal);
-  if (std::abs(decimal - rounded) < 1e-9) return fmt::format("{:.0f}", rounded);
   const double over = std::round(decimal * 1.001);
   if (std::abs(decimal - over / 1.001) < 0.005) return fmt::format("{:.0f}/1001", over * 1000);
-  return fmt::format("{:.0f}/1000", decimal * 1000);
+  const double thousandths = std::round(decimal * 1000);
+  const double common = std::gcd(static_cast<int>(thousandths), 1000);
+  return fmt::format("{:.0f}/{:.0f}", thousandths / common, 1000 / common);
 }
 
 }  // namespace
 
 FrameRate parse_frame_rate(const std::string& text) {
   const std::size_t slash = text.find('/');
-  const std::optional<int> above = parse_integer(text.substr(0, slash));
+  const std::optional<double> decimal = parse_number(text);
+  std::optional<int> above = parse_integer(text.substr(0, slash));
+  if (decimal && *decimal == std::round(*decimal) && std::abs(*decimal) <= kMostFramesPerSecond)
+    above = static_cast<int>(*decimal);  // 60.0, 1e2
   const std::optional<int> below =
       slash == std::string::npos ? std::optional(1) : parse_integer(text.substr(slash + 1));
   if (!above || !below) {
-    const std::optional<double> decimal = parse_number(text);
     if (decimal && *decimal >= 1.0 && *decimal < kMostFramesPerSecond) {
       throw input_error(
           "frame rates are exact: write \"{}\" instead of {}", exact_rate(*decimal), text);

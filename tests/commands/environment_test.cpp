@@ -205,6 +205,21 @@ TEST(Environment, DriversThatAreNotThereAreRefused) {
   EXPECT_EQ(run_polhode(still, "PANGOCAIRO_BACKEND=none").code, 0);
 }
 
+// text would be empty boxes
+TEST(Environment, WithoutAnyFontTextIsRefused) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  write_text(folder / "fonts.conf", "<fontconfig></fontconfig>");
+  const std::string still =
+      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string none = "FONTCONFIG_FILE='" + (folder / "fonts.conf") + "'";
+  const Ran ran = run_polhode(still, none);
+  EXPECT_EQ(ran.code, 3) << ran.err;
+  EXPECT_NE(ran.err.find("no font is there; install fonts-inter"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.entries(), 2);
+  EXPECT_EQ(run_polhode(still + " --no-text", none).code, 0);
+}
+
 // Mesa crashes when it is told to take our shaders for others
 TEST(Environment, VersionsOfShadersAreOurs) {
   const TemporaryFolder folder;

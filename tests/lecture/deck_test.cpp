@@ -41,6 +41,16 @@ TEST(Deck, WrongWordsGetTheirLineAndTheNearestOne) {
   EXPECT_NE(problem_of("---\nlang: '\"><script>'\n---\n").find("lang"), std::string::npos);
 }
 
+TEST(Deck, LinksWithinLeadSomewhere) {
+  EXPECT_EQ(problem_of("# The top {#top}\n\n[up](#top) [film](#a) [slide](#/2)\n\n"
+                       "![](a.toml){.film}\n\n[on](#the-end)\n\n# The end\n"),
+            "none");
+  EXPECT_EQ(problem_of("# The top {#top}\n\n[up](#tpo)\n"),
+            "deck.md:3: no place is called '#tpo' (did you mean 'top'?)");
+  EXPECT_EQ(problem_of("# One {#a}\n\n# Two {#a}\n"),
+            "deck.md:3: a second '#a'; links lead to the first");
+}
+
 TEST(Deck, OtherEncodingsAreRefusedWithTheirLine) {
   for (const auto& [text, start] : std::vector<std::pair<std::string, std::string>>{
            {"# One\n\nCaf\xE9\n", "deck.md:3: byte 0xe9 is not UTF-8"},

@@ -91,6 +91,12 @@ TEST(Products, NumbersThatAreNoneAreToldAtOnce) {
       },
       "",
       "at must be a number");
+  for (const char* key : {"from", "to", "at", "stills"}) {
+    const DeckPicture picture = picture_of(PictureKind::film, {{key, "5000"}});
+    test::expect_input_error([&] { film_product(picture, folder.scene, {}); },
+                             key,
+                             "must be a time within the motion, 0 to");
+  }
   const DeckPicture map = picture_of(PictureKind::stability, {{"turns", "0"}});
   test::expect_input_error(
       [&] { stability_product(map, folder.scene); }, "", "turns must be greater than 0");

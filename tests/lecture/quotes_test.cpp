@@ -81,6 +81,7 @@ TEST(Quotes, WrongOnesSayWhy) {
   };
   EXPECT_NE(why("precesion_rate").find("did you mean 'precession_rate"), std::string::npos);
   EXPECT_NE(why("flip_time|%s").find("not a number format"), std::string::npos);
+  EXPECT_NE(why("kind|%.3g").find("'kind' is no number; leave out '|%.3g'"), std::string::npos);
   EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
   EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
   EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);

@@ -20,12 +20,16 @@ namespace polhode {
 namespace fs = std::filesystem;
 namespace {
 
-// what a symbolic link points to: renaming would replace the link, not its file
+// what a symbolic link points to, whether it is there or not: renaming would replace the link
 fs::path behind_links(fs::path target) {
+  constexpr int kMostLinks = 40;  // as the system counts them
   std::error_code failed;
-  if (!fs::is_symlink(target, failed)) return target;
-  fs::path real = fs::weakly_canonical(target, failed);
-  return failed ? target : real;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, failed); ++i) {
+    const fs::path next = fs::read_symlink(target, failed);
+    if (failed) break;
+    target = target.parent_path() / next;  // an absolute path stays itself
+  }
+  return target;
 }
 
 fs::path part_of(const fs::path& target) {

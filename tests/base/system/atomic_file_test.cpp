@@ -74,6 +74,14 @@ TEST_F(AtomicFileTest, FollowsALinkAndRefusesADevice) {
   write_file(target_, "new");
   EXPECT_TRUE(fs::is_symlink(target_));
   EXPECT_EQ(read_file(folder_ / "real.txt"), "new");
+  // to a file that is not there yet, by a link that is relative to its folder
+  fs::create_symlink("later.txt", folder_ / "second.txt");
+  write_file(folder_ / "second.txt", "made");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "second.txt"));
+  EXPECT_EQ(read_file(folder_ / "later.txt"), "made");
+  fs::create_symlink(folder_ / "none" / "x.txt", folder_ / "astray.txt");
+  EXPECT_THROW(AtomicFile(folder_ / "astray.txt"), Error);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "astray.txt"));
   EXPECT_THROW(AtomicFile("/dev/null"), Error);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
