@@ -11,7 +11,7 @@ Error placed(const Scene& scene, const Error& error) {
     const auto option = scene.options.find(path);
     if (option != scene.options.end()) {
       const std::string inside = path == place.key ? "" : place.key + ": ";
-      return {error.fault(), inside + error.message(), {{}, 0, option->second}};
+      return {error.fault(), inside + error.message(), option->second};
     }
     const std::size_t end = path.find_last_of(".[");
     path = end == std::string::npos ? "" : path.substr(0, end);

@@ -2,7 +2,10 @@
 #include "film/film_panels.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+
+#include "film/error_places.h"
 
 namespace polhode {
 namespace {
@@ -28,72 +31,154 @@ std::string heading_of(const std::string& view) {
   return view == "body" ? "In body axes" : "In space";
 }
 
+std::function<PanelNotes(double)> heading(const std::string& text) {
+  return [text](double) {
+    PanelNotes notes;
+    notes.name = text;
+    return notes;
+  };
+}
+
+// What all panels of a film have in common.
+struct Stage {
+  const Timeline& timeline;
+  FrameMargins margins;
+  NoteRows rows;
+};
+
+std::shared_ptr<const Composer> composer_of(const Solved& solved,
+                                            const Staging& staging,
+                                            const PixelBox& place,
+                                            const Shared& shared = {}) {
+  return std::make_shared<const Composer>(solved.simulation.motion,
+                                          solved.scene.body,
+                                          staging,
+                                          solved.scene.show,
+                                          solved.scene.theme,
+                                          PictureSize{place.width, place.height},
+                                          shared);
+}
+
+Staging staging_of(const Scene& scene, const Stage& stage) {
+  return {scene.camera, scene.shots, stage.timeline, stage.margins};
+}
+
+std::vector<FilmPanel> panels_of_views(const Solved& solved,
+                                       const Stage& stage,
+                                       const std::vector<PixelBox>& places) {
+  const Scene& scene = solved.scene;
+  std::vector<FilmPanel> panels;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string& view = scene.show.views[i];
+    Staging staging = staging_of(scene, stage);
+    if (view == "body") {
+      staging.camera.follow = "body";
+      for (ShotSpec& shot : staging.shots)
+        shot.camera.follow = "body";
+    }
+    panels.push_back({places[i], composer_of(solved, staging, places[i]), scene.motion.duration});
+    if (stage.rows.name) panels.back().notes = heading(heading_of(view));
+  }
+  return panels;
+}
+
+std::vector<FilmPanel> panels_of_methods(const Solved& solved,
+                                         const Comparison& comparison,
+                                         const Stage& stage,
+                                         const std::vector<PixelBox>& places) {
+  std::vector<FilmPanel> panels;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Contender& one = comparison.contenders()[i];
+    const auto exact = composer_of(solved, staging_of(solved.scene, stage), places[i]);
+    panels.push_back({places[i], std::make_shared<const Composer>(*exact, one.motion), one.end});
+    if (!stage.rows.name) continue;
+    const bool with_details = stage.rows.details > 0;
+    panels.back().notes = [&comparison, &one, with_details](double t) {
+      return comparison.notes(one, t, with_details);
+    };
+  }
+  return panels;
+}
+
+// the scale that serves all
+Scale scale_of(const std::vector<Solved>& solved) {
+  constexpr int kCoarse = 24;  // pieces of a circle, which scales do not depend on
+  std::vector<Scale> scales;
+  for (const Solved& one : solved) {
+    const Scene& scene = one.scene;
+    scales.push_back(
+        make_scenery(one.simulation.motion, scene.body, scene.theme, scene.show, kCoarse).scale);
+  }
+  return common_scale(scales);
+}
+
+std::vector<FilmPanel> panels_of_scenes(const std::vector<Solved>& solved,
+                                        const Stage& stage,
+                                        const std::vector<PixelBox>& places) {
+  const Scene& first = solved.front().scene;
+  Shared shared;
+  if (first.same_scales) shared.scale = scale_of(solved);
+  std::vector<FilmPanel> panels;
+  const auto composer = [&](std::size_t i) {
+    const Scene& scene = solved[i].scene;
+    return with_place(scene, [&] {
+      const Staging staging = staging_of(first.same_cameras ? first : scene, stage);
+      return composer_of(solved[i], staging, places[i], shared);
+    });
+  };
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    panels.push_back({places[i], composer(i), solved[i].scene.motion.duration});
+    if (stage.rows.name) panels.back().notes = heading(first.panels[i].caption);
+  }
+  if (!first.same_cameras) return panels;
+  // once more, by cameras that show the bodies of all panels
+  std::vector<std::shared_ptr<const Composer>> alone;
+  for (const FilmPanel& panel : panels)
+    alone.push_back(panel.composer);
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    shared.beside = alone;
+    shared.beside.erase(shared.beside.begin() + static_cast<std::ptrdiff_t>(i));
+    panels[i].composer = composer(i);
+  }
+  return panels;
+}
+
 }  // namespace
 
-Film make_film(const Solved& solved,
+Film make_film(const std::vector<Solved>& solved,
                const Timeline& timeline,
                const Comparison* comparison,
                const std::vector<FilmPlot>& plots,
                bool with_text) {
-  const Scene& scene = solved.scene;
+  const Scene& scene = solved.front().scene;
   const PictureSize size = scene.video.size;
   FilmText text = film_text(scene.show, scene.title, scene.video.time_scale);
   text.captions =
       with_text && std::any_of(scene.story.begin(), scene.story.end(), [](const auto& step) {
         return step.caption && !step.caption->empty();
       });
-  const std::vector<std::string>& views = scene.show.views;
-  const bool compared = comparison != nullptr;
-  const std::size_t count = compared ? comparison->contenders().size() : views.size();
-  const FrameAreas areas =
-      frame_areas(text, size, static_cast<int>(count), static_cast<int>(plots.size()));
-  const std::vector<PixelBox>& places = areas.panels;
-  NoteRows rows;
-  if (with_text && compared) rows = Comparison::note_rows(scene.show.details.value_or(false));
-  if (with_text && !compared) rows.name = views.size() > 1;
-  const FrameMargins margins = common_margins(text, places, size, rows);
-  if (compared && !plots.empty()) {
+  if (comparison != nullptr && !plots.empty()) {
     throw input_error("plots show one motion, not several that are compared; remove them")
         .at({{}, 0, "show.plots"});
   }
-
-  std::vector<FilmPanel> panels;
-  for (std::size_t i = 0; i < count; ++i) {
-    Staging staging{scene.camera, scene.shots, timeline, margins};
-    if (!compared && views[i] == "body") {
-      staging.camera.follow = "body";
-      for (ShotSpec& shot : staging.shots)
-        shot.camera.follow = "body";
-    }
-    FilmPanel panel;
-    panel.place = places[i];
-    panel.composer =
-        std::make_shared<const Composer>(solved.simulation.motion,
-                                         scene.body,
-                                         staging,
-                                         scene.show,
-                                         scene.theme,
-                                         PictureSize{places[i].width, places[i].height});
-    panel.end = scene.motion.duration;
-    panel.rows = rows;
-    if (compared) {
-      const Contender& one = comparison->contenders()[i];
-      panel.composer = std::make_shared<const Composer>(*panel.composer, one.motion);
-      panel.end = one.end;
-      if (with_text) {
-        panel.notes = [comparison, &one, rows](double t) {
-          return comparison->notes(one, t, rows.details > 0);
-        };
-      }
-    } else if (rows.name) {
-      panel.notes = [heading = heading_of(views[i])](double) {
-        PanelNotes notes;
-        notes.name = heading;
-        return notes;
-      };
-    }
-    panels.push_back(std::move(panel));
+  const std::size_t count = solved.size() > 1       ? solved.size()
+                            : comparison != nullptr ? comparison->contenders().size()
+                                                    : scene.show.views.size();
+  const FrameAreas areas =
+      frame_areas(text, size, static_cast<int>(count), static_cast<int>(plots.size()));
+  NoteRows rows;
+  if (with_text && comparison != nullptr) {
+    rows = Comparison::note_rows(scene.show.details.value_or(false));
+  } else {
+    rows.name = with_text && count > 1;
   }
+  const Stage stage{timeline, common_margins(text, areas.panels, size, rows), rows};
+  std::vector<FilmPanel> panels =
+      solved.size() > 1       ? panels_of_scenes(solved, stage, areas.panels)
+      : comparison != nullptr ? panels_of_methods(solved.front(), *comparison, stage, areas.panels)
+                              : panels_of_views(solved.front(), stage, areas.panels);
+  for (FilmPanel& panel : panels)
+    panel.rows = rows;
   return {std::move(panels), text, size, plots};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/film_plots.h"
 
+#include <fmt/format.h>
+
 #include "motion/recorded.h"
 
 namespace polhode {
@@ -9,16 +11,33 @@ namespace {
 // more than two for each column of pixels that axes have in a large picture
 constexpr int kSteps = 2400;
 
-FilmPlot plot_of(const Recorded& quantity, const Motion& motion) {
+// what a curve is called beside those of other panels
+std::string curve_name(const Recorded& quantity, std::size_t curve, const std::string& caption) {
+  if (caption.empty()) return quantity.curves[curve];
+  if (quantity.curves.size() == 1) return caption;
+  return fmt::format("{}, {}", quantity.curves[curve], caption);
+}
+
+FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   FilmPlot plot;
   plot.title = quantity.title;
   plot.unit = quantity.unit;
-  for (const std::string& name : quantity.curves)
-    plot.curves.push_back({name, {}});
+  const std::vector<ScenePanel>& panels = solved.front().scene.panels;
+  std::vector<Motion> motions;
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    motions.push_back(solved[i].simulation.motion);
+    for (std::size_t k = 0; k < quantity.curves.size(); ++k)
+      plot.curves.push_back({curve_name(quantity, k, panels.empty() ? "" : panels[i].caption), {}});
+  }
   plot.begins = 0.0;
-  plot.ends = motion.duration();
-  plot.now = [motion, values = quantity.values](double t) {
-    return values(motion, motion.at(t));
+  plot.ends = motions.front().duration();
+  plot.now = [motions, values = quantity.values](double t) {
+    std::vector<double> all;
+    for (const Motion& motion : motions) {
+      const std::vector<double> here = values(motion, motion.at(t));
+      all.insert(all.end(), here.begin(), here.end());
+    }
+    return all;
   };
   for (int i = 0; i <= kSteps; ++i) {
     const std::vector<double> now = plot.now(plot.ends * i / kSteps);
@@ -30,11 +49,11 @@ FilmPlot plot_of(const Recorded& quantity, const Motion& motion) {
 
 }  // namespace
 
-std::vector<FilmPlot> make_plots(const Solved& solved) {
+std::vector<FilmPlot> make_plots(const std::vector<Solved>& solved) {
   std::vector<FilmPlot> plots;
-  for (const std::string& name : solved.scene.show.plots) {
+  for (const std::string& name : solved.front().scene.show.plots) {
     for (const Recorded& quantity : recorded_quantities()) {
-      if (quantity.name == name) plots.push_back(plot_of(quantity, solved.simulation.motion));
+      if (quantity.name == name) plots.push_back(plot_of(quantity, solved));
     }
   }
   return plots;

@@ -16,14 +16,11 @@ double positive(double value) {
   throw input_error("must be a number greater than 0, got {}", value);
 }
 
-}  // namespace
-
-Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
-  Scene scene = load_scene(file, overrides.settings);
+void apply(const Overrides& overrides, Scene& scene) {
   // runs `set`, and remembers where the value of the key comes from; its errors name the option
   const auto replace = [&](const char* key, const char* option, const auto& set) {
     at_place({{}, 0, option}, set);
-    scene.options[key] = option;
+    scene.options[key] = {{}, 0, option};
   };
   NumericsSpec& numerics = scene.numerics;
   if (overrides.method) {
@@ -67,6 +64,19 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
     });
   }
   if (overrides.loop) scene.video.loop = true;
+}
+
+}  // namespace
+
+Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
+  Scene scene = load_scene(file, overrides.settings);
+  for_each_scene(scene, [&](Scene& one) { apply(overrides, one); });
+  return scene;
+}
+
+Scene load_single(const std::filesystem::path& file, const Overrides& overrides) {
+  Scene scene = load_with_overrides(file, overrides);
+  refuse_panels(scene);
   return scene;
 }
 

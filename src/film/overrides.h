@@ -32,5 +32,7 @@ struct Overrides {
 // replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
 // (--method, --step, --tolerance, --accuracy, --size, --fps, --theme) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
+// The same for what works on one motion. Also throws Error (input), with the file, for a film file.
+Scene load_single(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

@@ -88,13 +88,15 @@ void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& 
 
 }  // namespace
 
-PreparedFilm::PreparedFilm(const RenderPlan& plan)
-    : solved_(solve(plan.scene, plan.progress)), text_(plan.text) {
-  const Scene& scene = solved_.scene;
-  frames_ = with_place(scene, [&] { return plan_frame_times(solved_, plan.range); });
+PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
+  solved_.push_back(solve(plan.scene, plan.progress));
+  for (std::size_t i = 1; i < plan.scene.panels.size(); ++i)
+    solved_.push_back(solve(plan.scene.panels[i].scene, plan.progress));
+  const Scene& scene = solved().scene;
+  frames_ = with_place(scene, [&] { return plan_frame_times(solved(), plan.range); });
   if (!scene.numerics.compare.empty()) {
     comparison_ =
-        std::make_unique<const Comparison>(solved_, scene.video.time_scale / frames_.rate);
+        std::make_unique<const Comparison>(solved(), scene.video.time_scale / frames_.rate);
   }
   const std::vector<FilmPlot> plots = make_plots(solved_);
   film_ = with_place(scene, [&] {
@@ -102,18 +104,22 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan)
         make_film(solved_, frames_.timeline, comparison_.get(), plots, text_));
   });
   shutter_s_ = scene.video.shutter / (2.0 * kPi) / frames_.rate;
-  moments_ = moments_of_shutter(solved_.simulation.motion, scene, shutter_s_);
+  for (const Solved& one : solved_) {
+    moments_ = std::max(moments_, moments_of_shutter(one.simulation.motion, scene, shutter_s_));
+  }
 }
 
 void PreparedFilm::warn() const {
-  const Scene& scene = solved_.scene;
+  const Scene& scene = solved().scene;
   if (text_) warn_of_missing_fonts();
   warn_of_open_loop(scene, frames_);
   warn_of_jump(scene, frames_, *film_->panels().front().composer);
-  for (const Error& warning : film_->panels().front().composer->warnings()) {
-    spdlog::warn("{}", placed(scene, warning).what());
+  for (std::size_t i = 0; i < solved_.size(); ++i) {
+    const Solved& one = solved_[i];
+    for (const Error& warning : film_->panels()[i].composer->warnings())
+      spdlog::warn("{}", placed(one.scene, warning).what());
+    warn_of_backward_turning(one.scene, one.simulation.motion, frames_);
   }
-  warn_of_backward_turning(scene, solved_.simulation.motion, frames_);
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "film/comparison.h"
 #include "film/frame_times.h"
@@ -24,8 +25,10 @@ class PreparedFilm {
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;
 
-  // The scene with its model and its motion.
-  const Solved& solved() const { return solved_; }
+  // The scene with its model and its motion; of a film of several scenes, the first.
+  const Solved& solved() const { return solved_.front(); }
+  // The scenes of all panels of such a film; else that of solved().
+  const std::vector<Solved>& all_solved() const { return solved_; }
   // The times of the frames.
   const FrameTimes& frames() const { return frames_; }
   // What is to be seen, as a function of film time.
@@ -34,7 +37,7 @@ class PreparedFilm {
   const Comparison* comparison() const { return comparison_.get(); }
 
   // Logs warnings about the film: missing fonts, a loop that does not close, those of
-  // Composer::warnings() for the first panel, a body that seems to turn backwards. It opens fonts,
+  // Composer::warnings() for each scene, a body that seems to turn backwards. It opens fonts,
   // so call it after any fork.
   void warn() const;
 
@@ -44,7 +47,7 @@ class PreparedFilm {
   int moments() const { return moments_; }
 
  private:
-  Solved solved_;
+  std::vector<Solved> solved_;  // at least one
   FrameTimes frames_;
   std::unique_ptr<const Comparison> comparison_;
   std::unique_ptr<const Film> film_;

@@ -48,24 +48,22 @@ std::string output_of(const RenderJob& job) {
   return "output/" + job.scene.stem().string() + (job.still ? ".png" : ".mp4");
 }
 
-Scene without_text(Scene scene) {
+void remove_text(Scene& scene) {
   scene.show.labels = false;
   scene.show.title = false;
   scene.show.clock = false;
   scene.show.caption.clear();
   for (StoryStep& step : scene.story)
     step.caption.reset();
-  return scene;
 }
 
-Scene shrunk(Scene scene, int factor) {
+void shrink(Scene& scene, int factor) {
   // even sides stay even
   PictureSize& size = scene.video.size;
   if (factor > 1) {
     size.width = std::max(kSmallestSide, size.width / (2 * factor) * 2);
     size.height = std::max(kSmallestSide, size.height / (2 * factor) * 2);
   }
-  return scene;
 }
 
 // a piece is of a film, or of numbered pictures or hashes
@@ -128,10 +126,12 @@ std::string film_comment(const std::string& version, const std::string& scene_ha
 RenderPlan plan_render(const RenderJob& job) {
   const Quality& quality = find_quality(job.quality);
   RenderPlan plan;
-  Scene asked = load_with_overrides(job.scene, job.overrides);
-  plan.story = asked.story;
-  if (!job.text) asked = without_text(std::move(asked));
-  plan.scene = shrunk(std::move(asked), quality.shrink);
+  plan.scene = load_with_overrides(job.scene, job.overrides);
+  plan.story = plan.scene.story;
+  for_each_scene(plan.scene, [&](Scene& scene) {
+    if (!job.text) remove_text(scene);
+    shrink(scene, quality.shrink);
+  });
   const std::string output = output_of(job);
   const bool still = is_still(job, output);
   plan.range = {job.from, job.to, job.still, still};

@@ -152,11 +152,14 @@ Composer::Composer(const Motion& motion,
                    const Staging& staging,
                    const ShowSpec& show,
                    const ThemeSpec& theme,
-                   PictureSize size)
-    : scenery_(make_scenery(motion, body, theme, show, circle_segments(0.5 * size.height))),
+                   PictureSize size,
+                   const Shared& shared)
+    : scenery_(make_scenery(
+          motion, body, theme, show, circle_segments(0.5 * size.height), shared.scale)),
       shown_(resolve(show, scenery_)),
       drawing_(make_drawing_frame(scenery_)),
       staging_(staging),
+      beside_(shared.beside),
       rigs_(make_rigs(size)) {
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
@@ -381,6 +384,15 @@ std::vector<double> Composer::film_times() const {
 }
 
 std::vector<Vec3> Composer::points_to_frame(const CameraSpec& spec) const {
+  std::vector<Vec3> points = own_points(spec);
+  for (const std::shared_ptr<const Composer>& other : beside_) {
+    const std::vector<Vec3> more = other->own_points(spec);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+std::vector<Vec3> Composer::own_points(const CameraSpec& spec) const {
   std::vector<Vec3> points;
   for (const double film : film_times()) {
     const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));

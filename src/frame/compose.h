@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,14 @@ struct Staging {
   FrameMargins margins = {};  // for automatic cameras
 };
 
+class Composer;
+
+// What pictures side by side have in common.
+struct Shared {
+  std::optional<Scale> scale = {};                           // absent: its own
+  std::vector<std::shared_ptr<const Composer>> beside = {};  // automatic cameras show all of them
+};
+
 // Immutable, with copies of all that it is made from. All members are pure functions of time and
 // may be called from any thread; those that take a time throw Error (check_failed) as Motion::at
 // does. Glyphs and cameras are in S, m; draw lists in the units of their drawing frame.
@@ -62,7 +71,8 @@ class Composer {
            const Staging& staging,
            const ShowSpec& show,
            const ThemeSpec& theme,
-           PictureSize size);
+           PictureSize size,
+           const Shared& shared = {});
   // With a single camera and without a story: film time is motion time. Throws Error likewise.
   Composer(const Motion& motion,
            const BodySpec& body,
@@ -115,6 +125,8 @@ class Composer {
   bool is_larger_followed(CameraSpec spec, PictureSize size) const;
   bool keeps_place_in_space() const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
+  std::vector<Vec3> own_points(const CameraSpec& spec) const;
+  // with those of the pictures beside it
   std::vector<Vec3> points_to_frame(const CameraSpec& spec) const;
   std::vector<Rig> make_rigs(PictureSize size) const;
   // Radii in pixels where things are closest to their cameras.
@@ -134,6 +146,7 @@ class Composer {
   GlyphMeshes meshes_;
   DrawingFrame drawing_;
   Staging staging_;
+  std::vector<std::shared_ptr<const Composer>> beside_;
   std::vector<Rig> rigs_;  // in the order in which they come
 };
 

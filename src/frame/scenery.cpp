@@ -115,7 +115,8 @@ Scenery make_scenery(const Motion& motion,
                      const BodySpec& body,
                      const ThemeSpec& theme_spec,
                      const ShowSpec& show,
-                     int segments) {
+                     int segments,
+                     const std::optional<Scale>& scale) {
   const Theme theme = make_theme(theme_spec);
   const auto shared = [](Mesh mesh) {
     return std::make_shared<const Mesh>(std::move(mesh));
@@ -140,9 +141,30 @@ Scenery make_scenery(const Motion& motion,
     for (const Vec3& point : *points)
       radius = std::max(radius, (point - motion.model().reference_B()).norm());
   }
-  scenery.scale = make_scale(scenery, radius);
+  scenery.scale = scale ? *scale : make_scale(scenery, radius);
   scenery.paths = make_paths(scenery);
   return scenery;
+}
+
+Scale common_scale(const std::vector<Scale>& scales) {
+  Scale common = scales.front();
+  for (const Scale& one : scales) {
+    common.body = std::max(common.body, one.body);
+    common.weight = std::max(common.weight, one.weight);
+  }
+  // a quantity that one picture does not have says nothing
+  const auto least = [&](double Scale::*member) {
+    double found = 0.0;
+    for (const Scale& one : scales) {
+      const double here = one.*member * common.body / one.body;
+      if (here > 0.0 && (found == 0.0 || here < found)) found = here;
+    }
+    common.*member = found;
+  };
+  for (const auto member :
+       {&Scale::omega, &Scale::momentum, &Scale::velocity, &Scale::force, &Scale::torque})
+    least(member);
+  return common;
 }
 
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample) {

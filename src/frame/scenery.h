@@ -2,6 +2,7 @@
 // What all moments of a film share: the body's meshes, the scales of vectors, and the drawn paths.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "frame/body_look.h"
@@ -68,13 +69,19 @@ struct Scenery {
 };
 
 // Makes the scenery. `body` is that of the motion. Scales are chosen for the whole film, so that
-// they stay constant. segments: straight pieces that stand for a circle as large as the picture.
-// Throws Error (input) as body_look and make_theme do, and (check_failed) as Motion::at does.
+// they stay constant, unless `scale` gives them. segments: straight pieces that stand for a circle
+// as large as the picture. Throws Error (input) as body_look and make_theme do, and (check_failed)
+// as Motion::at does.
 Scenery make_scenery(const Motion& motion,
                      const BodySpec& body,
                      const ThemeSpec& theme,
                      const ShowSpec& show,
-                     int segments);
+                     int segments,
+                     const std::optional<Scale>& scale = {});
+
+// One scale for several pictures side by side: bodies and thicknesses as large as the largest body
+// has them, and no vector longer than in a picture by itself.
+Scale common_scale(const std::vector<Scale>& scales);
 
 // Replaces the body's meshes by ones with `segments` pieces of a full circle. Throws Error (input)
 // as body_look does.

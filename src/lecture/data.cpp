@@ -154,7 +154,7 @@ void write_data(const LectureData& data, const fs::path& folder) {
   for (const LectureData::SceneData& one : data.scenes) {
     const DeckScene& scene = *one.scene;
     sources.push_back({scene.name, scene.file});
-    for (const std::string& mesh : mesh_files(scene.file)) {
+    for (const std::string& mesh : named_files(scene.file)) {
       sources.push_back({(fs::path(scene.name).parent_path() / mesh).string(),
                          trusted_file(root, scene.file.parent_path(), mesh)});
     }

@@ -37,7 +37,7 @@ struct LectureData {
 // of its folder in a folder of their own), motions/NAME.csv (copied from FOLDER/media; NAME is the
 // name of the scene file without its ending, with _ appended until it is unique), and manifest.json
 // last. Files of source/ and motions/ that only the old manifest lists are deleted. Throws Error
-// (input) as trusted_file() (lecture/sandbox.h), mesh_files() (scene/scene.h), read_file() and
+// (input) as trusted_file() (lecture/sandbox.h), named_files() (scene/scene.h), read_file() and
 // write_file() (base/system/atomic_file.h) do, (environment) if a folder cannot be made or the disk
 // is full.
 void write_data(const LectureData& data, const std::filesystem::path& folder);

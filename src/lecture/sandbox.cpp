@@ -56,7 +56,7 @@ std::filesystem::path trusted_file(const DeckRoot& root,
 
 std::filesystem::path trusted_scene(const DeckRoot& root, const std::string& name) {
   std::filesystem::path scene = trusted_file(root, root.folder, name);
-  for (const std::string& mesh : mesh_files(scene)) {
+  for (const std::string& mesh : named_files(scene)) {
     try {
       trusted_file(root, scene.parent_path(), mesh);
     } catch (const Error& error) {

@@ -24,7 +24,7 @@ std::filesystem::path trusted_file(const DeckRoot& root,
 
 // The path of a scene of the deck, `name` being relative to the deck's folder. The mesh files that
 // the scene names, relative to its own folder, are checked in the same way. Throws Error (input) as
-// trusted_file and mesh_files (scene/scene.h) do.
+// trusted_file and named_files (scene/scene.h) do.
 std::filesystem::path trusted_scene(const DeckRoot& root, const std::string& name);
 
 // Throws Error (input), without a place, unless the link begins with http://, https://, mailto: or

@@ -111,6 +111,15 @@ Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& nam
 }
 
 std::string scene_hash(const Scene& scene) {
+  if (!scene.panels.empty()) {
+    std::string all = fmt::format("{}\n{} {}\n",
+                                  nlohmann::ordered_json(scene.title).dump(),
+                                  scene.same_cameras,
+                                  scene.same_scales);
+    for (const ScenePanel& panel : scene.panels)
+      all += nlohmann::ordered_json(panel.caption).dump() + scene_hash(panel.scene) + "\n";
+    return content_hash(all);
+  }
   std::string content = scene_to_json(scene).dump();
   // what the files hold counts, not only their names
   const auto add = [&](const SolidSpec& solid) {

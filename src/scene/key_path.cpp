@@ -142,10 +142,13 @@ void replace_number(toml::table& tree, const std::string& path, double value) {
   });
 }
 
+void replace_node(toml::table& tree, const std::string& path, const toml::node& value) {
+  value.visit([&](const auto& node) {
+    replace(tree, path, "value", node, [](const toml::node*) { return true; });
+  });
+}
+
 void replace_value(toml::table& tree, const std::string& path, const std::string& value) {
-  const auto fits = [](const toml::node*) {
-    return true;
-  };
   toml::table parsed;
   try {
     parsed = parse_toml("value = " + value, "");
@@ -153,11 +156,11 @@ void replace_value(toml::table& tree, const std::string& path, const std::string
     // what begins as a text, list or table was meant as one
     if (value.empty() || std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
       throw input_error("{}", error.message());
-    replace(tree, path, "value", value, fits);
+    replace_node(tree, path, toml::value<std::string>(value));
     return;
   }
   if (parsed.size() != 1) throw input_error("'{}' is more than one value", value);
-  parsed.get("value")->visit([&](const auto& node) { replace(tree, path, "value", node, fits); });
+  replace_node(tree, path, *parsed.get("value"));
 }
 
 }  // namespace polhode

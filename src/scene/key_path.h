@@ -29,5 +29,7 @@ void replace_number(toml::table& tree, const std::string& path, double value);
 // that is no path, for an entry of a list that does not exist, and for a text, list or table that
 // is no valid TOML.
 void replace_value(toml::table& tree, const std::string& path, const std::string& value);
+// The same with a value that has been parsed.
+void replace_node(toml::table& tree, const std::string& path, const toml::node& value);
 
 }  // namespace polhode

@@ -6,73 +6,15 @@
 #include <fmt/format.h>
 
 #include "base/at_place.h"
-#include "base/hash.h"
-#include "base/system/atomic_file.h"
-#include "model/solids.h"
+#include "scene/film_file.h"
 #include "scene/key_path.h"
-#include "scene/reader.h"
+#include "scene/scene_tree.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
-namespace {
-
-void record_lines(const toml::node& node,
-                  const std::string& path,
-                  std::map<std::string, int>& lines) {
-  if (const toml::array* array = node.as_array()) {
-    for (std::size_t i = 0; i < array->size(); ++i) {
-      // single numbers stand on the line of their list; a mesh of them would fill the memory
-      if (array->get(i)->is_value()) continue;
-      const std::string inside = fmt::format("{}[{}]", path, i);
-      lines.emplace(inside, static_cast<int>(array->get(i)->source().begin.line));
-      record_lines(*array->get(i), inside, lines);
-    }
-  }
-  const toml::table* table = node.as_table();
-  if (table == nullptr) return;
-  for (const auto& [key, value] : *table) {
-    const std::string name(key.str());
-    const std::string inside = (path.empty() ? "" : path + ".") + without_suffix(name);
-    lines.emplace(inside, static_cast<int>(key.source().begin.line));
-    record_lines(value, inside, lines);
-  }
-}
-
-// is the first path, in whatever units, the second or inside of it?
-bool is_within(const std::string& path, const std::string& around) {
-  const std::string inner = without_suffixes(path), outer = without_suffixes(around);
-  return inner.starts_with(outer) &&
-         (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
-}
-
-// the message of an error inside a setting, with its key unless that is the setting's own
-std::string about(const Error& error, const Setting& setting) {
-  if (error.place().key == setting.key) return error.message();
-  return fmt::format("{}: {}", error.place().key, error.message());
-}
-
-// the file with these settings
-toml::table tree_of(const std::filesystem::path& file, const std::vector<Setting>& settings) {
-  toml::table tree = parse_toml(read_file(file, kLargestScene), file.string());
-  for (const Setting& setting : settings) {
-    at_place({{}, 0, option_of(setting)}, [&] { replace_value(tree, setting.key, setting.value); });
-  }
-  return tree;
-}
-
-Scene scene_from(const toml::table& tree, const std::string& name) {
-  Scene scene;
-  scene.file = name;
-  Reader reader(tree, {name, 0, {}}, keys_of<Scene>());
-  reader.read_tables({tree, {name, 0, {}}, suffixes_of(Unit::none).front()}, scene);
-  record_lines(tree, "", scene.lines);
-  return scene;
-}
-
-}  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& name) {
-  return scene_from(parse_toml(text, name), name);
+  return scene_of(parse_toml(text, name), name);
 }
 
 Setting parse_setting(const std::string& text) {
@@ -101,7 +43,11 @@ Scene load_scene(const std::filesystem::path& file) {
 std::optional<double> number_in_scene(const std::filesystem::path& file,
                                       const std::vector<Setting>& settings,
                                       const std::string& path) {
-  const toml::table tree = tree_of(file, settings);
+  toml::table tree = read_tree(file);
+  for (const Setting& setting : settings) {
+    const Change change = change_of(setting);
+    at_place(change.place, [&] { change.apply(tree); });
+  }
   const toml::node* node = node_at(tree, path);
   return node == nullptr ? std::nullopt : node->value<double>();
 }
@@ -109,33 +55,21 @@ std::optional<double> number_in_scene(const std::filesystem::path& file,
 Scene load_scene(const std::filesystem::path& file,
                  const std::vector<Setting>& settings,
                  const Replacements& numbers) {
-  toml::table tree = tree_of(file, settings);
-  for (const auto& [path, value] : numbers)
-    replace_number(tree, path, value);
-  Scene scene;
-  try {
-    scene = scene_from(tree, file.string());
-  } catch (const Error& error) {
-    for (const Setting& setting : settings) {
-      if (is_within(error.place().key, setting.key))
-        throw Error(error.fault(), about(error, setting), {{}, 0, option_of(setting)});
-    }
-    throw;
+  toml::table tree = read_tree(file);
+  if (is_film(tree)) {
+    Scene film = load_film(std::move(tree), file, settings);
+    if (!numbers.empty()) refuse_panels(film);
+    return film;
   }
-  for (const Setting& setting : settings) {
-    const std::string key = without_suffixes(setting.key);
-    // what it brings has no line
-    std::erase_if(scene.lines, [&](const auto& line) { return is_within(line.first, key); });
-    scene.options[key] = option_of(setting);
+  std::vector<Change> changes;
+  for (const Setting& setting : settings)
+    changes.push_back(change_of(setting));
+  for (const auto& [path, value] : numbers) {
+    changes.push_back({path, {}, [path, value](toml::table& of) {
+                         replace_number(of, path, value);
+                       }});
   }
-
-  // the files that it names stand beside it
-  try {
-    load_meshes(scene.body, file.parent_path());
-  } catch (const Error& error) {
-    throw error.at({scene.file, line_of(scene, error.place().key), {}});
-  }
-  return scene;
+  return changed_scene(std::move(tree), file, changes);
 }
 
 namespace {
@@ -154,17 +88,43 @@ std::vector<std::string> meshes_of(const Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> mesh_files(const std::filesystem::path& file) {
-  return meshes_of(
-      scene_from(parse_toml(read_file(file, kLargestScene), file.string()), file.string()));
+std::vector<std::string> named_files(const std::filesystem::path& file) {
+  const toml::table tree = read_tree(file);
+  if (!is_film(tree)) return meshes_of(scene_of(tree, file.string()));
+  std::vector<std::string> names;
+  for (const std::string& scene : scenes_of_film(tree, file)) {
+    const std::filesystem::path beside = file.parent_path() / scene;
+    names.push_back(scene);
+    for (const std::string& mesh : meshes_of(scene_of(read_tree(beside), beside.string())))
+      names.push_back((std::filesystem::path(scene).parent_path() / mesh).string());
+  }
+  return names;
 }
 
 std::vector<std::filesystem::path> input_files(const Scene& scene) {
-  const std::filesystem::path file = scene.file;
-  std::vector<std::filesystem::path> files = {file};
-  for (const std::string& mesh : meshes_of(scene))
-    files.push_back(file.parent_path() / mesh);
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const Scene& one) {
+    const std::filesystem::path file = one.file;
+    files.push_back(file);
+    for (const std::string& mesh : meshes_of(one))
+      files.push_back(file.parent_path() / mesh);
+  };
+  if (scene.panels.empty()) {
+    add(scene);
+    return files;
+  }
+  files.emplace_back(scene.film_file);
+  for (const ScenePanel& panel : scene.panels)
+    add(panel.scene);
   return files;
+}
+
+void refuse_panels(const Scene& scene) {
+  if (scene.panels.empty()) return;
+  throw input_error("is a film of {} scenes; name one of them, such as {}",
+                    scene.panels.size(),
+                    scene.panels.front().scene.file)
+      .at({scene.film_file, 0, {}});
 }
 
 int line_of(const Scene& scene, const std::string& key) {

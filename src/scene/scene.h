@@ -10,12 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "frame/view_spec.h"
 #include "model/body_spec.h"
 #include "motion/motion_spec.h"
 #include "video/video_spec.h"
 
 namespace polhode {
+
+struct ScenePanel;
 
 // All lengths, times and angles are in SI units and radians.
 struct Scene {
@@ -34,9 +37,34 @@ struct Scene {
   std::string file;  // the file it was read from, as the user named it
   // Line of each key in it, and of each table in a list, by dotted path without unit suffixes.
   std::map<std::string, int> lines;
-  // Key, or table of keys -> option that has overridden its value: "--size", "--set video.size".
-  std::map<std::string, std::string> options;
+  // Key, or table of keys -> where its value comes from, if not from that file: an option, such as
+  // "--size" or "--set video.size" (a place without a file), or a film file.
+  std::map<std::string, Place> options;
+
+  // Of a film of several scenes (scene/film_file.h), all of them; the scene itself is then the
+  // first with the film's title. Empty: it is a scene by itself.
+  std::vector<ScenePanel> panels;
+  std::string film_file;     // of such a film, as the user named it
+  bool same_cameras = true;  // one camera shows all panels
+  bool same_scales = true;   // vectors have one scale in all panels
 };
+
+// One of several scenes that are shown side by side.
+struct ScenePanel {
+  std::string caption;
+  Scene scene;  // without panels
+};
+
+// Throws Error (input), with the film file, for a scene with panels; for what works on one motion.
+void refuse_panels(const Scene& scene);
+
+// Calls `work` on a scene and on the scenes of its panels.
+template <class AnyScene, class Work>
+void for_each_scene(AnyScene& scene, const Work& work) {
+  work(scene);
+  for (auto& panel : scene.panels)
+    work(panel.scene);
+}
 
 template <class Visitor>
 void fields(Visitor& v, Scene& s) {
@@ -54,10 +82,11 @@ void fields(Visitor& v, Scene& s) {
   v.merged("video", s.video, s.theme, Doc{"size, frame rate, time scale and colours of the film"});
 }
 
-// Reads a scene and its mesh files. Throws Error (input) as read_file (base/system/atomic_file.h)
-// and parse_toml (scene/toml_text.h) do, and with file, line and key as Reader (scene/reader.h) and
-// load_meshes (model/solids.h) do. Whether the values together make sense is checked later, by
-// make_model and start_state. Keys are dotted paths; lists count from 0: "body.parts[1].mass".
+// Reads a scene, or the scenes of a film file, and their mesh files. Throws Error (input) as
+// read_file (base/system/atomic_file.h) and parse_toml (scene/toml_text.h) do, and with file, line
+// and key as Reader (scene/reader.h) and load_meshes (model/solids.h) do; and as load_film
+// (scene/film_file.h) does. Whether the values together make sense is checked later, by make_model
+// and start_state. Keys are dotted paths; lists count from 0: "body.parts[1].mass".
 Scene load_scene(const std::filesystem::path& file);
 // A value that replaces the one in the file: `--set KEY=VALUE`. The key is a path as the file could
 // spell it, such as "motion.spin.body[2]" or "body.solid.radius_cm"; the value is TOML, or words
@@ -88,10 +117,11 @@ std::optional<double> number_in_scene(const std::filesystem::path& file,
 // A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
 // Throws Error (input) as parse_toml and Reader do.
 Scene parse_scene(std::string_view text, const std::string& name);
-// The mesh files that a scene names, as spelled there, without opening them. Throws Error (input)
-// as load_scene does for the scene file itself.
-std::vector<std::string> mesh_files(const std::filesystem::path& file);
-// The paths of the files that a scene was read from: its own, and those of its meshes.
+// The files that a scene names, its meshes, without opening them; of a film file also its scenes,
+// which are read. As spelled there, relative to the folder of the file. Throws Error (input) as
+// load_scene does for these files.
+std::vector<std::string> named_files(const std::filesystem::path& file);
+// The paths of the files that a scene was read from: its own, and those of its meshes and panels.
 std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 // The line of a key such as "body.parts[1].radius", or else of the innermost key around it that is

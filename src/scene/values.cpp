@@ -247,4 +247,20 @@ void read_value(const Found& found, const Doc&, Accuracy& value) {
   value = {number(found, radians, "radians, such as 1e-6, or pixels, such as \"0.1px\""), false};
 }
 
+void read_value(const Found& found, const Doc&, toml::table& value) {
+  const toml::table* table = found.node.as_table();
+  if (table == nullptr) refuse_type(found, "a table, such as { \"motion.duration\" = 5 }");
+  value = *table;
+}
+
+void read_value(const Found& found, const Doc&, toml::array& value) {
+  const toml::array& array = array_of(found, 0, "a list of values");
+  if (array.size() > kMostNames)
+    refuse(found, fmt::format("has {} values; at most {} are allowed", array.size(), kMostNames));
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    if (!array.get(i)->is_value()) refuse_type(element_of(found, array, i), "a number or a text");
+  }
+  value = array;
+}
+
 }  // namespace polhode

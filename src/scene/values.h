@@ -59,5 +59,7 @@ void read_value(const Found& found, const Doc& doc, std::vector<std::string>& va
 void read_value(const Found& found, const Doc& doc, PictureSize& value);
 void read_value(const Found& found, const Doc& doc, FrameRate& value);
 void read_value(const Found& found, const Doc& doc, Accuracy& value);
+void read_value(const Found& found, const Doc& doc, toml::table& value);  // of anything
+void read_value(const Found& found, const Doc& doc, toml::array& value);  // of values
 
 }  // namespace polhode

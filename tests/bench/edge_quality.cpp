@@ -29,7 +29,7 @@ void judge(const std::string& file, const std::string& size, const Context& cont
   const Solved solved = solve(load_with_overrides(file, overrides));
   const PictureSize pixels = solved.scene.video.size;
   const FrameTimes frames = plan_frame_times(solved, {});
-  const Film film = make_film(solved, frames.timeline, nullptr, {}, false);
+  const Film film = make_film({solved}, frames.timeline, nullptr, {}, false);
   struct Way {
     int samples;
     Edges edges;

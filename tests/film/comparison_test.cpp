@@ -141,7 +141,7 @@ TEST(Comparison, EachPanelHasThePathsOfItsOwnMethod) {
   const Solved truth = solve(scene);
   const FrameTimes frames = plan_frame_times(truth, {});
   const Comparison comparison(truth, kFrame);
-  const Film film = make_film(truth, frames.timeline, &comparison, {}, true);
+  const Film film = make_film({truth}, frames.timeline, &comparison, {}, true);
   double apart = 0.0;
   for (std::size_t i = 0; i < film.panels().size(); ++i) {
     const Motion& motion = comparison.contenders()[i].motion;

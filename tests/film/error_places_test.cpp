@@ -29,7 +29,7 @@ TEST(Placed, AKeyThatIsNotThereGetsTheLineOfItsTable) {
 
 TEST(Placed, AValueOfTheCommandLineIsNamedByItsOption) {
   Scene scene = test::small_scene();
-  scene.options["video.fps"] = "--fps";
+  scene.options["video.fps"].key = "--fps";
   const Error error = placed(scene, about("video.fps"));
   EXPECT_STREQ(error.what(), "--fps: is wrong");
   EXPECT_EQ(error.fault(), Fault::input);

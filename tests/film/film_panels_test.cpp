@@ -21,10 +21,10 @@ using test::small_scene;
 struct Panels {
   explicit Panels(const Scene& scene, bool with_text = true) : solved(solve(scene)) {
     if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
-    film = std::make_unique<Film>(make_film(solved,
+    film = std::make_unique<Film>(make_film({solved},
                                             plan_frame_times(solved, {}).timeline,
                                             comparison.get(),
-                                            make_plots(solved),
+                                            make_plots({solved}),
                                             with_text));
   }
   const std::vector<FilmPanel>& all() const { return film->panels(); }
@@ -191,7 +191,8 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
   const FrameTimes frames = plan_frame_times(solved, {});
   std::unique_ptr<Comparison> comparison;
   if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
-  const Film film = make_film(solved, frames.timeline, comparison.get(), make_plots(solved), true);
+  const Film film =
+      make_film({solved}, frames.timeline, comparison.get(), make_plots({solved}), true);
   const double duration = frames.timeline.film_duration();
   constexpr int kLooks = 120;
   for (int i = 0; i <= kLooks; ++i) {
@@ -211,6 +212,73 @@ INSTANTIATE_TEST_SUITE_P(Scenes,
                          WholeFilm,
                          ::testing::ValuesIn(scene_names()),
                          [](const auto& row) { return row.param; });
+
+// two scenes, the second with twice the spin and a body half as large
+std::vector<Solved> small_and_smaller(const std::string& film = "") {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a.toml", test::kSmallScene);
+  test::write_text(folder / "film.toml",
+                   film + "[[panel]]\nscene = \"a.toml\"\n[[panel]]\nscene = \"a.toml\"\n" +
+                       "set = { motion.spin.body = [2, 0, 6], body.solid.semi_axes = [0.05, 0.05, "
+                       "0.1] }\n");
+  const Scene scene = load_scene(folder / "film.toml");
+  return {solve(scene), solve(scene.panels[1].scene)};
+}
+
+Film film_of(const std::vector<Solved>& solved) {
+  const FrameTimes frames = plan_frame_times(solved.front(), {});
+  return make_film(solved, frames.timeline, nullptr, make_plots(solved), true);
+}
+
+TEST(FilmPanels, SeveralScenesHaveOneScaleAndOneCamera) {
+  const std::vector<Solved> solved = small_and_smaller();
+  const Film film = film_of(solved);
+  ASSERT_EQ(film.panels().size(), 2U);
+  const Composer &large = *film.panels()[0].composer, &small = *film.panels()[1].composer;
+  const Vec3 point(0.1, -0.05, 0.2);
+  EXPECT_LT((large.camera().project(point) - small.camera().project(point)).norm(), 1e-9);
+  EXPECT_EQ(large.scenery().scale.omega, small.scenery().scale.omega);
+  EXPECT_EQ(large.scenery().scale.momentum, small.scenery().scale.momentum);
+  EXPECT_EQ(large.scenery().scale.body, small.scenery().scale.body);
+  // the faster one fills the scale
+  const auto length = [](const Composer& picture) {
+    const Sample now = picture.scenery().motion.at(0.0);
+    return (omega_tip(picture.scenery(), now) - now.reference_S).norm();
+  };
+  EXPECT_NEAR(length(small), 2.0 * length(large), 1e-9);
+  // and all of both is in the picture
+  for (const FilmPanel& panel : film.panels()) {
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const Sample now = panel.composer->scenery().motion.at(t);
+      for (const Vec3& tip : {omega_tip(panel.composer->scenery(), now),
+                              momentum_tip(panel.composer->scenery(), now)}) {
+        const Vec2 at = panel.composer->camera().project(tip);
+        EXPECT_TRUE(at.x() > 0 && at.x() < panel.place.width) << at.transpose();
+        EXPECT_TRUE(at.y() > 0 && at.y() < panel.place.height) << at.transpose();
+      }
+    }
+  }
+  EXPECT_EQ(film.panels()[1].notes(0.0).name, "test");
+}
+
+TEST(FilmPanels, SeveralScenesMayHaveTheirOwn) {
+  const Film film = film_of(small_and_smaller("cameras = \"own\"\nscales = \"own\"\n"));
+  const Composer &large = *film.panels()[0].composer, &small = *film.panels()[1].composer;
+  EXPECT_NEAR(2.0 * small.scenery().scale.body, large.scenery().scale.body, 1e-9);
+  EXPECT_GT(small.camera().pixels_per_metre(Vec3::Zero()),
+            1.5 * large.camera().pixels_per_metre(Vec3::Zero()));
+}
+
+TEST(FilmPanels, PlotsHaveTheCurvesOfAllScenes) {
+  const std::vector<FilmPlot> plots =
+      make_plots(small_and_smaller("show.plots = [\"tilt\", \"omega\"]\n"));
+  ASSERT_EQ(plots.size(), 2U);
+  ASSERT_EQ(plots[0].curves.size(), 2U);
+  EXPECT_EQ(plots[0].curves[0].name, "test");
+  ASSERT_EQ(plots[1].curves.size(), 6U);
+  const std::vector<double> now = plots[1].now(0.3);
+  EXPECT_NEAR(now[5], 2.0 * now[2], 1e-9) << "the spin of the second is twice as fast";
+}
 
 }  // namespace
 }  // namespace polhode

@@ -12,12 +12,12 @@ namespace {
 using test::small_scene;
 
 TEST(FilmPlots, WithoutPlotsThereAreNone) {
-  EXPECT_TRUE(make_plots(solve(small_scene())).empty());
+  EXPECT_TRUE(make_plots({solve(small_scene())}).empty());
 }
 
 TEST(FilmPlots, AreThoseOfTheListInItsOrder) {
   const Scene scene = small_scene("[show]\nplots = [\"tilt\", \"energy\", \"omega\"]\n");
-  const std::vector<FilmPlot> plots = make_plots(solve(scene));
+  const std::vector<FilmPlot> plots = make_plots({solve(scene)});
   ASSERT_EQ(plots.size(), 3U);
   EXPECT_EQ(plots[0].title, "tilt of the axis");
   EXPECT_EQ(plots[1].unit, "J");
@@ -27,7 +27,7 @@ TEST(FilmPlots, AreThoseOfTheListInItsOrder) {
 // the values of a curve are those of the moments at which they stand
 TEST(FilmPlots, CurvesAreSampledOverTheWholeMotion) {
   const Solved solved = solve(load_scene(test::scene_path("nutation_plots")));
-  for (const FilmPlot& plot : make_plots(solved)) {
+  for (const FilmPlot& plot : make_plots({solved})) {
     EXPECT_EQ(plot.begins, 0.0);
     EXPECT_EQ(plot.ends, solved.simulation.motion.duration());
     for (std::size_t k = 0; k < plot.curves.size(); ++k) {

@@ -60,7 +60,10 @@ TEST_F(OverridesOfAScene, EachGoesToItsKey) {
                                                       {"numerics.accuracy", "--accuracy"},
                                                       {"video.size", "--size"},
                                                       {"video.fps", "--fps"}};
-  EXPECT_EQ(scene.options, options);
+  std::map<std::string, std::string> named;
+  for (const auto& [key, place] : scene.options)
+    named[key] = place.key;
+  EXPECT_EQ(named, options);
 }
 
 TEST_F(OverridesOfAScene, AThemeBringsItsOwnBackground) {
@@ -73,7 +76,7 @@ TEST_F(OverridesOfAScene, AThemeBringsItsOwnBackground) {
   const Scene scene = with(overrides);
   EXPECT_EQ(scene.theme.theme, "print");
   EXPECT_FALSE(scene.theme.background);
-  EXPECT_EQ(scene.options.at("video.theme"), "--theme");
+  EXPECT_EQ(scene.options.at("video.theme").key, "--theme");
 }
 
 // the scene's step suits the scene's method; a comparison is of other methods
@@ -84,7 +87,7 @@ TEST_F(OverridesOfAScene, AnotherMethodLeavesTheScenesStepBehind) {
   EXPECT_EQ(scene.numerics.method, "dopri5");
   EXPECT_FALSE(scene.numerics.step);
   EXPECT_TRUE(scene.numerics.compare.empty());
-  EXPECT_EQ(scene.options.at("numerics.method"), "--method");
+  EXPECT_EQ(scene.options.at("numerics.method").key, "--method");
   other.step = 0.5;
   EXPECT_EQ(with(other).numerics.step, 0.5) << "a step of the command line is for this method";
   Overrides same;

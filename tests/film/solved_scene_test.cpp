@@ -65,7 +65,7 @@ TEST(SolvedScene, AStepBeyondItsMethodIsWarnedOf) {
   Scene scene = small_scene("[numerics]\nmethod = \"rk4\"\n");
   scene.numerics.step = 5.0;
   scene.motion.duration = 10.0;
-  scene.options["numerics.step"] = "--step";
+  scene.options["numerics.step"].key = "--step";
   const std::string said = test::logged_by([&] { solve(scene); });
   EXPECT_NE(said.find("--step: a step of 5 s is beyond "), std::string::npos) << said;
 }

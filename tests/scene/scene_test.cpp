@@ -174,7 +174,7 @@ TEST_F(SceneSettings, StandAsIfInTheFile) {
   write("\"128x72\"", "\"64x48\"\ntheme = \"light\"");
   EXPECT_EQ(scene_hash(scene), scene_hash(parse_scene(text + "[show]\nfloor = true\n", "")));
   // errors that are found later can name them
-  EXPECT_EQ(scene.options.at("body.solid.mass"), "--set body.solid.mass_g");
+  EXPECT_EQ(scene.options.at("body.solid.mass").key, "--set body.solid.mass_g");
   EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), line_of(scene, "motion"));
 }
 
@@ -207,7 +207,7 @@ TEST(Scene, MeshFilesAreNamedWithoutBeingOpened) {
              "[body]\nparts = [{ kind = \"mesh\", file = \"a.obj\", mass = 1 },\n"
              "{ kind = \"box\", size = [1, 1, 1], mass = 1 }]\n"
              "look = { kind = \"mesh\", file = \"sub/b.stl\" }\n");
-  std::vector<std::string> files = mesh_files(folder / "scene.toml");
+  std::vector<std::string> files = named_files(folder / "scene.toml");
   std::sort(files.begin(), files.end());
   EXPECT_EQ(files, (std::vector<std::string>{"a.obj", "sub/b.stl"}));
 }

@@ -32,7 +32,7 @@ Task make_task(const std::filesystem::path& file,
                const ChartJob& job,
                const std::vector<const StepperInfo*>& methods) {
   Task task;
-  task.scene = load_with_overrides(file, job.overrides);
+  task.scene = load_single(file, job.overrides);
   const Scene& scene = task.scene;
   with_place(scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));

@@ -26,7 +26,7 @@ struct ChartJob {
 // chart.svg, chart.png and chart.pdf into the folder, together at the end. Runs one method at a
 // time, because it measures times. Returns a summary of a few lines per scene. Throws Error
 // (input) with --methods as key for an unknown method or if none of them can integrate a scene,
-// and as load_with_overrides, make_model and start_state (motion/motion.h), accuracy_in_radians
+// and as load_single, make_model and start_state (motion/motion.h), accuracy_in_radians
 // (film/solved_scene.h), work_precision (chart/work_precision.h) and OutputFolder
 // (base/system/output_folder.h) do, without a place for two scenes of the same name; (environment)
 // without gnuplot or if a file cannot be written; (interrupted).

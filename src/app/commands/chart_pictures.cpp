@@ -95,7 +95,7 @@ std::string chart_pictures(const ChartJob& job) {
   refuse_same_stem(job.scenes);
   std::vector<Solved> solved;
   for (const std::filesystem::path& file : job.scenes) {
-    Scene scene = load_with_overrides(file, job.overrides);
+    Scene scene = load_single(file, job.overrides);
     PictureSize& size = scene.video.size;
     const auto too_large = [&] {
       return size.width * size.height > kMostPixelsOfPictures;

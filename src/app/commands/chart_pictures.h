@@ -16,7 +16,7 @@ namespace polhode {
 // at five times of its motion; the reference pictures are averages over 8x8 drawn pixels with four
 // samples each. A scene whose pictures have more pixels than 960x540 is drawn smaller, unless the
 // job sets the size. Returns a summary, one line per scene and setting. Throws Error (input) with
-// --size as key if the job asks for more pixels, and as load_with_overrides, solve
+// --size as key if the job asks for more pixels, and as load_single, solve
 // (film/solved_scene.h) and OutputFolder (base/system/output_folder.h) do; (environment) without
 // OpenGL or gnuplot or if a file cannot be written; (check_failed) as solve does; (interrupted).
 std::string chart_pictures(const ChartJob& job);

@@ -128,7 +128,7 @@ nlohmann::ordered_json inspection(const Solved& solved) {
 
 std::string inspect(const InspectJob& job) {
   const Json facts =
-      inspection(solve(load_with_overrides(job.scene, job.overrides), ProgressKind::automatic));
+      inspection(solve(load_single(job.scene, job.overrides), ProgressKind::automatic));
   return job.json ? facts.dump(2) + "\n" : as_text(facts);
 }
 

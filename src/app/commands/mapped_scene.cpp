@@ -133,6 +133,7 @@ MappedScene make_place(const std::filesystem::path& file,
   MappedScene place;
   place.file = file;
   place.scene = load_scene(file, job.settings);
+  refuse_panels(place.scene);
   const double rate = with_place(place.scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     place.methods = able_methods(methods, job.methods, model, file.string());

@@ -26,9 +26,8 @@ constexpr double kTextOfTiles = 1.75;  // small pictures want larger letters
 constexpr std::array<std::uint8_t, 4> kPaper = {24, 26, 30, 255};
 constexpr Rgb kInk = {225, 228, 232};
 
-// the scene as its tiles show it
-Scene small_scene(const PreviewJob& job) {
-  Scene scene = load_with_overrides(job.scene, job.overrides);
+// makes a scene what tiles can show
+void make_small(Scene& scene) {
   PictureSize& size = scene.video.size;
   const double shrink = std::min(static_cast<double>(kTileWidth) / size.width,
                                  static_cast<double>(kTallest) / size.height);
@@ -44,7 +43,6 @@ Scene small_scene(const PreviewJob& job) {
   if (scene.show.plots.empty()) {
     scene.show.text_size = std::max(scene.show.text_size, kTextOfTiles);
   }
-  return scene;
 }
 
 void lay_tile(Image& sheet, const Image& tile, int left, int top) {
@@ -71,7 +69,8 @@ std::string output_of(const PreviewJob& job) {
 
 Made write_preview(const PreviewJob& job) {
   RenderPlan plan;
-  plan.scene = small_scene(job);
+  plan.scene = load_with_overrides(job.scene, job.overrides);
+  for_each_scene(plan.scene, make_small);
   const std::string output = output_of(job);
   if (!output.ends_with(".png")) {
     throw input_error("a preview is one picture; name a .png").at({output, 0, {}});

@@ -52,7 +52,7 @@ void refuse_other_ending(const std::string& output) {
 }  // namespace
 
 void write_csv(const SimulateJob& job) {
-  const Scene scene = load_with_overrides(job.scene, job.overrides);
+  const Scene scene = load_single(job.scene, job.overrides);
   refuse_same_file(job.output, "the output", input_files(scene));
   refuse_other_ending(job.output);
   const double rate = job.rate.value_or(scene.video.fps.value());

@@ -22,7 +22,7 @@ struct SimulateJob {
 // axes B into those in the space axes S); wx,wy,wz (angular velocity, components in B); Lx,Ly,Lz
 // (angular momentum about the fixed point, or else the centre of mass, components in S); x,y,z
 // (centre of mass in S); energy (Sample::energy in motion/motion.h). Throws Error as
-// load_with_overrides and solve (film/solved_scene.h) do; (input) with --rate as key for a rate
+// load_single and solve (film/solved_scene.h) do; (input) with --rate as key for a rate
 // that is not positive or gives more than 1e7 rows, and for an output that is the scene, has
 // another ending than .csv, or cannot be written; (environment) if writing fails; (interrupted).
 void write_csv(const SimulateJob& job);

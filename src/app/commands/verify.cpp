@@ -218,6 +218,7 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
                           "fps",
                           "first_frame",
                           "compare",
+                          "film",
                           "loop"}) {
     DifferenceInWords found =
         compare_values(key, reported.value(key, Json()), made.value(key, Json()));

@@ -26,6 +26,33 @@ FilmTimes times_of(const PreparedFilm& film, const SinkTimes& sink, const Drawin
           .encode = sink.encode};
 }
 
+Json several_scenes(const PreparedFilm& film) {
+  const Scene& first = film.solved().scene;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < first.panels.size(); ++i) {
+    const ScenePanel& panel = first.panels[i];
+    Json row = {{"caption", panel.caption},
+                {"scene_file", panel.scene.file},
+                {"scene_hash", scene_hash(panel.scene)}};
+    row.update(json_of(film.all_solved()[i].simulation.report));
+    row["scene"] = scene_to_json(panel.scene);
+    list.push_back(row);
+  }
+  return {{"file", first.film_file},
+          {"cameras", first.same_cameras ? "same" : "own"},
+          {"scales", first.same_scales ? "same" : "own"},
+          {"panels", list}};
+}
+
+// what can be said of all motions of a film
+void add_doubts(const PreparedFilm& film, SimulationReport& report) {
+  const std::vector<ScenePanel>& panels = film.solved().scene.panels;
+  for (std::size_t i = 1; i < panels.size(); ++i) {
+    for (const std::string& doubt : film.all_solved()[i].simulation.report.reliability.doubts)
+      report.reliability.doubts.push_back(fmt::format("{}: {}", panels[i].caption, doubt));
+  }
+}
+
 }  // namespace
 
 FilmReport film_report(const RenderPlan& plan,
@@ -46,6 +73,7 @@ FilmReport film_report(const RenderPlan& plan,
   record.samples = drawn_by.samples;
   record.edges = drawn_by.by_outlines ? "outlines" : "samples";
   record.motion = film.solved().simulation.report;
+  add_doubts(film, record.motion);
   record.frames = output.range().count;
   record.size = scene.video.size;
   record.fps = scene.video.fps;
@@ -65,6 +93,7 @@ FilmReport film_report(const RenderPlan& plan,
   record.scene = scene_to_json(scene);
   record.frame_hashes = output.hashes();
   if (film.comparison() != nullptr) record.compare = film.comparison()->report();
+  if (!scene.panels.empty()) record.film = several_scenes(film);
   record.loop = film.frames().loop;
   return record;
 }

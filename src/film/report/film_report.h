@@ -86,6 +86,10 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   std::vector<std::string> frame_hashes;  // frame_hash() (video/plain_sinks.h) of each frame
   // Comparison::report() (film/comparison.h); absent: no methods are compared
   std::optional<Json> compare;
+  // Of a film of several scenes: its file, cameras and scales as FilmFile has them, and "panels",
+  // for each caption, scene_file, scene_hash, the keys of its SimulationReport, and
+  // scene_to_json(). Absent: it shows one scene.
+  std::optional<Json> film;
   std::optional<Loop> loop;  // how well the film closes; absent: it does not loop
 };
 
@@ -125,6 +129,7 @@ void report_fields(Visitor& v, FilmReport& s) {
   v.field("scene", s.scene);
   v.field("frame_hashes", s.frame_hashes);
   v.optional("compare", s.compare);
+  v.optional("film", s.film);
   v.optional("loop", s.loop);
 }
 

@@ -44,9 +44,24 @@ EncoderSettings encoder_from(const std::string& output, const EncoderRecord& rec
   return encoder;
 }
 
+Scene scene_from(const FilmReport& record) {
+  Scene scene = scene_from_json(record.scene, record.scene_file);
+  if (!record.film) return scene;
+  const Json& film = *record.film;
+  scene.film_file = film.at("file");
+  scene.same_cameras = film.at("cameras") == "same";
+  scene.same_scales = film.at("scales") == "same";
+  for (const Json& row : film.at("panels")) {
+    scene.panels.push_back(
+        {row.at("caption"), scene_from_json(row.at("scene"), row.at("scene_file"))});
+  }
+  if (scene.panels.empty()) throw input_error("has a film without panels");
+  return scene;
+}
+
 RenderPlan plan_from(const FilmReport& record) {
   RenderPlan plan;
-  plan.scene = scene_from_json(record.scene, record.scene_file);
+  plan.scene = scene_from(record);
   plan.story = plan.scene.story;
   if (record.captions.size() != plan.story.size()) {
     throw input_error(

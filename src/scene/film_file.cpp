@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "scene/film_file.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/at_place.h"
+#include "scene/key_path.h"
+#include "scene/reader.h"
+#include "scene/scene_tree.h"
+
+namespace polhode {
+namespace {
+
+using Changes = std::vector<Change>;
+
+bool is_path(const std::string& key) {
+  return key.find_first_of(".[") != std::string::npos;
+}
+
+Change put(const std::string& path, const toml::node& node, const Place& place) {
+  const auto holder = std::make_shared<toml::table>();
+  node.visit([&](const auto& value) { holder->insert("value", value); });
+  return {path, place, [path, holder](toml::table& tree) {
+            replace_node(tree, path, *holder->get("value"));
+          }};
+}
+
+// The values of a table, each a change. A table in it is merged with that of the scene, unless its
+// key is a path.
+void add_changes(const toml::table& table,
+                 const std::string& path,
+                 const Place& place,
+                 Changes& changes) {
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    const std::string inside = path.empty() ? name : fmt::format("{}.{}", path, name);
+    Place here = place;
+    here.key = place.key.empty() ? inside : fmt::format("{}.{}", place.key, name);
+    if (const auto line = static_cast<int>(key.source().begin.line); line > 0) here.line = line;
+    if (node.is_table() && !is_path(name)) {
+      add_changes(*node.as_table(), inside, here, changes);
+    } else {
+      changes.push_back(put(inside, node, here));
+    }
+  }
+}
+
+bool is_key_of_film(const std::string& name) {
+  const KeyList& keys = keys_of<FilmFile>();
+  return std::any_of(
+      keys.keys.begin(), keys.keys.end(), [&](const Key& key) { return key.name == name; });
+}
+
+bool is_key_of_scene(const std::string& name) {
+  const KeyList& keys = keys_of<Scene>();
+  return std::any_of(
+      keys.keys.begin(), keys.keys.end(), [&](const Key& key) { return key.name == name; });
+}
+
+// what holds for all panels, taken out of the tree
+Changes take_common(toml::table& tree, const std::string& file) {
+  std::vector<std::pair<std::string, int>> names;
+  for (const auto& [key, node] : tree) {
+    const std::string name(key.str());
+    if (is_key_of_film(name) || !is_key_of_scene(name)) continue;
+    names.emplace_back(name, static_cast<int>(key.source().begin.line));
+  }
+  Changes changes;
+  for (const auto& [name, line] : names) {
+    const toml::node& node = *tree.get(name);
+    if (node.is_table()) {
+      add_changes(*node.as_table(), name, {file, line, name}, changes);
+    } else {
+      changes.push_back(put(name, node, {file, line, name}));
+    }
+  }
+  for (const auto& [name, line] : names)
+    tree.erase(name);
+  return changes;
+}
+
+FilmFile film_of(const toml::table& tree, const std::string& file) {
+  FilmFile film;
+  Reader reader(tree, {file, 0, {}}, keys_of<Scene>());
+  reader.read_tables({tree, {file, 0, {}}, suffixes_of(Unit::none).front()}, film);
+  return film;
+}
+
+int line_of_panel(const toml::table& tree, std::size_t i) {
+  const toml::array* panels = tree["panel"].as_array();
+  if (panels == nullptr) return static_cast<int>(tree["sweep"].node()->source().begin.line);
+  return static_cast<int>(panels->get(i)->source().begin.line);
+}
+
+// "{} rad/s" with a value
+std::string filled(const std::string& pattern, const std::string& value) {
+  const std::size_t at = pattern.find("{}");
+  if (at == std::string::npos) return fmt::format("{} {}", pattern, value);
+  return pattern.substr(0, at) + value + pattern.substr(at + 2);
+}
+
+std::string text_of(const toml::node& value) {
+  if (const auto* text = value.as_string()) return text->get();
+  if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* whole = value.as_integer()) return fmt::format("{}", whole->get());
+  return value.value_or(false) ? "true" : "false";
+}
+
+// A panel as the file asks for it.
+struct Asked {
+  std::string scene;
+  std::optional<std::string> caption;
+  Changes changes;
+  Place place;
+};
+
+std::vector<Asked> panels_of(const FilmFile& film,
+                             const toml::table& tree,
+                             const std::string& file) {
+  std::vector<Asked> panels;
+  for (std::size_t i = 0; i < film.panel.size(); ++i) {
+    const PanelSpec& spec = film.panel[i];
+    const int line = line_of_panel(tree, i);
+    Asked panel{spec.scene, spec.caption, {}, {file, line, fmt::format("panel[{}]", i)}};
+    add_changes(spec.set, "", {file, line, fmt::format("panel[{}].set", i)}, panel.changes);
+    panels.push_back(std::move(panel));
+  }
+  if (film.sweep) {
+    const SweepSpec& sweep = *film.sweep;
+    for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+      const toml::node& value = *sweep.values.get(i);
+      const Place place{file, line_of_panel(tree, i), fmt::format("sweep.values[{}]", i)};
+      panels.push_back({sweep.scene,
+                        filled(sweep.caption.value_or(sweep.key + " ="), text_of(value)),
+                        {put(sweep.key, value, place)},
+                        place});
+    }
+  }
+  if (panels.size() > kMostPanels) {
+    throw input_error("has {} panels; at most {} are allowed", panels.size(), kMostPanels)
+        .at({file, line_of_panel(tree, 0), "panel"});
+  }
+  return panels;
+}
+
+// what a panel cannot have
+void check_panel(const Scene& scene) {
+  const auto refuse_at = [&](const char* key, const Error& error) {
+    Place place{scene.file, line_of(scene, key), key};
+    if (const auto given = scene.options.find(key); given != scene.options.end())
+      place = given->second;
+    throw error.at(place);
+  };
+  if (!scene.numerics.compare.empty())
+    refuse_at("numerics.compare",
+              input_error("a panel shows one motion; give each method a panel, with set = {{ "
+                          "\"numerics.method\" = ... }}"));
+  if (scene.show.views.size() > 1)
+    refuse_at("show.views", input_error("a panel has one view; give each view a panel"));
+  if (scene.video.loop)
+    refuse_at("video.loop", input_error("several motions do not close at one time"));
+}
+
+// whether the changes give a value to the key, or to a table around it
+bool is_given(const Changes& changes, const char* key) {
+  return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
+    return is_within(key, change.path);
+  });
+}
+
+}  // namespace
+
+bool is_film(const toml::table& tree) {
+  return tree.contains("panel") || tree.contains("sweep");
+}
+
+Scene load_film(toml::table tree,
+                const std::filesystem::path& file,
+                const std::vector<Setting>& settings) {
+  Changes from_options;
+  for (const Setting& setting : settings) {
+    const std::string first = setting.key.substr(0, setting.key.find_first_of(".["));
+    const Change change = change_of(setting);
+    if (is_key_of_film(first)) {
+      at_place(change.place, [&] { change.apply(tree); });
+    } else {
+      from_options.push_back(change);
+    }
+  }
+  const Changes common = take_common(tree, file.string());
+  const FilmFile film = film_of(tree, file.string());
+
+  std::vector<ScenePanel> panels;
+  double longest = 0.0;
+  for (Asked& asked : panels_of(film, tree, file.string())) {
+    // values of the film, of the panel, and of the command line
+    Changes changes = common;
+    changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());
+    changes.insert(changes.end(), from_options.begin(), from_options.end());
+    const std::filesystem::path scene_file = file.parent_path() / asked.scene;
+    toml::table scene_tree = read_tree(scene_file);
+    if (is_film(scene_tree)) {
+      throw input_error("'{}' is a film of several scenes itself; name a scene", asked.scene)
+          .at(asked.place);
+    }
+    ScenePanel panel;
+    panel.scene = changed_scene(std::move(scene_tree), scene_file, changes);
+    check_panel(panel.scene);
+    panel.caption = asked.caption.value_or(panel.scene.title.empty() ? scene_file.stem().string()
+                                                                     : panel.scene.title);
+    longest = std::max(longest, panel.scene.motion.duration);
+    panels.push_back(std::move(panel));
+  }
+
+  // one clock, one size, one look; the film's own story or none
+  const Scene first = panels.front().scene;
+  const auto for_all = [&](const char* key) {
+    return is_given(common, key) || is_given(from_options, key);
+  };
+  const bool own_story = for_all("story");
+  const bool own_duration = for_all("motion.duration");
+  for (ScenePanel& panel : panels) {
+    panel.scene.video = first.video;
+    panel.scene.theme = first.theme;
+    if (!own_duration) panel.scene.motion.duration = longest;
+    if (!own_story) panel.scene.story.clear();
+  }
+  Scene scene = panels.front().scene;
+  scene.film_file = file.string();
+  scene.title = film.title;
+  scene.same_cameras = film.cameras == "same";
+  scene.same_scales = film.scales == "same";
+  scene.panels = std::move(panels);
+  return scene;
+}
+
+std::vector<std::string> scenes_of_film(toml::table tree, const std::filesystem::path& file) {
+  take_common(tree, file.string());
+  std::vector<std::string> scenes;
+  for (const Asked& panel : panels_of(film_of(tree, file.string()), tree, file.string()))
+    scenes.push_back(panel.scene);
+  return scenes;
+}
+
+}  // namespace polhode

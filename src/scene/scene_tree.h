@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Scenes from TOML trees, with values that come from elsewhere than the scene file.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "base/error.h"
+#include "scene/scene.h"
+
+namespace polhode {
+
+// A value that replaces one of a scene file, or is added to it.
+struct Change {
+  std::string path;  // of its key, as a scene file could spell it
+  Place place;       // where it comes from; without a key, errors have that of the scene
+  std::function<void(toml::table& tree)> apply;  // throws Error (input), as replace_value() does
+};
+
+// The change that a setting of the command line makes.
+Change change_of(const Setting& setting);
+
+// Whether a path leads to a key or inside of it, in whatever units they are spelled.
+bool is_within(const std::string& path, const std::string& around);
+
+// The tree of a scene file. Throws Error (input) as read_file (base/system/atomic_file.h) and
+// parse_toml do.
+toml::table read_tree(const std::filesystem::path& file);
+
+// Reads a scene from a tree; `name` is its file, for messages. Mesh files are not read. Throws
+// Error (input) as Reader does.
+Scene scene_of(const toml::table& tree, const std::string& name);
+
+// Changes the tree, the one after the other, and reads a scene and its mesh files from it;
+// Scene::options has the places of the changes. Throws Error (input) as scene_of and load_meshes
+// (model/solids.h) do; for what is wrong with a change, at its place.
+Scene changed_scene(toml::table tree,
+                    const std::filesystem::path& file,
+                    const std::vector<Change>& changes);
+
+}  // namespace polhode

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Films of several scenes, with the real program.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+using Json = nlohmann::ordered_json;
+
+class SeveralScenes : public ::testing::Test {
+ protected:
+  SeveralScenes() {
+    write_text(folder_ / "scene.toml", test::kSmallScene);
+    write_text(folder_ / "film.toml",
+               "title = \"Slow and fast\"\n"
+               "[[panel]]\nscene = \"scene.toml\"\ncaption = \"slow\"\n"
+               "[[panel]]\nscene = \"scene.toml\"\ncaption = \"fast\"\n"
+               "set = { \"motion.spin.body[2]\" = 9 }\n"
+               "[video]\nsize = \"256x96\"\n"
+               "[show]\nplots = [\"tilt\"]\n"
+               "[[story]]\nat = 0\ncaption = \"They turn\"\n"
+               "[[story]]\nat = 0.5\nhold = 0.5\ncaption = \"They stand\"\n");
+  }
+  std::string at(const std::string& name) const { return fmt::format("'{}'", folder_ / name); }
+  void run(const std::string& command, int code = 0) const {
+    const Ran ran = run_polhode(command);
+    ASSERT_EQ(ran.code, code) << command << '\n' << ran.err;
+  }
+  std::string hashes(const std::string& options) const {
+    run(fmt::format("render {} -o {} {}", at("film.toml"), at("a.hash"), options));
+    return read_text(folder_ / "a.hash");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SeveralScenes, AreOneFilmInOneOrManyPieces) {
+  const std::string whole = hashes("");
+  EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 15);
+  EXPECT_EQ(hashes("--jobs 2"), whole);
+  EXPECT_NE(hashes("--set motion.spin.body[0]=2"), whole);
+  EXPECT_EQ(hashes("--set title='\"Slow and fast\"'"), whole);
+  EXPECT_EQ(hashes("--shard 1/2") + hashes("--shard 2/2"), whole);
+  run(fmt::format("render {} -o {} --resume", at("film.toml"), at("resumed.mp4")));
+  EXPECT_NE(read_text(folder_ / "resumed.vtt").find("They stand"), std::string::npos);
+}
+
+// the report has what is needed to make it again, and what it says is looked at
+TEST_F(SeveralScenes, AreVerified) {
+  run(fmt::format("render {} -o {} --report {}", at("film.toml"), at("a.mp4"), at("a.json")));
+  const std::string honest = read_text(folder_ / "a.json");
+  const Json report = Json::parse(honest);
+  const Json& panels = report.at("film").at("panels");
+  ASSERT_EQ(panels.size(), 2U);
+  EXPECT_EQ(report.at("title"), "Slow and fast");
+  EXPECT_EQ(panels[1].at("caption"), "fast");
+  EXPECT_EQ(panels[1].at("scene").at("motion").at("spin").at("body")[2], 9.0);
+  EXPECT_EQ(panels[1].at("method"), "exact");
+  run(fmt::format("verify {}", at("a.mp4")));
+  const auto altered = [&](const std::function<void(Json&)>& change) {
+    Json other = report;
+    change(other);
+    write_text(folder_ / "a.json", other.dump());
+    return run_polhode(fmt::format("verify {}", at("a.mp4"))).code;
+  };
+  EXPECT_EQ(altered([](Json&) {}), 0);
+  EXPECT_EQ(altered([](Json& r) { r["film"]["panels"][1]["caption"] = "fastest"; }), 1);
+  EXPECT_EQ(altered([](Json& r) { r["film"]["panels"][1]["trusted"] = false; }), 1);
+  EXPECT_EQ(altered([](Json& r) { r["film"]["panels"][1]["scene"]["motion"]["duration"] = 2; }), 1);
+  EXPECT_EQ(altered([](Json& r) { r["film"]["scales"] = "own"; }), 1);
+  EXPECT_EQ(altered([](Json& r) { r["film"]["panels"] = Json::array(); }), 2);
+  EXPECT_EQ(altered([](Json& r) { r.erase("film"); }), 1);
+}
+
+TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
+  run(fmt::format("preview {} -o {}", at("film.toml"), at("sheet.png")));
+  for (const char* command : {"simulate -o -", "inspect", "chart", "stability"}) {
+    const Ran ran = run_polhode(fmt::format("{} {}", command, at("film.toml")));
+    EXPECT_EQ(ran.code, 2) << command << ran.err;
+    EXPECT_NE(ran.err.find("is a film of 2 scenes; name one of them"), std::string::npos)
+        << ran.err;
+  }
+  // no output lands on what is shown
+  run(fmt::format("render {} -o a.mp4 --report {}", at("film.toml"), at("scene.toml")), 2);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "scene/film_file.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/run.h"
+
+namespace polhode {
+namespace {
+
+class FilmFiles : public testing::Test {
+ protected:
+  FilmFiles() {
+    test::write_text(folder_ / "a.toml", test::kSmallScene);
+    test::write_text(folder_ / "b.toml", test::kSmallScene);
+  }
+  Scene film(const std::string& text, const std::vector<Setting>& settings = {}) {
+    test::write_text(folder_ / "film.toml", text);
+    return load_scene(folder_ / "film.toml", settings);
+  }
+  // what is said of a film that is refused, without the folder
+  std::string why(const std::string& text) {
+    try {
+      film(text);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      std::string words = error.what();
+      const std::string folder = folder_.path().string() + "/";
+      for (std::size_t at = words.find(folder); at != std::string::npos; at = words.find(folder))
+        words.erase(at, folder.size());
+      return words;
+    }
+    return "nothing";
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+const std::string kTwo = "[[panel]]\nscene = \"a.toml\"\n[[panel]]\nscene = \"b.toml\"\n";
+
+TEST_F(FilmFiles, AreTheirScenesWithWhatIsDifferent) {
+  const Scene film = this->film(
+      "title = \"Both\"\n" + kTwo +
+      "caption = \"faster\"\nset = { \"motion.spin.body[2]\" = 7, motion.duration = 9 }\n"
+      "[video]\nsize = \"320x180\"\n");
+  ASSERT_EQ(film.panels.size(), 2U);
+  EXPECT_EQ(film.title, "Both");
+  EXPECT_EQ(film.panels[0].caption, "test");
+  EXPECT_EQ(film.panels[1].caption, "faster");
+  const Scene alone = load_scene(folder_ / "a.toml");
+  EXPECT_EQ(film.panels[0].scene.motion.spin.body, alone.motion.spin.body);
+  EXPECT_EQ((*film.panels[1].scene.motion.spin.body)[2], 7.0);
+  for (const ScenePanel& panel : film.panels) {
+    EXPECT_EQ(panel.scene.video.size.width, 320);
+    EXPECT_EQ(panel.scene.motion.duration, 9.0) << "as long as the longest";
+    EXPECT_TRUE(panel.scene.panels.empty());
+  }
+  EXPECT_EQ(film.motion.spin.body, alone.motion.spin.body) << "it is the first";
+}
+
+TEST_F(FilmFiles, TablesAreMergedAndPathsReplace) {
+  const auto end = [&](const std::string& set) {
+    return film("[[panel]]\nscene = \"a.toml\"\nset = " + set).panels[0].scene.motion;
+  };
+  const MotionSpec before = load_scene(folder_ / "a.toml").motion;
+  EXPECT_EQ(end("{ motion = { duration = 3 } }").spin.body, before.spin.body);
+  EXPECT_FALSE(end("{ \"motion.spin\" = { rates = [1, 2, 3] } }").spin.body);
+}
+
+TEST_F(FilmFiles, OneLengthMayBeGivenForAll) {
+  const Scene common = film(kTwo + "[motion]\nduration = 2\n");
+  EXPECT_EQ(common.panels[1].scene.motion.duration, 2.0);
+  const Scene asked = film(kTwo, {{"motion.duration", "4"}, {"panel[1].caption", "second"}});
+  EXPECT_EQ(asked.panels[0].scene.motion.duration, 4.0);
+  EXPECT_EQ(asked.panels[1].caption, "second");
+}
+
+TEST_F(FilmFiles, ASweepIsAPanelForEachValue) {
+  const std::string sweep =
+      "[sweep]\nscene = \"a.toml\"\nkey = \"motion.spin.body[2]\"\nvalues = [5, 10.5]\n";
+  const Scene film = this->film(sweep + "caption = \"{} rad/s\"\n");
+  ASSERT_EQ(film.panels.size(), 2U);
+  EXPECT_EQ(film.panels[1].caption, "10.5 rad/s");
+  EXPECT_EQ((*film.panels[1].scene.motion.spin.body)[2], 10.5);
+  EXPECT_EQ(this->film(sweep).panels[0].caption, "motion.spin.body[2] = 5");
+}
+
+// whatever changes a pixel changes the hash, and nothing else does
+TEST_F(FilmFiles, HashesFollowWhatIsShown) {
+  const std::string before = scene_hash(film(kTwo));
+  EXPECT_EQ(scene_hash(film("# a comment\n" + kTwo)), before);
+  for (const char* more :
+       {"caption = \"x\"\n", "set = { \"motion.spin.body[2]\" = 7 }\n", "[video]\nfps = 12\n"}) {
+    EXPECT_NE(scene_hash(film(kTwo + more)), before) << more;
+  }
+  for (const char* first : {"title = \"x\"\n", "cameras = \"own\"\n", "scales = \"own\"\n"})
+    EXPECT_NE(scene_hash(film(first + kTwo)), before) << first;
+}
+
+TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
+  EXPECT_EQ(why("pannel = 1\n" + kTwo), "film.toml:1: pannel: unknown key (did you mean 'panel'?)");
+  EXPECT_EQ(why(kTwo + "[video]\nfps = 0\n"),
+            "film.toml:6: video.fps: must be 1 to 1000 frames per second, got 0");
+  EXPECT_EQ(why(kTwo + "set = { motion.durations = 1 }\n"),
+            "film.toml:5: panel[1].set.motion.durations: unknown key (did you mean 'duration'?)");
+  EXPECT_EQ(why(kTwo + "set = { \"motion.spin.body[7]\" = 1 }\n"),
+            "film.toml:5: panel[1].set.motion.spin.body[7]: the scene has no value at "
+            "'motion.spin.body[7]'");
+  EXPECT_EQ(why(kTwo + "set = { \"not a key\" = 1 }\n").substr(0, 31),
+            "film.toml:5: panel[1].set.not a");
+  EXPECT_NE(why("[[panel]]\nscene = \"c.toml\"\n").find("c.toml: the file does not exist"),
+            std::string::npos);
+  EXPECT_NE(
+      why("[[panel]]\nscene = \"film.toml\"\n").find("film.toml:1: panel[0]: 'film.toml' is a"),
+      std::string::npos);
+  EXPECT_NE(
+      why(kTwo + "[sweep]\nscene = \"a.toml\"\nkey = \"x\"\nvalues = [1]\n").find("exactly one"),
+      std::string::npos);
+  EXPECT_NE(why(kTwo + "[video]\nloop = true\n").find("film.toml:6: video.loop"),
+            std::string::npos);
+  EXPECT_NE(why(kTwo + "[show]\nviews = [\"space\", \"body\"]\n").find("film.toml:6: show.views"),
+            std::string::npos);
+  EXPECT_NE(
+      why(kTwo + "[numerics]\ncompare = [\"rk4\", \"dmv2\"]\n").find("numerics.compare: a panel"),
+      std::string::npos);
+  std::string many;
+  for (int i = 0; i < 10; ++i)
+    many += "[[panel]]\nscene = \"a.toml\"\n";
+  EXPECT_NE(why(many).find("has 10 panels; at most 9"), std::string::npos);
+}
+
+TEST_F(FilmFiles, NameTheirFiles) {
+  film(kTwo);
+  EXPECT_EQ(named_files(folder_ / "film.toml"), (std::vector<std::string>{"a.toml", "b.toml"}));
+  EXPECT_EQ(input_files(load_scene(folder_ / "film.toml")).size(), 3U);
+}
+
+// numbers along the axes of a map are of one scene
+TEST_F(FilmFiles, AreRefusedWhereOneMotionIsWanted) {
+  const Scene film = this->film(kTwo);
+  test::expect_input_error(
+      [&] { refuse_panels(film); }, "", "is a film of 2 scenes; name one of them");
+  EXPECT_THROW(load_scene(folder_ / "film.toml", {}, {{"motion.duration", 2.0}}), Error);
+}
+
+}  // namespace
+}  // namespace polhode
