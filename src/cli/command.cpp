@@ -56,7 +56,7 @@ const std::vector<Command>& commands() {
        "polhode list scenes",
        define_list},
       {"schema",
-       "print a JSON Schema of the scene file, for editors",
+       "print a JSON Schema of scene or film files, for editors",
        "polhode schema > scene.schema.json",
        define_schema},
       {"doctor",

@@ -54,8 +54,7 @@ void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
     if (type == kPictureNode) {
       pictures.push_back(block);
       const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
-      several =
-          several || picture.scenes.size() > 1 || (!tables && picture.kind == PictureKind::inspect);
+      several = several || (!tables && picture.kind == PictureKind::inspect);
     } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
       notes.push_back(block);
     } else {

@@ -49,17 +49,13 @@ std::string pauses_of(const Json& facts) {
   return text;
 }
 
-// name: of the film, unique in the page
-std::string video_element(const Json& facts,
-                          const DeckPicture& picture,
-                          const std::string& name,
-                          bool slides) {
+std::string video_element(const Json& facts, const DeckPicture& picture, bool slides) {
   const bool repeats = picture.kind == PictureKind::loop;
   std::string text = fmt::format(
       "<video data-film=\"{}\" data-fps=\"{:.6f}\" data-frames=\"{}\" data-pauses=\"{}\" "
       "width=\"{}\" "
       "height=\"{}\" poster=\"{}\" preload=\"{}\" playsinline muted {}{}aria-label=\"{}\">",
-      escaped(name),
+      escaped(picture.name),
       facts.at("fps").get<double>(),
       facts.at("frames").get<int>(),
       pauses_of(facts),
@@ -91,21 +87,11 @@ std::string img_element(const std::string& file,
                      escaped(alt));
 }
 
-// the films of a picture, one or several side by side
-std::string films(const Figure& figure, bool slides) {
+std::string film(const Figure& figure, bool slides) {
   const DeckPicture& picture = *figure.picture;
-  const bool several = figure.facts.size() > 1;
-  std::string text = fmt::format(
-      "<figure class=\"film{}\" id=\"film-{}\">", several ? " several" : "", escaped(picture.name));
-  text += fmt::format("<div class=\"screens n{}\">", figure.facts.size());
-  for (std::size_t i = 0; i < figure.facts.size(); ++i) {
-    const std::string name = i == 0 ? picture.name : fmt::format("{}.{}", picture.name, i + 1);
-    const std::string title = figure.facts[i].at("title");
-    text += "<div class=\"screen\">" + video_element(figure.facts[i], picture, name, slides);
-    if (several) text += fmt::format("<p class=\"name\">{}</p>", escaped(title));
-    text += "</div>";
-  }
-  return text + "</div>";
+  return fmt::format("<figure class=\"film\" id=\"film-{}\"><div class=\"screen\">{}</div>",
+                     escaped(picture.name),
+                     video_element(figure.facts, picture, slides));
 }
 
 bool is_plot(const DeckPicture& picture) {
@@ -114,7 +100,7 @@ bool is_plot(const DeckPicture& picture) {
 
 Json plot_blocks(const Figure& figure, const char* what) {
   const DeckPicture& picture = *figure.picture;
-  const Json& facts = figure.facts[0];
+  const Json& facts = figure.facts;
   std::string text = fmt::format("<figure class=\"plot\" id=\"{}\">", escaped(picture.name));
   text += fmt::format("<a href=\"{}\">{}</a>",
                       media(facts, what),
@@ -141,46 +127,9 @@ Json picture_blocks(const DeckPicture& picture,
   return Json::array({paragraph(Json::array({linked}))});
 }
 
-// blocks side by side
-Json columns(const std::vector<Json>& contents) {
-  const std::string width = fmt::format("{}%", 100 / static_cast<int>(contents.size()));
-  Json inside = Json::array();
-  for (const Json& content : contents)
-    inside.push_back(div("column", content, width));
-  return Json::array({div("columns", inside)});
-}
-
 // The slides of LaTeX are white; those with links to the films show how these begin.
 std::string shown_in(const Json& facts, bool links) {
   return media(facts, links ? "poster" : "paper");
-}
-
-// The posters of films that are compared, each with its scene's title; the first has the caption
-// too. `across`: how many stand side by side; the others come on further slides.
-Json compared_blocks(const Figure& figure, bool links, std::size_t across) {
-  std::vector<Json> posters;
-  for (const Json& facts : figure.facts) {
-    DeckPicture one = *figure.picture;
-    Json words = string_inlines(facts.at("title").get<std::string>());
-    if (posters.empty() && !one.caption.empty()) {
-      words.push_back({{"t", "Str"}, {"c", "."}});
-      words.push_back({{"t", "Space"}});
-      words.insert(words.end(), one.caption.begin(), one.caption.end());
-    }
-    one.caption = words;
-    posters.push_back(
-        picture_blocks(one, shown_in(facts, links), links ? media(facts, "film") : "", "fig:"));
-  }
-  Json blocks = Json::array();
-  for (std::size_t i = 0; i < posters.size(); i += across) {
-    if (i > 0) blocks.push_back({{"t", "HorizontalRule"}});
-    const std::size_t end = std::min(i + across, posters.size());
-    const Json row = end - i == 1 ? posters[i]
-                                  : columns({posters.begin() + static_cast<std::ptrdiff_t>(i),
-                                             posters.begin() + static_cast<std::ptrdiff_t>(end)});
-    blocks.insert(blocks.end(), row.begin(), row.end());
-  }
-  return blocks;
 }
 
 // a still, as these elements show it
@@ -190,13 +139,12 @@ Json still_blocks(const DeckPicture& picture, const std::string& elements) {
       picture);
 }
 
-Json document_blocks(const Figure& figure, bool links, std::size_t across) {
+Json document_blocks(const Figure& figure, bool links) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
-  if (picture.kind == PictureKind::inspect) return figure.facts[0].at("table");
-  if (is_plot(picture)) return picture_blocks(picture, media(figure.facts[0], "png"), "", "fig:");
-  if (figure.facts.size() > 1) return compared_blocks(figure, links, across);
-  const Json& facts = figure.facts[0];
+  if (picture.kind == PictureKind::inspect) return figure.facts.at("table");
+  if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", "fig:");
+  const Json& facts = figure.facts;
   const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
   return picture_blocks(picture, shown_in(facts, links), link, "fig:");
 }
@@ -252,7 +200,7 @@ Json page_blocks(const Figure& figure) {
   if (is_plot(picture)) return plot_blocks(figure, "svg");
   if (picture.kind == PictureKind::still) {
     // a page has the look that its reader likes
-    const Json& facts = figure.facts[0];
+    const Json& facts = figure.facts;
     if (facts.at("paper") == facts.at("poster"))
       return still_blocks(picture, img_element(media(facts, "poster"), alt_of(picture)));
     return still_blocks(picture,
@@ -262,13 +210,13 @@ Json page_blocks(const Figure& figure) {
   if (picture.kind == PictureKind::inspect) {
     Json blocks = Json::array({raw_html(fmt::format(
         "<figure class=\"numbers\" id=\"{}\"><div class=\"scroll\">", escaped(picture.name)))});
-    for (const Json& block : figure.facts[0].at("table"))
+    for (const Json& block : figure.facts.at("table"))
       blocks.push_back(block);
     for (Json& block : framed("</div>", picture))
       blocks.push_back(std::move(block));
     return blocks;
   }
-  return framed(films(figure, false), picture);
+  return framed(film(figure, false), picture);
 }
 
 Json slide_blocks(const Figure& figure) {
@@ -277,10 +225,10 @@ Json slide_blocks(const Figure& figure) {
       kind == PictureKind::film || kind == PictureKind::loop || kind == PictureKind::compare;
   if (kind == PictureKind::still && !figure.facts.empty()) {
     return still_blocks(*figure.picture,
-                        img_element(media(figure.facts[0], "poster"), alt_of(*figure.picture)));
+                        img_element(media(figure.facts, "poster"), alt_of(*figure.picture)));
   }
   if (figure.facts.empty() || !films_here) return page_blocks(figure);
-  return framed(films(figure, true), *figure.picture);
+  return framed(film(figure, true), *figure.picture);
 }
 
 Json handout_blocks(const Figure& figure) {
@@ -288,41 +236,36 @@ Json handout_blocks(const Figure& figure) {
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) return page_blocks(figure);
   if (picture.kind == PictureKind::still)
-    return still_blocks(picture, img_element(media(figure.facts[0], "paper"), alt_of(picture)));
+    return still_blocks(picture, img_element(media(figure.facts, "paper"), alt_of(picture)));
   if (is_plot(picture)) return plot_blocks(figure, "svg");
-  std::string text;
-  int count = 0;
-  for (const Json& facts : figure.facts) {
-    Json stills = facts.at("stills");
-    if (stills.empty()) {
-      stills = Json::array({{{"file", facts.at("paper")},
-                             {"at", facts.at("poster_at")},
-                             {"caption", figure.facts.size() > 1 ? facts.at("title") : Json("")}}});
-    }
-    for (const Json& still : stills) {
-      const std::string caption = still.at("caption");
-      text +=
-          fmt::format("<div class=\"screen\">{}<p class=\"name\">t = {:.4g} s{}{}</p></div>",
-                      img_element("media/" + percent_encoded(still.at("file").get<std::string>()),
-                                  alt_of(picture)),
-                      still.at("at").get<double>(),
-                      caption.empty() ? "" : ": ",
-                      escaped(caption));
-      ++count;
-    }
+  Json stills = figure.facts.at("stills");
+  if (stills.empty()) {
+    stills = Json::array({{{"file", figure.facts.at("paper")},
+                           {"at", figure.facts.at("poster_at")},
+                           {"caption", ""}}});
   }
-  return framed(
-      fmt::format(
-          "<figure class=\"stills\"><div class=\"screens n{}\">{}</div>", std::min(count, 4), text),
-      picture);
+  std::string text;
+  for (const Json& still : stills) {
+    const std::string caption = still.at("caption");
+    text += fmt::format("<div class=\"screen\">{}<p class=\"name\">t = {:.4g} s{}{}</p></div>",
+                        img_element("media/" + percent_encoded(still.at("file").get<std::string>()),
+                                    alt_of(picture)),
+                        still.at("at").get<double>(),
+                        caption.empty() ? "" : ": ",
+                        escaped(caption));
+  }
+  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>",
+                            std::min(stills.size(), std::size_t{4}),
+                            text),
+                picture);
 }
 
 Json office_blocks(const Figure& figure) {
-  return document_blocks(figure, true, 2);
+  return document_blocks(figure, true);
 }
 
 Json beamer_blocks(const Figure& figure) {
-  return document_blocks(figure, false, 4);
+  return document_blocks(figure, false);
 }
 
 }  // namespace polhode

@@ -9,12 +9,12 @@
 
 namespace polhode {
 
-// A picture of the deck with the facts of its products, or the reason why there are none.
+// A picture of the deck with the facts of its product, or the reason why there are none.
 struct Figure {
   const DeckPicture* picture = nullptr;  // not owned, never null; lives as long as the deck
-  // Of its products (lecture/products.h), one per compared film; empty if one failed. Those of an
-  // inspect picture also have "table", an array with its number_table().
-  std::vector<Json> facts;
+  // Of its product (lecture/products.h); null if it failed. Those of an inspect picture also have
+  // "table", an array with its number_table().
+  Json facts;
   std::string failure;  // why there are no facts
 };
 

@@ -45,7 +45,7 @@ struct LectureWork {
   std::map<std::string, Error> bad_scenes;
   std::map<std::string, Task> tasks;                        // by stem
   std::map<std::string, std::string> inspections, motions;  // scene -> stem
-  std::vector<std::vector<std::string>> stems;              // of each picture
+  std::vector<std::string> stems;                           // of each picture; empty: it failed
   std::vector<std::string> failures;                        // of each picture; empty: none
 };
 
@@ -81,42 +81,39 @@ Error in_deck(const LectureWork& work, int line, const Error& error) {
   return Error(error.fault(), error.what(), {work.deck.file, line, {}});
 }
 
-void plan_picture(LectureWork& work, const DeckPicture& picture) {
-  std::vector<std::string> stems;
-  for (const std::string& name : picture.scenes) {
-    const DeckScene& scene = scene_of(work, name);
-    const LectureSettings& settings = work.job->settings;
-    switch (picture.kind) {
-      case PictureKind::film:
-      case PictureKind::loop:
-      case PictureKind::compare:
-        stems.push_back(add_task(work, film_product(picture, scene, settings)));
-        break;
-      case PictureKind::still:
-        stems.push_back(add_task(work, still_product(picture, scene, settings)));
-        break;
-      case PictureKind::chart:
-        stems.push_back(add_task(work, chart_product(picture, scene), true));
-        break;
-      case PictureKind::stability:
-        stems.push_back(add_task(work, stability_product(picture, scene), true));
-        break;
-      case PictureKind::inspect:
-        stems.push_back(add_task(work, inspect_product(scene)));
-        break;
-    }
+// Returns the stem of what must be made for it.
+std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
+  std::vector<DeckScene> scenes;
+  for (const std::string& name : picture.scenes)
+    scenes.push_back(scene_of(work, name));
+  const DeckScene& scene = scenes.front();
+  const LectureSettings& settings = work.job->settings;
+  switch (picture.kind) {
+    case PictureKind::film:
+    case PictureKind::loop:
+      return add_task(work, film_product(picture, scene, settings));
+    case PictureKind::compare:
+      return add_task(work, compare_product(picture, scenes, settings));
+    case PictureKind::still:
+      return add_task(work, still_product(picture, scene, settings));
+    case PictureKind::chart:
+      return add_task(work, chart_product(picture, scene), true);
+    case PictureKind::stability:
+      return add_task(work, stability_product(picture, scene), true);
+    case PictureKind::inspect:
+      return add_task(work, inspect_product(scene));
   }
-  work.stems.push_back(stems);
+  return "";
 }
 
 // what must be made; what cannot even be begun is a problem of the deck
 void plan(LectureWork& work, bool data) {
   for (const DeckPicture& picture : work.deck.pictures) {
     work.failures.emplace_back();
+    work.stems.emplace_back();
     try {
-      plan_picture(work, picture);
+      work.stems.back() = plan_picture(work, picture);
     } catch (const Error& error) {
-      work.stems.resize(work.failures.size());
       work.failures.back() = error.what();
       work.deck.problems.push_back(in_deck(work, picture.line, error));
     }
@@ -129,7 +126,8 @@ void plan(LectureWork& work, bool data) {
     }
   }
   for (const auto& [name, scene] : work.scenes) {
-    if (scene == nullptr) continue;
+    // a film of several scenes has no one motion to inspect
+    if (scene == nullptr || !scene->scene.panels.empty()) continue;
     work.inspections[name] = add_task(work, inspect_product(*scene));
     if (data) work.motions[name] = add_task(work, motion_product(*scene));
   }
@@ -169,19 +167,16 @@ void run_tasks(LectureWork& work, Media& media) {
 void tell_failures(LectureWork& work) {
   for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
     const DeckPicture& picture = work.deck.pictures[i];
-    for (const std::string& stem : work.stems[i]) {
-      Task& task = work.tasks.at(stem);
-      try {
-        if (task.failure) throw *task.failure;
-        if (picture.kind != PictureKind::inspect) continue;
-        const auto keys = picture.settings.find("keys");
-        number_table(task.facts.at("inspection"),
-                     keys == picture.settings.end() ? "" : keys->second);
-      } catch (const Error& error) {
-        work.failures[i] = error.what();
-        work.deck.problems.push_back(in_deck(work, picture.line, error));
-        break;
-      }
+    if (work.stems[i].empty()) continue;
+    Task& task = work.tasks.at(work.stems[i]);
+    try {
+      if (task.failure) throw *task.failure;
+      if (picture.kind != PictureKind::inspect) continue;
+      const auto keys = picture.settings.find("keys");
+      number_table(task.facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second);
+    } catch (const Error& error) {
+      work.failures[i] = error.what();
+      work.deck.problems.push_back(in_deck(work, picture.line, error));
     }
   }
 }
@@ -193,20 +188,17 @@ Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
   const auto i = static_cast<std::size_t>(found - all.begin());
   Figure figure{&picture, {}, work.failures[i]};
   if (!figure.failure.empty()) return figure;
-  for (const std::string& stem : work.stems[i]) {
-    Json facts = work.tasks.at(stem).facts;
-    if (picture.kind == PictureKind::inspect) {
-      const auto keys = picture.settings.find("keys");
-      facts["table"] = Json::array({number_table(
-          facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second)});
-    }
-    figure.facts.push_back(std::move(facts));
+  figure.facts = work.tasks.at(work.stems[i]).facts;
+  if (picture.kind == PictureKind::inspect) {
+    const auto keys = picture.settings.find("keys");
+    figure.facts["table"] = Json::array({number_table(
+        figure.facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second)});
   }
   return figure;
 }
 
 const Json& inspection_of(LectureWork& work, const std::string& name) {
-  scene_of(work, name);  // throws what is wrong with it
+  refuse_panels(scene_of(work, name).scene);  // throws what is wrong with it
   const Task& task = work.tasks.at(work.inspections.at(name));
   if (task.failure) throw *task.failure;
   return task.facts.at("inspection");
@@ -322,8 +314,12 @@ LectureData data_of(const LectureWork& work,
   }
   for (const auto& [name, scene] : work.scenes) {
     if (scene == nullptr) continue;
-    const Task& motion = work.tasks.at(work.motions.at(name));
-    data.scenes.push_back({scene, motion.failure ? "" : motion.facts.at("csv").get<std::string>()});
+    std::string csv;
+    if (const auto stem = work.motions.find(name); stem != work.motions.end()) {
+      const Task& motion = work.tasks.at(stem->second);
+      if (!motion.failure) csv = motion.facts.at("csv");
+    }
+    data.scenes.push_back({scene, csv});
   }
   return data;
 }

@@ -53,13 +53,12 @@ std::vector<double> numbers_in(const DeckPicture& picture, const std::string& ke
 
 // times of these settings that the motion does not have, told before any work
 void check_times(const DeckPicture& picture,
-                 const Scene& scene,
+                 double duration,
                  std::initializer_list<const char*> keys) {
   for (const char* key : keys) {
     for (const double t : numbers_in(picture, key)) {
-      if (t >= 0.0 && t <= scene.motion.duration) continue;
-      throw input_error(
-          "must be a time within the motion, 0 to {} s, got {}", scene.motion.duration, t)
+      if (t >= 0.0 && t <= duration) continue;
+      throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, t)
           .at({{}, 0, key});
     }
   }
@@ -269,7 +268,7 @@ Product film_product(const DeckPicture& picture,
   const char* kind = picture.kind == PictureKind::loop ? "loop" : "film";
   for (const char* key : {"from", "to", "at"})
     number_in(picture, key);
-  check_times(picture, scene.scene, {"from", "to", "at", "stills"});
+  check_times(picture, scene.scene.motion.duration, {"from", "to", "at", "stills"});
   return {name_of_product(scene, kind),
           key_of_product(kind, scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {
@@ -279,12 +278,41 @@ Product film_product(const DeckPicture& picture,
           }};
 }
 
+Product compare_product(const DeckPicture& picture,
+                        const std::vector<DeckScene>& scenes,
+                        const LectureSettings& settings) {
+  overrides_of(picture, settings);
+  std::string film;
+  std::vector<std::string> words = words_of(picture, settings);
+  double longest = 0.0;
+  for (const DeckScene& scene : scenes) {
+    film += fmt::format("[[panel]]\nscene = {}\n", Json(fs::absolute(scene.file).string()).dump());
+    words.push_back(scene.hash);
+    longest = std::max(longest, scene.scene.motion.duration);
+  }
+  check_times(picture, longest, {"from", "to", "at", "stills"});
+  return {name_of_product(scenes.front(), "compare"),
+          key_of_product("compare", scenes.front(), words),
+          [=](const fs::path& folder, const std::string& stem) {
+            // beside what is made, for as long as that takes
+            const fs::path file = folder / (stem + ".toml");
+            write_file(file, film);
+            const Scene scene = load_scene(file);
+            const DeckScene together{file.filename().string(), file, scene, scene_hash(scene)};
+            Json facts = make_film_files(picture, together, settings, folder, stem);
+            remove_file(file);
+            for (const DeckScene& one : scenes)
+              check_unchanged(one);
+            return facts;
+          }};
+}
+
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,
                       const LectureSettings& settings) {
   const Overrides overrides = overrides_of(picture, settings);
   const double at = number_in(picture, "at").value_or(0.0);
-  check_times(picture, scene.scene, {"at"});
+  check_times(picture, scene.scene.motion.duration, {"at"});
   return {name_of_product(scene, "still"),
           key_of_product("still", scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {

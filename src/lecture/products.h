@@ -37,7 +37,7 @@ struct DeckScene {
 // changed since it was loaded. Facts that name files contain their names in media/; all facts have
 // "kind": "film" (also of a loop), "still", "chart", "stability", "inspect" or "motion".
 
-// A film: also a loop, and each film of a comparison. Facts: "film", "poster", "paper" (the poster
+// A film, also a loop. Facts: "film", "poster", "paper" (the poster
 // in the colours of paper: the theme print, unless the picture or the settings ask for one),
 // "poster_at" (s of motion), "stills" (in those colours, too; a list of objects with "file", "at"
 // in s of motion, and "caption"), "vtt" (the text of the captions; "" if there are none), "pauses"
@@ -46,6 +46,10 @@ struct DeckScene {
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
+// One film of the picture's scenes, a panel each, with the same facts. There are at least two.
+Product compare_product(const DeckPicture& picture,
+                        const std::vector<DeckScene>& scenes,
+                        const LectureSettings& settings);
 // A single picture. Facts: "poster", "paper", "poster_at" (s of motion).
 Product still_product(const DeckPicture& picture,
                       const DeckScene& scene,

@@ -216,18 +216,15 @@ Scene load_film(toml::table tree,
     panels.push_back(std::move(panel));
   }
 
-  // one clock, one size, one look; the film's own story or none
+  // one clock, one story, one size, one look: those of the first, unless the film gives them to all
   const Scene first = panels.front().scene;
-  const auto for_all = [&](const char* key) {
-    return is_given(common, key) || is_given(from_options, key);
-  };
-  const bool own_story = for_all("story");
-  const bool own_duration = for_all("motion.duration");
+  const bool own_duration =
+      is_given(common, "motion.duration") || is_given(from_options, "motion.duration");
   for (ScenePanel& panel : panels) {
     panel.scene.video = first.video;
     panel.scene.theme = first.theme;
     if (!own_duration) panel.scene.motion.duration = longest;
-    if (!own_story) panel.scene.story.clear();
+    panel.scene.story = first.story;
   }
   Scene scene = panels.front().scene;
   scene.film_file = file.string();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/film_file.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
 #include "scene/to_json.h"
@@ -96,6 +97,15 @@ Json schema_of(Of<Accuracy>, const Doc&, const UnitSuffix& unit) {
   return {{"anyOf", Json::array({radians, pixels})}};
 }
 
+Json schema_of(Of<toml::table>, const Doc&, const UnitSuffix&) {
+  return {{"type", "object"}};
+}
+
+Json schema_of(Of<toml::array>, const Doc&, const UnitSuffix&) {
+  const Json value{{"type", Json::array({"number", "string", "boolean"})}};
+  return list_schema(value, 1, kMostNames);
+}
+
 // exactly one of these spellings is there; or none, where that is allowed
 Json one_of(const std::vector<Spelling>& spellings, bool one_needed) {
   Json options = Json::array();
@@ -182,6 +192,8 @@ class Describer {
   static void put_default(Json&, const std::optional<T>&) {}
   template <class T>
   static void put_default(Json&, const std::vector<T>&) {}
+  static void put_default(Json&, const toml::table&) {}
+  static void put_default(Json&, const toml::array&) {}
 
   Json finished(const KeyList& keys) {
     for (const KeyGroup& group : keys.groups) {
@@ -203,13 +215,41 @@ class Describer {
   Json rules_ = Json::array();
 };
 
+Json head(const char* title) {
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+}
+
+// A table that is merged with another need not be complete.
+void remove_rules(Json& schema) {
+  if (schema.is_object()) {
+    schema.erase("required");
+    schema.erase("allOf");
+  }
+  if (schema.is_structured()) {
+    for (Json& inside : schema)
+      remove_rules(inside);
+  }
+}
+
 }  // namespace
 
 nlohmann::ordered_json scene_schema() {
-  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-              {"title", "Polhode scene, format 1"}};
   Scene scene;
+  Json schema = head("Polhode scene, format 1");
   schema.update(Describer::described(scene));
+  return schema;
+}
+
+nlohmann::ordered_json film_schema() {
+  FilmFile film;
+  Json schema = head("Polhode film of several scenes, format 1");
+  schema.update(Describer::described(film));
+  Scene scene;
+  Json all = Describer::described(scene);
+  remove_rules(all);
+  for (const auto& [key, value] : all["properties"].items()) {
+    if (!schema["properties"].contains(key)) schema["properties"][key] = value;
+  }
   return schema;
 }
 

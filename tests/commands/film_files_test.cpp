@@ -84,12 +84,18 @@ TEST_F(SeveralScenes, AreVerified) {
 
 TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
   run(fmt::format("preview {} -o {}", at("film.toml"), at("sheet.png")));
-  for (const char* command : {"simulate -o -", "inspect", "chart", "stability"}) {
+  for (const char* command : {"simulate -o -", "chart", "stability"}) {
     const Ran ran = run_polhode(fmt::format("{} {}", command, at("film.toml")));
     EXPECT_EQ(ran.code, 2) << command << ran.err;
     EXPECT_NE(ran.err.find("is a film of 2 scenes; name one of them"), std::string::npos)
         << ran.err;
   }
+  const Ran facts = run_polhode(fmt::format("inspect {}", at("film.toml")));
+  EXPECT_EQ(facts.code, 0) << facts.err;
+  EXPECT_EQ(facts.out.find("slow\n"), 0U) << facts.out;
+  EXPECT_NE(facts.out.find("\n\nfast\n"), std::string::npos) << facts.out;
+  const Ran json = run_polhode(fmt::format("inspect {} --json", at("film.toml")));
+  EXPECT_EQ(Json::parse(json.out).at("panels")[1].at("caption"), "fast");
   // no output lands on what is shown
   run(fmt::format("render {} -o a.mp4 --report {}", at("film.toml"), at("scene.toml")), 2);
 }

@@ -33,7 +33,7 @@ Figure figure_of(const DeckPicture& picture) {
                       {"width", 64},
                       {"height", 36},
                       {"title", "Top"}};
-  return {&picture, {facts}, ""};
+  return {&picture, facts, ""};
 }
 
 TEST(Documents, ThePageHasTextFilmsNotesAndContents) {

@@ -24,7 +24,7 @@ TEST(Figures, HostileWordsAreEscaped) {
                       {"width", 64},
                       {"height", 36},
                       {"title", "</p><script>x</script>"}};
-  const Figure figure{&picture, {facts, facts}, ""};
+  const Figure figure{&picture, facts, ""};
   for (const Json& blocks : {page_blocks(figure), slide_blocks(figure), handout_blocks(figure)}) {
     const std::string text = blocks.dump();
     EXPECT_EQ(text.find("<script"), std::string::npos) << text;

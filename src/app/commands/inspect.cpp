@@ -127,9 +127,23 @@ nlohmann::ordered_json inspection(const Solved& solved) {
 }
 
 std::string inspect(const InspectJob& job) {
-  const Json facts =
-      inspection(solve(load_single(job.scene, job.overrides), ProgressKind::automatic));
-  return job.json ? facts.dump(2) + "\n" : as_text(facts);
+  const Scene scene = load_with_overrides(job.scene, job.overrides);
+  const auto facts_of = [](const Scene& one) {
+    return inspection(solve(one, ProgressKind::automatic));
+  };
+  if (scene.panels.empty()) {
+    const Json facts = facts_of(scene);
+    return job.json ? facts.dump(2) + "\n" : as_text(facts);
+  }
+  std::string text;
+  Json list = Json::array();
+  for (const ScenePanel& panel : scene.panels) {
+    const Json facts = facts_of(panel.scene);
+    text +=
+        fmt::format("{}{}\n{}", text.empty() ? "" : "\n", one_line(panel.caption), as_text(facts));
+    list.push_back({{"caption", panel.caption}, {"inspection", facts}});
+  }
+  return job.json ? Json{{"panels", list}}.dump(2) + "\n" : text;
 }
 
 }  // namespace polhode

@@ -30,7 +30,7 @@ struct InspectJob {
 nlohmann::ordered_json inspection(const Solved& solved);
 
 // The output of the command: aligned columns, with angles and rates also in degrees, or indented
-// JSON. Throws Error as load_single and solve do, and (interrupted).
+// JSON. Throws Error as load_with_overrides and solve do, and (interrupted).
 std::string inspect(const InspectJob& job);
 
 }  // namespace polhode

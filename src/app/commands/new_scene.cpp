@@ -19,6 +19,9 @@ const std::vector<NewKind>& new_kinds() {
       {"racket", "a tennis racket that flips over", {"racket.toml"}},
       {"gyroscope", "a wheel with a level axle on a stand", {"gyroscope.toml"}},
       {"comparison", "one motion by three methods, side by side", {"comparison.toml"}},
+      {"film",
+       "two scenes side by side in one film, with their scene",
+       {"film.toml", "heavy_top.toml"}},
       {"deck", "a lecture of three slides, with its scene", {"deck.md", "heavy_top.toml"}},
   };
   return table;

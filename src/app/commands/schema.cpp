@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-std::string schema_text() {
-  return scene_schema().dump(2) + "\n";
+std::string schema_text(bool of_films) {
+  return (of_films ? film_schema() : scene_schema()).dump(2) + "\n";
 }
 
 }  // namespace polhode

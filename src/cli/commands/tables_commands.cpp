@@ -28,9 +28,11 @@ Action define_list(CLI::App& command) {
   };
 }
 
-Action define_schema(CLI::App&) {
-  return [] {
-    print_out(schema_text());
+Action define_schema(CLI::App& command) {
+  const auto films = std::make_shared<bool>(false);
+  command.add_flag("--film", *films, "the schema of film files");
+  return [films] {
+    print_out(schema_text(*films));
     return 0;
   };
 }

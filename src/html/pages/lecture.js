@@ -1,4 +1,4 @@
-// Films: frame by frame, slower and faster, together; a link to a frame; the look of the page.
+// Films: frame by frame, slower and faster; a link to a frame; the look of the page.
 "use strict";
 const speeds = [0.1, 0.25, 0.5, 1, 2];
 
@@ -28,19 +28,16 @@ const whenReady = (video, action) => {
 };
 
 for (const figure of document.querySelectorAll("figure.film")) {
-  const videos = [...figure.querySelectorAll("video")];
-  const first = videos[0];
-  const frames = Number(first.dataset.frames);
-  const fps = Number(first.dataset.fps);
-  for (const video of videos) {
-    video.controls = false;
-    video.tabIndex = 0;
-    for (const track of video.textTracks) track.mode = "hidden";
-  }
+  const video = figure.querySelector("video");
+  const frames = Number(video.dataset.frames);
+  const fps = Number(video.dataset.fps);
+  video.controls = false;
+  video.tabIndex = 0;
+  for (const track of video.textTracks) track.mode = "hidden";
   const bar = document.createElement("div");
   bar.className = "controls";
   bar.setAttribute("role", "group");
-  bar.setAttribute("aria-label", "Film: " + (first.getAttribute("aria-label") || ""));
+  bar.setAttribute("aria-label", "Film: " + (video.getAttribute("aria-label") || ""));
 
   const range = document.createElement("input");
   range.type = "range";
@@ -51,27 +48,25 @@ for (const figure of document.querySelectorAll("figure.film")) {
   const where = document.createElement("span");
   where.className = "where";
 
-  const pause = () => videos.forEach((video) => video.pause());
+  const pause = () => video.pause();
   const show = () => {
-    const frame = Math.min(frames - 1, frameOf(first));
+    const frame = Math.min(frames - 1, frameOf(video));
     range.value = String(frame);
     where.textContent = `${(frame / fps).toFixed(2)} s · frame ${frame}`;
-    play.textContent = first.paused ? "▶" : "❚❚";
-    play.setAttribute("aria-label", first.paused ? "Play" : "Pause");
-    play.title = first.paused ? "Play (space)" : "Pause (space)";
+    play.textContent = video.paused ? "▶" : "❚❚";
+    play.setAttribute("aria-label", video.paused ? "Play" : "Pause");
+    play.title = video.paused ? "Play (space)" : "Pause (space)";
   };
   const start = () => {
-    for (const video of videos) {
-      if (first.ended || first.currentTime > (frames - 1) / fps) video.currentTime = 0;
-      video.play().catch(() => {});
-    }
+    if (video.ended || video.currentTime > (frames - 1) / fps) video.currentTime = 0;
+    video.play().catch(() => {});
   };
   const seek = (frame) => {
     pause();
-    for (const video of videos) whenReady(video, () => goTo(video, frame));
+    whenReady(video, () => goTo(video, frame));
   };
-  const play = button("▶", "Play", () => (first.paused ? start() : pause()));
-  const step = (by) => seek((first.readyState >= 1 ? Math.min(frames - 1, frameOf(first)) : 0) + by);
+  const play = button("▶", "Play", () => (video.paused ? start() : pause()));
+  const step = (by) => seek((video.readyState >= 1 ? Math.min(frames - 1, frameOf(video)) : 0) + by);
   const back = button("−1", "−1 frame", () => step(-1));
   const on = button("+1", "+1 frame", () => step(1));
   const speed = document.createElement("select");
@@ -83,67 +78,53 @@ for (const figure of document.querySelectorAll("figure.film")) {
     option.selected = value === 1;
     speed.append(option);
   }
-  speed.addEventListener("change", () => videos.forEach((video) => (video.playbackRate = Number(speed.value))));
-  const repeats = first.loop;
+  speed.addEventListener("change", () => (video.playbackRate = Number(speed.value)));
+  const repeats = video.loop;
   const loop = button("⟳", "Repeat", () => {
-    const set = !first.loop;
-    videos.forEach((video) => (video.loop = set));
-    loop.setAttribute("aria-pressed", String(set));
+    video.loop = !video.loop;
+    loop.setAttribute("aria-pressed", String(video.loop));
   });
   loop.setAttribute("aria-pressed", String(repeats));
   const link = button("Link", "Link to this frame: copy", () => {
-    const place = `#film=${encodeURIComponent(first.dataset.film)}&frame=${Math.min(frames - 1, frameOf(first))}`;
+    const place = `#film=${encodeURIComponent(video.dataset.film)}&frame=${Math.min(frames - 1, frameOf(video))}`;
     history.replaceState(null, "", place);
     if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
     link.textContent = "Copied";
     setTimeout(() => (link.textContent = "Link"), 1500);
   });
   const large = button("⤢", "Full screen", () => {
-    const screen = figure.querySelector(".screens");
+    const screen = figure.querySelector(".screen");
     if (document.fullscreenElement) document.exitFullscreen();
     else if (screen.requestFullscreen) screen.requestFullscreen().catch(() => {});
   });
   bar.append(range, play, back, on, speed, loop, link);
-  if (first.textTracks.length > 0) {
+  if (video.textTracks.length > 0) {
     const captions = button("CC", "CC: captions", () => {
-      const off = first.textTracks[0].mode !== "showing";
-      videos.forEach((video) => [...video.textTracks].forEach((track) => (track.mode = off ? "showing" : "hidden")));
+      const off = video.textTracks[0].mode !== "showing";
+      for (const track of video.textTracks) track.mode = off ? "showing" : "hidden";
       captions.setAttribute("aria-pressed", String(off));
     });
     captions.setAttribute("aria-pressed", "false");
     bar.append(captions);
   }
   bar.append(large, where);
-  figure.querySelector(".screens").after(bar);
+  figure.querySelector(".screen").after(bar);
 
   range.addEventListener("input", () => seek(Number(range.value)));
-  // the others follow the first one
-  const follow = () => {
-    for (const video of videos.slice(1)) {
-      if (Math.abs(video.currentTime - first.currentTime) > 1.5 / fps) video.currentTime = first.currentTime;
-    }
-  };
-  first.addEventListener("timeupdate", () => {
-    if (!first.paused) follow();
-    show();
-  });
-  for (const event of ["play", "pause", "seeked", "ended", "loadedmetadata"]) first.addEventListener(event, show);
-  first.addEventListener("pause", () => videos.forEach((video) => video.pause()));
-  first.addEventListener("seeked", () => first.paused && follow());
+  video.addEventListener("timeupdate", show);
+  for (const event of ["play", "pause", "seeked", "ended", "loadedmetadata"]) video.addEventListener(event, show);
   const repaint = () => {
-    if (!first.paused) show();
+    if (!video.paused) show();
     requestAnimationFrame(repaint);
   };
-  first.addEventListener("play", () => requestAnimationFrame(repaint), { once: true });
-  for (const video of videos) {
-    video.addEventListener("click", () => (first.paused ? start() : pause()));
-    video.addEventListener("keydown", (event) => {
-      const keys = { " ": () => (first.paused ? start() : pause()), ",": () => step(-1), ".": () => step(1), ArrowLeft: () => step(-1), ArrowRight: () => step(1), Home: () => seek(0), End: () => seek(frames - 1) };
-      if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
-      event.preventDefault();
-      keys[event.key]();
-    });
-  }
+  video.addEventListener("play", () => requestAnimationFrame(repaint), { once: true });
+  video.addEventListener("click", () => (video.paused ? start() : pause()));
+  video.addEventListener("keydown", (event) => {
+    const keys = { " ": () => (video.paused ? start() : pause()), ",": () => step(-1), ".": () => step(1), ArrowLeft: () => step(-1), ArrowRight: () => step(1), Home: () => seek(0), End: () => seek(frames - 1) };
+    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    keys[event.key]();
+  });
   figure.seekFrame = seek;
   show();
 }
