@@ -183,7 +183,7 @@ Json number_table(const Json& inspection, const std::string& keys) {
     std::string name = split_unit(key).first;
     std::replace(name.begin(), name.end(), '_', ' ');
     name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-    rows.push_back(table_row({name, quoted(inspection, {"the scene", key, "%.4g", ""}).text}));
+    rows.push_back(table_row({name, quoted(inspection, {"the scene", key, "", ""}).text}));
   }
   const Json none = Json::array({"", Json::array(), Json::array()});
   const Json column = Json::array({{{"t", "AlignLeft"}}, {{"t", "ColWidthDefault"}}});

@@ -83,7 +83,13 @@ bool is_film(const toml::table& tree);
 // Makes the scene of a film file: that of the first panel, with Scene::panels. Its other tables,
 // and then the settings, hold for all panels; a setting of a key of FilmFile changes the film file.
 // [video] and the story are those of the first panel, and all last as long as the longest, unless
-// the film says otherwise. Throws Error (input) as load_film does for
+// the film says otherwise. Throws Error (input) as load_scene does, and for panels of several
+// views, compared methods, loops, and films.
+Scene load_film(toml::table tree,
+                const std::filesystem::path& file,
+                const std::vector<Setting>& settings);
+
+// The scenes that a film file names, as it spells them. Throws Error (input) as load_film does for
 // the film file itself.
 std::vector<std::string> scenes_of_film(toml::table tree, const std::filesystem::path& file);
 

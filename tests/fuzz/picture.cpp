@@ -6,14 +6,14 @@
 #include "film/solved_scene.h"
 #include "frame/compose.h"
 #include "fuzz/harness.h"
-#include "model/solids.h"
+#include "fuzz/scene_text.h"
 #include "motion/solution_method.h"
 
 namespace polhode {
 
-void run_harness(const std::string& bytes) {
-  Scene scene = parse_scene(bytes, "a.toml");
-  load_meshes(scene.body, POLHODE_SOURCE_DIR "/scenes");
+namespace {
+
+void look_at(const Scene& scene) {
   check_time_range(scene, {});
   std::string reason;
   const BodyModel model = make_model(scene.body, scene.motion);
@@ -32,6 +32,13 @@ void run_harness(const std::string& bytes) {
   composer.warnings();
   for (const double t : {0.0, frames.timeline.film_duration()})
     composer.camera_view(t, scene.motion.duration);
+}
+
+}  // namespace
+
+void run_harness(const std::string& bytes) {
+  for (const Scene& scene : scenes_of_text(bytes))
+    look_at(scene);
 }
 
 }  // namespace polhode

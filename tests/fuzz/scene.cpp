@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes, up to the plan of the film: everything but integration and drawing. Mesh files are looked
-// for among the shipped scenes.
+// Scenes and films, up to the plan of the film: everything but integration and drawing. Mesh files
+// are looked for among the shipped scenes.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
 #include "fuzz/harness.h"
-#include "model/solids.h"
+#include "fuzz/scene_text.h"
 #include "motion/derived.h"
 #include "motion/motion.h"
 #include "motion/solution_method.h"
@@ -20,8 +20,6 @@
 namespace polhode {
 namespace {
 
-constexpr const char* kScenes = POLHODE_SOURCE_DIR "/scenes";
-
 bool is_finite(const Sample& s) {
   return s.q_SB.coeffs().allFinite() && s.w_B.allFinite() && s.w_S.allFinite() &&
          s.L_S.allFinite() && s.center_S.allFinite() && std::isfinite(s.energy);
@@ -29,7 +27,7 @@ bool is_finite(const Sample& s) {
 
 void read_back(const Scene& scene) {
   const nlohmann::ordered_json json = scene_to_json(scene);
-  const Scene again = scene_from_json(json, std::string(kScenes) + "/a.toml");
+  const Scene again = scene_from_json(json, (kScenes / "a.toml").string());
   promise(scene_to_json(again).dump() == json.dump(),
           "a scene that is written and read is the same");
   promise(scene_hash(again) == scene_hash(scene), "and has the same hash");
@@ -62,10 +60,10 @@ void plan(const Scene& scene) {
 }  // namespace
 
 void run_harness(const std::string& bytes) {
-  Scene scene = parse_scene(bytes, "a.toml");
-  load_meshes(scene.body, kScenes);
-  read_back(scene);
-  plan(scene);
+  for (const Scene& scene : scenes_of_text(bytes)) {
+    read_back(scene);
+    plan(scene);
+  }
 }
 
 }  // namespace polhode
