@@ -204,6 +204,24 @@ TEST(Products, PicturesOnPaperAreInkOnWhite) {
   }
 }
 
+TEST(Products, AComparisonIsOneFilm) {
+  const DeckSceneFolder folder, other("[show]\ntrail = true\n");
+  const DeckPicture picture = picture_of(PictureKind::compare);
+  const auto product = [&](const std::vector<DeckScene>& scenes) {
+    return compare_product(picture, scenes, small_settings());
+  };
+  const Product both = product({folder.scene, other.scene});
+  EXPECT_NE(both.key, product({other.scene, folder.scene}).key);
+  EXPECT_NE(both.key, product({folder.scene, folder.scene}).key);
+  const MadeProduct made(both);
+  EXPECT_EQ(made.facts.at("kind"), "film");
+  EXPECT_EQ(made.facts.at("film"), "stem.mp4");
+  EXPECT_TRUE(made.has("stem.mp4"));
+  EXPECT_FALSE(made.has("stem.toml")) << "the film file is removed";
+  FilmReader film((made.folder / "stem.mp4"));
+  EXPECT_EQ(film.info().width, 64);
+}
+
 TEST(Products, NumbersAndMotionsAreThoseOfTheScene) {
   const DeckSceneFolder folder;
   const MadeProduct numbers(inspect_product(folder.scene));
