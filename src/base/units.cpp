@@ -25,6 +25,7 @@ constexpr UnitSuffix kSuffixes[] = {
     {Unit::angular_velocity, "",            1.0,          "rad/s"},
     {Unit::angular_velocity, "_deg_per_s",  kPi / 180.0,  "deg/s"},
     {Unit::angular_velocity, "_rpm",        kPi / 30.0,   "rev/min"},
+    {Unit::angular_velocity, "_hz",         2.0 * kPi,    "rev/s"},
     {Unit::angular_momentum, "",            1.0,          "kg m^2/s"},
     {Unit::inertia,          "",            1.0,          "kg m^2"},
     {Unit::inertia,          "_g_cm2",      1e-7,         "g cm^2"},

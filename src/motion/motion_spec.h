@@ -12,11 +12,14 @@
 
 namespace polhode {
 
-// Attitude at t = 0: one of the two. If the scene gives no attitude, neither is set, and R_SB = 1.
+// Attitude at t = 0: one of these. If the scene gives no attitude, none is set, and R_SB = 1.
 struct AttitudeSpec {
   std::optional<Vec3> zxz;                    // Euler angles (phi, theta, psi), rad
   std::optional<Eigen::Vector4d> quaternion;  // (w, x, y, z), rotates B to S; not zero; start_state
                                               // scales it to unit length
+  std::optional<double> tilt;       // of the body's z axis from the vertical, about X, rad
+  std::optional<bool> momentum_up;  // true: turned so that the angular momentum, which the spin
+                                    // gives in body axes, is along Z
 };
 
 // Angular velocity at t = 0: one of these. If the scene gives no spin, none is set, and the body is
@@ -27,6 +30,11 @@ struct SpinSpec {
   std::optional<Vec3> momentum_body;  // angular momentum in body axes, kg m^2/s
   std::optional<Vec3> rates;          // (phi', theta', psi') of the zxz angles, rad/s; the angles
                                       // are AttitudeSpec::zxz, else zxz_angles() of the attitude
+  // of a symmetric top on a pivot under gravity:
+  std::optional<std::string> steady;  // precession without nutation, "slow" or "fast"
+  std::optional<double> axial;        // with `steady`: rad/s about the line from the pivot to the
+                                      // centre of mass
+  std::optional<double> sleeping;     // rad/s of an upright top about that line
 };
 
 // The [motion] table.
@@ -78,24 +86,40 @@ std::vector<std::string> method_names();
 
 template <class Visitor>
 void fields(Visitor& v, AttitudeSpec& s) {
-  v.exactly_one_of({"zxz", "quaternion"});
+  v.exactly_one_of({"zxz", "quaternion", "tilt", "momentum_up"});
   v.field("zxz",
           s.zxz,
           Doc{"Euler angles phi, theta, psi: R = Rz(phi) Rx(theta) Rz(psi)", Unit::angle});
   v.field("quaternion",
           s.quaternion,
           Doc{"quaternion w, x, y, z of the rotation from body axes to space axes"});
+  v.field("tilt", s.tilt, Doc{"angle from the vertical to the body's z axis", Unit::angle});
+  v.field("momentum_up",
+          s.momentum_up,
+          Doc{"true: turned so that the angular momentum points up; spin in body axes gives it"});
 }
 
 template <class Visitor>
 void fields(Visitor& v, SpinSpec& s) {
-  v.exactly_one_of({"body", "space", "momentum_body", "rates"});
+  v.exactly_one_of({"body", "space", "momentum_body", "rates", "steady", "sleeping"});
   v.field("body", s.body, Doc{"angular velocity in body axes", Unit::angular_velocity});
   v.field("space", s.space, Doc{"angular velocity in space axes", Unit::angular_velocity});
   v.field("momentum_body",
           s.momentum_body,
           Doc{"angular momentum in body axes", Unit::angular_momentum});
   v.field("rates", s.rates, Doc{"rates of the zxz angles phi, theta, psi", Unit::angular_velocity});
+  v.field("steady",
+          s.steady,
+          Doc{"steady precession of a symmetric top on a pivot; needs axial",
+              Unit::none,
+              kAny,
+              {"slow", "fast"}});
+  v.field("axial",
+          s.axial,
+          Doc{"angular velocity about the top's own axis, for steady", Unit::angular_velocity});
+  v.field("sleeping",
+          s.sleeping,
+          Doc{"angular velocity of an upright top about its axis", Unit::angular_velocity});
 }
 
 template <class Visitor>

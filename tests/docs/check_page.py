@@ -33,7 +33,7 @@ SMALLER = {
     "stability": ["--cells", "4x4", "--turns", "4"],
 }
 # Units that a key may carry.
-SUFFIXES = {"mm", "cm", "km", "g", "ms", "min", "h", "d", "deg", "deg_per_s", "rpm", "g_cm2", "g_per_cm3"}
+SUFFIXES = {"mm", "cm", "km", "g", "ms", "min", "h", "d", "deg", "deg_per_s", "rpm", "hz", "g_cm2", "g_per_cm3"}
 # Programs that would open a window.
 SILENT = ["ffplay", "xdg-open"]
 
