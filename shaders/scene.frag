@@ -34,7 +34,8 @@ flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec4 f_alpha;
 
-// A strip along +x and a darker half x < 0: one turn looks different from half a turn.
+// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. Darkness means
+// light alone.
 vec3 painted() {
 #if MARKED
   float least = 1e-9 * f_mark.w;  // never divide by nothing
@@ -42,7 +43,7 @@ vec3 painted() {
   float soft_x = fwidth(v_mesh.x) + least;
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
   float strip = clamp((f_mark.w - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
-  return mix(f_color.rgb * mix(0.80, 1.0, front), f_mark.rgb, strip);
+  return mix(f_color.rgb * mix(vec3(0.78, 0.89, 0.97), vec3(1.0), front), f_mark.rgb, strip);
 #else
   return f_color.rgb;
 #endif

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/elements.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "frame/elements/parts.h"
 
 namespace polhode {
@@ -14,6 +17,18 @@ bool never(const Scenery&) {
 }
 bool on_pivot(const Scenery& scenery) {
   return scenery.motion.model().on_pivot;
+}
+// Does the body go round the vertical? A pendulum that swings in a plane has no such cone.
+bool precesses(const Scenery& scenery) {
+  const BodyModel& model = scenery.motion.model();
+  if (!model.on_pivot) return false;
+  double about_vertical = 0.0, most = 0.0;
+  for (const double t : framing_times(scenery.motion)) {
+    const Vec3 L = scenery.motion.at(t).L_S;
+    about_vertical = std::max(about_vertical, std::abs(L.dot(model.up_S)));
+    most = std::max(most, L.norm());
+  }
+  return about_vertical > 1e-9 * most;
 }
 std::string nothing_against(const Scenery&) {
   return {};
@@ -71,7 +86,7 @@ const std::vector<Element>& elements() {
        add_axis_plane},
       {"precession_cone",
        "the cone about the vertical that passes through the body's axis (pivot)",
-       on_pivot,
+       precesses,
        needs_pivot,
        add_precession_cone},
       {"ellipsoid",

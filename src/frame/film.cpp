@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kSeamWidth = 0.0022;
 constexpr double kLeaderWidth = 0.05;  // of the type
-// s of film between the moments for which sides of labels are chosen, at least; how many there are,
-// at most
-constexpr double kMoment = 0.1;
+// s of film between the moments for which places of labels are chosen, at least; how many there
+// are, at most
+constexpr double kMoment = 0.05;
 constexpr double kMostMoments = 6000.0;
 const Rgb kAlarm{196, 60, 18};
 
@@ -51,6 +51,20 @@ std::optional<Vec2> visible_end(const TextShaft& shaft, const TextRoom& room) {
   clip(shaft.from.y(), way.y(), room.top, room.bottom);
   if (part >= 1.0) return shaft.tip;
   return shaft.from + part * way;
+}
+
+// The end of a vector as far as it can be told from others: before the head of another one that
+// covers its own. Heads are rectangles around them.
+Vec2 own_end(const TextShaft& shaft, const std::vector<TextRoom>& heads) {
+  const double length = (shaft.tip - shaft.from).norm();
+  for (double back = 0.0; back < length; back += 1.0) {
+    const Vec2 point = shaft.tip + (back / length) * (shaft.from - shaft.tip);
+    const auto over = std::count_if(heads.begin(), heads.end(), [&](const TextRoom& head) {
+      return distance(head, point) == 0.0;
+    });
+    if (over <= 1) return point;
+  }
+  return shaft.tip;
 }
 
 // px
@@ -394,6 +408,10 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
   const Vec2 corner(place.x, place.y);
   Layout layout;
   layout.size = label_size(text_, place, size_);
+  layout.moment.obstacles.text = text;
+  std::vector<TextRoom>& marks = layout.moment.obstacles.marks;
+  for (const TextRoom& mark : view.marks)
+    marks.push_back(moved(mark, corner));
   std::map<std::string, int> count;
   for (const SeenLabel& label : view.labels) {
     const double size = std::max(label.size * layout.size, least_text_size(text_, size_));
@@ -401,14 +419,12 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
     style.face = Face::math;
     const TextBox box = typesetter_->measure(label.markup, style);
     layout.moment.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
-    layout.moment.wishes.push_back(
-        {corner + label.at, label.away, box.ink_width(), box.ink_height()});
-    layout.moment.shafts.push_back({corner + label.from, corner + label.at});
+    TextShaft shaft{corner + label.from, corner + label.at};
+    if (label.of_arrow) shaft.tip = own_end(shaft, marks);
+    layout.moment.wishes.push_back({shaft.tip, label.away, box.ink_width(), box.ink_height()});
+    layout.moment.shafts.push_back(shaft);
     layout.styles.push_back(style);
   }
-  layout.moment.obstacles.text = text;
-  for (const TextRoom& mark : view.marks)
-    layout.moment.obstacles.marks.push_back(moved(mark, corner));
   const double inset = 0.25 * layout.size;
   const TextRoom all = room_of(place);
   layout.frame = {
@@ -416,22 +432,38 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
   return layout;
 }
 
-// from the text that stands there at the beginning
 LabelTracks Film::tracks_of(const FilmPanel& panel) const {
-  Page page;
-  if (panels_.size() > 1 || !areas_.plots.empty()) {
-    add_bars(0.0, page);
-  } else {
-    add_frame_text(0.0, page);
-  }
-  const double top = add_notes(panel, 0.0, page);
-  const double duration = panel.composer->timeline().film_duration();
+  const Timeline& timeline = panel.composer->timeline();
+  const double duration = timeline.film_duration();
   const double step = step_between_moments(duration);
+  // text that keeps its place as long as the caption and the stamp are the same
+  struct Text {
+    std::vector<TextRoom> rooms;
+    double top = 0.0;
+  };
+  std::map<std::string, Text> texts;
+  const auto text_at = [&](double time) -> const Text& {
+    const double t = timeline.motion_time(time);
+    const std::string key = timeline.caption(time).value_or(text_.caption) + '\n' +
+                            (panel.notes ? panel.notes(t).stamp : "");
+    const auto [found, is_new] = texts.try_emplace(key);
+    if (!is_new) return found->second;
+    Page page;
+    if (panels_.size() > 1 || !areas_.plots.empty()) {
+      add_bars(time, page);
+    } else {
+      add_frame_text(time, page);
+    }
+    found->second.top = add_notes(panel, t, page);
+    found->second.rooms = page.placed.rooms;
+    return found->second;
+  };
   std::vector<LabelMoment> moments;
   Layout layout;
   for (double time = 0.0; time < duration + step; time += step) {
-    const LabelView view = panel.composer->label_view(std::min(time, duration), panel.end);
-    layout = layout_of(panel, view, top, page.placed.rooms);
+    const double now = std::min(time, duration);
+    const Text& text = text_at(now);
+    layout = layout_of(panel, panel.composer->label_view(now, panel.end), text.top, text.rooms);
     moments.push_back(layout.moment);
   }
   return {moments, layout.frame, layout.gap()};
@@ -446,22 +478,21 @@ void Film::add_labels(const FilmPanel& panel,
   const Layout layout = layout_of(panel, view, top, page.placed.rooms);
   const LabelMoment& moment = layout.moment;
   const double at = film / step_between_moments(panel.composer->timeline().film_duration());
-  std::vector<Vec2> centers;
-  for (std::size_t i = 0; i < moment.wishes.size(); ++i)
-    centers.push_back(tracks.center(moment.names[i], moment.wishes[i], at));
-  const std::vector<TextRoom> rooms =
-      settled(moment.wishes, centers, moment.obstacles, layout.frame, layout.gap());
   const std::vector<TextRoom>& marks = moment.obstacles.marks;
   page.placed.marks.insert(page.placed.marks.end(), marks.begin(), marks.end());
 
   std::vector<PlacedText> texts;
-  for (std::size_t i = 0; i < rooms.size(); ++i) {
+  for (std::size_t i = 0; i < moment.wishes.size(); ++i) {
     const SeenLabel& label = view.labels[i];
-    PlacedText text{TextRole::label, label.markup, layout.styles[i], rooms[i], label.fade};
+    const LabelWish& wish = moment.wishes[i];
+    const LabelPlace place = tracks.place(moment.names[i], wish, at);
+    const TextRoom room = room_at(place.center, wish.width, wish.height);
+    PlacedText text{
+        TextRole::label, label.markup, layout.styles[i], room, label.fade * place.opacity};
     if (label.of_arrow) {
       text.tip = visible_end(moment.shafts[i], room_of(panel.place));
       const double letter = capital_height(*typesetter_, layout.styles[i]);
-      if (text.tip) text.leader = leader_to(*text.tip, rooms[i], letter);
+      if (text.tip) text.leader = leader_to(*text.tip, room, letter);
     }
     if (text.leader) page.leaders.push_back(leader_stamp(text));
     texts.push_back(std::move(text));

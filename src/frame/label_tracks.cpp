@@ -5,110 +5,78 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/units.h"
 
 namespace polhode {
 namespace {
 
-constexpr int kAbsent = -1;
-// Prices, in heights of a label that it stands from its wish for one moment. A change of sides
-// costs a fixed price and that of its way.
-constexpr double kOverMark = 30.0;  // over the head of an arrow
-constexpr double kOverText = 60.0;  // over text, another label, or the edge of the frame
-constexpr double kOverShaft = 2.0;  // over a vector
-constexpr double kChange = 4.0;
-constexpr double kWay = 2.0;  // for each height of the label
+// Prices, in heights of a label that it stands from its wish for one moment.
+constexpr double kOverMark = 200.0;  // over the head of an arrow
+constexpr double kOverText = 400.0;  // over text, another label, or the edge of the frame
+constexpr double kOverShaft = 8.0;   // over a vector
+constexpr double kPushed = 0.5;      // off a side, where that is taken
+constexpr double kChange = 40.0;     // of its place
+constexpr double kWay = 4.0;         // for each height of the label that it goes about its tip
+// From moment to moment a label glides about its tip by at most so many of its heights; farther it
+// changes its place.
+constexpr double kGlide = 0.6;
 
-using Prices = std::array<double, kLabelSides>;
-struct Choice {
-  double price = 0.0;  // of the best sides up to this moment
-  int before = 0;      // the side at the moment before
-};
-
-// The weights with which a uniform cubic spline takes its four control points, at the fraction
-// `part` (0..1) of the step between the middle two.
-std::array<double, 4> spline_weights(double part) {
-  const double rest = 1.0 - part;
-  return {rest * rest * rest / 6.0,
-          (3.0 * part * part * part - 6.0 * part * part + 4.0) / 6.0,
-          (3.0 * rest * rest * rest - 6.0 * rest * rest + 4.0) / 6.0,
-          part * part * part / 6.0};
-}
-
-TextRoom room_on(const LabelWish& wish, int side, double gap) {
-  return room_at(center_on(wish, side, gap), wish.width, wish.height);
-}
+// the sides, and for each the nearest place that is free
+constexpr std::size_t kPlaces = 2 * std::size_t{kLabelSides};
 
 bool any_overlaps(const TextRoom& room, const std::vector<TextRoom>& others) {
   return std::any_of(
       others.begin(), others.end(), [&](const TextRoom& other) { return overlap(room, other); });
 }
 
-// the price of each side for one moment
-Prices prices_of(const LabelWish& wish,
-                 const LabelMoment& moment,
-                 const std::vector<TextRoom>& labels,
-                 const TextRoom& frame,
-                 double gap) {
-  Prices prices{};
+// A place that a label might take at one moment, and the cheapest way there.
+struct Choice {
+  Vec2 offset = Vec2::Zero();
+  double own = std::numeric_limits<double>::infinity();  // its price
+  double sum = 0.0;                                      // with that of the cheapest way there
+  std::size_t before = 0;  // the place on that way at the moment before
+};
+using Choices = std::array<Choice, kPlaces>;
+
+// the places of one moment with their own prices
+Choices choices_at(const LabelWish& wish,
+                   const LabelMoment& moment,
+                   const std::vector<TextRoom>& labels,
+                   const TextRoom& frame,
+                   double gap) {
+  Choices choices;
   const Vec2 wished = center_on(wish, 0, gap);
-  for (int side = 0; side < kLabelSides; ++side) {
-    const TextRoom room = room_on(wish, side, gap);
+  const auto is_taken = [&](const TextRoom& room) {
     const TextRoom with_gap = grown(room, 0.9 * gap, 0.9 * gap);
-    double& price = prices[static_cast<std::size_t>(side)];
-    price = (room.center() - wished).norm() / wish.height;
     const bool is_inside = room.left >= frame.left && room.right <= frame.right &&
                            room.top >= frame.top && room.bottom <= frame.bottom;
-    if (!is_inside) price += kOverText;
-    if (any_overlaps(with_gap, moment.obstacles.text)) price += kOverText;
-    if (any_overlaps(with_gap, labels)) price += kOverText;
-    if (any_overlaps(grown(room, 0.4 * gap, 0.4 * gap), moment.obstacles.marks)) price += kOverMark;
+    return !is_inside || any_overlaps(with_gap, moment.obstacles.text) ||
+           any_overlaps(with_gap, labels);
+  };
+  const auto is_over_mark = [&](const TextRoom& room) {
+    return any_overlaps(grown(room, 0.4 * gap, 0.4 * gap), moment.obstacles.marks);
+  };
+  const auto add = [&](std::size_t place, const Vec2& center) {
+    const TextRoom room = room_at(center, wish.width, wish.height);
+    double sum = (center - wished).norm() / wish.height;
+    const bool taken = is_taken(room), over_mark = is_over_mark(room);
+    if (taken) sum += kOverText;
+    if (over_mark) sum += kOverMark;
     for (const TextShaft& shaft : moment.shafts)
-      if (is_over(room, shaft)) price += kOverShaft;
+      if (is_over(room, shaft)) sum += kOverShaft;
+    choices[place].offset = center - wish.at;
+    choices[place].own = sum;
+    return !taken && !over_mark;
+  };
+  for (std::size_t side = 0; side < kLabelSides; ++side) {
+    const Vec2 center = center_on(wish, static_cast<int>(side), gap);
+    if (add(side, center)) continue;
+    const std::size_t pushed = kLabelSides + side;
+    add(pushed, settled_at(wish, center, moment.obstacles, labels, frame, gap));
+    choices[pushed].own += kPushed;
   }
-  return prices;
-}
-
-// the cheapest side at each moment; `prices` are absent where the label is
-std::vector<int> cheapest(const std::vector<std::optional<Prices>>& prices,
-                          const std::vector<LabelWish>& wishes,
-                          double gap) {
-  std::vector<std::array<Choice, kLabelSides>> choices(prices.size());
-  for (std::size_t k = 0; k < prices.size(); ++k) {
-    if (!prices[k]) continue;
-    const bool goes_on = k > 0 && prices[k - 1];
-    std::array<Vec2, kLabelSides> centers;
-    for (int side = 0; side < kLabelSides; ++side)
-      centers[static_cast<std::size_t>(side)] = center_on(wishes[k], side, gap);
-    for (std::size_t side = 0; side < kLabelSides; ++side) {
-      Choice best{goes_on ? std::numeric_limits<double>::infinity() : 0.0, 0};
-      for (std::size_t from = 0; goes_on && from < kLabelSides; ++from) {
-        double price = choices[k - 1][from].price;
-        if (from != side)
-          price += kChange + kWay * (centers[from] - centers[side]).norm() / wishes[k].height;
-        if (price < best.price) best = {price, static_cast<int>(from)};
-      }
-      best.price += (*prices[k])[side];
-      choices[k][side] = best;
-    }
-  }
-  // back from the end of each time that the label is there
-  std::vector<int> sides(prices.size(), kAbsent);
-  for (std::size_t k = prices.size(); k-- > 0;) {
-    if (!prices[k]) continue;
-    if (k + 1 < prices.size() && prices[k + 1]) {
-      sides[k] = choices[k + 1][static_cast<std::size_t>(sides[k + 1])].before;
-      continue;
-    }
-    const auto least = std::min_element(
-        choices[k].begin(), choices[k].end(), [](const Choice& a, const Choice& b) {
-          return a.price < b.price;
-        });
-    sides[k] = static_cast<int>(least - choices[k].begin());
-  }
-  return sides;
+  return choices;
 }
 
 }  // namespace
@@ -126,6 +94,63 @@ Vec2 center_on(const LabelWish& wish, int side, double gap) {
   return wish.at + (reach + far) * away;
 }
 
+std::vector<LabelTracks::Stay> LabelTracks::cheapest(
+    const std::vector<LabelMoment>& moments,
+    const std::string& name,
+    const std::vector<std::vector<TextRoom>>& labels,
+    const TextRoom& frame) const {
+  const std::size_t count = moments.size();
+  std::vector<Choices> choices(count);
+  std::vector<const LabelWish*> wishes(count, nullptr);
+  const auto stay = [&](std::size_t k, std::size_t place) {
+    return Stay{static_cast<int>(place), choices[k][place].offset, false};
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto found = std::find(moments[k].names.begin(), moments[k].names.end(), name);
+    if (found == moments[k].names.end()) continue;
+    wishes[k] = &moments[k].wishes[static_cast<std::size_t>(found - moments[k].names.begin())];
+    choices[k] = choices_at(*wishes[k], moments[k], labels[k], frame, gap_);
+    const bool was_there = k > 0 && wishes[k - 1] != nullptr;
+    const double height = wishes[k]->height;
+    for (std::size_t place = 0; place < kPlaces; ++place) {
+      Choice& here = choices[k][place];
+      here.sum = here.own;
+      if (!was_there) continue;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t from = 0; from < kPlaces; ++from) {
+        const Choice& there = choices[k - 1][from];
+        if (!std::isfinite(there.sum)) continue;
+        double price = there.sum + kWay * (there.offset - here.offset).norm() / height;
+        if ((there.offset - here.offset).norm() > kGlide * height) price += kChange;
+        if (price >= least) continue;
+        least = price;
+        here.before = from;
+      }
+      here.sum += least;
+    }
+  }
+  // back from the end of each time that the label is there
+  std::vector<Stay> stays(count);
+  std::size_t place = 0;
+  for (std::size_t k = count; k-- > 0;) {
+    if (wishes[k] == nullptr) continue;
+    if (k + 1 < count && wishes[k + 1] != nullptr) {
+      place = choices[k + 1][place].before;
+    } else {
+      const auto least = std::min_element(
+          choices[k].begin(), choices[k].end(), [](const Choice& a, const Choice& b) {
+            return a.sum < b.sum;
+          });
+      place = static_cast<std::size_t>(least - choices[k].begin());
+    }
+    stays[k] = stay(k, place);
+    if (k + 1 < count && wishes[k + 1] != nullptr)
+      stays[k].changes_after =
+          (stays[k].offset - stays[k + 1].offset).norm() > kGlide * wishes[k]->height;
+  }
+  return stays;
+}
+
 LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom& frame, double gap)
     : gap_(gap) {
   std::vector<std::string> names;  // in the order in which they come
@@ -133,41 +158,50 @@ LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom
     for (const std::string& name : moment.names)
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  std::vector<std::vector<TextRoom>> labels(moments.size());  // those that have their sides
+  std::vector<std::vector<TextRoom>> labels(moments.size());  // those that have their places
   for (const std::string& name : names) {
-    std::vector<std::optional<Prices>> prices(moments.size());
-    std::vector<LabelWish> wishes(moments.size());
+    const std::vector<Stay> stays = cheapest(moments, name, labels, frame);
     for (std::size_t k = 0; k < moments.size(); ++k) {
+      if (stays[k].side < 0) continue;
       const auto found = std::find(moments[k].names.begin(), moments[k].names.end(), name);
-      if (found == moments[k].names.end()) continue;
-      wishes[k] = moments[k].wishes[static_cast<std::size_t>(found - moments[k].names.begin())];
-      prices[k] = prices_of(wishes[k], moments[k], labels[k], frame, gap);
+      const LabelWish& wish =
+          moments[k].wishes[static_cast<std::size_t>(found - moments[k].names.begin())];
+      labels[k].push_back(room_at(wish.at + stays[k].offset, wish.width, wish.height));
     }
-    const Sides sides = cheapest(prices, wishes, gap);
-    for (std::size_t k = 0; k < moments.size(); ++k)
-      if (sides[k] != kAbsent) labels[k].push_back(room_on(wishes[k], sides[k], gap));
-    tracks_[name] = sides;
+    tracks_[name] = stays;
   }
 }
 
-Vec2 LabelTracks::center(const std::string& name, const LabelWish& wish, double at) const {
-  Vec2 wished = center_on(wish, 0, gap_);
+LabelPlace LabelTracks::place(const std::string& name, const LabelWish& wish, double at) const {
   const auto found = tracks_.find(name);
-  if (found == tracks_.end()) return wished;
-  const Sides& sides = found->second;
-  const double before = std::floor(at);
-  const std::array<double, 4> weights = spline_weights(at - before);
-  Vec2 sum = Vec2::Zero();
-  double all = 0.0;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const double last = static_cast<double>(sides.size()) - 1.0;
-    const double moment = std::clamp(before + static_cast<double>(k) - 1.0, 0.0, last);
-    const int side = sides[static_cast<std::size_t>(moment)];
-    if (side == kAbsent) continue;
-    sum += weights[k] * center_on(wish, side, gap_);
-    all += weights[k];
+  if (found == tracks_.end()) return {center_on(wish, 0, gap_)};
+  const std::vector<Stay>& stays = found->second;
+  const auto last = static_cast<long>(stays.size()) - 1;
+  const auto stay = [&](long k) -> const Stay& {
+    return stays[static_cast<std::size_t>(std::clamp(k, 0L, last))];
+  };
+  const auto k = static_cast<long>(std::floor(std::clamp(at, 0.0, static_cast<double>(last))));
+  const double part = std::clamp(at - static_cast<double>(k), 0.0, 1.0);
+  const Stay &before = stay(k), &after = stay(k + 1);
+  if (before.side < 0 && after.side < 0) return {center_on(wish, 0, gap_)};
+  const auto offset = [&](const Stay& one) -> Vec2 {
+    return one.side < kLabelSides ? Vec2(center_on(wish, one.side, gap_) - wish.at) : one.offset;
+  };
+  LabelPlace place;
+  if (before.side < 0 || after.side < 0) {
+    place.center = wish.at + offset(before.side < 0 ? after : before);
+  } else if (before.changes_after) {
+    // half-way between the moments
+    place.center = wish.at + offset(part < 0.5 ? before : after);
+  } else {
+    place.center = wish.at + (1.0 - part) * offset(before) + part * offset(after);
   }
-  return all > 0.0 ? Vec2(sum / all) : wished;
+  for (long j = k - 3; j <= k + 3; ++j) {
+    if (j < 0 || j > last || !stay(j).changes_after) continue;
+    const double away = std::abs(at - (static_cast<double>(j) + 0.5));
+    place.opacity = std::min(place.opacity, away / kMomentsOfFade);
+  }
+  return place;
 }
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chooses over a whole film on which side of its tip each label stands, so that it seldom changes.
+// Chooses over a whole film where each label stands beside its tip, so that it seldom changes its
+// place, and never jumps where it can be seen.
 #pragma once
 
 #include <map>
@@ -24,22 +25,39 @@ inline constexpr int kLabelSides = 17;
 // The middle of a label on that side, 0 <= side < kLabelSides.
 Vec2 center_on(const LabelWish& wish, int side, double gap);
 
-// The side of each label at each of a film's moments. Immutable.
+// Where a label stands.
+struct LabelPlace {
+  Vec2 center;           // px
+  double opacity = 1.0;  // it fades while it changes its place
+};
+
+// The place of each label at each of a film's moments. Immutable.
 class LabelTracks {
  public:
-  // Each label in turn takes the sides on which it covers least (shafts count less than heads,
-  // text and labels) and stands nearest to its wish, where each change of sides has its price.
-  // `frame`: where labels may stand; `gap`: what is free around them, pixels.
+  // Each label in turn takes the places, a side or the nearest that is free, at which it covers
+  // least (shafts count less than heads, text and labels) and stands nearest to its wish; every
+  // change has its price. `frame`: where labels may stand; `gap`: what is free around them, pixels.
   LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom& frame, double gap);
 
-  // Where the label wishes to stand at the time `at`, in units of the step between moments: on the
-  // way from side to side it glides.
-  Vec2 center(const std::string& name, const LabelWish& wish, double at) const;
+  // The place of a label at the time `at`, in units of the step between moments. Within
+  // kMomentsOfFade moments of a change it is fainter, and invisible when it changes.
+  LabelPlace place(const std::string& name, const LabelWish& wish, double at) const;
+  static constexpr double kMomentsOfFade = 2.5;
 
  private:
-  using Sides = std::vector<int>;  // of a label at each moment; kAbsent where there is none
+  // Where a label is at one moment.
+  struct Stay {
+    int side = -1;               // from kLabelSides on: pushed off a side; -1: nowhere
+    Vec2 offset = Vec2::Zero();  // of its middle from the tip, px
+    bool changes_after = false;  // the next moment has another place
+  };
+  std::vector<Stay> cheapest(const std::vector<LabelMoment>& moments,
+                             const std::string& name,
+                             const std::vector<std::vector<TextRoom>>& labels,
+                             const TextRoom& frame) const;
+
   double gap_;
-  std::map<std::string, Sides> tracks_;
+  std::map<std::string, std::vector<Stay>> tracks_;
 };
 
 }  // namespace polhode

@@ -48,34 +48,6 @@ std::optional<Vec2> nearest_free(const Vec2& wished,
   return best;
 }
 
-// a room that goes the shortest way to where it is clear of everything
-TextRoom clear_of(const TextRoom& room,
-                  const Obstacles& obstacles,
-                  const std::vector<TextRoom>& labels,
-                  const TextRoom& frame,
-                  double gap) {
-  const double half_width = 0.5 * room.width();
-  const double half_height = 0.5 * room.height();
-  TextRoom bounds = grown(frame, -half_width, -half_height);
-  bounds.right = std::max(bounds.left, bounds.right);
-  bounds.bottom = std::max(bounds.top, bounds.bottom);
-  std::vector<TextRoom> blocked;
-  const auto block = [&](const std::vector<TextRoom>& rooms, double space) {
-    for (const TextRoom& other : rooms)
-      blocked.push_back(grown(other, half_width + space, half_height + space));
-  };
-  block(obstacles.text, gap);
-  block(labels, gap);
-  const std::size_t without_marks = blocked.size();
-  block(obstacles.marks, 0.5 * gap);
-  std::optional<Vec2> free = nearest_free(room.center(), blocked, bounds);
-  if (!free) {
-    blocked.resize(without_marks);
-    free = nearest_free(room.center(), blocked, bounds);
-  }
-  return room_at(free.value_or(room.center()), room.width(), room.height());
-}
-
 }  // namespace
 
 TextRoom room_at(const Vec2& center, double width, double height) {
@@ -109,17 +81,32 @@ bool overlap(const TextRoom& a, const TextRoom& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-std::vector<TextRoom> settled(const std::vector<LabelWish>& wishes,
-                              const std::vector<Vec2>& centers,
-                              const Obstacles& obstacles,
-                              const TextRoom& frame,
-                              double gap) {
-  std::vector<TextRoom> rooms;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    const TextRoom room = room_at(centers[i], wishes[i].width, wishes[i].height);
-    rooms.push_back(clear_of(room, obstacles, rooms, frame, gap));
+Vec2 settled_at(const LabelWish& wish,
+                const Vec2& center,
+                const Obstacles& obstacles,
+                const std::vector<TextRoom>& labels,
+                const TextRoom& frame,
+                double gap) {
+  const double half_width = 0.5 * wish.width;
+  const double half_height = 0.5 * wish.height;
+  TextRoom bounds = grown(frame, -half_width, -half_height);
+  bounds.right = std::max(bounds.left, bounds.right);
+  bounds.bottom = std::max(bounds.top, bounds.bottom);
+  std::vector<TextRoom> blocked;
+  const auto block = [&](const std::vector<TextRoom>& rooms, double space) {
+    for (const TextRoom& other : rooms)
+      blocked.push_back(grown(other, half_width + space, half_height + space));
+  };
+  block(obstacles.text, gap);
+  block(labels, gap);
+  const std::size_t without_marks = blocked.size();
+  block(obstacles.marks, 0.5 * gap);
+  std::optional<Vec2> free = nearest_free(center, blocked, bounds);
+  if (!free) {
+    blocked.resize(without_marks);
+    free = nearest_free(center, blocked, bounds);
   }
-  return rooms;
+  return free.value_or(center);
 }
 
 double distance(const TextRoom& room, const Vec2& point) {

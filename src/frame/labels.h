@@ -54,15 +54,15 @@ struct LabelWish {
   double height = 0.0;  // of its ink
 };
 
-// Rectangles for labels that should stand around `centers`, in the order of the wishes, inside
-// `frame`. They overlap neither each other nor obstacles if there is enough space: where they
-// would, they go the shortest way that keeps `gap` pixels from text and labels and half of it from
-// marks. A pure function: a picture does not depend on which one was drawn before it.
-std::vector<TextRoom> settled(const std::vector<LabelWish>& wishes,
-                              const std::vector<Vec2>& centers,
-                              const Obstacles& obstacles,
-                              const TextRoom& frame,
-                              double gap);
+// The middle of a label that should stand around `center`, inside `frame`. It overlaps neither
+// other labels nor obstacles if there is enough space: where it would, it goes the shortest way
+// that keeps `gap` pixels from text and labels and half of it from marks.
+Vec2 settled_at(const LabelWish& wish,
+                const Vec2& center,
+                const Obstacles& obstacles,
+                const std::vector<TextRoom>& labels,
+                const TextRoom& frame,
+                double gap);
 
 // How far a point is from a rectangle, pixels; 0 inside.
 double distance(const TextRoom& room, const Vec2& point);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether the last row of a lecture hall can read the films: sizes and places of all text at 1080
 // lines, over whole films.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "film/prepared_film.h"
@@ -64,6 +66,36 @@ TEST_P(LegibleFilm, TextIsLargeAndNamesStandByTheirTips) {
     }
   }
 }
+// Beside their tips, names stay: where they change sides, nobody sees them.
+TEST_P(LegibleFilm, NamesDoNotJump) {
+  constexpr double kJump = 25.0;     // px
+  constexpr double kVisible = 0.25;  // opacity
+  constexpr double kFlies = 30.0;    // px that a tip goes in a frame
+  constexpr double kSeconds = 6.0;   // of film
+  const PreparedFilm prepared(plan_with_text(load_scene(scene_path(GetParam()))));
+  const double rate = 60.0;
+  const double end = std::min(kSeconds, prepared.frames().timeline.film_duration());
+  std::map<std::string, PlacedText> before;
+  for (double now = 0.0; now <= end; now += 1.0 / rate) {
+    std::map<std::string, PlacedText> here;
+    for (const PlacedText& text : prepared.film().placed(now).texts) {
+      if (text.role == TextRole::label && text.tip)
+        here[fmt::format("{} {}", text.markup, here.count(text.markup))] = text;
+    }
+    for (const auto& [name, text] : here) {
+      const auto found = before.find(name);
+      if (found == before.end()) continue;
+      const PlacedText& old = found->second;
+      const Vec2 moved = (text.room.center() - *text.tip) - (old.room.center() - *old.tip);
+      // nobody can read what flies
+      if (moved.norm() <= kJump || (*text.tip - *old.tip).norm() > kFlies) continue;
+      EXPECT_LT(std::min(text.opacity, old.opacity), kVisible)
+          << name << " by " << moved.norm() << " px at " << now << " s";
+    }
+    before = std::move(here);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          LegibleFilm,
                          ::testing::ValuesIn(scene_names()),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/label_tracks.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace polhode {
@@ -17,7 +19,7 @@ LabelMoment moment_with(const std::vector<TextRoom>& marks) {
 TEST(LabelTracks, AFreeLabelStandsWhereItWishes) {
   const LabelTracks tracks(std::vector<LabelMoment>(9, moment_with({})), kFrame, kGap);
   for (const double at : {0.0, 2.3, 8.0})
-    EXPECT_LT((tracks.center("name", kWish, at) - Vec2(300, 168)).norm(), 1e-9) << at;
+    EXPECT_LT((tracks.place("name", kWish, at).center - Vec2(300, 168)).norm(), 1e-9) << at;
 }
 
 // a head that comes and goes where a label wishes to stand moves it once, not each time
@@ -29,26 +31,46 @@ TEST(LabelTracks, LabelsDoNotGoToAndFro) {
         moment_with(k % 4 < 2 ? std::vector<TextRoom>{head} : std::vector<TextRoom>{}));
   }
   const LabelTracks tracks(moments, kFrame, kGap);
-  const Vec2 first = tracks.center("name", kWish, 0.0);
+  const Vec2 first = tracks.place("name", kWish, 0.0).center;
   EXPECT_GT((first - Vec2(300, 168)).norm(), 10.0);
   for (double at = 0.0; at < 38.0; at += 0.5)
-    EXPECT_LT((tracks.center("name", kWish, at) - first).norm(), 1e-9) << at;
+    EXPECT_LT((tracks.place("name", kWish, at).center - first).norm(), 1e-9) << at;
 }
 
-// one that must change sides glides there
-TEST(LabelTracks, LabelsGlide) {
+// one that must change sides fades before and comes back there
+TEST(LabelTracks, LabelsFadeWhereTheyChange) {
   std::vector<LabelMoment> moments;
   for (int k = 0; k < 40; ++k) {
-    const TextRoom above{280, 140, 320, 176}, below{270, 184, 330, 300};
-    const TextRoom right{304, 140, 360, 300};
-    moments.push_back(moment_with(k < 20 ? std::vector<TextRoom>{above, below}
-                                         : std::vector<TextRoom>{above, right}));
+    // a wall on the one side, then on the other
+    const TextRoom above{0, 0, 640, 176}, below{0, 184, 640, 360};
+    moments.push_back(moment_with({k < 20 ? above : below}));
   }
   const LabelTracks tracks(moments, kFrame, kGap);
-  Vec2 before = tracks.center("name", kWish, 0.0);
+  LabelPlace before = tracks.place("name", kWish, 0.0);
+  int changes = 0;
   for (double at = 0.0; at < 39.0; at += 0.1) {
-    const Vec2 now = tracks.center("name", kWish, at);
-    EXPECT_LT((now - before).norm(), 5.0) << at;
+    const LabelPlace now = tracks.place("name", kWish, at);
+    EXPECT_LT(std::abs(now.opacity - before.opacity), 0.1) << at;
+    if ((now.center - before.center).norm() > 1.0) {
+      ++changes;
+      EXPECT_LT(now.opacity, 0.05) << at;
+    }
+    before = now;
+  }
+  EXPECT_EQ(changes, 1);
+}
+
+// where no side is free it stands beside what is in its way, and goes with it
+TEST(LabelTracks, LabelsGoWithWhatTheyKeepOff) {
+  std::vector<LabelMoment> moments;
+  for (int k = 0; k < 40; ++k)
+    moments.push_back(moment_with({{200.0 + 0.5 * k, 60, 400.0 + 0.5 * k, 300}}));
+  const LabelTracks tracks(moments, kFrame, kGap);
+  LabelPlace before = tracks.place("name", kWish, 0.0);
+  for (double at = 0.0; at < 39.0; at += 0.1) {
+    const LabelPlace now = tracks.place("name", kWish, at);
+    EXPECT_LT((now.center - before.center).norm(), 1.0) << at;
+    EXPECT_EQ(now.opacity, 1.0);
     before = now;
   }
 }

@@ -18,10 +18,13 @@ std::vector<TextRoom> placed(const std::vector<LabelWish>& wishes,
   for (std::size_t i = 0; i < wishes.size(); ++i)
     names.push_back(std::to_string(i));
   const LabelTracks tracks({{names, wishes, shafts, obstacles}}, frame, gap);
-  std::vector<Vec2> centers;
-  for (std::size_t i = 0; i < wishes.size(); ++i)
-    centers.push_back(tracks.center(names[i], wishes[i], 0.0));
-  return settled(wishes, centers, obstacles, frame, gap);
+  std::vector<TextRoom> rooms;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const LabelPlace place = tracks.place(names[i], wishes[i], 0.0);
+    EXPECT_EQ(place.opacity, 1.0);
+    rooms.push_back(room_at(place.center, wishes[i].width, wishes[i].height));
+  }
+  return rooms;
 }
 
 class LabelsAnywhere : public ::testing::TestWithParam<unsigned> {};
