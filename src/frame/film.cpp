@@ -67,6 +67,21 @@ Vec2 own_end(const TextShaft& shaft, const std::vector<TextRoom>& heads) {
   return shaft.tip;
 }
 
+// Between the moments for which places are chosen, things move a little: the few pixels that a
+// label then has to go to be off text and other labels.
+Vec2 clear_center(const LabelWish& wish,
+                  const Vec2& center,
+                  const std::vector<TextRoom>& text,
+                  const std::vector<TextRoom>& labels,
+                  const TextRoom& frame) {
+  const TextRoom room = room_at(center, wish.width, wish.height);
+  for (const std::vector<TextRoom>* others : {&text, &labels}) {
+    for (const TextRoom& other : *others)
+      if (overlap(room, other)) return settled_at(wish, center, {text, {}}, labels, frame, 0.5);
+  }
+  return center;
+}
+
 // px
 double capital_height(const Typesetter& typesetter, const TextStyle& style) {
   return typesetter.measure("L", style).ink_height();
@@ -482,13 +497,23 @@ void Film::add_labels(const FilmPanel& panel,
   page.placed.marks.insert(page.placed.marks.end(), marks.begin(), marks.end());
 
   std::vector<PlacedText> texts;
+  std::vector<TextRoom> rooms;
   for (std::size_t i = 0; i < moment.wishes.size(); ++i) {
     const SeenLabel& label = view.labels[i];
     const LabelWish& wish = moment.wishes[i];
     const LabelPlace place = tracks.place(moment.names[i], wish, at);
-    const TextRoom room = room_at(place.center, wish.width, wish.height);
-    PlacedText text{
-        TextRole::label, label.markup, layout.styles[i], room, label.fade * place.opacity};
+    const Vec2 center =
+        clear_center(wish, place.center, moment.obstacles.text, rooms, layout.frame);
+    const TextRoom room = room_at(center, wish.width, wish.height);
+    rooms.push_back(room);
+    // what has to go farther is not seen there
+    const double aside = (center - place.center).norm() / wish.height;
+    const double seen_aside = std::clamp(1.5 - 3.0 * aside, 0.0, 1.0);
+    PlacedText text{TextRole::label,
+                    label.markup,
+                    layout.styles[i],
+                    room,
+                    label.fade * std::min(place.opacity, seen_aside)};
     if (label.of_arrow) {
       text.tip = visible_end(moment.shafts[i], room_of(panel.place));
       const double letter = capital_height(*typesetter_, layout.styles[i]);
