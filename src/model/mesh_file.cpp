@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <tuple>
@@ -215,6 +216,82 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
   return mesh;
 }
 
+// The parts of a mesh that hang together, as the shell of each point.
+std::vector<int> shells_of(const TriangleMesh& mesh) {
+  std::vector<int> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while (parent[static_cast<std::size_t>(i)] != i) {
+      int& up = parent[static_cast<std::size_t>(i)];
+      up = parent[static_cast<std::size_t>(up)];
+      i = up;
+    }
+    return i;
+  };
+  for (const Triangle& corners : mesh.triangles) {
+    for (const int other : {corners[1], corners[2]})
+      parent[static_cast<std::size_t>(root(other))] = root(corners[0]);
+  }
+  for (std::size_t i = 0; i < parent.size(); ++i)
+    parent[i] = root(static_cast<int>(i));
+  return parent;
+}
+
+// How often a shell goes round a point: 1 inside of one that faces outwards, 0 outside (Van
+// Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125).
+double winding(const TriangleMesh& mesh, const std::vector<Triangle>& shell, const Vec3& point) {
+  double sum = 0.0;
+  for (const Triangle& corners : shell) {
+    const Vec3 a = corner(mesh, corners, 0) - point;
+    const Vec3 b = corner(mesh, corners, 1) - point;
+    const Vec3 c = corner(mesh, corners, 2) - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2.0 * kPi);
+}
+
+// Shells must face outwards, and those of cavities inwards.
+void refuse_wrong_shells(const TriangleMesh& mesh) {
+  constexpr std::size_t kMostShells = 1000;
+  const std::vector<int> shell_of = shells_of(mesh);
+  std::map<int, std::vector<Triangle>> shells;
+  for (const Triangle& corners : mesh.triangles)
+    shells[shell_of[static_cast<std::size_t>(corners[0])]].push_back(corners);
+  if (shells.size() == 1) return;
+  if (shells.size() > kMostShells)
+    throw input_error(
+        "the mesh has {} separate parts; at most {} are allowed", shells.size(), kMostShells);
+  std::map<int, Eigen::AlignedBox3d> boxes;
+  for (const auto& [name, shell] : shells) {
+    for (const Triangle& corners : shell)
+      for (int i = 0; i < 3; ++i)
+        boxes[name].extend(corner(mesh, corners, i));
+  }
+  for (const auto& [name, shell] : shells) {
+    stop_if_interrupted();
+    const Vec3& point = corner(mesh, shell.front(), 0);
+    int around = 0;
+    for (const auto& [other_name, other] : shells) {
+      if (other_name == name || !boxes[other_name].contains(point)) continue;
+      if (std::round(winding(mesh, other, point)) != 0.0) ++around;
+    }
+    double six_volumes = 0.0;
+    for (const Triangle& corners : shell) {
+      six_volumes +=
+          (corner(mesh, corners, 0) - point)
+              .dot((corner(mesh, corners, 1) - point).cross(corner(mesh, corners, 2) - point));
+    }
+    const bool faces_out = six_volumes > 0.0;
+    if (faces_out == (around % 2 == 0)) continue;
+    throw input_error(
+        "the part near {} {}; list the corners of its triangles the other way round",
+        text(point),
+        faces_out ? "lies inside another and faces outwards, as no cavity does" : "is inside out");
+  }
+}
+
 void check_solid(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw input_error("the mesh has no triangles");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -237,6 +314,7 @@ void check_solid(const TriangleMesh& mesh) {
         "other way round, counter-clockwise seen from outside",
         volume);
   }
+  refuse_wrong_shells(mesh);
 }
 
 }  // namespace polhode

@@ -92,13 +92,21 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// do the open segments ab and cd cross at an inner point?
-bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double side_c = cross(b - a, c - a);
-  const double side_d = cross(b - a, d - a);
-  const double side_a = cross(d - c, a - c);
-  const double side_b = cross(d - c, b - c);
-  return side_c * side_d < 0.0 && side_a * side_b < 0.0;
+// do the segments ab and cd have a point in common?
+bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double side_c = cross(b - a, c - a), side_d = cross(b - a, d - a);
+  const double side_a = cross(d - c, a - c), side_b = cross(d - c, b - c);
+  if (side_c * side_d > 0.0 || side_a * side_b > 0.0) return false;
+  // on one line they meet if their boxes do
+  const auto apart = [](double p, double q, double r, double s) {
+    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+  };
+  return !apart(a.x(), b.x(), c.x(), d.x()) && !apart(a.y(), b.y(), c.y(), d.y());
+}
+
+// does the outline turn back on itself at b?
+bool turns_back(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return cross(b - a, c - b) == 0.0 && (b - a).dot(c - b) < 0.0;
 }
 
 void check_profile(const std::vector<Vec2>& profile, const Place& place) {
@@ -109,26 +117,33 @@ void check_profile(const std::vector<Vec2>& profile, const Place& place) {
     if (p.x() < 0.0) throw input_error("radius must not be negative, got {}", p.x()).at(place);
   }
 
-  // the outline, closed through the axis if it does not close by itself, must not cross itself
-  std::vector<Vec2> outline = profile;
-  if (profile.front() != profile.back()) {
-    outline.insert(outline.begin(), Vec2(0, profile.front().y()));
-    outline.push_back(Vec2(0, profile.back().y()));
-  }
-  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-    for (std::size_t j = i + 2; j + 1 < outline.size(); ++j) {
-      if (segments_cross(outline[i], outline[i + 1], outline[j], outline[j + 1])) {
-        throw input_error(
-            "the outline crosses itself near ({}, {})", outline[i + 1].x(), outline[i + 1].y())
-            .at(place);
-      }
-    }
-  }
   double highest = 0.0;
   for (const Vec2& p : profile)
     highest = std::max(highest, p.cwiseAbs().maxCoeff());
   if (std::abs(integrate(profile).r2) <= 1e-12 * highest * highest * highest) {
     throw input_error("the outline encloses no volume; points are (radius, z)").at(place);
+  }
+
+  // the outline, closed through the axis if it does not close by itself, must not meet itself
+  const bool closed = profile.front() == profile.back();
+  std::vector<Vec2> outline;
+  if (!closed) outline.emplace_back(0, profile.front().y());
+  for (const Vec2& p : profile)
+    if (outline.empty() || outline.back() != p) outline.push_back(p);
+  if (!closed && outline.back().x() > 0.0) outline.emplace_back(0, profile.back().y());
+  const auto refuse = [&](const Vec2& p) {
+    throw input_error("the outline meets itself near ({}, {})", p.x(), p.y()).at(place);
+  };
+  const std::size_t edges = outline.size() - 1;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const std::size_t next = i + 1 < edges ? i + 1 : 0;
+    if ((next > 0 || closed) && turns_back(outline[i], outline[i + 1], outline[next + 1]))
+      refuse(outline[i + 1]);
+    for (std::size_t j = i + 2; j < edges; ++j) {
+      if (closed && i == 0 && j + 1 == edges) continue;  // they join
+      if (segments_meet(outline[i], outline[i + 1], outline[j], outline[j + 1]))
+        refuse(outline[i + 1]);
+    }
   }
 }
 

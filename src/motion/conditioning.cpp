@@ -14,6 +14,11 @@ namespace {
 constexpr int kTimesOfNeighbours = 256;
 constexpr double kRounding = 0x1p-53;
 
+// how far a centre of mass may be, for its round-off: as far as it is, or as the body is large, m
+double place_scale(const BodyModel& model, const State& start) {
+  return std::max(start.place_S.norm(), std::sqrt(model.moments.maxCoeff() / model.body.mass));
+}
+
 // momentum: added in P; turn: about the principal axes, rad
 State changed(const State& start, const Vec3& momentum, const Vec3& turn) {
   State s = start;
@@ -26,8 +31,10 @@ State changed(const State& start, const Vec3& momentum, const Vec3& turn) {
 
 Neighbours neighbours_of(const State& start, double size) {
   Neighbours found{{}, size};
+  // components that should be zero have the round-off of the others: axes may be turned
+  const double momentum = size * start.y.norm();
   for (int i = 0; i < 3; ++i) {
-    found.starts.push_back(changed(start, size * start.y[i] * Vec3::Unit(i), Vec3::Zero()));
+    found.starts.push_back(changed(start, momentum * Vec3::Unit(i), Vec3::Zero()));
     found.starts.push_back(changed(start, Vec3::Zero(), size * Vec3::Unit(i)));
   }
   return found;
@@ -35,7 +42,9 @@ Neighbours neighbours_of(const State& start, double size) {
 
 Neighbours one_neighbour_of(const BodyModel& model, const State& start, double size) {
   const Vec3 momentum = size * momentum_scale(model, start) * Vec3(1, -1, 1);
-  return {{changed(start, momentum, size * Vec3(1, 1, -1))}, size};
+  State near = changed(start, momentum, size * Vec3(1, 1, -1));
+  if (model.with_translation) near.place_S += size * place_scale(model, start) * Vec3(-1, 1, 1);
+  return {{near}, size};
 }
 
 Conditioning conditioning_of(

@@ -76,6 +76,21 @@ double turn_about(const Trajectory& motion, const Vec3& axis_P, const Vec3& abou
   return turn;
 }
 
+// The mean rate at which the principal axis goes round L, over one period of the momentum in the
+// body: L (y1^2 / I1 + y2^2 / I2) / (y1^2 + y2^2) for the third axis, however often the body turns.
+double mean_precession(const BodyModel& model, const State& start, int axis, double period) {
+  constexpr int kTimes = 4096;  // a periodic function, so their mean is as good as its integral
+  const std::unique_ptr<Trajectory> motion = exact_asymmetric(model, start);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  double sum = 0.0;
+  for (int i = 0; i < kTimes; ++i) {
+    const Vec3 y = motion->at(period * i / kTimes).y;
+    const double a = y[j] * y[j], b = y[k] * y[k];
+    sum += (a * model.inverse_moments[j] + b * model.inverse_moments[k]) / (a + b);
+  }
+  return start.y.norm() * sum / kTimes;
+}
+
 void add_free_asymmetric(List& list, const BodyModel& model, const State& start) {
   // squares of the momentum in the order of the moments
   int order[] = {0, 1, 2};
@@ -99,12 +114,9 @@ void add_free_asymmetric(List& list, const BodyModel& model, const State& start)
     list.push_back({"polhode_period", Q::time, 4.0 * K / lambda});
     list.push_back({"flip_time", Q::time, 2.0 * K / lambda});
     // the axis that the momentum goes round in the body never meets L
-    const Vec3 axis = Vec3::Unit(excess2 > 0.0 ? order[2] : order[0]);
-    const double turn = turn_about(*exact_asymmetric(model, start),
-                                   axis,
-                                   momentum_in_space(start).normalized(),
-                                   4.0 * K / lambda);
-    list.push_back({"mean_precession_rate", Q::rate, turn * lambda / (4.0 * K)});
+    const int axis = excess2 > 0.0 ? order[2] : order[0];
+    list.push_back(
+        {"mean_precession_rate", Q::rate, mean_precession(model, start, axis, 4.0 * K / lambda)});
     list.push_back({"spins_about_long_axis", Q::verdict, excess2 > 0.0 ? 0.0 : 1.0});
   }
   if (q[1] >= std::max(q[0], q[2])) {

@@ -119,6 +119,10 @@ Integration integrate_fixed(const StepperInfo& method,
         if (i % grid->stride == 0) grid->states.push_back(now);
         drift.look_at(now);
       });
+  // the partial step to the end
+  const State end = grid->at(duration);
+  refuse_nan(end, method, duration);
+  drift.look_at(end);
   return {grid, {walk.steps, 0, walk.work.evaluations, drift.worst()}};
 }
 

@@ -33,6 +33,11 @@ double typical_rate(const BodyModel& model, const State& start) {
   double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
   for (const Load& load : model.loads.turning)
     rate += driven_rate(model, load) + std::abs(load.rate) + damping_rate(model, load);
+  if (!model.with_translation) return rate;
+  // forces through the centre of mass turn nothing, but move it
+  const double size = std::sqrt(model.moments.maxCoeff() / model.body.mass);
+  for (const Push& push : model.loads.pushes)
+    rate += std::abs(push.rate) + std::sqrt(push.force_S.norm() / (model.body.mass * size));
   return rate;
 }
 

@@ -26,6 +26,9 @@ constexpr double kLastDigits = 0x1p-49;
 // by how many parts of 2^-53 the rates in closed forms may be off; measured: up to 1.5
 constexpr double kRoundingsOfRates = 3.0;
 constexpr int kTimesOfDrift = 257;
+// A given step is checked with this part of it: the golden section, so that no load that repeats
+// with the one step repeats with the other.
+constexpr double kFinerStep = 0.38196601125010515;
 
 long most_steps(const NumericsSpec& numerics, long by_default) {
   return numerics.max_steps ? static_cast<long>(*numerics.max_steps) : by_default;
@@ -219,9 +222,9 @@ void doubt_given_fineness(const BodyModel& model,
   if (!(report.step || report.tolerance) || report.error_estimate_rad) return;
   if (report.reliability.attitude_error_rad) return;
   const StepperInfo& method = find_stepper(report.method);
-  const double finer = method.adaptive ? *report.tolerance / kTolerancesApart : 0.5 * *report.step;
-  const std::string against = method.adaptive ? fmt::format("a tolerance of {:.3g}", finer)
-                                              : fmt::format("a step of {:.3g} s", finer);
+  double finer = method.adaptive ? *report.tolerance / kTolerancesApart
+                                 : kFinerStep * std::min(*report.step, duration);
+  std::string against;
   std::vector<std::string>& doubts = report.reliability.doubts;
   try {
     Effort effort{most_steps(numerics, kMostStepsGiven)};
@@ -230,11 +233,23 @@ void doubt_given_fineness(const BodyModel& model,
         watch(2, part);
       };
     }
-    const Integration check = integrate_with(method, model, start, duration, finer, effort);
+    const auto run = [&] {
+      against = method.adaptive ? fmt::format("a tolerance of {:.3g}", finer)
+                                : fmt::format("a step of {:.3g} s", finer);
+      return integrate_with(method, model, start, duration, finer, effort);
+    };
+    Integration check = run();
+    // a few long steps may be as many with a smaller tolerance
+    for (int i = 0; method.adaptive && i < 3 && 4 * check.record.steps < 5 * found.record.steps;
+         ++i) {
+      finer /= kTolerancesApart;
+      check = run();
+    }
     const double apart = largest_deviation(
         model, *found.trajectory, *check.trajectory, scattered_times(duration, kTimesOfDrift));
-    // errors that fall by the order are this much larger than what the finer run takes away
-    const double order = method.adaptive ? 1.0 : 1.0 / (1.0 - std::exp2(-method.order));
+    // errors that fall by the order are this much larger than what the finer run takes away; those
+    // of adaptive runs fall less evenly
+    const double order = method.adaptive ? 2.0 : 1.0 / (1.0 - std::pow(kFinerStep, method.order));
     report.error_estimate_rad = apart * order;
     if (apart * order <= report.accuracy_rad) return;
     doubts.push_back(

@@ -80,6 +80,24 @@ TEST(MeshFile, RefusesWhatBoundsNoSolid) {
       "crosses itself: triangles");
 }
 
+// a second shell: a cavity faces inwards, another body outwards
+TEST(MeshFile, ShellsFaceTheRightWay) {
+  const auto second = [](double size, double x, bool outwards) {
+    return fmt::format(
+        "v {1} {1} {1}\nv {2} {1} {1}\nv {1} {3} {1}\nv {1} {1} {3}\n{0}",
+        outwards ? "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n" : "f 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n",
+        x,
+        x + size,
+        x + size);
+  };
+  EXPECT_NO_THROW(solid(std::string(kTetrahedron) + second(0.1, 2.0, true)));
+  EXPECT_NO_THROW(solid(std::string(kTetrahedron) + second(0.1, 0.1, false)));
+  expect_input_error(
+      [&] { solid(std::string(kTetrahedron) + second(0.1, 2.0, false)); }, "", "is inside out");
+  expect_input_error(
+      [&] { solid(std::string(kTetrahedron) + second(0.1, 0.1, true)); }, "", "as no cavity does");
+}
+
 TEST(MeshFile, RefusesHostileFiles) {
   for (const std::string& bytes : {std::string(),
                                    std::string("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),

@@ -317,7 +317,18 @@ TEST(SolidErrors, LatheOutlines) {
   expect_input_error([&] { of(lathe_of({{0.5, 1.0}, {0.2, 1.0}})); }, key, "no volume");
   expect_input_error([&] { of(lathe_of({{0.0, 0.0}, {0.0, 1.0}})); }, key, "no volume");
   const std::vector<Vec2> bow = {{0.5, 0.0}, {0.5, 1.0}, {0.8, 0.2}, {0.1, 0.6}};
-  expect_input_error([&] { of(lathe_of(bow)); }, key, "crosses itself");
+  expect_input_error([&] { of(lathe_of(bow)); }, key, "meets itself near (0.5, 1)");
+  // at a corner, along an edge, twice round, and there and back
+  for (const std::vector<Vec2>& wrong :
+       {std::vector<Vec2>{{1, -4}, {2, -4}, {1.5, 1}, {1.3, 1.5}, {1.7, 1.5}, {1.5, 1}, {1, -4}},
+        {{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}},
+        {{1, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 1.5}, {1, 1.5}},
+        {{0, 0}, {1, 0}, {1, 2}, {1, 1}, {0.5, 2}}}) {
+    expect_input_error([&] { of(lathe_of(wrong)); }, key, "meets itself");
+  }
+  // an hourglass and a ring are well formed
+  EXPECT_GT(of(lathe_of({{0, -1}, {1, -1}, {0, 0}, {1, 1}, {0, 1}})).mass, 0.0);
+  EXPECT_GT(of(lathe_of({{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}})).mass, 0.0);
 }
 
 // a smooth outline goes through its points, has no corners, and its mass is that of what is drawn

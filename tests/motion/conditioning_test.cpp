@@ -25,7 +25,7 @@ TEST(Conditioning, NeighboursDifferInOneNumberEach) {
   ASSERT_EQ(neighbours.size(), 6U);
   for (const State& s : neighbours) {
     const double turned = rotation_angle_between(s.q, start.q);
-    const double changed = (s.y - start.y).cwiseQuotient(start.y).norm();
+    const double changed = (s.y - start.y).norm() / start.y.norm();
     EXPECT_NEAR(std::max(turned, changed), 1e-6, 1e-12);
     EXPECT_NEAR(std::min(turned, changed), 0.0, 1e-12);
   }
@@ -33,6 +33,47 @@ TEST(Conditioning, NeighboursDifferInOneNumberEach) {
                   one_neighbour_of(free_body({1, 2, 3}), start, 1e-6).starts[0].q, start.q),
               1e-6 * std::sqrt(3.0),
               1e-12);
+}
+
+// A spin about the middle axis lasts only as long as round-off lets it, however its axes are
+// written.
+TEST(Conditioning, TheMiddleAxisIsDoubtedInAnyAxes) {
+  const BodyModel model = free_body({1, 2, 3});
+  MotionSpec turned;
+  turned.duration = 60.0;
+  turned.attitude.zxz = Vec3(0, 0.5 * kPi, 0);
+  turned.spin.space = Vec3(0, 0, 10);
+  MotionSpec plain;
+  plain.duration = 60.0;
+  plain.spin.body = Vec3(0, 10, 0);
+  for (const MotionSpec& spec : {turned, plain})
+    EXPECT_FALSE(simulate(model, spec, {}, 1e-4).report.reliability.doubts.empty());
+  // the other axes are safe
+  plain.spin.body = Vec3(0, 0, 10);
+  EXPECT_TRUE(simulate(model, plain, {}, 1e-4).report.reliability.doubts.empty());
+}
+
+// a centre of mass that rests between two springs that push
+TEST(Conditioning, UnstablePlacesAreDoubted) {
+  BodySpec body;
+  body.moments = Vec3(1, 1, 1);
+  MotionSpec spec;
+  spec.duration = 20.0;
+  spec.position = Vec3(0.5, 0, 0);
+  LoadSpec spring;
+  spring.kind = "spring";
+  spring.k = 10.0;
+  spring.length = 1.0;
+  spec.torque = {spring, spring};
+  spec.torque[1].to = Vec3(1, 0, 0);
+  const BodyModel model = make_model(body, spec);
+  bool doubted = false;
+  try {
+    doubted = !simulate(model, spec, {}, 1e-3).report.reliability.doubts.empty();
+  } catch (const Error&) {
+    doubted = true;  // refused
+  }
+  EXPECT_TRUE(doubted);
 }
 
 // a free sphere: a change of the rate by one part grows with the angle turned

@@ -286,5 +286,20 @@ TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   EXPECT_GT((over.motion.at(0.5 * period).center_S - over.motion.at(0).center_S).norm(), 1.0);
 }
 
+// however often the body turns in a period, its axis goes round L at about L / I
+TEST(Derived, NearlySphericalBodiesPrecessFast) {
+  for (const double difference : {1e-2, 1e-4, 1e-6}) {
+    BodySpec body;
+    body.moments = Vec3(1.0, 1.0 + difference, 1.0 + 2.0 * difference);
+    MotionSpec spec;
+    spec.spin.body = Vec3(1.0, 0.2, 3.0);
+    const BodyModel model = make_model(body, spec);
+    for (const Quantity& quantity : derived_quantities(model, spec)) {
+      if (quantity.name != "mean_precession_rate") continue;
+      EXPECT_NEAR(quantity.value, spec.spin.body->norm(), 4.0 * difference) << difference;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace polhode

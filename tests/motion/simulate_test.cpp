@@ -207,5 +207,66 @@ TEST(Names, StartWithAutoAndCoverTheTables) {
   EXPECT_EQ(method_names().front(), "auto");
 }
 
+// a step longer than the motion, or a multiple of the period of a load, would agree with its half
+TEST(Simulate, GivenStepsThatSeeNothingAreDoubted) {
+  BodySpec heavy;
+  heavy.moments = Vec3(1, 2, 3);
+  heavy.mass = 1.0;
+  heavy.center_of_mass = Vec3(0.1, 0.05, 0.2);
+  MotionSpec falling;
+  falling.hold = "pivot";
+  falling.duration = 3.0;
+  falling.spin.body = Vec3(1, 2, 3);
+  BodySpec free;
+  free.moments = Vec3(1, 2, 2.5);
+  MotionSpec shaken;
+  shaken.duration = 10.0;
+  shaken.spin.body = Vec3(0.01, 0.02, 0.03);
+  shaken.torque.resize(1);
+  shaken.torque[0].kind = "constant";
+  shaken.torque[0].body = Vec3(0.02, 0.01, 0);
+  shaken.torque[0].rate = 20.0 * kPi;
+  const auto is_doubted = [](const BodySpec& body, const MotionSpec& motion, double step) {
+    NumericsSpec numerics;
+    numerics.step = step;
+    bool all = true;
+    for (const char* method : {"rk4", "rk2", "explicit_euler"}) {
+      numerics.method = method;
+      const BodyModel model = make_model(body, motion);
+      try {
+        all = all && !simulate(model, motion, numerics, 1e-2).report.reliability.doubts.empty();
+      } catch (const Error&) {
+        // refused
+      }
+    }
+    return all;
+  };
+  for (const double step : {6.0, 100.0})
+    EXPECT_TRUE(is_doubted(heavy, falling, step)) << step;
+  for (const double step : {0.4, 0.8})
+    EXPECT_TRUE(is_doubted(free, shaken, step)) << step;
+}
+
+// a force through the centre of mass turns nothing, yet no step may leap over its periods
+TEST(Simulate, FastForcesThroughTheCentreAreSeen) {
+  BodySpec body;
+  body.moments = Vec3(1, 2, 2.5);
+  body.mass = 1.0;
+  MotionSpec motion;
+  motion.duration = 10.0;
+  motion.position = Vec3(1, 0, 0);
+  motion.torque.resize(2);
+  motion.torque[0].kind = "spring";
+  motion.torque[0].k = 0.04;
+  motion.torque[1].kind = "force";
+  motion.torque[1].space = Vec3(0, 0.5, 0);
+  motion.torque[1].rate = 603.1857894892403;
+  NumericsSpec numerics;
+  numerics.method = "rk4";
+  const BodyModel model = make_model(body, motion);
+  const Simulation found = simulate(model, motion, numerics, 1e-3);
+  EXPECT_LT(std::abs(found.motion.at(10.0).center_S.y()), 1e-3);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -203,6 +203,7 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
                           "step_s",
                           "tolerance",
                           "steps",
+                          "rejected_steps",
                           "evaluations",
                           "accuracy_rad",
                           "error_estimate_rad",
