@@ -7,6 +7,7 @@
 #include "base/at_place.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "scene/setting.h"
 
 namespace polhode {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/compare/diff.h"
 #include "base/system/progress.h"
 #include "film/overrides.h"
+#include "scene/setting.h"
 
 namespace polhode {
 

@@ -7,6 +7,7 @@
 #include "frame/theme.h"
 #include "motion/simulate.h"
 #include "motion/stepper_table.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

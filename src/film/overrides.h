@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/setting.h"
 
 namespace polhode {
 

@@ -10,6 +10,7 @@
 #include "base/system/files.h"
 #include "base/version.h"
 #include "film/report/motion_report.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

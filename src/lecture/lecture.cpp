@@ -22,6 +22,7 @@
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

@@ -14,6 +14,7 @@
 #include "base/system/files.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/color.h"
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

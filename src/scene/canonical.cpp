@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "model/solids.h"
 #include "scene/keys.h"
+#include "scene/scene_file.h"
 #include "scene/to_json.h"
 
 namespace polhode {

@@ -11,6 +11,7 @@
 #include "scene/key_path.h"
 #include "scene/reader.h"
 #include "scene/scene_tree.h"
+#include "scene/setting.h"
 
 namespace polhode {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "base/fields.h"
 #include "scene/scene.h"
+#include "scene/setting.h"
 
 namespace polhode {
 

@@ -6,8 +6,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -82,45 +80,8 @@ void fields(Visitor& v, Scene& s) {
   v.merged("video", s.video, s.theme, Doc{"size, frame rate, time scale and colours of the film"});
 }
 
-// Reads a scene, or the scenes of a film file, and their mesh files. Throws Error (input) as
-// read_file (base/system/atomic_file.h) and parse_toml (scene/toml_text.h) do, and with file, line
-// and key as Reader (scene/reader.h) and load_meshes (model/solids.h) do; and as load_film
-// (scene/film_file.h) does. Whether the values together make sense is checked later, by make_model
-// and start_state. Keys are dotted paths; lists count from 0: "body.parts[1].mass".
-Scene load_scene(const std::filesystem::path& file);
-// A value that replaces the one in the file: `--set KEY=VALUE`. The key is a path as the file could
-// spell it, such as "motion.spin.body[2]" or "body.solid.radius_cm"; the value is TOML, or words
-// that count as text.
-struct Setting {
-  std::string key, value;
-};
-// Throws Error (input), without a place, for text that is not KEY=VALUE.
-Setting parse_setting(const std::string& text);
-// Its key in errors: "--set KEY".
-std::string option_of(const Setting& setting);
-// Numbers that replace those in the file, by paths of keys likewise.
-using Replacements = std::vector<std::pair<std::string, double>>;
-// Reads a scene with these settings and then these numbers, as if they stood in the file; keys that
-// it lacks are added. Scene::options names the settings. Also throws Error (input): with
-// option_of() the setting as key for a value that the key cannot have, a key that is none, and an
-// entry of a list that does not exist; without a place for a path of a number that is no key or
-// leads to something else.
-Scene load_scene(const std::filesystem::path& file,
-                 const std::vector<Setting>& settings,
-                 const Replacements& numbers = {});
-// The number at such a path, in the unit of its spelling; absent if there is none. Throws Error
-// (input) as read_file and parse_toml do, as load_scene does for settings, and, without a place,
-// for a path that is not a key.
-std::optional<double> number_in_scene(const std::filesystem::path& file,
-                                      const std::vector<Setting>& settings,
-                                      const std::string& path);
-// A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
-// Throws Error (input) as parse_toml and Reader do.
-Scene parse_scene(std::string_view text, const std::string& name);
-// The files that a scene names, its meshes, without opening them; of a film file also its scenes,
-// which are read. As spelled there, relative to the folder of the file. Throws Error (input) as
-// load_scene does for these files.
-std::vector<std::string> named_files(const std::filesystem::path& file);
+// The mesh files that a scene names, as spelled there.
+std::vector<std::string> mesh_names(const Scene& scene);
 // The paths of the files that a scene was read from: its own, and those of its meshes and panels.
 std::vector<std::filesystem::path> input_files(const Scene& scene);
 

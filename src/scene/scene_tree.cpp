@@ -8,6 +8,7 @@
 #include "model/solids.h"
 #include "scene/key_path.h"
 #include "scene/reader.h"
+#include "scene/setting.h"
 #include "scene/toml_text.h"
 
 namespace polhode {

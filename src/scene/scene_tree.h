@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "scene/scene.h"
+#include "scene/setting.h"
 
 namespace polhode {
 

@@ -10,6 +10,7 @@
 #include "film/film_panels.h"
 #include "film/frame_times.h"
 #include "math/so3.h"
+#include "scene/scene_file.h"
 #include "support/scenes.h"
 
 namespace polhode {

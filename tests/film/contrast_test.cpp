@@ -11,6 +11,7 @@
 #include "film/local_renderer.h"
 #include "film/small_films.h"
 #include "frame/theme.h"
+#include "scene/scene_file.h"
 #include "support/scenes.h"
 
 namespace polhode {

@@ -8,6 +8,7 @@
 #include "film/film_plots.h"
 #include "film/frame_times.h"
 #include "film/small_films.h"
+#include "scene/scene_file.h"
 #include "support/expect_error.h"
 #include "support/scenes.h"
 

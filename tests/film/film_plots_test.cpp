@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "film/small_films.h"
+#include "scene/scene_file.h"
 #include "support/scenes.h"
 
 namespace polhode {

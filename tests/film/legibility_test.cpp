@@ -8,6 +8,7 @@
 #include "film/prepared_film.h"
 #include "film/small_films.h"
 #include "motion/recorded.h"
+#include "scene/scene_file.h"
 #include "support/scenes.h"
 
 namespace polhode {

@@ -8,6 +8,7 @@
 
 #include "film/small_films.h"
 #include "image/compare.h"
+#include "scene/scene_file.h"
 #include "support/scenes.h"
 
 namespace polhode {

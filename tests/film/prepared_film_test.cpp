@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "film/small_films.h"
+#include "scene/scene_file.h"
 #include "support/logged.h"
 
 namespace polhode {

@@ -14,6 +14,7 @@
 #include "frame/compose.h"
 #include "frame/elements.h"
 #include "image/png.h"
+#include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode {

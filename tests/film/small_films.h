@@ -5,6 +5,7 @@
 #include <string>
 
 #include "film/prepared_film.h"
+#include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode::test {

@@ -7,6 +7,7 @@
 
 #include "film/small_films.h"
 #include "math/so3.h"
+#include "scene/scene_file.h"
 #include "support/expect_error.h"
 #include "support/logged.h"
 

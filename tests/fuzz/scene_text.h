@@ -8,7 +8,7 @@
 
 #include "model/solids.h"
 #include "scene/film_file.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 #include "scene/toml_text.h"
 
 namespace polhode {

@@ -17,7 +17,7 @@
 #include "lecture/quotes.h"
 #include "lecture/sandbox.h"
 #include "motion/motion_spec.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 #include "scene/toml_text.h"
 #include "video/video_spec.h"
 

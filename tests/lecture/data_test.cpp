@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "lecture/deck_scenes.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lecture/products.h"
+#include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode::test {

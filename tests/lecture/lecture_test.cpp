@@ -11,6 +11,7 @@
 #include "lecture/deck.h"
 #include "lecture/quotes.h"
 #include "lecture/sandbox.h"
+#include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 #include "support/run.h"
 

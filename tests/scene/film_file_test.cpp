@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene_file.h"
 #include "support/expect_error.h"
 #include "support/run.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 
 namespace polhode {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Scenes out of files: what is no file, numbers put in place of its own, lines for messages.
-#include "scene/scene.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 #include "support/expect_error.h"
 #include "support/run.h"

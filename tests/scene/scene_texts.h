@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/reader.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 

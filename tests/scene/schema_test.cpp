@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/canonical.h"
+#include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 
 namespace polhode {

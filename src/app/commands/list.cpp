@@ -17,7 +17,7 @@
 #include "model/solids.h"
 #include "motion/solution_method.h"
 #include "motion/stepper_table.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 #include "video/sink_kinds.h"
 
 namespace polhode {

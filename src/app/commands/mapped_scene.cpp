@@ -14,6 +14,7 @@
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {

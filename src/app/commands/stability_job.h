@@ -9,6 +9,7 @@
 
 #include "base/system/progress.h"
 #include "scene/scene.h"
+#include "scene/setting.h"
 
 namespace polhode {
 

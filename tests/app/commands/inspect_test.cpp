@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode {
