@@ -133,6 +133,7 @@ std::vector<FilmPanel> panels_of_scenes(const std::vector<Solved>& solved,
   if (!first.same_cameras) return panels;
   // once more, by cameras that show the bodies of all panels
   std::vector<std::shared_ptr<const Composer>> alone;
+  alone.reserve(panels.size());
   for (const FilmPanel& panel : panels)
     alone.push_back(panel.composer);
   for (std::size_t i = 0; i < solved.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "motion/recorded.h"
 
 namespace polhode {
@@ -18,7 +19,19 @@ std::string curve_name(const Recorded& quantity, std::size_t curve, const std::s
   return fmt::format("{}, {}", quantity.curves[curve], caption);
 }
 
+// the colours and dashes that can be told apart
+constexpr std::size_t kMostCurves = 6;
+
 FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
+  if (quantity.curves.size() * solved.size() > kMostCurves) {
+    throw input_error(
+        "a plot holds {} curves, and '{}' of {} panels has {}; choose another quantity",
+        kMostCurves,
+        quantity.name,
+        solved.size(),
+        quantity.curves.size() * solved.size())
+        .at({{}, 0, "show.plots"});
+  }
   FilmPlot plot;
   plot.title = quantity.title;
   plot.unit = quantity.unit;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/system/log.h"
 #include "film/error_places.h"
@@ -86,6 +87,26 @@ void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& 
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
 }
 
+// One scale serves bodies of about one size.
+void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
+  constexpr double kAlike = 5.0;
+  if (scene.panels.size() < 2 || !(scene.same_cameras || scene.same_scales)) return;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const FilmPanel& panel : panels) {
+    const Scenery& scenery = panel.composer->scenery();
+    const double size = body_radius(scenery.look, scenery.motion.model());
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  if (!(most > kAlike * least)) return;
+  spdlog::warn(
+      "{}: one body is {:.2g} times as large as another; cameras = \"own\" and scales = \"own\" "
+      "show "
+      "each as large as it can be",
+      scene.film_file,
+      most / least);
+}
+
 }  // namespace
 
 PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
@@ -98,7 +119,7 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
     comparison_ =
         std::make_unique<const Comparison>(solved(), scene.video.time_scale / frames_.rate);
   }
-  const std::vector<FilmPlot> plots = make_plots(solved_);
+  const std::vector<FilmPlot> plots = with_place(scene, [&] { return make_plots(solved_); });
   film_ = with_place(scene, [&] {
     return std::make_unique<const Film>(
         make_film(solved_, frames_.timeline, comparison_.get(), plots, text_));
@@ -112,6 +133,7 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
 void PreparedFilm::warn() const {
   const Scene& scene = solved().scene;
   if (text_) warn_of_missing_fonts();
+  warn_of_sizes(scene, film_->panels());
   warn_of_open_loop(scene, frames_);
   warn_of_jump(scene, frames_, *film_->panels().front().composer);
   for (std::size_t i = 0; i < solved_.size(); ++i) {

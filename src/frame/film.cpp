@@ -58,7 +58,7 @@ std::optional<Vec2> visible_end(const TextShaft& shaft, const TextRoom& room) {
 Vec2 own_end(const TextShaft& shaft, const std::vector<TextRoom>& heads) {
   const double length = (shaft.tip - shaft.from).norm();
   for (double back = 0.0; back < length; back += 1.0) {
-    const Vec2 point = shaft.tip + (back / length) * (shaft.from - shaft.tip);
+    Vec2 point = shaft.tip + (back / length) * (shaft.from - shaft.tip);
     const auto over = std::count_if(heads.begin(), heads.end(), [&](const TextRoom& head) {
       return distance(head, point) == 0.0;
     });

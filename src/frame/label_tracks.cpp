@@ -144,9 +144,10 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
       place = static_cast<std::size_t>(least - choices[k].begin());
     }
     stays[k] = stay(k, place);
-    if (k + 1 < count && wishes[k + 1] != nullptr)
+    if (k + 1 < count && wishes[k + 1] != nullptr) {
       stays[k].changes_after =
           (stays[k].offset - stays[k + 1].offset).norm() > kGlide * wishes[k]->height;
+    }
   }
   return stays;
 }

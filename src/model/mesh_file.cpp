@@ -260,14 +260,16 @@ void refuse_wrong_shells(const TriangleMesh& mesh) {
   for (const Triangle& corners : mesh.triangles)
     shells[shell_of[static_cast<std::size_t>(corners[0])]].push_back(corners);
   if (shells.size() == 1) return;
-  if (shells.size() > kMostShells)
+  if (shells.size() > kMostShells) {
     throw input_error(
         "the mesh has {} separate parts; at most {} are allowed", shells.size(), kMostShells);
+  }
   std::map<int, Eigen::AlignedBox3d> boxes;
   for (const auto& [name, shell] : shells) {
-    for (const Triangle& corners : shell)
+    for (const Triangle& corners : shell) {
       for (int i = 0; i < 3; ++i)
         boxes[name].extend(corner(mesh, corners, i));
+    }
   }
   for (const auto& [name, shell] : shells) {
     stop_if_interrupted();

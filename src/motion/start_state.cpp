@@ -55,9 +55,10 @@ LagrangeTop lagrange_top(const BodyModel& model, const char* key) {
 // section 5.7: I cos(theta) w^2 - L3 w + m g l = 0).
 Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat& q) {
   const LagrangeTop top = lagrange_top(model, "motion.spin.steady");
-  if (!spin.axial)
+  if (!spin.axial) {
     throw input_error("needs axial = rate, the angular velocity about the top's own axis")
         .at({{}, 0, "motion.spin.steady"});
+  }
   const Vec3 up_P = up_in_body(model, q);
   const double level = up_P.dot(top.axis_P);
   const double L3 = top.along * *spin.axial;
@@ -71,9 +72,10 @@ Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat&
   const double sum = L3 + std::copysign(std::sqrt(under_root), L3);
   double precession = 2.0 * top.mgl / sum;
   if (*spin.steady == "fast") {
-    if (std::abs(level) < 1e-12)
+    if (std::abs(level) < 1e-12) {
       throw input_error("a level axis has no fast steady precession; use \"slow\"")
           .at({{}, 0, "motion.spin.steady"});
+    }
     precession = sum / (2.0 * top.across * level);
   }
   return precession * up_P + (*spin.axial - precession * level) * top.axis_P;

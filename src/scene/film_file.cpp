@@ -156,10 +156,11 @@ void check_panel(const Scene& scene) {
       place = given->second;
     throw error.at(place);
   };
-  if (!scene.numerics.compare.empty())
+  if (!scene.numerics.compare.empty()) {
     refuse_at("numerics.compare",
               input_error("a panel shows one motion; give each method a panel, with set = {{ "
                           "\"numerics.method\" = ... }}"));
+  }
   if (scene.show.views.size() > 1)
     refuse_at("show.views", input_error("a panel has one view; give each view a panel"));
   if (scene.video.loop)

@@ -41,9 +41,9 @@ Scene load_scene(const std::filesystem::path& file,
   std::vector<Change> changes;
   for (const Setting& setting : settings)
     changes.push_back(change_of(setting));
-  for (const auto& [path, value] : numbers) {
-    changes.push_back({path, {}, [path, value](toml::table& of) {
-                         replace_number(of, path, value);
+  for (const auto& number : numbers) {
+    changes.push_back({number.first, {}, [number](toml::table& of) {
+                         replace_number(of, number.first, number.second);
                        }});
   }
   return changed_scene(std::move(tree), file, changes);
