@@ -101,8 +101,7 @@ void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
   if (!(most > kAlike * least)) return;
   spdlog::warn(
       "{}: one body is {:.2g} times as large as another; cameras = \"own\" and scales = \"own\" "
-      "show "
-      "each as large as it can be",
+      "show each as large as it can be",
       scene.film_file,
       most / least);
 }

@@ -39,6 +39,7 @@ Scene load_scene(const std::filesystem::path& file,
     return film;
   }
   std::vector<Change> changes;
+  changes.reserve(settings.size() + numbers.size());
   for (const Setting& setting : settings)
     changes.push_back(change_of(setting));
   for (const auto& number : numbers) {

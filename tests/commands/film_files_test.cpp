@@ -100,5 +100,28 @@ TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
   run(fmt::format("render {} -o a.mp4 --report {}", at("film.toml"), at("scene.toml")), 2);
 }
 
+TEST_F(SeveralScenes, WhatCannotBeReadIsToldOrRefused) {
+  write_text(folder_ / "small.toml",
+             "[[panel]]\nscene = \"scene.toml\"\n[[panel]]\nscene = \"scene.toml\"\n"
+             "set = { body.solid.semi_axes = [0.01, 0.01, 0.02] }\n");
+  const auto still = [&](const char* film, const char* picture) {
+    return run_polhode(
+        fmt::format("render {} --still 0 --size 128x64 -o {}", at(film), at(picture)));
+  };
+  const Ran small = still("small.toml", "a.png");
+  EXPECT_EQ(small.code, 0);
+  EXPECT_NE(small.err.find("one body is 10 times as large as another"), std::string::npos)
+      << small.err;
+  write_text(folder_ / "many.toml",
+             "[sweep]\nscene = \"scene.toml\"\nkey = \"motion.spin.body[2]\"\nvalues = [1, 2, 3]\n"
+             "[show]\nplots = [\"omega\"]\n");
+  const Ran many = still("many.toml", "b.png");
+  EXPECT_EQ(many.code, 2);
+  EXPECT_NE(many.err.find("many.toml:6: show.plots: a plot holds 6 curves, and 'omega' of 3 panels "
+                          "has 9"),
+            std::string::npos)
+      << many.err;
+}
+
 }  // namespace
 }  // namespace polhode
