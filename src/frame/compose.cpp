@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -119,6 +121,29 @@ std::vector<TextRoom> marks_of(const Glyphs& glyphs, const Camera& camera) {
         around(camera.project(mark.at), mark.radius * camera.pixels_per_metre(mark.at)));
   }
   return marks;
+}
+
+// rims of cones and arcs, in straight pieces
+std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
+  constexpr int kPiecesOfRim = 24, kPiecesOfArc = 8;
+  std::vector<TextShaft> curves;
+  const auto add = [&](int pieces, const std::function<Vec3(double)>& point_at) {
+    for (int k = 0; k < pieces; ++k) {
+      const Vec3 from = point_at(1.0 * k / pieces), to = point_at((k + 1.0) / pieces);
+      if (camera.sees(from) && camera.sees(to))
+        curves.push_back({camera.project(from), camera.project(to)});
+    }
+  };
+  for (const Cone& cone : glyphs.cones) {
+    const Vec3 across = cone.slant * std::sin(cone.half_angle) * cone.axis.unitOrthogonal();
+    const Vec3 middle = cone.apex + cone.slant * std::cos(cone.half_angle) * cone.axis;
+    add(kPiecesOfRim, [&](double part) -> Vec3 {
+      return middle + Eigen::AngleAxisd(2.0 * kPi * part, cone.axis) * across;
+    });
+  }
+  for (const ArcGlyph& arc : glyphs.arcs)
+    add(kPiecesOfArc, [&](double part) { return point_of(arc, part); });
+  return curves;
 }
 
 Camera make_camera(const CameraSpec& spec,
@@ -243,6 +268,7 @@ LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const 
     if (camera.sees(label.at)) names.labels.push_back(seen(label, camera));
   }
   names.marks = marks_of(glyphs, camera);
+  names.curves = curves_of(glyphs, camera);
   return names;
 }
 

@@ -31,7 +31,8 @@ struct SeenLabel {
 // The labels that a camera sees at one moment, and what they must not cover.
 struct LabelView {
   std::vector<SeenLabel> labels;
-  std::vector<TextRoom> marks;  // around heads of arrows and marked points, pixels likewise
+  std::vector<TextRoom> marks;         // around heads of arrows and marked points, pixels likewise
+  std::vector<TextShaft> curves = {};  // pieces of rims of cones and of arcs, pixels likewise
 };
 
 // What a camera sees at one moment.

@@ -127,14 +127,21 @@ const std::vector<Element>& elements() {
        add_trail_sphere},
       {"pivot",
        "the stand under the fixed point",
-       [](const Scenery& scenery) { return on_pivot(scenery) && stays_above_stand(scenery); },
+       [](const Scenery& scenery) {
+         return on_pivot(scenery) && stays_above_stand(scenery) && !in_gimbals(scenery);
+       },
        needs_pivot,
        add_stand},
+      {"gimbals",
+       "two rings that carry the axle of the body, the outer one on a stand (pivot)",
+       never,
+       needs_pivot,
+       add_gimbals},
       {"floor",
        "a floor, with the shadow of the body and its stand",
        [](const Scenery& scenery) {
-         return on_pivot(scenery) && needs_weight(scenery).empty() && stays_above_stand(scenery) &&
-                stays_above_floor(scenery);
+         return on_pivot(scenery) && needs_weight(scenery).empty() &&
+                (in_gimbals(scenery) || stays_above_stand(scenery)) && stays_above_floor(scenery);
        },
        nothing_against,
        add_floor},

@@ -427,6 +427,8 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
   std::vector<TextRoom>& marks = layout.moment.obstacles.marks;
   for (const TextRoom& mark : view.marks)
     marks.push_back(moved(mark, corner));
+  for (const TextShaft& piece : view.curves)
+    layout.moment.curves.push_back({corner + piece.from, corner + piece.tip});
   std::map<std::string, int> count;
   for (const SeenLabel& label : view.labels) {
     const double size = std::max(label.size * layout.size, least_text_size(text_, size_));

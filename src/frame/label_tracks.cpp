@@ -15,6 +15,7 @@ namespace {
 constexpr double kOverMark = 200.0;  // over the head of an arrow
 constexpr double kOverText = 400.0;  // over text, another label, or the edge of the frame
 constexpr double kOverShaft = 8.0;   // over a vector
+constexpr double kOverCurve = 2.0;   // over a rim or an arc
 constexpr double kPushed = 0.5;      // off a side, where that is taken
 constexpr double kChange = 40.0;     // of its place
 constexpr double kWay = 4.0;         // for each height of the label that it goes about its tip
@@ -65,6 +66,11 @@ Choices choices_at(const LabelWish& wish,
     if (over_mark) sum += kOverMark;
     for (const TextShaft& shaft : moment.shafts)
       if (is_over(room, shaft)) sum += kOverShaft;
+    const bool over_curve =
+        std::any_of(moment.curves.begin(), moment.curves.end(), [&](const TextShaft& piece) {
+          return is_over(room, piece);
+        });
+    if (over_curve) sum += kOverCurve;
     choices[place].offset = center - wish.at;
     choices[place].own = sum;
     return !taken && !over_mark;

@@ -17,6 +17,7 @@ struct LabelMoment {
   std::vector<LabelWish> wishes;
   std::vector<TextShaft> shafts;
   Obstacles obstacles;
+  std::vector<TextShaft> curves = {};  // pieces of other lines, which may be covered if need be
 };
 
 // The sides on which a label may stand: in its wished direction, and in directions of the picture
@@ -35,8 +36,9 @@ struct LabelPlace {
 class LabelTracks {
  public:
   // Each label in turn takes the places, a side or the nearest that is free, at which it covers
-  // least (shafts count less than heads, text and labels) and stands nearest to its wish; every
-  // change has its price. `frame`: where labels may stand; `gap`: what is free around them, pixels.
+  // least (curves count less than shafts, these less than heads, text and labels) and stands
+  // nearest to its wish; every change has its price. `frame`: where labels may stand; `gap`: what
+  // is free around them, pixels.
   LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom& frame, double gap);
 
   // The place of a label at the time `at`, in units of the step between moments. Within

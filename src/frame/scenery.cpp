@@ -17,7 +17,8 @@ constexpr double kOmegaLength = 1.3;
 constexpr double kMomentumLength = kReachOfVectors;
 constexpr double kVelocityLength = 0.6;
 
-constexpr int kRoughSegments = 24;  // of meshes that throw shadows
+constexpr int kRoughSegments = 24;     // of meshes that throw shadows
+constexpr double kGimbalTube = 0.017;  // radius of the tube of a gimbal ring, in that of the ring
 
 constexpr std::size_t kFineTriangles = 4000;  // a mesh with more throws the shadow of a rough one
 constexpr int kRoughCells = 40;
@@ -131,6 +132,8 @@ Scenery make_scenery(const Motion& motion,
   scenery.sphere = shared(unit_sphere(large));
   scenery.stand = shared(stand_mesh(kStandHeight, segments));
   scenery.rough_stand = shared(stand_mesh(kStandHeight, kRoughSegments));
+  scenery.gimbal = shared(torus(1.0, kGimbalTube, large));
+  scenery.rough_gimbal = shared(torus(1.0, kGimbalTube, kRoughSegments));
   scenery.disc = shared(unit_disc(large));
   scenery.floor = shared(fading_disc(large));
   scenery.ring = shared(torus(1.0, 0.006, large));

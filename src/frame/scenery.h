@@ -46,6 +46,10 @@ inline constexpr double kTrailRadius = 1.25;
 inline constexpr double kForceLength = 0.8;
 // The height of the stand under a pivot, in units of the body's radius.
 inline constexpr double kStandHeight = 0.55;
+// The radii of the gimbal rings around the pivot, in units of the body's radius: the inner one
+// holds the axle of the body, the outer one stands on the floor and turns about the vertical.
+inline constexpr double kInnerGimbal = 1.07;
+inline constexpr double kOuterGimbal = 1.17;
 
 // What all moments of a film share. A value: copies share only the meshes, which never change.
 struct Scenery {
@@ -60,6 +64,8 @@ struct Scenery {
   MeshPtr ring = {};                      // a thin tube along the rim of the disc
   MeshPtr stand = {};                     // stand_mesh() (frame/stand.h)
   MeshPtr rough_stand = {};               // the same, for its shadow
+  MeshPtr gimbal = {};                    // a round tube along the rim of the disc
+  MeshPtr rough_gimbal = {};              // the same, for its shadow
   MeshPtr floor = {};                     // unit disc about z that fades outwards
   ShowSpec options = {};                  // the [show] table
   int segments = 96;                      // pieces of a circle as large as the picture

@@ -139,6 +139,26 @@ TEST(SceneNumbers, TheFastSteadyPrecessionIsSteady) {
   }
 }
 
+// the axle goes round at the rate Omega for which I1 Omega^2 cos(theta) - I3 omega3 Omega + m g l
+// is zero: a little faster than m g l/(I3 omega3)
+TEST(SceneNumbers, TheGyroscopeInGimbalsGoesRoundSteadily) {
+  const Solved solved = solved_scene("gyroscope_in_gimbals");
+  const double first = number_of(solved, "slow_steady_precession_rad_per_s");
+  const Vec3 I = solved.model.moments;
+  EXPECT_NEAR(
+      I.x() * first * first * std::cos(80 * kPi / 180) - I.z() * 60 * first + 0.04 * 9.80665 * 0.05,
+      0.0,
+      1e-12);
+  for (double t = 0.0; t <= 12.0; t += 0.37) {
+    const Sample now = solved.simulation.motion.at(t);
+    EXPECT_NEAR(tilt_of(now), 80 * kPi / 180, 1e-9) << t;
+    const Vec3 axle = now.q_SB * Vec3::UnitZ();
+    const Vec3 start = solved.simulation.motion.at(0.0).q_SB * Vec3::UnitZ();
+    const double turned = std::atan2(axle.y(), axle.x()) - std::atan2(start.y(), start.x());
+    EXPECT_NEAR(std::remainder(turned - first * t, 2 * kPi), 0.0, 1e-9) << t;
+  }
+}
+
 TEST(SceneNumbers, OneTopSleepsAndTheOtherFalls) {
   const Solved sleeping = solved_scene("sleeping_top");
   EXPECT_NEAR(number_of(sleeping, "sleeping_top_stability_ratio"), 1.79, 0.005);

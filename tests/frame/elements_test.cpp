@@ -94,6 +94,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"body_cone", {.cones = 1}},
                                                {"precession_cone", {.cones = 1}},
                                                {"pivot", {.meshes = 1}},
+                                               {"gimbals", {.meshes = 3, .rods = 3}},
                                                {"forces", {.arrows = 3, .meshes = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
@@ -117,8 +118,8 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
-    const bool heavy = name == "precession_cone" || name == "pivot" || name == "gravity" ||
-                       name == "torque" || name == "ghosts";
+    const bool heavy = name == "precession_cone" || name == "pivot" || name == "gimbals" ||
+                       name == "gravity" || name == "torque" || name == "ghosts";
     const MotionSpec motion = heavy              ? spinning_on_pivot()
                               : name == "forces" ? pulled()
                                                  : wobbling();

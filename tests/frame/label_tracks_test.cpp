@@ -22,6 +22,22 @@ TEST(LabelTracks, AFreeLabelStandsWhereItWishes) {
     EXPECT_LT((tracks.place("name", kWish, at).center - Vec2(300, 168)).norm(), 1e-9) << at;
 }
 
+// a curve under the wished place moves a label beside it; one that is everywhere does not
+TEST(LabelTracks, LabelsKeepOffCurves) {
+  LabelMoment moment = moment_with({});
+  moment.curves = {{Vec2(250, 165), Vec2(350, 165)}};
+  const TextRoom wished = room_at(Vec2(300, 168), kWish.width, kWish.height);
+  ASSERT_TRUE(is_over(wished, moment.curves.front()));
+  const auto room_with = [&](const LabelMoment& one) {
+    const LabelTracks tracks(std::vector<LabelMoment>(9, one), kFrame, kGap);
+    return room_at(tracks.place("name", kWish, 4.0).center, kWish.width, kWish.height);
+  };
+  EXPECT_FALSE(is_over(room_with(moment), moment.curves.front()));
+  for (double y = 100.0; y < 260.0; y += 8.0)
+    moment.curves.push_back({Vec2(250, y), Vec2(350, y)});
+  EXPECT_LT((room_with(moment).center() - wished.center()).norm(), 1e-9);
+}
+
 // a head that comes and goes where a label wishes to stand moves it once, not each time
 TEST(LabelTracks, LabelsDoNotGoToAndFro) {
   std::vector<LabelMoment> moments;

@@ -11,6 +11,7 @@ constexpr double kFreeFloorRadius = 2.2;  // under a free body
 constexpr double kFramedFloor = 0.65;     // the part of it that a picture has to show
 constexpr double kFreeFloor = 1.25;       // below the centre of a free body
 constexpr float kShadowDepth = 0.5f;      // how dark a full shadow is
+constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
 constexpr float kGhostAlpha = 0.16f;
 
 // wider where the body is higher above it
@@ -20,7 +21,18 @@ double floor_radius(const Scenery& scenery) {
 
 // where the floor is: under the stand, or below all that a free body reaches
 double floor_depth(const Scenery& scenery) {
-  return (scenery.motion.model().on_pivot ? kStandHeight : kFreeFloor) * scenery.scale.body;
+  return scenery.motion.model().on_pivot ? foot_depth(scenery) : kFreeFloor * scenery.scale.body;
+}
+
+// a stand whose tip is at `tip` (S, m)
+void add_stand_under(const Scenery& scenery, const Vec3& tip, Glyphs& glyphs) {
+  const Vec3& up = scenery.motion.model().up_S;
+  const double size = scenery.scale.body;
+  Material material = plain(scenery.theme.stand, 0.3f);
+  material.covers = true;
+  const Placement place = disc_placement(tip, up, size);
+  glyphs.meshes.push_back({scenery.stand, place, material, scenery.rough_stand});
+  add_rim_reach(disc_placement(tip - kStandHeight * size * up, up, kStandFoot * size), 8, glyphs);
 }
 
 }  // namespace
@@ -57,13 +69,35 @@ void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 }
 
 void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
+  add_stand_under(scenery, Vec3::Zero(), glyphs);
+}
+
+// The outer ring turns about the vertical, the inner one in it about the line of nodes, and the
+// body in that about its axle: the angles phi, theta and psi. While the axle is upright, there is
+// no line of nodes, and any will do.
+void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3& up = scenery.motion.model().up_S;
-  const double size = scenery.scale.body;
-  const Placement place = disc_placement(Vec3::Zero(), up, size);
-  Material material = plain(scenery.theme.stand, 0.3f);
-  material.covers = true;
-  glyphs.meshes.push_back({scenery.stand, place, material, scenery.rough_stand});
-  add_rim_reach(disc_placement(-kStandHeight * size * up, up, kStandFoot * size), 8, glyphs);
+  const Vec3 axle = sample.q_SB * figure_axis_B(scenery);
+  const Vec3 across = up.cross(axle);
+  const Vec3 nodes = across.norm() > 1e-9 ? Vec3(across.normalized()) : up.unitOrthogonal();
+  const Vec3& pivot = sample.reference_S;
+  const double inner = kInnerGimbal * scenery.scale.body;
+  const double outer = kOuterGimbal * scenery.scale.body;
+  const double thin = kBearingRadius * scenery.scale.body;
+  const Material material = plain(scenery.theme.stand, 0.3f);
+
+  const auto add_ring = [&](const Vec3& normal, double radius) {
+    const Placement place = disc_placement(pivot, normal, radius);
+    glyphs.meshes.push_back({scenery.gimbal, place, material, scenery.rough_gimbal});
+    add_rim_reach(place, 16, glyphs);
+  };
+  add_ring(up.cross(nodes), outer);
+  add_ring(axle.cross(nodes), inner);
+  glyphs.rods.push_back({pivot - inner * axle, pivot + inner * axle, thin, material});
+  for (const double side : {-1.0, 1.0})
+    glyphs.rods.push_back(
+        {pivot + side * inner * nodes, pivot + side * outer * nodes, thin, material});
+  add_stand_under(scenery, pivot - outer * up, glyphs);
 }
 
 // a disc that fades outwards, with the shadow of the body and its stand

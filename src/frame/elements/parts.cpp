@@ -88,6 +88,15 @@ Vec3 figure_axis_B(const Scenery& scenery) {
   return Vec3::UnitZ();
 }
 
+bool in_gimbals(const Scenery& scenery) {
+  const auto found = scenery.options.asked.find("gimbals");
+  return found != scenery.options.asked.end() && found->second.value_or(false);
+}
+
+double foot_depth(const Scenery& scenery) {
+  return (kStandHeight + (in_gimbals(scenery) ? kOuterGimbal : 0.0)) * scenery.scale.body;
+}
+
 Placement body_placement(const Scenery& scenery, const Sample& sample) {
   Placement place = Placement::Identity();
   place.linear() = sample.q_SB.toRotationMatrix();
@@ -163,7 +172,7 @@ bool stays_above_stand(const Scenery& scenery) {
 }
 
 bool stays_above_floor(const Scenery& scenery) {
-  const double floor = -kStandHeight * scenery.scale.body;
+  const double floor = -foot_depth(scenery);
   const std::vector<double> times = framing_times(scenery.motion);
   return std::all_of(times.begin(), times.end(), [&](double t) {
     const Sample sample = scenery.motion.at(t);

@@ -57,6 +57,11 @@ void add_at_reference(const Scenery& scenery,
 // the centre of mass.
 Vec3 figure_axis_B(const Scenery& scenery);
 
+// How far the foot of the stand, or of the gimbals, is below the pivot, m.
+double foot_depth(const Scenery& scenery);
+// Whether the scene asks for gimbals, which carry the body in place of a stand.
+bool in_gimbals(const Scenery& scenery);
+
 // Maps points in B (from the body origin) to S at this moment, m.
 Placement body_placement(const Scenery& scenery, const Sample& sample);
 // Maps points in P (from the reference point) to S at this moment, m.
@@ -98,7 +103,7 @@ Add add_body_axes, add_space_axes, add_fixed_frame;
 Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
 Add add_velocity_field, add_forces, add_gravity;
 Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
-Add add_stand, add_floor;
+Add add_stand, add_gimbals, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 

@@ -75,6 +75,45 @@ TEST(Ground, TheStandReachesFromTheFloorToThePivot) {
   }
 }
 
+// The outer gimbal contains the vertical and the line of nodes, the inner one the line of nodes and
+// the axle of the body; rods are the axle and the bearings of the inner ring; the outer one stands
+// on the floor.
+TEST(Ground, GimbalsTurnByTheAnglesOfEuler) {
+  ShowSpec show = test::show_only("gimbals");
+  show["floor"] = true;
+  const Composer picture = picture_of(test::cone_body(), test::spinning_on_pivot(), show);
+  const double size = picture.scenery().scale.body;
+  for (const double t : {0.0, 0.3, 1.7}) {
+    const Sample now = picture.scenery().motion.at(t);
+    const Glyphs glyphs = picture.glyphs_at(now);
+    const Vec3 up = Vec3::UnitZ(), axle = now.q_SB * Vec3::UnitZ();
+    const Vec3 nodes = up.cross(axle).normalized();
+    ASSERT_EQ(glyphs.meshes.size(), 3u);
+    // a ring is where two of its diameters are: a direction on its circle has radius 1 in its plane
+    const auto on_ring = [&](const MeshGlyph& ring, const Vec3& from_center) {
+      const Vec3 at = ring.space_from_mesh.inverse() * (now.reference_S + from_center);
+      return std::abs(at.z()) + std::abs(at.head<2>().norm() - 1.0);
+    };
+    const MeshGlyph &outer = glyphs.meshes[0], &inner = glyphs.meshes[1], &stand = glyphs.meshes[2];
+    EXPECT_LT(on_ring(outer, kOuterGimbal * size * up), 1e-12);
+    EXPECT_LT(on_ring(outer, kOuterGimbal * size * nodes), 1e-12);
+    EXPECT_LT(on_ring(inner, kInnerGimbal * size * nodes), 1e-12);
+    EXPECT_LT(on_ring(inner, kInnerGimbal * size * axle), 1e-12);
+    const Vec3 tip = stand.space_from_mesh.translation();
+    EXPECT_LT((tip - now.reference_S + kOuterGimbal * size * up).norm(), 1e-12);
+    const Vec3 floor = glyphs.floors.at(0).disc.space_from_mesh.translation();
+    EXPECT_NEAR((tip - floor).z(), kStandHeight * size, 1e-12);
+
+    ASSERT_EQ(glyphs.rods.size(), 3u);
+    EXPECT_LT((glyphs.rods[0].to - glyphs.rods[0].from).cross(axle).norm(), 1e-12);
+    for (const std::size_t i : {1u, 2u}) {
+      const RodGlyph& bearing = glyphs.rods[i];
+      EXPECT_LT((bearing.from - now.reference_S).cross(nodes).norm(), 1e-12);
+      EXPECT_NEAR((bearing.to - bearing.from).norm(), (kOuterGimbal - kInnerGimbal) * size, 1e-12);
+    }
+  }
+}
+
 // the floor stays where it is, and the body's shadow moves over it
 TEST(Ground, TheShadowFollowsTheBody) {
   MotionSpec motion = test::wobbling();
