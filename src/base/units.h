@@ -52,5 +52,6 @@ struct Magnitude {
 Magnitude magnitude_of(Unit unit);
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kDegree = kPi / 180.0;  // rad
 
 }  // namespace polhode

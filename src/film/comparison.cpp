@@ -200,7 +200,6 @@ PanelNotes Comparison::notes(const Contender& one, double t, bool with_details) 
   notes.name = title_of(report.method);
 
   // two digits of the error at which a panel is stamped
-  constexpr double kDegree = kPi / 180.0;
   const int decimals =
       std::clamp(1 - static_cast<int>(std::floor(std::log10(allowed_rad_ / kDegree))), 1, 9);
   if (error) {

@@ -149,7 +149,7 @@ std::vector<FilmPanel> panels_of_scenes(const std::vector<Solved>& solved,
 Film make_film(const std::vector<Solved>& solved,
                const Timeline& timeline,
                const Comparison* comparison,
-               const std::vector<FilmPlot>& plots,
+               const FilmCharts& charts,
                bool with_text) {
   const Scene& scene = solved.front().scene;
   const PictureSize size = scene.video.size;
@@ -158,15 +158,14 @@ Film make_film(const std::vector<Solved>& solved,
       with_text && std::any_of(scene.story.begin(), scene.story.end(), [](const auto& step) {
         return step.caption && !step.caption->empty();
       });
-  if (comparison != nullptr && !plots.empty()) {
+  if (comparison != nullptr && charts.count() > 0) {
     throw input_error("plots show one motion, not several that are compared; remove them")
         .at({{}, 0, "show.plots"});
   }
   const std::size_t count = solved.size() > 1       ? solved.size()
                             : comparison != nullptr ? comparison->contenders().size()
                                                     : scene.show.views.size();
-  const FrameAreas areas =
-      frame_areas(text, size, static_cast<int>(count), static_cast<int>(plots.size()));
+  const FrameAreas areas = frame_areas(text, size, static_cast<int>(count), charts.count());
   NoteRows rows;
   if (with_text && comparison != nullptr) {
     rows = Comparison::note_rows(scene.show.details.value_or(false));
@@ -180,7 +179,7 @@ Film make_film(const std::vector<Solved>& solved,
                               : panels_of_views(solved.front(), stage, areas.panels);
   for (FilmPanel& panel : panels)
     panel.rows = rows;
-  return {std::move(panels), text, size, plots};
+  return {std::move(panels), text, size, charts};
 }
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "motion/diagram.h"
 #include "motion/recorded.h"
 
 namespace polhode {
@@ -60,16 +61,31 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   return plot;
 }
 
+Diagram diagram_of(const DiagramKind& kind, const std::vector<Solved>& solved) {
+  const Motion& motion = solved.front().simulation.motion;
+  if (solved.size() > 1) {
+    throw input_error("'{}' shows one motion, not those of {} panels", kind.name, solved.size())
+        .at({{}, 0, "show.plots"});
+  }
+  const std::string wrong = kind.why_not(motion.model());
+  if (!wrong.empty()) throw input_error("'{}' {}", kind.name, wrong).at({{}, 0, "show.plots"});
+  return kind.make(motion);
+}
+
 }  // namespace
 
-std::vector<FilmPlot> make_plots(const std::vector<Solved>& solved) {
-  std::vector<FilmPlot> plots;
+FilmCharts make_charts(const std::vector<Solved>& solved) {
+  FilmCharts charts;
   for (const std::string& name : solved.front().scene.show.plots) {
+    if (const DiagramKind* kind = find_diagram(name)) {
+      charts.diagrams.push_back(diagram_of(*kind, solved));
+      continue;
+    }
     for (const Recorded& quantity : recorded_quantities()) {
-      if (quantity.name == name) plots.push_back(plot_of(quantity, solved));
+      if (quantity.name == name) charts.plots.push_back(plot_of(quantity, solved));
     }
   }
-  return plots;
+  return charts;
 }
 
 }  // namespace polhode

@@ -118,10 +118,10 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
     comparison_ =
         std::make_unique<const Comparison>(solved(), scene.video.time_scale / frames_.rate);
   }
-  const std::vector<FilmPlot> plots = with_place(scene, [&] { return make_plots(solved_); });
+  const FilmCharts charts = with_place(scene, [&] { return make_charts(solved_); });
   film_ = with_place(scene, [&] {
     return std::make_unique<const Film>(
-        make_film(solved_, frames_.timeline, comparison_.get(), plots, text_));
+        make_film(solved_, frames_.timeline, comparison_.get(), charts, text_));
   });
   shutter_s_ = scene.video.shutter / (2.0 * kPi) / frames_.rate;
   for (const Solved& one : solved_) {

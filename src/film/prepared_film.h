@@ -19,8 +19,8 @@ namespace polhode {
 class PreparedFilm {
  public:
   // Computes everything; `plan` is not kept. Throws Error as solve, plan_frame_times, Comparison,
-  // make_plots (film/film_plots.h) and make_film (film/film_panels.h) do; errors that name a key of
-  // the scene have its file and line.
+  // make_charts (film/film_plots.h) and make_film (film/film_panels.h) do; errors that name a key
+  // of the scene have its file and line.
   explicit PreparedFilm(const RenderPlan& plan);
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;

@@ -189,9 +189,9 @@ Composer::Composer(const Motion& motion,
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
-  // twice as fine as edges need: the eye sees the corners of a large limb
+  // finer than edges need: a limb bends in two directions, and the eye sees its corners
   scenery_.body_segments = std::min(most, circle_segments(largest.body));
-  make_look(scenery_, body, 2 * scenery_.body_segments);
+  make_look(scenery_, body, 3 * scenery_.body_segments / 2);
   meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)), largest.cones);
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);

@@ -173,25 +173,22 @@ struct Film::Layout {
 };
 
 struct Film::WithFonts {
-  std::vector<FilmPlot> asked;
+  FilmCharts asked;
   std::once_flag once;
+  std::vector<std::unique_ptr<const DiagramPicture>> diagrams;
   std::unique_ptr<const PlotStack> plots;  // null: none
   std::vector<LabelTracks> tracks;         // of each panel; none without labels
 };
 
-Film::Film(std::vector<FilmPanel> panels,
-           const FilmText& text,
-           PictureSize size,
-           std::vector<FilmPlot> plots)
+Film::Film(std::vector<FilmPanel> panels, const FilmText& text, PictureSize size, FilmCharts charts)
     : panels_(std::move(panels)),
       text_(text),
       size_(size),
-      areas_(frame_areas(
-          text, size, static_cast<int>(panels_.size()), static_cast<int>(plots.size()))),
+      areas_(frame_areas(text, size, static_cast<int>(panels_.size()), charts.count())),
       seams_(make_seams(panels_, areas_, size)),
       typesetter_(std::make_unique<Typesetter>()),
       with_fonts_(std::make_unique<WithFonts>()) {
-  with_fonts_->asked = std::move(plots);
+  with_fonts_->asked = std::move(charts);
 }
 
 Film::Film(Film&&) noexcept = default;
@@ -203,14 +200,19 @@ const Film::WithFonts& Film::with_fonts() const {
       for (const FilmPanel& panel : panels_)
         with_fonts_->tracks.push_back(tracks_of(panel));
     }
-    if (with_fonts_->asked.empty()) return;
-    with_fonts_->plots =
-        std::make_unique<const PlotStack>(with_fonts_->asked,
-                                          areas_.plots,
-                                          plot_text_size(text_, size_),
-                                          panels_.front().composer->scenery().theme,
-                                          time_unit(text_.time_scale),
-                                          *typesetter_);
+    const FilmCharts& asked = with_fonts_->asked;
+    const Theme& theme = panels_.front().composer->scenery().theme;
+    const double type = plot_text_size(text_, size_);
+    const ChartPlaces places = chart_places(areas_.plots,
+                                            static_cast<int>(asked.diagrams.size()),
+                                            static_cast<int>(asked.plots.size()));
+    for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
+      with_fonts_->diagrams.push_back(std::make_unique<const DiagramPicture>(
+          asked.diagrams[i], places.diagrams[i], type, theme, *typesetter_));
+    }
+    if (asked.plots.empty()) return;
+    with_fonts_->plots = std::make_unique<const PlotStack>(
+        asked.plots, places.plots, type, theme, time_unit(text_.time_scale), *typesetter_);
   });
   return *with_fonts_;
 }
@@ -219,7 +221,7 @@ Film::Page Film::page_at(double film) const {
   const double t = panels_.front().composer->timeline().motion_time(film);
   Page page;
   // the text that keeps its place comes first: labels give way to it
-  add_plots(t, page);
+  add_charts(t, page);
   page.picture.stamps.insert(page.picture.stamps.end(), seams_.begin(), seams_.end());
   if (panels_.size() > 1 || !areas_.plots.empty()) {
     add_bars(film, page);
@@ -267,12 +269,18 @@ TextRoom Film::add_text(TextRole role,
   return ink;
 }
 
-void Film::add_plots(double t, Page& page) const {
+void Film::add_charts(double t, Page& page) const {
   if (areas_.plots.empty()) return;
-  const PlotStack& plots = *with_fonts().plots;
-  plots.draw(t, page.picture.stamps);
+  const WithFonts& charts = with_fonts();
   page.placed.rooms.push_back(room_of(areas_.plots));
-  for (PlacedText& text : plots.texts(t))
+  for (const auto& diagram : charts.diagrams) {
+    diagram->draw(t, page.picture.stamps);
+    const std::vector<PlacedText>& texts = diagram->texts();
+    page.placed.texts.insert(page.placed.texts.end(), texts.begin(), texts.end());
+  }
+  if (charts.plots == nullptr) return;
+  charts.plots->draw(t, page.picture.stamps);
+  for (PlacedText& text : charts.plots->texts(t))
     page.placed.texts.push_back(std::move(text));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frame/compose.h"
+#include "frame/diagram_picture.h"
 #include "frame/label_tracks.h"
 #include "frame/labels.h"
 #include "frame/layout.h"
@@ -42,16 +43,24 @@ struct PlacedPage {
   std::vector<TextRoom> marks;    // what labels must not cover: heads of arrows, marked points
 };
 
+// What stands beside the panels: diagrams, and below them plots over time.
+struct FilmCharts {
+  std::vector<Diagram> diagrams;
+  std::vector<FilmPlot> plots;
+
+  int count() const { return static_cast<int>(diagrams.size() + plots.size()); }
+};
+
 // Immutable. Pictures are pure functions of time and may be made from any thread.
 class Film {
  public:
   // There is at least one panel; the first one gives the colours of the text and the times of
   // captions, clock and plots. Panels stand where frame_areas() (frame/layout.h) of the same text
-  // and the same numbers of panels and plots puts them.
+  // and the same numbers of panels and charts puts them.
   Film(std::vector<FilmPanel> panels,
        const FilmText& text,
        PictureSize size,
-       std::vector<FilmPlot> plots = {});
+       FilmCharts charts = {});
   Film(Film&&) noexcept;
   ~Film();
 
@@ -69,7 +78,7 @@ class Film {
   struct Page;
   struct WithFonts;
   const WithFonts& with_fonts() const;
-  void add_plots(double t, Page& page) const;
+  void add_charts(double t, Page& page) const;
   void add_frame_text(double film, Page& page) const;
   void add_bars(double film, Page& page) const;
   // Returns where they end, px of the frame.

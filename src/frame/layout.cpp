@@ -87,10 +87,10 @@ std::vector<PixelBox> panel_places(PictureSize size, int count) {
   return places;
 }
 
-FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int plots) {
+FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int charts) {
   FrameAreas areas;
   PixelBox rest{0, 0, size.width, size.height};
-  if (panels > 1 || plots > 0) {
+  if (panels > 1 || charts > 0) {
     const auto bar = [&](double type) {
       const double height = kTextLine * type + 0.6 * kEdge * type_size(size.width, size.height);
       return rounded(std::min(height, kMostOfBar * size.height));
@@ -109,12 +109,12 @@ FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int p
       areas.caption.y = rest.bottom();
     }
   }
-  if (plots > 0 && size.width > size.height) {
+  if (charts > 0 && size.width > size.height) {
     areas.plots = rest;
     areas.plots.width = rounded(kPlotsWidth * size.width);
     rest.width -= areas.plots.width;
     areas.plots.x = rest.right();
-  } else if (plots > 0) {
+  } else if (charts > 0) {
     areas.plots = rest;
     areas.plots.height = rounded(kPlotsHeight * size.height);
     rest.height -= areas.plots.height;
@@ -123,6 +123,21 @@ FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int p
   for (const PixelBox& place : panel_places({rest.width, rest.height}, panels))
     areas.panels.push_back({rest.x + place.x, rest.y + place.y, place.width, place.height});
   return areas;
+}
+
+ChartPlaces chart_places(const PixelBox& room, int diagrams, int plots) {
+  const double share = room.height / std::max(1.0, 2.0 * diagrams + plots);
+  ChartPlaces places;
+  PixelBox rest = room;
+  for (int i = 0; i < diagrams; ++i) {
+    PixelBox place = rest;
+    place.height = rounded(2.0 * share);
+    rest.y += place.height;
+    rest.height -= place.height;
+    places.diagrams.push_back(place);
+  }
+  if (plots > 0) places.plots = rest;
+  return places;
 }
 
 NoteSizes note_sizes(const FilmText& text,

@@ -39,15 +39,23 @@ TimeUnit time_unit(double time_scale);
 // panels of an incomplete last row are wider.
 std::vector<PixelBox> panel_places(PictureSize size, int count);
 
-// The parts of a frame, pixels; they do not overlap. A frame with one panel and no plots is all
+// The parts of a frame, pixels; they do not overlap. A frame with one panel and no charts is all
 // panel, and its text is laid over it.
 struct FrameAreas {
   PixelBox title;    // a bar above for title and clock; empty: none
   PixelBox caption;  // a bar below; empty: none
-  PixelBox plots;    // empty: none
+  PixelBox plots;    // for plots and diagrams; empty: none
   std::vector<PixelBox> panels;
 };
-FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int plots);
+FrameAreas frame_areas(const FilmText& text, PictureSize size, int panels, int charts);
+
+// Where diagrams stand, one below the other, and under them a stack of plots; pixels. A diagram is
+// as high as two plots. Empty places for what there is none of.
+struct ChartPlaces {
+  std::vector<PixelBox> diagrams;
+  PixelBox plots;
+};
+ChartPlaces chart_places(const PixelBox& room, int diagrams, int plots);
 
 // What PanelNotes (frame/film.h) of a panel may have.
 struct NoteRows {

@@ -14,31 +14,12 @@
 namespace polhode {
 namespace {
 
-// lengths in units of the type
-constexpr double kPad = 0.5;      // free at the sides of all plots
-constexpr double kHeading = 1.6;  // height of a heading
-constexpr double kOver = 0.35;    // between heading and axes
-constexpr double kUnder = 0.65;   // below axes that have no times
-constexpr double kTimes = 2.9;    // below the last ones
-constexpr double kTick = 0.22;    // length of a tick
-constexpr double kTickGap = 0.2;  // between a tick and its label
-constexpr double kAside = 0.9;    // free between labels of times
-constexpr double kAbove = 0.45;   // free between labels of values
-constexpr double kCurve = 0.125;  // width of curves
-constexpr double kThin = 0.05;    // width of axes
-constexpr double kDot = 0.24;     // radius
-constexpr double kBetween = 0.8;  // names of curves
-constexpr double kSample = 1.6;   // width of a curve's sample, below its name
 // of what there is, at most
 constexpr double kMostOfHeight = 0.15, kMostOfWidth = 0.055;
 // of a plot's share of the height, at most, for type that is already smaller by this factor
 constexpr double kCrowded = 0.178, kLess = 0.9;
-constexpr double kHighest = 0.75;                             // of a plot, of its width
-constexpr double kGrid = 0.22, kAxis = 0.9, kPresent = 0.55;  // opacities
-
-TextRoom ink_of(const TextBox& box, double x, double y) {
-  return {x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom};
-}
+constexpr double kHighest = 0.75;  // of a plot, of its width
+constexpr double kPresent = 0.55;  // opacity of the line of the present
 
 // the text as wide as it can be, for room that does not change
 std::string all_zeros(std::string text) {
@@ -72,6 +53,13 @@ double room_beside(double low, double high, bool ratio) {
 std::string heading_of(const FilmPlot& plot, int exponent) {
   const std::string unit = scaled_unit(exponent, plot.unit);
   return unit.empty() ? plot.title : fmt::format("{}, {}", plot.title, unit);
+}
+
+// the type as large as `count` plots leave it in this room
+double fitting_size(double wished, const PixelBox& room, std::size_t count) {
+  const double share = room.height / static_cast<double>(count);
+  const double high = std::max(kMostOfHeight * share, std::min(kLess * wished, kCrowded * share));
+  return std::min({wished, high, kMostOfWidth * room.width});
 }
 
 }  // namespace
@@ -127,29 +115,25 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
                      const Theme& theme,
                      const TimeUnit& unit,
                      const Typesetter& typesetter)
-    : theme_(theme), typesetter_(typesetter) {
+    : paper_(theme, typesetter, fitting_size(size, room, plots.size())) {
   const auto count = static_cast<double>(plots.size());
-  const double share = room.height / count;
-  const double high = std::max(kMostOfHeight * share, std::min(kLess * size, kCrowded * share));
-  size_ = std::min({size, high, kMostOfWidth * room.width});
-  line_ = std::max(1.0, kCurve * size_);
-  const double pad = kPad * size_;
+  const double type = paper_.size();
+  const double pad = kPlotPad * type;
   const double left = room.x + pad;
   const double right = room.right() - pad;
 
   // heights: each plot the same, the times under the last one
-  const double below = (kTimes - kUnder) * size_;
+  const double below = (kPlotColumns - kPlotUnder) * type;
   const double all = std::min(room.height - pad, count * kHighest * (right - left) + below);
   const double top = room.y + 0.5 * (room.height - all);
   const double each = (all - below) / count;
 
   // values decide how wide their labels are, and so where the axes begin and end
-  const TextStyle plain = style_of(theme_, size_, theme_.position);
   const auto width = [&](const std::string& text) {
-    return typesetter_.measure(plain_text(text), plain).ink_width();
+    return paper_.ink_width(text);
   };
   const auto height = [&](const std::string& text) {
-    return typesetter_.measure(plain_text(text), plain).ink_height();
+    return paper_.ink_height(text);
   };
   double widest_label = 0.0;
   double widest_value = 0.0;
@@ -161,145 +145,61 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
     one.low = least - beside;
     one.high = most + beside;
     const double y = top + static_cast<double>(plots_.size()) * each;
-    one.axes.y = static_cast<int>(std::lround(y + (kHeading + kOver) * size_));
+    one.axes.y = static_cast<int>(std::lround(y + (kPlotHeading + kPlotOver) * type));
     one.axes.height =
-        std::max(1, static_cast<int>(std::lround(y + each - kUnder * size_)) - one.axes.y);
-    one.ticks = choose_ticks(one.low, one.high, one.axes.height, height, kAbove * size_);
+        std::max(1, static_cast<int>(std::lround(y + each - kPlotUnder * type)) - one.axes.y);
+    one.ticks = choose_ticks(one.low, one.high, one.axes.height, height, kPlotAbove * type);
     for (const std::string& label : one.ticks.labels)
       widest_label = std::max(widest_label, width(label));
     for (const double value : {least, most}) {
-      const std::string text = plain_text(all_zeros(value_text(one, value)));
-      one.value_width = std::max(one.value_width, typesetter_.measure(text, plain).width);
+      const std::string text = all_zeros(value_text(one, value));
+      one.value_width = std::max(one.value_width, paper_.measure(text).width);
     }
     widest_value = std::max(widest_value, one.value_width);
     plots_.push_back(std::move(one));
   }
-  const double before = widest_label + (kTick + kTickGap) * size_;
-  const double behind = widest_value + (kDot + 2.0 * kTickGap) * size_;
+  const double before = widest_label + (kPlotTick + kPlotTickGap) * type;
+  const double behind = widest_value + (kPlotDot + 2.0 * kPlotTickGap) * type;
   const int first = static_cast<int>(std::lround(left + before));
   const int last = std::max(first + 1, static_cast<int>(std::lround(right - behind)));
 
   const FilmPlot& any = plots_.front().plot;
   const Ticks times = choose_ticks(
-      any.begins / unit.seconds, any.ends / unit.seconds, last - first, width, kAside * size_);
+      any.begins / unit.seconds, any.ends / unit.seconds, last - first, width, kPlotAside * type);
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     Drawn& one = plots_[i];
     one.axes.x = first;
     one.axes.width = last - first;
-    const int y = one.axes.y - static_cast<int>(std::lround((kHeading + kOver) * size_));
+    const int y = one.axes.y - static_cast<int>(std::lround((kPlotHeading + kPlotOver) * type));
     add_heading(one,
                 {static_cast<int>(std::lround(left)),
                  y,
                  static_cast<int>(std::lround(right - left)),
-                 static_cast<int>(std::lround(kHeading * size_))});
+                 static_cast<int>(std::lround(kPlotHeading * type))});
     add_axes(one, times, unit, i + 1 == plots_.size());
-    one.rim = static_cast<int>(std::ceil(line_));
+    one.rim = static_cast<int>(std::ceil(paper_.line()));
     one.curves = draw_curves(one);
   }
-  const int thin = std::max(1, static_cast<int>(std::lround(kThin * size_)));
+  const int thin = paper_.thin();
   present_ = std::make_shared<const Sprite>(
-      filled_sprite(thin, plots_.front().axes.height, bytes_of(theme_.position), kPresent));
+      filled_sprite(thin, plots_.front().axes.height, bytes_of(paper_.theme().position), kPresent));
 }
 
-void PlotStack::add_text(const std::string& text, const TextStyle& style, double x, double y) {
-  const std::string markup = plain_text(text);
-  fixed_.push_back(typesetter_.set(markup, style, x, y));
-  fixed_text_.push_back(
-      {TextRole::plot, markup, style, ink_of(typesetter_.measure(markup, style), x, y)});
-}
-
-void PlotStack::add_line(const PixelBox& box, double opacity) {
-  fixed_.push_back({std::make_shared<const Sprite>(
-                        filled_sprite(box.width, box.height, bytes_of(theme_.space_axes), opacity)),
-                    box.x,
-                    box.y});
-}
-
-// the title on the left and the curves' names on the right, each above a piece of its curve
 void PlotStack::add_heading(const Drawn& one, const PixelBox& row) {
-  const std::string title = heading_of(one.plot, one.ticks.exponent);
-  TextStyle style = style_of(theme_, size_, theme_.position);
-  const auto width = [&](const std::string& text) {
-    return typesetter_.measure(plain_text(text), style).width;
-  };
-  const auto entry = [&](const PlotCurve& curve) {
-    return std::max(width(curve.name), kSample * style.size);
-  };
-  const auto all = [&] {
-    double sum = width(title);
-    for (const PlotCurve& curve : one.plot.curves)
-      sum += kBetween * style.size + entry(curve);
-    return sum;
-  };
-  const double shrink = std::min(1.0, row.width / all());
-  style.size *= shrink;
-  style.halo *= shrink;
-
-  const double y = row.y + 0.5 * (row.height - typesetter_.measure("x", style).height);
-  add_text(title, style, row.x, y);
-  double x = row.right();
-  for (std::size_t i = one.plot.curves.size(); i-- > 0;) {
-    const PlotCurve& curve = one.plot.curves[i];
-    const double room = entry(curve);
-    x -= room;
-    style.color = bytes_of(color(i));
-    add_text(curve.name, style, x + 0.5 * (room - width(curve.name)), y);
-    // a piece of the curve
-    Sprite sample(static_cast<int>(std::ceil(room)), static_cast<int>(std::ceil(line_)) + 2);
-    const double middle = 0.5 * sample.height;
-    const std::vector<double> pattern = dashes(i);
-    Polyline line{{0.5 * line_, middle}, {room - 0.5 * line_, middle}};
-    if (!pattern.empty()) {
-      // a gap in the middle, and no end
-      const double period = pattern[0] + pattern[1];
-      const double first = 0.5 * room - pattern[0] - 0.5 * pattern[1];
-      line = {{first - std::ceil(room / period) * period, middle}, {2.0 * room, middle}};
-    }
-    stroke(sample, dashes_of(line, pattern), line_, style.color);
-    fixed_.push_back({std::make_shared<const Sprite>(std::move(sample)),
-                      static_cast<int>(std::lround(x)),
-                      static_cast<int>(std::lround(row.bottom() - 0.1 * size_))});
-    x -= kBetween * style.size;
-  }
+  std::vector<PlotEntry> entries;
+  for (std::size_t i = 0; i < one.plot.curves.size(); ++i)
+    entries.push_back({one.plot.curves[i].name, color(i), dashes(i)});
+  paper_.add_heading(heading_of(one.plot, one.ticks.exponent), entries, row);
 }
 
 void PlotStack::add_axes(const Drawn& one, const Ticks& times, const TimeUnit& unit, bool is_last) {
-  const PixelBox& axes = one.axes;
-  const int thin = std::max(1, static_cast<int>(std::lround(kThin * size_)));
-  const int tick = static_cast<int>(std::lround(kTick * size_));
-  const TextStyle style = style_of(theme_, size_, theme_.position);
-  for (std::size_t i = 0; i < one.ticks.values.size(); ++i) {
-    const double at = row_of(one, one.ticks.values[i]);
-    const int y = static_cast<int>(std::lround(at - 0.5 * thin));
-    add_line({axes.x, y, axes.width, thin}, kGrid);
-    add_line({axes.x - tick, y, tick, thin}, kAxis);
-    const TextBox box = typesetter_.measure(plain_text(one.ticks.labels[i]), style);
-    add_text(one.ticks.labels[i],
-             style,
-             axes.x - (kTick + kTickGap) * size_ - box.ink_right,
-             at - 0.5 * (box.ink_top + box.ink_bottom));
-  }
-  for (std::size_t i = 0; i < times.values.size(); ++i) {
-    const double at = column_of(one, times.values[i] * unit.seconds);
-    const int x = static_cast<int>(std::lround(at - 0.5 * thin));
-    add_line({x, axes.y, thin, axes.height}, kGrid);
-    add_line({x, axes.bottom(), thin, tick}, kAxis);
-    if (!is_last) continue;
-    const TextBox box = typesetter_.measure(plain_text(times.labels[i]), style);
-    add_text(times.labels[i],
-             style,
-             at - 0.5 * (box.ink_left + box.ink_right),
-             axes.bottom() + (kTick + kTickGap) * size_ - box.ink_top);
-  }
-  add_line({axes.x - thin, axes.y, thin, axes.height + thin}, kAxis);
-  add_line({axes.x, axes.bottom(), axes.width, thin}, kAxis);
-  if (!is_last) return;
-  const std::string name = "time, " + scaled_unit(times.exponent, unit.name);
-  const TextBox box = typesetter_.measure(plain_text(name), style);
-  add_text(name,
-           style,
-           axes.x + 0.5 * (axes.width - box.width),
-           axes.bottom() + (kTimes - 1.35) * size_);
+  paper_.add_rows(one.axes, one.ticks, [&](double value) { return row_of(one, value); });
+  paper_.add_columns(
+      one.axes,
+      times,
+      [&](double time) { return column_of(one, time * unit.seconds); },
+      is_last ? "time, " + scaled_unit(times.exponent, unit.name) : "");
+  paper_.add_axes(one.axes);
 }
 
 Stamp PlotStack::draw_curves(const Drawn& one) const {
@@ -323,7 +223,7 @@ Stamp PlotStack::draw_curves(const Drawn& one) const {
         lines.push_back(std::move(dash));
       line.clear();
     }
-    stroke(sprite, lines, line_, bytes_of(color(i)));
+    stroke(sprite, lines, paper_.line(), bytes_of(color(i)));
   }
   return {std::make_shared<const Sprite>(std::move(sprite)),
           static_cast<int>(left),
@@ -337,7 +237,8 @@ std::string PlotStack::value_text(const Drawn& one, double value) const {
 // with round ends, which are as long as the line is wide
 std::vector<double> PlotStack::dashes(std::size_t curve) const {
   const auto pattern = [&](double drawn, double free) {
-    return std::vector<double>{drawn * size_ - line_, free * size_ + line_};
+    return std::vector<double>{drawn * paper_.size() - paper_.line(),
+                               free * paper_.size() + paper_.line()};
   };
   if (curve == 1) return pattern(1.1, 0.35);
   if (curve == 2) return pattern(0.45, 0.3);
@@ -345,7 +246,8 @@ std::vector<double> PlotStack::dashes(std::size_t curve) const {
 }
 
 glm::vec3 PlotStack::color(std::size_t curve) const {
-  const std::array<glm::vec3, 3> colors = {theme_.omega, theme_.momentum, theme_.body_axes};
+  const std::array<glm::vec3, 3> colors = {
+      paper_.theme().omega, paper_.theme().momentum, paper_.theme().body_axes};
   return colors[curve % colors.size()];
 }
 
@@ -372,10 +274,11 @@ std::vector<PlotStack::Value> PlotStack::values_of(const Drawn& one, double t) c
     value.curve = i;
     value.dot = {column, row_of(one, now[i])};
     value.text = value_text(one, now[i]);
-    value.box = typesetter_.measure(plain_text(value.text), style_of(theme_, size_, color(i)));
+    value.box = paper_.measure(value.text);
     // digits keep their places whatever the sign
-    value.x = column + (kDot + kTickGap) * size_ + std::max(0.0, one.value_width - value.box.width);
-    height = std::max(height, value.box.ink_height() + 0.25 * size_);
+    value.x = column + (kPlotDot + kPlotTickGap) * paper_.size() +
+              std::max(0.0, one.value_width - value.box.width);
+    height = std::max(height, value.box.ink_height() + 0.25 * paper_.size());
     wished.push_back(value.dot.y);
     list.push_back(std::move(value));
   }
@@ -392,7 +295,7 @@ std::vector<PlotStack::Value> PlotStack::values_of(const Drawn& one, double t) c
 }
 
 void PlotStack::draw(double t, std::vector<Stamp>& stamps) const {
-  stamps.insert(stamps.end(), fixed_.begin(), fixed_.end());
+  stamps.insert(stamps.end(), paper_.stamps().begin(), paper_.stamps().end());
   for (const Drawn& one : plots_) {
     Stamp curves = one.curves;
     const double column = column_of(one, t);
@@ -401,20 +304,10 @@ void PlotStack::draw(double t, std::vector<Stamp>& stamps) const {
     stamps.push_back(
         {present_, static_cast<int>(std::lround(column - 0.5 * present_->width)), one.axes.y});
     const std::vector<Value> values = values_of(one, t);
+    for (const Value& value : values)
+      stamps.push_back(paper_.dot(value.dot, color(value.curve)));
     for (const Value& value : values) {
-      const double radius = kDot * size_ + line_;  // with a rim
-      const int left = static_cast<int>(std::floor(value.dot.x - radius - 1.0));
-      const int top = static_cast<int>(std::floor(value.dot.y - radius - 1.0));
-      const int side = static_cast<int>(std::ceil(2.0 * radius)) + 4;
-      Sprite dot(side, side);
-      const std::vector<Polyline> place{{{value.dot.x - left, value.dot.y - top}}};
-      stroke(dot, place, 2.0 * kDot * size_ + line_, bytes_of(theme_.background));
-      stroke(dot, place, 2.0 * kDot * size_, bytes_of(color(value.curve)));
-      stamps.push_back({std::make_shared<const Sprite>(std::move(dot)), left, top});
-    }
-    for (const Value& value : values) {
-      stamps.push_back(typesetter_.set(
-          plain_text(value.text), style_of(theme_, size_, color(value.curve)), value.x, value.y));
+      stamps.push_back(paper_.text(value.text, paper_.style(color(value.curve)), value.x, value.y));
     }
   }
 }
@@ -432,7 +325,7 @@ std::vector<PlacedText> PlotStack::values(double t) const {
     for (const Value& value : values_of(one, t)) {
       list.push_back({TextRole::plot,
                       plain_text(value.text),
-                      style_of(theme_, size_, color(value.curve)),
+                      paper_.style(color(value.curve)),
                       ink_of(value.box, value.x, value.y)});
     }
   }
@@ -440,7 +333,7 @@ std::vector<PlacedText> PlotStack::values(double t) const {
 }
 
 std::vector<PlacedText> PlotStack::texts(double t) const {
-  std::vector<PlacedText> list = fixed_text_;
+  std::vector<PlacedText> list = paper_.texts();
   for (PlacedText& value : values(t))
     list.push_back(std::move(value));
   return list;

@@ -6,13 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "frame/labels.h"
 #include "frame/layout.h"
-#include "frame/placed_text.h"
-#include "frame/theme.h"
-#include "frame/ticks.h"
-#include "image/sprite.h"
-#include "image/stroke.h"
+#include "frame/plot_paper.h"
 #include "text/typesetter.h"
 
 namespace polhode {
@@ -62,7 +57,7 @@ class PlotStack {
   // For tests, pixels of the frame. Where the curves of each plot are:
   std::vector<PixelBox> axes() const;
   // All text that keeps its place, the values at a time, and both.
-  const std::vector<PlacedText>& fixed_text() const { return fixed_text_; }
+  const std::vector<PlacedText>& fixed_text() const { return paper_.texts(); }
   std::vector<PlacedText> values(double t) const;
   std::vector<PlacedText> texts(double t) const;
 
@@ -85,8 +80,6 @@ class PlotStack {
     double x = 0.0, y = 0.0;  // of the text's corner
     TextBox box;
   };
-  void add_text(const std::string& text, const TextStyle& style, double x, double y);
-  void add_line(const PixelBox& box, double opacity);
   void add_heading(const Drawn& one, const PixelBox& row);
   void add_axes(const Drawn& one, const Ticks& times, const TimeUnit& unit, bool is_last);
   Stamp draw_curves(const Drawn& one) const;
@@ -97,13 +90,8 @@ class PlotStack {
   double column_of(const Drawn& one, double t) const;
   double row_of(const Drawn& one, double value) const;
 
-  Theme theme_;
-  const Typesetter& typesetter_;
-  double size_ = 0.0;  // of the type, px
-  double line_ = 0.0;  // width of curves, px
+  PlotPaper paper_;
   std::vector<Drawn> plots_;
-  std::vector<Stamp> fixed_;
-  std::vector<PlacedText> fixed_text_;
   SpritePtr present_;  // the line of the present
 };
 

@@ -9,7 +9,7 @@
 
 #include "base/fields.h"
 #include "math/notation.h"
-#include "motion/recorded.h"
+#include "motion/diagram.h"
 
 namespace polhode {
 
@@ -73,7 +73,7 @@ struct ShowSpec {
   // One panel for each: "space" is seen by the scene's camera, "body" by one that turns with the
   // body.
   std::vector<std::string> views = {"space"};
-  std::vector<std::string> plots;  // names from recorded_names() (motion/recorded.h)
+  std::vector<std::string> plots;  // names from plot_names() (motion/diagram.h)
   std::string material = "plain";  // one of material_names()
   std::string hidden = "dashed";   // one of hidden_names(): vectors and axes behind bodies
   std::vector<Vec3> trail_points;  // points whose paths are drawn, in B, m
@@ -214,10 +214,12 @@ void fields(Visitor& v, ShowSpec& s) {
           Unit::none,
           kAny,
           {"space", "body"}});
-  v.field(
-      "plots",
-      s.plots,
-      Doc{"quantities plotted over time, beside the picture", Unit::none, kAny, recorded_names()});
+  v.field("plots",
+          s.plots,
+          Doc{"quantities plotted over time, and diagrams, beside the picture",
+              Unit::none,
+              kAny,
+              plot_names()});
   v.field("labels", s.labels, Doc{"show the names of vectors beside them"});
   v.field("title", s.title, Doc{"show the scene's title, at the top"});
   v.field("clock",

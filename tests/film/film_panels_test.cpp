@@ -25,7 +25,7 @@ struct Panels {
     film = std::make_unique<Film>(make_film({solved},
                                             plan_frame_times(solved, {}).timeline,
                                             comparison.get(),
-                                            make_plots({solved}),
+                                            make_charts({solved}),
                                             with_text));
   }
   const std::vector<FilmPanel>& all() const { return film->panels(); }
@@ -193,7 +193,7 @@ TEST_P(WholeFilm, TextNeverRunsOverText) {
   std::unique_ptr<Comparison> comparison;
   if (!scene.numerics.compare.empty()) comparison = std::make_unique<Comparison>(solved, 0.1);
   const Film film =
-      make_film({solved}, frames.timeline, comparison.get(), make_plots({solved}), true);
+      make_film({solved}, frames.timeline, comparison.get(), make_charts({solved}), true);
   const double duration = frames.timeline.film_duration();
   constexpr int kLooks = 120;
   for (int i = 0; i <= kLooks; ++i) {
@@ -228,7 +228,7 @@ std::vector<Solved> small_and_smaller(const std::string& film = "") {
 
 Film film_of(const std::vector<Solved>& solved) {
   const FrameTimes frames = plan_frame_times(solved.front(), {});
-  return make_film(solved, frames.timeline, nullptr, make_plots(solved), true);
+  return make_film(solved, frames.timeline, nullptr, make_charts(solved), true);
 }
 
 TEST(FilmPanels, SeveralScenesHaveOneScaleAndOneCamera) {
@@ -272,7 +272,7 @@ TEST(FilmPanels, SeveralScenesMayHaveTheirOwn) {
 
 TEST(FilmPanels, PlotsHaveTheCurvesOfAllScenes) {
   const std::vector<FilmPlot> plots =
-      make_plots(small_and_smaller("show.plots = [\"tilt\", \"omega\"]\n"));
+      make_charts(small_and_smaller("show.plots = [\"tilt\", \"omega\"]\n")).plots;
   ASSERT_EQ(plots.size(), 2U);
   ASSERT_EQ(plots[0].curves.size(), 2U);
   EXPECT_EQ(plots[0].curves[0].name, "test");

@@ -5,6 +5,7 @@
 
 #include "film/small_films.h"
 #include "scene/scene_file.h"
+#include "support/expect_error.h"
 #include "support/scenes.h"
 
 namespace polhode {
@@ -13,12 +14,12 @@ namespace {
 using test::small_scene;
 
 TEST(FilmPlots, WithoutPlotsThereAreNone) {
-  EXPECT_TRUE(make_plots({solve(small_scene())}).empty());
+  EXPECT_TRUE(make_charts({solve(small_scene())}).count() == 0);
 }
 
 TEST(FilmPlots, AreThoseOfTheListInItsOrder) {
   const Scene scene = small_scene("[show]\nplots = [\"tilt\", \"energy\", \"omega\"]\n");
-  const std::vector<FilmPlot> plots = make_plots({solve(scene)});
+  const std::vector<FilmPlot> plots = make_charts({solve(scene)}).plots;
   ASSERT_EQ(plots.size(), 3U);
   EXPECT_EQ(plots[0].title, "tilt of the axis");
   EXPECT_EQ(plots[1].unit, "J");
@@ -28,7 +29,7 @@ TEST(FilmPlots, AreThoseOfTheListInItsOrder) {
 // the values of a curve are those of the moments at which they stand
 TEST(FilmPlots, CurvesAreSampledOverTheWholeMotion) {
   const Solved solved = solve(load_scene(test::scene_path("nutation_plots")));
-  for (const FilmPlot& plot : make_plots({solved})) {
+  for (const FilmPlot& plot : make_charts({solved}).plots) {
     EXPECT_EQ(plot.begins, 0.0);
     EXPECT_EQ(plot.ends, solved.simulation.motion.duration());
     for (std::size_t k = 0; k < plot.curves.size(); ++k) {
@@ -40,6 +41,22 @@ TEST(FilmPlots, CurvesAreSampledOverTheWholeMotion) {
       }
     }
   }
+}
+
+TEST(FilmPlots, DiagramsStandBesideThem) {
+  const Solved solved = solve(load_scene(test::scene_path("nutation_plots")));
+  Solved asked = solved;
+  asked.scene.show.plots = {"tilt", "phase", "potential"};
+  const FilmCharts charts = make_charts({asked});
+  EXPECT_EQ(charts.plots.size(), 1U);
+  ASSERT_EQ(charts.diagrams.size(), 2U);
+  EXPECT_EQ(charts.diagrams[0].title, "phase portrait");
+
+  asked.scene.show.plots = {"polhode_map"};
+  test::expect_input_error(
+      [&] { make_charts({asked}); }, "show.plots", "'polhode_map' needs a body on which no torque");
+  asked.scene.show.plots = {"phase"};
+  test::expect_input_error([&] { make_charts({asked, asked}); }, "show.plots", "2 panels");
 }
 
 }  // namespace

@@ -109,6 +109,9 @@ TEST(LegiblePlots, TextIsLarge) {
     stacks.push_back({name});
   for (std::size_t count = 2; count <= 6; ++count)
     stacks.emplace_back(count, "energy");
+  stacks.push_back({"polhode_map"});
+  stacks.push_back({"polhode_map", "polhode_map"});
+  stacks.push_back({"polhode_map", "energy", "omega"});
   for (const std::vector<std::string>& plots : stacks) {
     SCOPED_TRACE(testing::Message() << plots.size() << " of " << plots.front());
     Scene scene = test::small_scene();

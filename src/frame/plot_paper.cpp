@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "frame/plot_paper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "frame/lettering.h"
+
+namespace polhode {
+namespace {
+
+// lengths in units of the type
+constexpr double kCurve = 0.125;             // width of curves
+constexpr double kThin = 0.05;               // width of axes
+constexpr double kBetween = 0.8;             // names of curves
+constexpr double kSample = 1.6;              // width of a curve's sample, below its name
+constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
+
+}  // namespace
+
+TextRoom ink_of(const TextBox& box, double x, double y) {
+  return {x + box.ink_left, y + box.ink_top, x + box.ink_right, y + box.ink_bottom};
+}
+
+PlotPaper::PlotPaper(const Theme& theme, const Typesetter& typesetter, double size)
+    : theme_(theme), typesetter_(typesetter), size_(size), line_(std::max(1.0, kCurve * size)) {}
+
+int PlotPaper::thin() const {
+  return std::max(1, static_cast<int>(std::lround(kThin * size_)));
+}
+
+TextStyle PlotPaper::style(const glm::vec3& color) const {
+  return style_of(theme_, size_, color);
+}
+
+TextBox PlotPaper::measure(const std::string& text) const {
+  return typesetter_.measure(plain_text(text), style(theme_.position));
+}
+
+Stamp PlotPaper::text(const std::string& text, const TextStyle& style, double x, double y) const {
+  return typesetter_.set(plain_text(text), style, x, y);
+}
+
+void PlotPaper::add_text(const std::string& text, const TextStyle& style, double x, double y) {
+  const std::string markup = plain_text(text);
+  stamps_.push_back(typesetter_.set(markup, style, x, y));
+  texts_.push_back(
+      {TextRole::plot, markup, style, ink_of(typesetter_.measure(markup, style), x, y)});
+}
+
+void PlotPaper::add_line(const PixelBox& box, double opacity) {
+  stamps_.push_back({std::make_shared<const Sprite>(filled_sprite(
+                         box.width, box.height, bytes_of(theme_.space_axes), opacity)),
+                     box.x,
+                     box.y});
+}
+
+// each entry above a piece of its curve
+void PlotPaper::add_heading(const std::string& title,
+                            const std::vector<PlotEntry>& entries,
+                            const PixelBox& row) {
+  TextStyle style = this->style(theme_.position);
+  const auto width = [&](const std::string& text) {
+    return typesetter_.measure(plain_text(text), style).width;
+  };
+  const auto room_of = [&](const PlotEntry& entry) {
+    return std::max(width(entry.name), kSample * style.size);
+  };
+  double all = width(title);
+  for (const PlotEntry& entry : entries)
+    all += kBetween * style.size + room_of(entry);
+  const double shrink = std::min(1.0, row.width / all);
+  style.size *= shrink;
+  style.halo *= shrink;
+
+  const double y = row.y + 0.5 * (row.height - typesetter_.measure("x", style).height);
+  add_text(title, style, row.x, y);
+  double x = row.right();
+  for (std::size_t i = entries.size(); i-- > 0;) {
+    const PlotEntry& entry = entries[i];
+    const double room = room_of(entry);
+    x -= room;
+    style.color = bytes_of(entry.color);
+    add_text(entry.name, style, x + 0.5 * (room - width(entry.name)), y);
+    // a piece of the curve
+    Sprite sample(static_cast<int>(std::ceil(room)), static_cast<int>(std::ceil(line_)) + 2);
+    const double middle = 0.5 * sample.height;
+    const std::vector<double>& pattern = entry.dashes;
+    Polyline line{{0.5 * line_, middle}, {room - 0.5 * line_, middle}};
+    if (!pattern.empty()) {
+      // a gap in the middle, and no end
+      const double period = pattern[0] + pattern[1];
+      const double first = 0.5 * room - pattern[0] - 0.5 * pattern[1];
+      line = {{first - std::ceil(room / period) * period, middle}, {2.0 * room, middle}};
+    }
+    stroke(sample, dashes_of(line, pattern), line_, style.color);
+    stamps_.push_back({std::make_shared<const Sprite>(std::move(sample)),
+                       static_cast<int>(std::lround(x)),
+                       static_cast<int>(std::lround(row.bottom() - 0.1 * size_))});
+    x -= kBetween * style.size;
+  }
+}
+
+void PlotPaper::add_rows(const PixelBox& axes,
+                         const Ticks& ticks,
+                         const std::function<double(double)>& row_of) {
+  const int tick = static_cast<int>(std::lround(kPlotTick * size_));
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const double at = row_of(ticks.values[i]);
+    const int y = static_cast<int>(std::lround(at - 0.5 * thin()));
+    add_line({axes.x, y, axes.width, thin()}, kGrid);
+    add_line({axes.x - tick, y, tick, thin()}, kAxis);
+    const TextBox box = measure(ticks.labels[i]);
+    add_text(ticks.labels[i],
+             style(theme_.position),
+             axes.x - (kPlotTick + kPlotTickGap) * size_ - box.ink_right,
+             at - 0.5 * (box.ink_top + box.ink_bottom));
+  }
+}
+
+void PlotPaper::add_columns(const PixelBox& axes,
+                            const Ticks& ticks,
+                            const std::function<double(double)>& column_of,
+                            const std::string& name) {
+  const int tick = static_cast<int>(std::lround(kPlotTick * size_));
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const double at = column_of(ticks.values[i]);
+    const int x = static_cast<int>(std::lround(at - 0.5 * thin()));
+    add_line({x, axes.y, thin(), axes.height}, kGrid);
+    add_line({x, axes.bottom(), thin(), tick}, kAxis);
+    if (name.empty()) continue;
+    const TextBox box = measure(ticks.labels[i]);
+    add_text(ticks.labels[i],
+             style(theme_.position),
+             at - 0.5 * (box.ink_left + box.ink_right),
+             axes.bottom() + (kPlotTick + kPlotTickGap) * size_ - box.ink_top);
+  }
+  if (name.empty()) return;
+  add_text(name,
+           style(theme_.position),
+           axes.x + 0.5 * (axes.width - measure(name).width),
+           axes.bottom() + (kPlotColumns - 1.35) * size_);
+}
+
+void PlotPaper::add_axes(const PixelBox& axes) {
+  add_line({axes.x - thin(), axes.y, thin(), axes.height + thin()}, kAxis);
+  add_line({axes.x, axes.bottom(), axes.width, thin()}, kAxis);
+}
+
+Stamp PlotPaper::dot(const LinePoint& at, const glm::vec3& color) const {
+  const double radius = kPlotDot * size_ + line_;  // with a rim
+  const int left = static_cast<int>(std::floor(at.x - radius - 1.0));
+  const int top = static_cast<int>(std::floor(at.y - radius - 1.0));
+  const int side = static_cast<int>(std::ceil(2.0 * radius)) + 4;
+  Sprite disc(side, side);
+  const std::vector<Polyline> place{{{at.x - left, at.y - top}}};
+  stroke(disc, place, 2.0 * kPlotDot * size_ + line_, bytes_of(theme_.background));
+  stroke(disc, place, 2.0 * kPlotDot * size_, bytes_of(color));
+  return {std::make_shared<const Sprite>(std::move(disc)), left, top};
+}
+
+}  // namespace polhode
