@@ -5,6 +5,7 @@
 #include "app/commands/new_scene.h"
 #include "cli/command.h"
 #include "cli/option_words.h"
+#include "motion/diagram.h"
 
 namespace polhode {
 namespace {
@@ -36,6 +37,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"METHODS", ValueForm::words_with_commas, stepper_words(), {}},
       {"DOCUMENTS", ValueForm::words_with_commas, document_words(), {}},
       {"NEW", ValueForm::word, new_kind_words(), {}},
+      {"PLOT", ValueForm::word, plot_names(), {}},
       {"PRESET", ValueForm::word, preset_words(), {}},
       {"QUALITY", ValueForm::word, quality_words(), {}},
       {"SHELL", ValueForm::word, {"bash", "zsh"}, {}},

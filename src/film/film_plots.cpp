@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/film_plots.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -53,10 +55,10 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
     }
     return all;
   };
-  for (int i = 0; i <= kSteps; ++i) {
-    const std::vector<double> now = plot.now(plot.ends * i / kSteps);
-    for (std::size_t k = 0; k < plot.curves.size(); ++k)
-      plot.curves[k].values.push_back(now[k]);
+  std::size_t curve = 0;
+  for (const Motion& motion : motions) {
+    for (std::vector<double>& values : values_over_time(quantity, motion, plot.ends, kSteps))
+      plot.curves[curve++].values = std::move(values);
   }
   return plot;
 }

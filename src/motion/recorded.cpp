@@ -66,8 +66,14 @@ const std::vector<Recorded>& recorded_quantities() {
        "°",
        {"φ", "θ", "ψ"},
        [](const Motion&, const Sample& now) {
-         return parts(zxz_angles(now.q_SB) * 180.0 / kPi);
-       }},
+         const Vec3 angles = zxz_angles(now.q_SB);
+         const auto within_a_turn = [](double angle) {
+           return std::remainder(angle, 2.0 * kPi) / kDegree;
+         };
+         return std::vector<double>{
+             within_a_turn(angles[0]), angles[1] / kDegree, within_a_turn(angles[2])};
+       },
+       360.0},
       {"energy",
        "energy",
        "J",
@@ -96,6 +102,24 @@ const std::vector<Recorded>& recorded_quantities() {
        }},
   };
   return table;
+}
+
+std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
+                                                  const Motion& motion,
+                                                  double end,
+                                                  int steps) {
+  std::vector<std::vector<double>> curves(quantity.curves.size());
+  std::vector<double> before;
+  for (int i = 0; i <= steps; ++i) {
+    const std::vector<double> now = quantity.values(motion, motion.at(end * i / steps));
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const bool begins_again = quantity.period > 0.0 && !before.empty() &&
+                                std::abs(now[k] - before[k]) > 0.5 * quantity.period;
+      curves[k].push_back(begins_again ? NAN : now[k]);
+    }
+    before = now;
+  }
+  return curves;
 }
 
 std::vector<std::string> recorded_names() {

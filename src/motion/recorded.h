@@ -18,7 +18,17 @@ struct Recorded {
   // The value of each curve at the moment of `sample`, in `unit`; NaN where it is not defined.
   // Throws Error (check_failed) as drift_at does.
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
+  // The values are angles in `unit` that begin again after this much; 0: no.
+  double period = 0.0;
 };
+
+// The values of each curve at `steps` equal steps of the motion up to `end` (s), and there. NaN
+// where they are not defined, and where an angle begins again: no line belongs there. Throws Error
+// (check_failed) as Recorded::values does.
+std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
+                                                  const Motion& motion,
+                                                  double end,
+                                                  int steps);
 
 // All quantities; the table exists until the program ends.
 const std::vector<Recorded>& recorded_quantities();

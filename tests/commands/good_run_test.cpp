@@ -67,6 +67,7 @@ TEST_F(GoodRun, SettingsAreAsIfInTheFile) {
        {"simulate " + scene() + set + out("a.csv"),
         "inspect " + scene() + set,
         "preview " + scene() + set + out("p.png"),
+        "plot " + scene() + " tilt" + set + out("tilt.svg"),
         "chart " + scene() + set + " --methods rk4" + out("chart"),
         "stability " + scene() + set + " --methods rk4 --cells 2x2" + out("map")}) {
     const Ran ran = run_polhode(command);
@@ -95,6 +96,22 @@ TEST_F(GoodRun, HashesAreTheSameOnBothBackEndsAndTwice) {
   ASSERT_EQ(run_polhode("render " + scene() + out("a.hash") + " --backend osmesa").code, 0);
   ASSERT_EQ(run_polhode("render " + scene() + out("b.hash") + " --backend egl").code, 0);
   EXPECT_EQ(read_text(folder_ / "a.hash"), read_text(folder_ / "b.hash"));
+}
+
+// the points of a plot are those of the table of the motion
+TEST_F(GoodRun, APlotAsATable) {
+  ASSERT_EQ(run_polhode("plot " + scene() + " energy" + out("e.csv")).code, 0);
+  const std::string table = read_text(folder_ / "e.csv");
+  const Ran ran = run_polhode("simulate " + scene() + " -o - --rate 1");
+  std::istringstream rows(ran.out);
+  std::string row;
+  std::getline(rows, row);
+  std::getline(rows, row);
+  const std::string energy = row.substr(row.rfind(',') + 1);
+  EXPECT_NE(table.find("\ntotal,0," + energy + "\n"), std::string::npos) << energy;
+  ASSERT_EQ(run_polhode("plot " + scene() + " polhode_map --at 0.5" + out("map.pdf")).code, 0);
+  EXPECT_TRUE(read_text(folder_ / "map.pdf").starts_with("%PDF-"));
+  EXPECT_EQ(folder_.entries(), 1 + 2);
 }
 
 TEST_F(GoodRun, TableOfTheMotion) {

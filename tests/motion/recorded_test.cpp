@@ -97,5 +97,26 @@ TEST(Recorded, PositionFollowsTheFlight) {
   EXPECT_LE((vector(recorded("position", motion, 2.0)) - wanted).norm(), 1e-12);
 }
 
+// angles begin again at half a turn, and no line goes back through the whole plot
+TEST(Recorded, AnglesStayWithinATurnAndJumpWithoutALine) {
+  MotionSpec spec = wobbling();
+  spec.spin.body = Vec3(0.1, 0.2, 20.0);
+  const Motion motion = moving(prolate_body(), spec);
+  for (const Recorded& row : recorded_quantities()) {
+    if (row.name != "euler_angles") continue;
+    const auto curves = values_over_time(row, motion, 4.0, 1000);
+    ASSERT_EQ(curves.size(), 3U);
+    int gaps = 0;
+    for (std::size_t i = 1; i < curves[2].size(); ++i) {
+      gaps += std::isnan(curves[2][i]) ? 1 : 0;
+      if (std::isnan(curves[2][i]) || std::isnan(curves[2][i - 1])) continue;
+      EXPECT_LE(std::abs(curves[2][i]), 180.0);
+      EXPECT_LT(std::abs(curves[2][i] - curves[2][i - 1]), 10.0) << i;
+    }
+    // 20 rad/s for 4 s
+    EXPECT_NEAR(gaps, 80.0 / (2.0 * kPi), 3.0);
+  }
+}
+
 }  // namespace
 }  // namespace polhode::test
