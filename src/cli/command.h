@@ -40,6 +40,7 @@ Action define_plot(CLI::App& command);
 Action define_inspect(CLI::App& command);
 Action define_chart(CLI::App& command);
 Action define_stability(CLI::App& command);
+Action define_section(CLI::App& command);
 Action define_diff(CLI::App& command);
 Action define_golden(CLI::App& command);
 Action define_lecture(CLI::App& command);

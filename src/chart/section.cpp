@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "chart/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/system/interrupt.h"
+#include "math/so3.h"
+#include "motion/scales.h"
+#include "motion/trajectory.h"
+#include "motion/walk.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kSectionTolerance = 1e-12;
+constexpr double kPatience = 200.0;     // turns without a crossing
+constexpr double kTurnsTogether = 2.0;  // after which a neighbour is brought back
+constexpr double kRegular = 3.0, kChaotic = 6.0;
+constexpr double kBeside = 1e-8;  // of the neighbour at first, in units of the state's scales
+
+// the coordinate of the vertical whose zeros are crossings
+double across(const SectionSurface& surface, const State& s) {
+  return surface.vertical_F(s).x();
+}
+
+// where a step of at most h from (t, s) crosses the surface, as a part of the step in s: the
+// function has opposite signs at its ends (regula falsi, Illinois)
+double crossing_in(const SectionSurface& surface,
+                   const Stepper& stepper,
+                   double t,
+                   const State& s,
+                   double h,
+                   double after) {
+  double low = 0.0, high = h;
+  double f_low = across(surface, s), f_high = after;
+  int side = 0;
+  Work work;
+  for (int i = 0; i < 100 && high - low > 4e-16 * h; ++i) {
+    const double at = (low * f_high - high * f_low) / (f_high - f_low);
+    if (!(at > low && at < high)) break;
+    State now = s;
+    stepper.step(t, at, now, work);
+    const double f = across(surface, now);
+    if (std::abs(f) < 1e-16) return at;
+    if (f > 0.0) {
+      high = at;
+      f_high = f;
+      if (side == 1) f_low *= 0.5;
+      side = 1;
+    } else {
+      low = at;
+      f_low = f;
+      if (side == -1) f_high *= 0.5;
+      side = -1;
+    }
+  }
+  return std::abs(f_low) < std::abs(f_high) ? low : high;
+}
+
+// How far apart neighbours are, in rad and in units of the momentum.
+double apart(const State& a, const State& b, double momentum) {
+  return std::hypot(rotation_angle_between(a.q, b.q), (a.y - b.y).norm() / momentum);
+}
+
+// the mean of the numbers in a quarter of the list, counted from 0
+double mean_of_quarter(const std::vector<double>& list, std::size_t quarter) {
+  const std::size_t first = list.size() * quarter / 4, end = list.size() * (quarter + 1) / 4;
+  if (first == end) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = first; i < end; ++i)
+    sum += list[i];
+  return sum / static_cast<double>(end - first);
+}
+
+// the state at a part of the way from a to b
+State between(const State& a, const State& b, double part) {
+  State s = a;
+  const Quat turn = a.q.conjugate() * b.q;
+  const Eigen::AngleAxisd way(turn.w() < 0.0 ? Quat(-turn.coeffs()) : turn);
+  s.q = (a.q * Quat(Eigen::AngleAxisd(part * way.angle(), way.axis()))).normalized();
+  s.y = a.y + part * (b.y - a.y);
+  return s;
+}
+
+}  // namespace
+
+SectionSurface::SectionSurface(const BodyModel& model, const State& start)
+    : model_(model),
+      energy_(polhode::energy(model, start)),
+      vertical_momentum_(start.y.dot(up_in_body(model, start.q))) {
+  // the second axis is on the side where the vertical is while the centre of mass hangs
+  const Vec3& chi = model.chi_P;
+  if (chi.head<2>().norm() > 1e-9 * chi.norm()) {
+    R_PF_ = Eigen::AngleAxisd(std::atan2(chi.x(), -chi.y()), Vec3::UnitZ()).toRotationMatrix();
+  }
+  inverse_F_ = R_PF_.transpose() * model.inverse_moments.asDiagonal() * R_PF_;
+}
+
+Vec3 SectionSurface::vertical_F(const State& state) const {
+  return R_PF_.transpose() * up_in_body(model_, state.q);
+}
+
+Vec2 SectionSurface::point_of(const State& state) const {
+  const Vec3 gamma = vertical_F(state);
+  return {std::atan2(gamma.y(), gamma.z()), (R_PF_.transpose() * state.y).x()};
+}
+
+// On the surface L = p e_1 + L_z gamma + w u, u in the plane of the second and third axis square to
+// gamma. The energy is quadratic in w, and gamma_1 increases at its larger root.
+struct SectionSurface::AtTilt {
+  Vec3 gamma, u;
+  double kinetic;  // J
+  double a, b, c;  // of the discriminant
+};
+SectionSurface::AtTilt SectionSurface::at_tilt(double theta) const {
+  AtTilt at;
+  at.gamma = Vec3(0.0, std::sin(theta), std::cos(theta));
+  at.u = Vec3(0.0, -at.gamma.z(), at.gamma.y());
+  at.kinetic = energy_ - model_.chi_P.dot(R_PF_ * at.gamma);
+  const Vec3 up = vertical_momentum_ * at.gamma;
+  const Vec3 of_u = inverse_F_ * at.u, of_x = inverse_F_.col(0), of_up = inverse_F_ * up;
+  at.a = of_u.x() * of_u.x() - of_u.dot(at.u) * of_x.x();
+  at.b = 2.0 * (of_u.x() * of_u.dot(up) - of_u.dot(at.u) * of_x.dot(up));
+  at.c = of_u.dot(up) * of_u.dot(up) - of_u.dot(at.u) * (of_up.dot(up) - 2.0 * at.kinetic);
+  return at;
+}
+
+std::optional<SectionSurface::Allowed> SectionSurface::allowed_at(double theta) const {
+  const AtTilt at = at_tilt(theta);
+  const double discriminant = at.b * at.b - 4.0 * at.a * at.c;
+  if (!(discriminant >= 0.0)) return {};
+  // a is negative
+  const double middle = -0.5 * at.b / at.a, half = -0.5 * std::sqrt(discriminant) / at.a;
+  return Allowed{middle - half, middle + half};
+}
+
+std::optional<State> SectionSurface::state_at(double theta, double p) const {
+  const AtTilt at = at_tilt(theta);
+  const double left = (at.a * p + at.b) * p + at.c;
+  if (!(left >= 0.0) || std::sin(theta) <= 0.0) return {};
+  const Vec3 known = Vec3(p, 0.0, 0.0) + vertical_momentum_ * at.gamma;
+  const Vec3 of_u = inverse_F_ * at.u;
+  const double w = (std::sqrt(left) - of_u.dot(known)) / of_u.dot(at.u);
+  State state;
+  state.y = R_PF_ * (known + w * at.u);
+  state.q = turn_between(Vec3::UnitZ(), model_.up_S) *
+            Quat(Eigen::AngleAxisd(theta, Vec3::UnitX())) * Quat(R_PF_).conjugate();
+  return state;
+}
+
+std::vector<Vec2> SectionSurface::spread(int count) const {
+  constexpr int kLooks = 2000;
+  double least = 0.0, greatest = 0.0;
+  for (int i = 1; i < kLooks; ++i) {
+    const std::optional<Allowed> here = allowed_at(kPi * i / kLooks);
+    if (!here) continue;
+    least = std::min(least, here->least);
+    greatest = std::max(greatest, here->greatest);
+  }
+  std::vector<Vec2> starts;
+  // additive recurrence with the plastic number, even in the plane (M. Roberts, 2018)
+  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+  constexpr int kMostTries = 200000;
+  double x = 0.5, y = 0.5;
+  for (int i = 0; i < kMostTries && static_cast<int>(starts.size()) < count; ++i) {
+    x = std::fmod(x + kFirst, 1.0);
+    y = std::fmod(y + kSecond, 1.0);
+    const Vec2 at(kPi * x, least + y * (greatest - least));
+    if (state_at(at.x(), at.y())) starts.push_back(at);
+  }
+  return starts;
+}
+
+std::string why_not_section(const BodyModel& model) {
+  const bool heavy = model.on_pivot && model.chi_P.squaredNorm() > 0.0;
+  if (heavy && model.loads.empty() && !model.kind.rotator) return {};
+  return "needs a body on a pivot under gravity, without other torques, that is no thin rod";
+}
+
+const char* name_of(SectionVerdict verdict) {
+  static constexpr std::array<const char*, 3> names = {"regular", "undecided", "chaotic"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+SectionOrbit trace_section(const SectionSurface& surface, const State& start, int crossings) {
+  const BodyModel& model = surface.model();
+  const StepperInfo& method = find_stepper("dop853");
+  const double momentum = momentum_scale(model, start);
+  const std::unique_ptr<Stepper> stepper = method.make(model, momentum);
+  const double rate = typical_rate(model, start);
+  const double chunk = kTurnsTogether * 2.0 * kPi / rate;
+  double first = first_step(model, start, kSectionTolerance, method.order);
+
+  SectionOrbit orbit;
+  DriftWatch drift(model, start);
+  State s = start, neighbour = start;
+  // any direction will do: it turns to that of fastest growth
+  neighbour.y += kBeside * momentum * Vec3(0.6, -0.5, 0.62);
+  Work work;
+  double t = 0.0, last_found = 0.0;
+  bool is_done = false;
+  std::vector<double> growths;
+  const auto step_to = [&](double from, const State& before, double to, const State& after) {
+    const double here = across(surface, before), there = across(surface, after);
+    if (is_done || !(here < 0.0 && there >= 0.0)) return;
+    const double h = to - from;
+    State now = before;
+    stepper->step(from, crossing_in(surface, *stepper, from, before, h, there), now, work);
+    // on the other side psi is half a turn
+    if (surface.vertical_F(now).y() <= 0.0) return;
+    orbit.points.push_back(surface.point_of(now));
+    drift.look_at(now);
+    last_found = to;
+    is_done = static_cast<int>(orbit.points.size()) >= crossings;
+  };
+  while (!is_done && t - last_found < kPatience * 2.0 * kPi / rate) {
+    stop_if_interrupted();
+    State before = s;
+    double from = 0.0, longest = 0.0;
+    walk_adaptive(
+        method, *stepper, s, chunk, kSectionTolerance, first, [&](double to, const State& now) {
+          step_to(t + from, before, t + to, now);
+          // the neighbour takes the same steps: their errors are the same, and do not part the two
+          stepper->step(t + from, to - from, neighbour, work);
+          longest = std::max(longest, to - from);
+          before = now;
+          from = to;
+        });
+    first = longest;
+    const double distance = apart(s, neighbour, momentum);
+    if (distance > 0.0) {
+      orbit.growth += std::log(distance / kBeside);
+      neighbour = between(s, neighbour, kBeside / distance);
+    }
+    growths.push_back(orbit.growth);
+    t += chunk;
+  }
+  orbit.duration = t;
+  orbit.energy_drift = drift.worst().energy.value_or(0.0);
+  const double late = mean_of_quarter(growths, 3) - mean_of_quarter(growths, 1);
+  orbit.verdict = late < kRegular   ? SectionVerdict::regular
+                  : late > kChaotic ? SectionVerdict::chaotic
+                                    : SectionVerdict::undecided;
+  return orbit;
+}
+
+}  // namespace polhode

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// `polhode section` as a user calls it.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "support/background.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+
+class Section : public ::testing::Test {
+ protected:
+  Section() {
+    write_text(folder_ / "scene.toml",
+               "format = 1\n[body]\n"
+               "solid = { kind = \"box\", size_cm = [24, 11.5, 7], mass = 3 }\n"
+               "pivot_cm = [12, 5.75, 3.5]\n"
+               "[motion]\nhold = \"pivot\"\nduration = 1\n"
+               "attitude = { zxz_deg = [20, 100, 30] }\nspin = { body = [6, 12, -4] }\n");
+  }
+  Ran section(const std::string& options, const std::string& out = "out") const {
+    return run_polhode(
+        fmt::format("section '{}' -o '{}' {}", folder_ / "scene.toml", folder_ / out, options));
+  }
+  std::string table(const std::string& out = "out") const {
+    return read_text(folder_ / (out + "/section.csv"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Section, WritesTableAndPicture) {
+  const Ran ran = section("--starts 4 --crossings 20");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("5 motions: "), std::string::npos) << ran.out;
+  const std::string csv = table();
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 20);
+  EXPECT_GT(std::filesystem::file_size(folder_ / "out/section.png"), 1000U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 2);
+}
+
+// the same table for any number of threads, and from a run that was stopped and taken up again
+TEST_F(Section, GoesOnWhereItWasStopped) {
+  const std::string options = "--starts 60 --crossings 500";
+  ASSERT_EQ(section(options + " --jobs 2", "whole").code, 0);
+  std::vector<std::string> arguments = {
+      "section", folder_ / "scene.toml", "-o", folder_ / "out", "--jobs", "1"};
+  for (const std::string& word : test::words_of(options))
+    arguments.push_back(word);
+  test::Background run(arguments);
+  EXPECT_TRUE(test::becomes([&] {
+    const std::string kept = read_text(folder_ / "out/section.resume");
+    return std::count(kept.begin(), kept.end(), '\n') > 1;
+  }));
+  const Ran stopped = run.end(SIGINT);
+  ASSERT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/section.csv"));
+  ASSERT_EQ(section(options).code, 0);
+  EXPECT_TRUE(table() == table("whole"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/section.resume"));
+}
+
+TEST_F(Section, WhatIsWrongIsTold) {
+  const struct {
+    const char* options;
+    const char* says;
+  } cases[] = {{"--starts 0", "--starts: must be a whole number from 1 to 10000, got 0"},
+               {"--crossings 1000000", "--crossings: must be a whole number from 1 to 100000"},
+               {"--starts 10000 --crossings 10000", "more than 1e+07 in all"},
+               {"--jobs 0", "--jobs: must be greater than 0"},
+               {"--set motion.hold=free", "a section needs a body on a pivot under gravity"}};
+  for (const auto& one : cases) {
+    const Ran ran = section(one.options);
+    EXPECT_EQ(ran.code, 2) << one.options;
+    EXPECT_NE(ran.err.find(one.says), std::string::npos) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace polhode
