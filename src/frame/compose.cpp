@@ -238,6 +238,7 @@ Glyphs Composer::glyphs_of(const Sample& sample, std::optional<double> film) con
   }
   add_points(scenery_, sample, shows("fixed_frame"), glyphs);
   add_point_trails(scenery_, sample, glyphs);
+  add_tip_trails(scenery_, sample, glyphs);
   return glyphs;
 }
 
@@ -275,7 +276,8 @@ LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const 
 // does anything that is shown stand in space, so that a camera should too?
 bool Composer::keeps_place_in_space() const {
   const ShowSpec& show = scenery_.options;
-  const bool whole_path = shows("trail") || !show.trail_points.empty();
+  const bool whole_path =
+      shows("trail") || !show.trail_points.empty() || show.trail_tips.has_value();
   const std::vector<Load>& loads = scenery_.motion.model().loads.listed;
   const bool spring = std::any_of(
       loads.begin(), loads.end(), [](const Load& load) { return load.kind == Load::Kind::spring; });

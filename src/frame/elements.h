@@ -37,5 +37,7 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
 // Adds the paths of show.trail_points up to the moment of `sample`, for the time ShowSpec::trail_s
 // before it.
 void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
+// Adds the paths of the tips of the vectors in show.trail_tips likewise, in their colours.
+void add_tip_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 
 }  // namespace polhode

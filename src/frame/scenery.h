@@ -30,6 +30,7 @@ struct Scale {
 struct Paths {
   Trail axis;                      // of the body's axis
   std::vector<Trail> points;       // of the points in ShowSpec::trail_points
+  Trail omega_tip, momentum_tip;   // of the vectors in ShowSpec::trail_tips
   Trail herpolhode;                // of the tip of omega, in space
   double herpolhode_radius = 0.0;  // how far it goes from the line of L, m
   // The curves of omega on the inertia ellipsoid and of L on Binet's ellipsoid, in principal axes

@@ -117,6 +117,10 @@ std::vector<std::string> material_names() {
   return {"plain", "painted_wood", "brushed_metal", "ceramic"};
 }
 
+std::vector<std::string> traced_vectors() {
+  return {"omega", "momentum"};
+}
+
 std::vector<std::string> hidden_names() {
   return {"dashed", "faint", "none"};
 }

@@ -57,6 +57,11 @@ struct StoryStep {
 inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
 // What is drawn: the [show] table.
+// Other names for vectors, plain text; absent: the usual one.
+struct VectorNames {
+  std::optional<std::string> omega, momentum, torque, gravity;
+};
+
 struct ShowSpec {
   // Whether an element (frame/elements.h) is drawn, by its name; absent: Element::by_default
   // decides.
@@ -76,10 +81,13 @@ struct ShowSpec {
   std::vector<std::string> plots;  // names from plot_names() (motion/diagram.h)
   std::string material = "plain";  // one of material_names()
   std::string hidden = "dashed";   // one of hidden_names(): vectors and axes behind bodies
+  std::optional<VectorNames> names;
   std::vector<Vec3> trail_points;  // points whose paths are drawn, in B, m
-  std::optional<double> trail_s;   // s of motion that paths cover; absent: from the start
-  int ghost_count = 5;             // how many earlier positions of the body are drawn
-  std::optional<double> ghost_s;   // s of motion between them; absent: duration / 40
+  // Vectors whose tips draw their paths: names from traced_vectors(); absent: none.
+  std::optional<std::vector<std::string>> trail_tips;
+  std::optional<double> trail_s;  // s of motion that paths cover; absent: from the start
+  int ghost_count = 5;            // how many earlier positions of the body are drawn
+  std::optional<double> ghost_s;  // s of motion between them; absent: duration / 40
 
   // Whether the scene asks for the element; absent: it does not say. Adds an absent entry for a
   // name that `asked` lacks.
@@ -172,6 +180,17 @@ void fields(Visitor& v, StoryStep& s) {
   v.field("caption", s.caption, Doc{"caption from now on; empty: none"});
 }
 
+// The vectors that ShowSpec::trail_tips may name: "omega", "momentum".
+std::vector<std::string> traced_vectors();
+
+template <class Visitor>
+void fields(Visitor& v, VectorNames& s) {
+  v.field("omega", s.omega, Doc{"of the angular velocity; absent: Ω"});
+  v.field("momentum", s.momentum, Doc{"of the angular momentum; absent: L"});
+  v.field("torque", s.torque, Doc{"of the torque; absent: τ"});
+  v.field("gravity", s.gravity, Doc{"of the weight; absent: mg"});
+}
+
 template <class Visitor>
 void fields(Visitor& v, ShowSpec& s) {
   for (const auto& [name, doc] : show_names())
@@ -193,6 +212,9 @@ void fields(Visitor& v, ShowSpec& s) {
   v.field("trail_points",
           s.trail_points,
           Doc{"points of the body whose paths are drawn", Unit::length});
+  v.field("trail_tips",
+          s.trail_tips,
+          Doc{"vectors whose tips draw their paths", Unit::none, kAny, traced_vectors()});
   v.field("trail_length",
           s.trail_s,
           Doc{"paths cover this much time before the present; absent: all since the start",
@@ -221,6 +243,7 @@ void fields(Visitor& v, ShowSpec& s) {
               kAny,
               plot_names()});
   v.field("labels", s.labels, Doc{"show the names of vectors beside them"});
+  v.field("names", s.names, Doc{"other names for vectors"});
   v.field("title", s.title, Doc{"show the scene's title, at the top"});
   v.field("clock",
           s.clock,

@@ -52,7 +52,7 @@ void add_vector(const Scenery& scenery,
                 const ArrowShape& shape,
                 const Material& material,
                 Glyphs& glyphs,
-                const char* name) {
+                const std::string& name) {
   const double length = (end - from).norm();
   const Vec3 tip = drawn_tip(scenery, from, end);
   glyphs.arrows.push_back(
@@ -60,7 +60,7 @@ void add_vector(const Scenery& scenery,
   // the name of a vector that shrinks into the body goes with it
   const double named =
       (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
-  if (name == nullptr || named <= 0.0) return;
+  if (name.empty() || named <= 0.0) return;
   const auto fade = static_cast<float>(std::min(1.0, named));
   glyphs.labels.push_back({tip, tip - from, name, material.color, fade, true});
 }
@@ -71,7 +71,7 @@ void add_at_reference(const Scenery& scenery,
                       const ArrowShape& shape,
                       const Material& material,
                       Glyphs& glyphs,
-                      const char* name) {
+                      const std::string& name) {
   const Vec3& from = sample.reference_S;
   add_vector(scenery, from, from + along, shape, material, glyphs, name);
 }

@@ -35,7 +35,7 @@ Material shell(const glm::vec3& color, float alpha);
 Material drawn_through(const Scenery& scenery, Material material);
 
 // Adds an arrow from `from` to `end` (S, m), shortened as drawn_tip() says. `shape` is in units of
-// the body's radius. With a name (markup, copied), the arrow gets a label, which fades while the
+// the body's radius. With a name (markup), the arrow gets a label, which fades while the
 // arrow is shorter than 0.3 times the body's radius and is gone below 0.12 times.
 void add_vector(const Scenery& scenery,
                 const Vec3& from,
@@ -43,7 +43,7 @@ void add_vector(const Scenery& scenery,
                 const ArrowShape& shape,
                 const Material& material,
                 Glyphs& glyphs,
-                const char* name = nullptr);
+                const std::string& name = {});
 // Adds such an arrow from the reference point to the reference point + `along` (S, m).
 void add_at_reference(const Scenery& scenery,
                       const Sample& sample,
@@ -51,7 +51,7 @@ void add_at_reference(const Scenery& scenery,
                       const ArrowShape& shape,
                       const Material& material,
                       Glyphs& glyphs,
-                      const char* name = nullptr);
+                      const std::string& name = {});
 // The unit vector (B) of the axis whose motion is shown: the symmetry axis, else the direction from
 // the pivot to the centre of mass, else the third body axis. On a pivot it points to the side of
 // the centre of mass.

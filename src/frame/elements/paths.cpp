@@ -12,9 +12,13 @@ namespace {
 constexpr int kFamily = 9;  // polhodes between two axes
 
 // as much of a trail as the scene lets it be long
-void add_tail(const Scenery& scenery, const Sample& sample, const Trail& trail, Glyphs& glyphs) {
+void add_tail(const Scenery& scenery,
+              const Sample& sample,
+              const Trail& trail,
+              const glm::vec3& color,
+              Glyphs& glyphs) {
   const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
-  add_path(trail, std::max(0.0, from), sample.t, scenery.theme.trail, glyphs);
+  add_path(trail, std::max(0.0, from), sample.t, color, glyphs);
 }
 
 }  // namespace
@@ -39,12 +43,17 @@ void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
                          sample.reference_S + sample.q_SB * tip_B,
                          kRimRadius * scenery.scale.body,
                          plain(scenery.theme.trail, 0.1f)});
-  add_tail(scenery, sample, scenery.paths.axis, glyphs);
+  add_tail(scenery, sample, scenery.paths.axis, scenery.theme.trail, glyphs);
 }
 
 void add_point_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   for (const Trail& trail : scenery.paths.points)
-    add_tail(scenery, sample, trail, glyphs);
+    add_tail(scenery, sample, trail, scenery.theme.trail, glyphs);
+}
+
+void add_tip_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  add_tail(scenery, sample, scenery.paths.omega_tip, scenery.theme.omega, glyphs);
+  add_tail(scenery, sample, scenery.paths.momentum_tip, scenery.theme.momentum, glyphs);
 }
 
 // the sphere on which the body's axis writes
@@ -120,6 +129,16 @@ void make_trails(const Scenery& scenery, Paths& paths) {
     paths.points.push_back(trail(kRimRadius, [&](const Sample& now) {
       return point_position(motion.model(), now, point_B);
     }));
+  }
+  const std::vector<std::string> tips =
+      scenery.options.trail_tips.value_or(std::vector<std::string>());
+  for (const std::string& tip : tips) {
+    if (tip == "omega")
+      paths.omega_tip =
+          trail(kRimRadius, [&](const Sample& now) { return omega_tip(scenery, now); });
+    if (tip == "momentum")
+      paths.momentum_tip =
+          trail(kRimRadius, [&](const Sample& now) { return momentum_tip(scenery, now); });
   }
   if (!is_asked(scenery.options, "herpolhode")) return;
   for (const double t : framing_times(motion)) {

@@ -9,6 +9,7 @@
 #include "frame/elements.h"
 #include "frame/elements/parts.h"
 #include "math/so3.h"
+#include "text/typesetter.h"
 
 namespace polhode {
 namespace {
@@ -22,8 +23,6 @@ constexpr double kWireRadius = 0.02;
 constexpr double kCoilEnd = 0.2;  // straight
 
 // names of what is shown, as the notes write them
-constexpr const char* kOmegaName = "<b>Ω</b>";
-constexpr const char* kMomentumName = "<b>L</b>";
 constexpr std::array<const char*, 3> kBodyAxisNames = {
     "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
 constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
@@ -31,6 +30,16 @@ constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", 
 constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
 constexpr std::array<const char*, 3> kRateNames = {"<i>φ̇</i>", "<i>θ̇</i>", "<i>ψ̇</i>"};
+
+// what the scene calls a vector, else `usual` (markup)
+std::string name_of(const Scenery& scenery,
+                    std::optional<std::string> VectorNames::*vector,
+                    const char* usual) {
+  const std::optional<VectorNames>& names = scenery.options.names;
+  if (!names || !((*names).*vector)) return usual;
+  const std::string& name = *((*names).*vector);
+  return name.empty() ? "" : "<b>" + plain_text(name) + "</b>";
+}
 
 void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
@@ -112,7 +121,7 @@ void add_omega(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
              kOmegaShape,
              plain(scenery.theme.omega, 0.25f),
              glyphs,
-             kOmegaName);
+             name_of(scenery, &VectorNames::omega, "<b>Ω</b>"));
 }
 
 void add_momentum(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -122,7 +131,7 @@ void add_momentum(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
              kMomentumShape,
              plain(scenery.theme.momentum, 0.25f),
              glyphs,
-             kMomentumName);
+             name_of(scenery, &VectorNames::momentum, "<b>L</b>"));
 }
 
 // along the body axes; their sum is the angular velocity
@@ -175,7 +184,7 @@ void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
                    kForceShape,
                    plain(scenery.theme.force, 0.25f),
                    glyphs,
-                   "<b>τ</b>");
+                   name_of(scenery, &VectorNames::torque, "<b>τ</b>"));
 }
 
 // m g on the centre of mass
@@ -187,7 +196,7 @@ void add_gravity(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
              kForceShape,
              plain(scenery.theme.force, 0.25f),
              glyphs,
-             "<i>m</i><b>g</b>");
+             name_of(scenery, &VectorNames::gravity, "<i>m</i><b>g</b>"));
 }
 
 // V + Omega x r (notes, section 0.1) at points of the body

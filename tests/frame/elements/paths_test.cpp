@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Paths that a film reveals, and the curves of a whole film.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
@@ -35,6 +37,32 @@ TEST(Paths, TrailEndsWhereThePointIs) {
     ASSERT_EQ(rods.size(), 1u);
     EXPECT_LT((rods[0].from - now.reference_S).norm(), 1e-12);
     EXPECT_LT((rods[0].to - tip).norm(), 1e-12);
+  }
+}
+
+// the tips of vectors are on their paths at any time, to half a pixel
+TEST(Paths, TipsOfVectorsDrawTheirPaths) {
+  const BodySpec body = test::cone_body();
+  ShowSpec show = test::show_only("omega");
+  show.trail_tips = {"omega", "momentum"};
+  const Composer picture(
+      test::moving(body, test::spinning_on_pivot()), body, CameraSpec{}, show, {}, {640, 360});
+  const Scenery& scenery = picture.scenery();
+  const auto off_path = [&](const Trail& trail, const Vec3& tip) {
+    const std::vector<Vec3>& points = trail.path().points;
+    double least = 1e300;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec3 way = points[i] - points[i - 1];
+      const double part = std::clamp((tip - points[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (points[i - 1] + part * way - tip).norm());
+    }
+    return least;
+  };
+  const double half_pixel = 0.5 / picture.camera().pixels_per_metre(Vec3::Zero());
+  for (double t = 0.0; t < scenery.motion.duration(); t += 0.013) {
+    const Sample now = scenery.motion.at(t);
+    EXPECT_LT(off_path(scenery.paths.omega_tip, omega_tip(scenery, now)), half_pixel) << t;
+    EXPECT_LT(off_path(scenery.paths.momentum_tip, momentum_tip(scenery, now)), half_pixel) << t;
   }
 }
 

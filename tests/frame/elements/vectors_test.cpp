@@ -20,6 +20,25 @@ using test::prolate_body;
 using test::show_only;
 using test::wobbling;
 
+// a scene may call vectors as it likes; its words are no markup
+TEST(Vectors, HaveTheNamesThatTheSceneGives) {
+  ShowSpec show = show_only("omega");
+  show["momentum"] = true;
+  const auto names = [&] {
+    std::vector<std::string> found;
+    const Composer picture = composer(prolate_body(), wobbling(), show);
+    for (const LabelGlyph& label : picture.glyphs_at(picture.scenery().motion.at(0.5)).labels)
+      found.push_back(label.markup);
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(), (Names{"<b>Ω</b>", "<b>L</b>"}));
+  show.names = VectorNames{"ω", "a<b", {}, {}};
+  EXPECT_EQ(names(), (Names{"<b>ω</b>", "<b>a&lt;b</b>"}));
+  show.names = VectorNames{"", {}, {}, {}};
+  EXPECT_EQ(names(), (Names{"<b>L</b>"})) << "none";
+}
+
 // Omega x r, measured: the tips are where the points are a moment later
 TEST(Vectors, VelocitiesPointWhereThePointsGo) {
   MotionSpec spec = wobbling();
