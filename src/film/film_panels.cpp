@@ -49,7 +49,8 @@ struct Stage {
 std::shared_ptr<const Composer> composer_of(const Solved& solved,
                                             const Staging& staging,
                                             const PixelBox& place,
-                                            const Shared& shared = {}) {
+                                            Shared shared = {}) {
+  shared.ensemble = solved.ensemble;
   return std::make_shared<const Composer>(solved.simulation.motion,
                                           solved.scene.body,
                                           staging,

@@ -5,8 +5,10 @@
 
 #include <spdlog/spdlog.h>
 
+#include "base/system/parallel.h"
 #include "film/error_places.h"
 #include "frame/compose.h"
+#include "motion/ensemble.h"
 
 namespace polhode {
 
@@ -34,6 +36,37 @@ double accuracy_in_radians(const Scene& scene, const BodyModel& model) {
   return least;
 }
 
+namespace {
+
+// the motions of the ensemble; `warn` is told once of those that cannot be trusted
+template <class Warn>
+std::vector<Motion> solve_ensemble(const Scene& scene,
+                                   const BodyModel& model,
+                                   double accuracy,
+                                   const Warn& warn) {
+  const std::vector<MotionSpec> specs = ensemble_of(model, scene.motion);
+  NumericsSpec numerics = scene.numerics;
+  numerics.compare.clear();
+  std::vector<std::optional<Simulation>> found(specs.size());
+  parallel_for(static_cast<long>(specs.size()), 0, [&](long i) {
+    const auto k = static_cast<std::size_t>(i);
+    found[k] = simulate(model, specs[k], numerics, accuracy);
+  });
+  std::vector<Motion> motions;
+  std::size_t doubted = 0;
+  for (const std::optional<Simulation>& one : found) {
+    motions.push_back(one->motion);
+    if (!one->report.reliability.doubts.empty()) ++doubted;
+  }
+  if (doubted > 0) {
+    warn(fmt::format("{} of its {} motions cannot be trusted", doubted, motions.size()),
+         "motion.ensemble");
+  }
+  return motions;
+}
+
+}  // namespace
+
 Solved solve(const Scene& scene, ProgressKind progress) {
   return with_place(scene, [&] {
     StageTime time;
@@ -60,7 +93,11 @@ Solved solve(const Scene& scene, ProgressKind progress) {
     }();
     for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");
-    return Solved{scene, model, std::move(found), time};
+    std::vector<Motion> ensemble = [&] {
+      const StageTimer timer(time);
+      return solve_ensemble(scene, model, accuracy, warn);
+    }();
+    return Solved{scene, model, std::move(found), std::move(ensemble), time};
   });
 }
 

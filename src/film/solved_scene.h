@@ -12,16 +12,18 @@ namespace polhode {
 
 // A scene with its model and its motion.
 struct Solved {
-  Scene scene;              // a copy of what was solved
-  BodyModel model;          // of scene.body, held as scene.motion says; with_translation is unset,
-                            // see simulation.motion.model()
-  Simulation simulation;    // the motion and how it was computed
-  StageTime simulate_time;  // time spent on computing it
+  Scene scene;            // a copy of what was solved
+  BodyModel model;        // of scene.body, held as scene.motion says; with_translation is unset,
+                          // see simulation.motion.model()
+  Simulation simulation;  // the motion and how it was computed
+  std::vector<Motion> ensemble;  // of motion.ensemble
+  StageTime simulate_time;       // time spent on computing them
 };
 
 // Computes the motion, and logs doubts about it (Reliability in motion/reliability.h) as warnings.
 // If the scene compares methods, its step and tolerance belong to them, and the motion is computed
-// without them, to the accuracy of the scene. Throws Error as make_model, accuracy_in_radians,
+// without them, to the accuracy of the scene. Likewise the motions of an ensemble, on all
+// processors; of their doubts it tells one. Throws Error as make_model, accuracy_in_radians,
 // start_state and simulate do; errors that name a key have the file and line of the scene.
 // `progress`: how a long computation is shown.
 Solved solve(const Scene& scene, ProgressKind progress = ProgressKind::none);

@@ -34,6 +34,18 @@ std::map<std::string, bool> resolve(const ShowSpec& spec, const Scenery& scenery
   return shown;
 }
 
+Scenery scenery_with(const Motion& motion,
+                     const BodySpec& body,
+                     const ThemeSpec& theme,
+                     const ShowSpec& show,
+                     PictureSize size,
+                     const Shared& shared) {
+  Scenery scenery =
+      make_scenery(motion, body, theme, show, circle_segments(0.5 * size.height), shared.scale);
+  scenery.ensemble = shared.ensemble;
+  return scenery;
+}
+
 DrawingFrame make_drawing_frame(const Scenery& scenery) {
   const Vec3 origin = scenery.motion.at(0.0).reference_S;
   const double size = scenery.scale.body;
@@ -179,8 +191,7 @@ Composer::Composer(const Motion& motion,
                    const ThemeSpec& theme,
                    PictureSize size,
                    const Shared& shared)
-    : scenery_(make_scenery(
-          motion, body, theme, show, circle_segments(0.5 * size.height), shared.scale)),
+    : scenery_(scenery_with(motion, body, theme, show, size, shared)),
       shown_(resolve(show, scenery_)),
       drawing_(make_drawing_frame(scenery_)),
       staging_(staging),

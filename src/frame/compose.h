@@ -54,6 +54,7 @@ class Composer;
 // What pictures side by side have in common.
 struct Shared {
   std::optional<Scale> scale = {};                           // absent: its own
+  std::vector<Motion> ensemble = {};                         // shown beside the motion
   std::vector<std::shared_ptr<const Composer>> beside = {};  // automatic cameras show all of them
 };
 

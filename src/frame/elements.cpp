@@ -33,6 +33,9 @@ bool precesses(const Scenery& scenery) {
 std::string nothing_against(const Scenery&) {
   return {};
 }
+std::string needs_ensemble(const Scenery& scenery) {
+  return scenery.ensemble.empty() ? "needs motion.ensemble" : "";
+}
 std::string needs_weight(const Scenery& scenery) {
   return scenery.motion.model().chi_P.squaredNorm() > 0.0
              ? ""
@@ -50,6 +53,11 @@ const std::vector<Element>& elements() {
        never,
        nothing_against,
        add_ghosts},
+      {"ensemble",
+       "the axes of the motions of motion.ensemble, as points, and some of their bodies, pale",
+       [](const Scenery& scenery) { return !scenery.ensemble.empty(); },
+       needs_ensemble,
+       add_ensemble},
       {"axes", "body axes", never, nothing_against, add_body_axes},
       {"space_axes",
        "space axes, from the reference point",

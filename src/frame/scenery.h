@@ -73,6 +73,7 @@ struct Scenery {
   int body_segments = 96;                 // pieces of a circle as large as the body is ever drawn
   std::vector<Vec3> field_points_B = {};  // points of the velocity field, m
   Paths paths = {};
+  std::vector<Motion> ensemble = {};  // motions beside it, of the same model and duration
 };
 
 // Makes the scenery. `body` is that of the motion. Scales are chosen for the whole film, so that

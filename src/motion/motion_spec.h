@@ -37,6 +37,13 @@ struct SpinSpec {
   std::optional<double> sleeping;     // rad/s of an upright top about that line
 };
 
+// Motions that begin near the one of the scene, which pictures show beside it.
+struct EnsembleSpec {
+  int members = 40;
+  double tilt = 0.0;      // rad: their attitudes are turned by up to this angle, about any axis
+  double momentum = 0.0;  // their angular momenta differ by up to this part of it, in any direction
+};
+
 // The [motion] table.
 struct MotionSpec {
   // "free", or "pivot": one point of the body is fixed, at the origin of S
@@ -49,6 +56,7 @@ struct MotionSpec {
   Vec3 position = Vec3::Zero();  // of the centre of mass at t = 0, in S, m; free bodies only
   Vec3 velocity = Vec3::Zero();  // of the centre of mass at t = 0, in S, m/s; free bodies only
   std::vector<LoadSpec> torque;  // torques and forces besides gravity
+  std::optional<EnsembleSpec> ensemble;
 };
 
 // The allowed attitude error over the whole film, in radians or in pixels of the finished picture.
@@ -123,6 +131,17 @@ void fields(Visitor& v, SpinSpec& s) {
 }
 
 template <class Visitor>
+void fields(Visitor& v, EnsembleSpec& s) {
+  v.field("members", s.members, Doc{"number of motions", Unit::none, Range{1, 1000}});
+  v.field("tilt",
+          s.tilt,
+          Doc{"their attitudes are turned by up to this angle", Unit::angle, Range{0.0, kPi}});
+  v.field("momentum",
+          s.momentum,
+          Doc{"their angular momenta differ by up to this part", Unit::none, Range{0.0, 1.0}});
+}
+
+template <class Visitor>
 void fields(Visitor& v, MotionSpec& s) {
   v.field("hold",
           s.hold,
@@ -145,6 +164,7 @@ void fields(Visitor& v, MotionSpec& s) {
           s.velocity,
           Doc{"velocity of the centre of mass at the start; free bodies only", Unit::velocity});
   v.field("torque", s.torque, Doc{"torques and forces that act besides gravity"});
+  v.field("ensemble", s.ensemble, Doc{"motions that begin near this one"});
 }
 
 template <class Visitor>

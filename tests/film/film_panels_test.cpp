@@ -270,6 +270,24 @@ TEST(FilmPanels, SeveralScenesMayHaveTheirOwn) {
             1.5 * large.camera().pixels_per_metre(Vec3::Zero()));
 }
 
+// a point for each motion of an ensemble, where its axis is
+TEST(FilmPanels, AnEnsembleIsSeenAsPoints) {
+  const Panels panels(
+      small_scene("[motion.ensemble]\nmembers = 7\ntilt_deg = 3\n[show]\nbody = false\n"));
+  const Composer& picture = *panels.all().front().composer;
+  const Scenery& scenery = picture.scenery();
+  EXPECT_TRUE(picture.shows("ensemble"));
+  ASSERT_EQ(scenery.ensemble.size(), 7U);
+  ASSERT_EQ(panels.solved.ensemble.size(), 7U);
+  const Glyphs glyphs = picture.glyphs_at(scenery.motion.at(0.5));
+  ASSERT_EQ(glyphs.meshes.size(), 7U);
+  for (std::size_t i = 0; i < 7; ++i) {
+    const Sample now = scenery.ensemble[i].at(0.5);
+    const Vec3 tip = now.reference_S + now.q_SB * Vec3(0, 0, kTrailRadius * scenery.scale.body);
+    EXPECT_LT((glyphs.meshes[i].space_from_mesh.translation() - tip).norm(), 1e-12);
+  }
+}
+
 TEST(FilmPanels, PlotsHaveTheCurvesOfAllScenes) {
   const std::vector<FilmPlot> plots =
       make_charts(small_and_smaller("show.plots = [\"tilt\", \"omega\"]\n")).plots;

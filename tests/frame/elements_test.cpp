@@ -95,6 +95,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"precession_cone", {.cones = 1}},
                                                {"pivot", {.meshes = 1}},
                                                {"gimbals", {.meshes = 3, .rods = 3}},
+                                               {"ensemble", {.meshes = 2, .ghosts = 2}},
                                                {"forces", {.arrows = 3, .meshes = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
@@ -123,8 +124,17 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     const MotionSpec motion = heavy              ? spinning_on_pivot()
                               : name == "forces" ? pulled()
                                                  : wobbling();
-    const Composer picture =
-        composer(heavy ? cone_body() : prolate_body(), motion, show_only(name));
+    const BodySpec body = heavy ? cone_body() : prolate_body();
+    Shared shared;
+    if (name == "ensemble")
+      shared.ensemble = {test::moving(body, motion), test::moving(body, motion)};
+    const Composer picture(test::moving(body, motion),
+                           body,
+                           Staging{{}, {}, Timeline({}, motion.duration, 1.0)},
+                           show_only(name),
+                           {},
+                           test::kSize,
+                           shared);
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
     const Count found{glyphs.arrows.size(),
                       glyphs.meshes.size(),

@@ -77,9 +77,9 @@ template <class Real>
 double error_of(const Case& one, const Motion& motion) {
   BasicTaylorOracle<Real> oracle(one.model, start_state(one.model, one.spec));
   double worst = 0.0;
-  constexpr int kTimes = 100;
-  for (int i = 1; i <= kTimes; ++i) {
-    const double t = one.spec.duration * i / kTimes;
+  constexpr int kLookedAt = 100;
+  for (int i = 1; i <= kLookedAt; ++i) {
+    const double t = one.spec.duration * i / kLookedAt;
     worst = worse(worst, rotation_angle_between(motion.state_at(t).q, oracle.at(t).q));
   }
   return worst;

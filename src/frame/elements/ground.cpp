@@ -12,6 +12,8 @@ constexpr double kFramedFloor = 0.65;     // the part of it that a picture has t
 constexpr double kFreeFloor = 1.25;       // below the centre of a free body
 constexpr float kShadowDepth = 0.5f;      // how dark a full shadow is
 constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
+constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
+constexpr std::size_t kPaleBodies = 5;    // of an ensemble
 constexpr float kGhostAlpha = 0.16f;
 
 // wider where the body is higher above it
@@ -65,6 +67,30 @@ void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     }
     for (const Vec3& point_B : scenery.hull_B)
       glyphs.reach.push_back(place * point_B);
+  }
+}
+
+// where the axes of the other motions are, on the sphere on which a trail is drawn; and some of
+// their bodies
+void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
+  const double radius = kTipRadius * scenery.scale.body;
+  for (std::size_t i = 0; i < scenery.ensemble.size(); ++i) {
+    const Motion& motion = scenery.ensemble[i];
+    const Sample now = motion.at(std::min(sample.t, motion.duration()));
+    const Vec3 tip = now.reference_S + now.q_SB * tip_B;
+    Placement ball = Placement::Identity();
+    ball.translation() = tip;
+    ball.linear() *= radius;
+    glyphs.meshes.push_back({scenery.ball, ball, plain(scenery.theme.trail, 0.2f)});
+    glyphs.reach.push_back(tip);
+    if (i >= kPaleBodies) continue;
+    for (const LookPart& part : scenery.look) {
+      Material material = part.material;
+      material.alpha = kGhostAlpha;
+      glyphs.ghosts.push_back(
+          {part.mesh, body_placement(scenery, now) * part.body_from_mesh, material});
+    }
   }
 }
 

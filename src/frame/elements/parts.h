@@ -98,7 +98,7 @@ bool stays_above_floor(const Scenery& scenery);
 // The functions `add` of the table of elements (frame/elements.h); the rows in frame/elements.cpp
 // say what each draws.
 using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
-Add add_body, add_ghosts;
+Add add_body, add_ghosts, add_ensemble;
 Add add_body_axes, add_space_axes, add_fixed_frame;
 Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
 Add add_velocity_field, add_forces, add_gravity;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "motion/ensemble.h"
+
+#include <cmath>
+#include <random>
+
+#include "base/error.h"
+#include "math/so3.h"
+#include "motion/motion.h"
+
+namespace polhode {
+namespace {
+
+// a point of the unit ball, evenly; by hand, since distributions differ between libraries
+Vec3 point_in_ball(std::mt19937& numbers) {
+  const auto number = [&] {
+    return 2.0 * (static_cast<double>(numbers()) + 0.5) / 4294967296.0 - 1.0;
+  };
+  for (;;) {
+    const Vec3 point(number(), number(), number());
+    if (point.squaredNorm() <= 1.0) return point;
+  }
+}
+
+}  // namespace
+
+std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& spec) {
+  if (!spec.ensemble) return {};
+  const EnsembleSpec& ensemble = *spec.ensemble;
+  if (ensemble.tilt == 0.0 && ensemble.momentum == 0.0) {
+    throw input_error("all its motions begin alike; give tilt_deg or momentum")
+        .at({{}, 0, "motion.ensemble"});
+  }
+  const State start = start_state(model, spec);
+  const Vec3 L_S = start.q * start.y;
+  const Quat q_SB = start.q * Quat(model.R_BP).conjugate();
+  std::mt19937 numbers(1);
+  std::vector<MotionSpec> members;
+  for (int k = 0; k < ensemble.members; ++k) {
+    const Quat q = exp_rotation(ensemble.tilt * point_in_ball(numbers)) * q_SB;
+    // L stays where it is in space, but for its own change
+    const Vec3 L = L_S + ensemble.momentum * L_S.norm() * point_in_ball(numbers);
+    MotionSpec member = spec;
+    member.ensemble.reset();
+    member.attitude = {};
+    member.attitude.quaternion = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+    member.spin = {};
+    member.spin.momentum_body = q.conjugate() * L;
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+}  // namespace polhode
