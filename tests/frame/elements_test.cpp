@@ -128,13 +128,10 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     Shared shared;
     if (name == "ensemble")
       shared.ensemble = {test::moving(body, motion), test::moving(body, motion)};
-    const Composer picture(test::moving(body, motion),
-                           body,
-                           Staging{{}, {}, Timeline({}, motion.duration, 1.0)},
-                           show_only(name),
-                           {},
-                           test::kSize,
-                           shared);
+    Staging staging;
+    staging.timeline = Timeline({}, motion.duration, 1.0);
+    const Composer picture(
+        test::moving(body, motion), body, staging, show_only(name), {}, test::kSize, shared);
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
     const Count found{glyphs.arrows.size(),
                       glyphs.meshes.size(),
