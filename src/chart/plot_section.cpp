@@ -61,9 +61,10 @@ std::string plot_section(const SectionChart& chart, PlotFormat format) {
       gnuplot_text(chart.title));
   const double degree = 1.0 / kDegree;
   for (const std::vector<Vec2>& border : chart.borders) {
-    for (const Vec2& point : border)
+    for (const Vec2& point : border) {
       script +=
           fmt::format("{} {}\n", gnuplot_number(degree * point.x()), gnuplot_number(point.y()));
+    }
     script += "\n";
   }
   script += "EOD\n";

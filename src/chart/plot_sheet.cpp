@@ -56,11 +56,12 @@ std::string draw_sheet(const PlotSheet& sheet, PlotFormat format) {
                           gnuplot_number(mark.at.x()),
                           gnuplot_number(mark.at.y()));
     // a circle hides the curves behind it
-    if (!mark.filled)
+    if (!mark.filled) {
       add(
           fmt::format("$mark{} using 1:2 with points pointtype 7 pointsize 1.2 "
                       "linecolor rgb '#ffffff' notitle",
                       i));
+    }
     add(
         fmt::format("$mark{} using 1:2 with points pointtype {} pointsize 1.2 linewidth 2 "
                     "linecolor rgb '{}' notitle",

@@ -17,7 +17,7 @@ Vec3 point_in_ball(std::mt19937& numbers) {
     return 2.0 * (static_cast<double>(numbers()) + 0.5) / 4294967296.0 - 1.0;
   };
   for (;;) {
-    const Vec3 point(number(), number(), number());
+    Vec3 point(number(), number(), number());
     if (point.squaredNorm() <= 1.0) return point;
   }
 }

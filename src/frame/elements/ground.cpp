@@ -120,9 +120,10 @@ void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   add_ring(up.cross(nodes), outer);
   add_ring(axle.cross(nodes), inner);
   glyphs.rods.push_back({pivot - inner * axle, pivot + inner * axle, thin, material});
-  for (const double side : {-1.0, 1.0})
+  for (const double side : {-1.0, 1.0}) {
     glyphs.rods.push_back(
         {pivot + side * inner * nodes, pivot + side * outer * nodes, thin, material});
+  }
   add_stand_under(scenery, pivot - outer * up, glyphs);
 }
 

@@ -133,12 +133,14 @@ void make_trails(const Scenery& scenery, Paths& paths) {
   const std::vector<std::string> tips =
       scenery.options.trail_tips.value_or(std::vector<std::string>());
   for (const std::string& tip : tips) {
-    if (tip == "omega")
+    if (tip == "omega") {
       paths.omega_tip =
           trail(kRimRadius, [&](const Sample& now) { return omega_tip(scenery, now); });
-    if (tip == "momentum")
+    }
+    if (tip == "momentum") {
       paths.momentum_tip =
           trail(kRimRadius, [&](const Sample& now) { return momentum_tip(scenery, now); });
+    }
   }
   if (!is_asked(scenery.options, "herpolhode")) return;
   for (const double t : framing_times(motion)) {
