@@ -54,6 +54,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string best = nearest_name(name, candidates);
   if (!best.empty()) return fmt::format(" (did you mean '{}'?)", best);
+  if (candidates.empty()) return " (there are none)";
   return fmt::format(" (known: {})", fmt::join(candidates, ", "));
 }
 

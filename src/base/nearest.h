@@ -15,7 +15,7 @@ namespace polhode {
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 // The end of an error message about an unknown name: " (did you mean 'mass'?)", or " (known: ...)"
-// with all candidates if nearest_name() finds none.
+// with all candidates if nearest_name() finds none, or " (there are none)".
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace polhode

@@ -32,6 +32,7 @@ TEST(NearestName, IsSilentWhenNothingIsNear) {
 TEST(Suggestion, IsANameOrTheList) {
   EXPECT_EQ(suggestion("mas", kNames), " (did you mean 'mass'?)");
   EXPECT_EQ(suggestion("xylophone", {"a", "b"}), " (known: a, b)");
+  EXPECT_EQ(suggestion("xylophone", {}), " (there are none)");
 }
 
 }  // namespace

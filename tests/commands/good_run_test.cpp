@@ -114,6 +114,15 @@ TEST_F(GoodRun, APlotAsATable) {
   EXPECT_EQ(folder_.entries(), 1 + 2);
 }
 
+// more than is kept in memory at once
+TEST_F(GoodRun, ALongTableIsWhole) {
+  const Ran ran = run_polhode("simulate " + scene() + " -o - --rate 20000");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1 + 20001);
+  ASSERT_EQ(run_polhode("simulate " + scene() + out("a.csv") + " --rate 20000").code, 0);
+  EXPECT_TRUE(read_text(folder_ / "a.csv") == ran.out);
+}
+
 TEST_F(GoodRun, TableOfTheMotion) {
   const Ran ran = run_polhode("simulate " + scene() + " -o - --rate 4");
   ASSERT_EQ(ran.code, 0) << ran.err;

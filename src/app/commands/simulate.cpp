@@ -8,6 +8,7 @@
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
 #include "base/system/overwriting.h"
+#include "base/system/progress.h"
 #include "film/solved_scene.h"
 
 namespace polhode {
@@ -41,6 +42,40 @@ void append_row(std::string& text, const Sample& s) {
   text += '\n';
 }
 
+// The rows, which leave the memory a megabyte at a time.
+class Table {
+ public:
+  // a file, or "-" for standard output
+  explicit Table(const std::string& output) : text_(kHeader) {
+    if (output != "-") {
+      file_.emplace(output);
+      file_->write("");
+    }
+  }
+  void add(const Sample& sample) {
+    append_row(text_, sample);
+    if (text_.size() > kMegabyte) pass_on();
+  }
+  void finish() {
+    pass_on();
+    if (file_) file_->commit();
+  }
+
+ private:
+  static constexpr std::size_t kMegabyte = 1 << 20;
+  void pass_on() {
+    if (file_) {
+      file_->append(text_);
+    } else {
+      print_out(text_);
+    }
+    text_.clear();
+  }
+
+  std::optional<AtomicFile> file_;
+  std::string text_;
+};
+
 // a table under the name of something else cannot be opened
 void refuse_other_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
@@ -66,18 +101,18 @@ void write_csv(const SimulateJob& job) {
         .at({{}, 0, "--rate"});
   }
 
+  Table table(job.output);
   const Solved solved = solve(scene, ProgressKind::automatic);
-  std::string text = kHeader;
+  Waiting waiting(ProgressKind::automatic);
   for (long row = 0; row <= static_cast<long>(last); ++row) {
-    if (row % 4096 == 0) stop_if_interrupted();
+    if (row % 4096 == 0) {
+      stop_if_interrupted();
+      waiting.show(fmt::format("writing rows: {:.0f} %", 100.0 * static_cast<double>(row) / last));
+    }
     const double t = std::min(static_cast<double>(row) / rate, scene.motion.duration);
-    append_row(text, solved.simulation.motion.at(t));
+    table.add(solved.simulation.motion.at(t));
   }
-  if (job.output != "-") {
-    write_file(job.output, text);
-  } else {
-    print_out(text);
-  }
+  table.finish();
 }
 
 }  // namespace polhode

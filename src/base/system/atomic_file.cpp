@@ -119,7 +119,15 @@ void AtomicFile::commit_with(std::string_view content) {
 }
 
 void AtomicFile::write(std::string_view content) {
-  if (const int reason = failure_to_write(part_, "wb", content); reason != 0) {
+  put("wb", content);
+}
+
+void AtomicFile::append(std::string_view content) {
+  put("ab", content);
+}
+
+void AtomicFile::put(const char* mode, std::string_view content) const {
+  if (const int reason = failure_to_write(part_, mode, content); reason != 0) {
     throw environment_error("cannot write: {}", std::strerror(reason))
         .at({target_.string(), 0, {}});
   }

@@ -39,6 +39,8 @@ class AtomicFile {
   void commit();
   // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
+  // Adds to what write() made. Throws Error (environment) if that fails.
+  void append(std::string_view content);
   // Calls write(), then commit().
   void commit_with(std::string_view content);
   // Releases the lock early, to have fewer open files. For numbered sequences, in which the lock on
@@ -46,6 +48,8 @@ class AtomicFile {
   void unlock();
 
  private:
+  void put(const char* mode, std::string_view content) const;
+
   std::filesystem::path target_;
   std::filesystem::path part_;
   bool committed_ = false;
