@@ -69,7 +69,7 @@ Diagram diagram_of(const DiagramKind& kind, const std::vector<Solved>& solved) {
     throw input_error("'{}' shows one motion, not those of {} panels", kind.name, solved.size())
         .at({{}, 0, "show.plots"});
   }
-  const std::string wrong = kind.why_not(motion.model());
+  const std::string wrong = kind.why_not(motion);
   if (!wrong.empty()) throw input_error("'{}' {}", kind.name, wrong).at({{}, 0, "show.plots"});
   return kind.make(motion);
 }

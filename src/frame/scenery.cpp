@@ -76,6 +76,12 @@ Scale make_scale(const Scenery& scenery, double radius) {
   const auto per = [&](double length, double most) {
     return most > 0.0 ? length * radius / most : 0.0;
   };
+  // what does not turn the body in the whole film is rounding errors of a body at rest
+  constexpr double kNoTurn = 1e-9;  // rad
+  const double duration = scenery.motion.duration(), inertia = model.moments.maxCoeff();
+  if (turning * duration < kNoTurn) turning = 0.0;
+  if (momentum / inertia * duration < kNoTurn) momentum = 0.0;
+  if (turned_by / inertia * duration * duration < kNoTurn) turned_by = 0.0;
   return {radius,
           per(kOmegaLength, turning),
           per(kMomentumLength, momentum),

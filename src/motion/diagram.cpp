@@ -6,13 +6,14 @@
 namespace polhode {
 namespace {
 
-std::string why_no_potential(const BodyModel& model) {
-  if (why_not_tilt(model).empty() || why_not_middle(model).empty()) return {};
-  return "needs a heavy symmetric top on a pivot or a free asymmetric body, without other torques";
+std::string why_no_potential(const Motion& motion) {
+  if (why_not_tilt(motion).empty() || why_not_middle(motion).empty()) return {};
+  return "needs a heavy symmetric top on a pivot or a turning, free asymmetric body, without other "
+         "torques";
 }
 
 Diagram potential(const Motion& motion) {
-  return why_not_tilt(motion.model()).empty() ? tilt_potential(motion) : middle_potential(motion);
+  return why_not_tilt(motion).empty() ? tilt_potential(motion) : middle_potential(motion);
 }
 
 }  // namespace

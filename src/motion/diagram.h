@@ -50,7 +50,7 @@ struct DiagramKind {
   std::string name;  // as in show.plots
   std::string doc;
   // "" if the motion has such a diagram, else what it needs.
-  std::string (*why_not)(const BodyModel& model);
+  std::string (*why_not)(const Motion& motion);
   Diagram (*make)(const Motion& motion);
 };
 
@@ -63,15 +63,15 @@ std::vector<std::string> plot_names();
 
 // The functions of the table. A heavy symmetric top on a pivot: the potential of its tilt, and its
 // phase portrait (Landau and Lifshitz, Mechanics, section 35; Goldstein, Classical Mechanics, 5.7).
-std::string why_not_tilt(const BodyModel& model);
+std::string why_not_tilt(const Motion& motion);
 Diagram tilt_potential(const Motion& motion);
 Diagram tilt_portrait(const Motion& motion);
 // A free body: the potential of its angular velocity about the middle axis, and the map of the
 // sphere of angular momentum with its polhodes (Landau and Lifshitz, Mechanics, section 37; A.
 // Deprit, Am. J. Phys. 35 (1967) 424).
-std::string why_not_middle(const BodyModel& model);
+std::string why_not_middle(const Motion& motion);
 Diagram middle_potential(const Motion& motion);
-std::string why_not_polhodes(const BodyModel& model);
+std::string why_not_polhodes(const Motion& motion);
 Diagram polhode_map(const Motion& motion);
 
 }  // namespace polhode

@@ -53,8 +53,9 @@ TEST(FilmPlots, DiagramsStandBesideThem) {
   EXPECT_EQ(charts.diagrams[0].title, "phase portrait");
 
   asked.scene.show.plots = {"polhode_map"};
-  test::expect_input_error(
-      [&] { make_charts({asked}); }, "show.plots", "'polhode_map' needs a body on which no torque");
+  test::expect_input_error([&] { make_charts({asked}); },
+                           "show.plots",
+                           "'polhode_map' needs a turning body on which no torque");
   asked.scene.show.plots = {"phase"};
   test::expect_input_error([&] { make_charts({asked, asked}); }, "show.plots", "2 panels");
 }

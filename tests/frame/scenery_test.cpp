@@ -67,6 +67,22 @@ TEST(Scenery, PointsThatAreDrawnFarOutEnlargeTheScale) {
   EXPECT_NEAR(small_scenery(prolate_body(), wobbling(), show).scale.body, 0.9, 1e-6);
 }
 
+// a body that hangs still is off by rounding errors, of which no arrow is drawn
+TEST(Scenery, RoundingErrorsAreNoVectors) {
+  MotionSpec hanging = test::spinning_on_pivot();
+  hanging.spin = {};
+  hanging.attitude = {};
+  hanging.attitude.zxz = Vec3(0.0, kPi, 0.0);
+  const Scenery scenery = small_scenery(test::cone_body(), hanging);
+  EXPECT_GT(scenery.motion.at(0.5).w_S.norm(), 0.0);
+  EXPECT_EQ(scenery.scale.omega, 0.0);
+  EXPECT_EQ(scenery.scale.momentum, 0.0);
+  EXPECT_EQ(scenery.scale.torque, 0.0);
+  // but a slow turn is one
+  hanging.spin.body = Vec3(1e-7, 0.0, 0.0);
+  EXPECT_GT(small_scenery(test::cone_body(), hanging).scale.omega, 0.0);
+}
+
 // over the whole film the longest omega has 1.3 body radii; L of a free body is constant
 TEST(Scenery, VectorsKeepTheirScaleOverTheFilm) {
   const Scenery scenery = small_scenery(brick_body(), wobbling());

@@ -204,12 +204,18 @@ TEST(Diagrams, AMapOfPolhodesHoldsItsMotion) {
 TEST(Diagrams, OthersAreTold) {
   const Motion free = test::moving(test::brick_body(), test::wobbling());
   const Motion top = test::moving(test::cone_body(), test::spinning_on_pivot());
-  EXPECT_NE(find_diagram("phase")->why_not(free.model()), "");
-  EXPECT_NE(find_diagram("polhode_map")->why_not(top.model()), "");
-  EXPECT_EQ(find_diagram("potential")->why_not(free.model()), "");
-  EXPECT_EQ(find_diagram("potential")->why_not(top.model()), "");
+  EXPECT_NE(find_diagram("phase")->why_not(free), "");
+  EXPECT_NE(find_diagram("polhode_map")->why_not(top), "");
+  EXPECT_EQ(find_diagram("potential")->why_not(free), "");
+  EXPECT_EQ(find_diagram("potential")->why_not(top), "");
   const Motion symmetric = test::moving(test::prolate_body(), test::wobbling());
-  EXPECT_NE(find_diagram("potential")->why_not(symmetric.model()), "");
+  EXPECT_NE(find_diagram("potential")->why_not(symmetric), "");
+  // at rest there is no polhode
+  MotionSpec rest = test::wobbling();
+  rest.spin = {};
+  const Motion still = test::moving(test::brick_body(), rest);
+  EXPECT_NE(find_diagram("polhode_map")->why_not(still), "");
+  EXPECT_NE(find_diagram("potential")->why_not(still), "");
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ void draw_plot(const PlotJob& job) {
   if (format) require_gnuplot();
   const Solved solved = solve(scene, ProgressKind::automatic);
   const Motion& motion = solved.simulation.motion;
-  const std::string wrong = kind != nullptr ? kind->why_not(motion.model()) : "";
+  const std::string wrong = kind != nullptr ? kind->why_not(motion) : "";
   if (!wrong.empty()) throw input_error("'{}' {}", job.name, wrong).at({{}, 0, "PLOT"});
   const PlotSheet sheet = kind != nullptr ? sheet_of(kind->make(motion), scene.title, job.at)
                                           : sheet_of(*quantity, motion, scene.title);

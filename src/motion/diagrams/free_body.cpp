@@ -111,16 +111,19 @@ std::vector<std::vector<Vec2>> polhodes(const FreeBody& body, double level) {
 
 }  // namespace
 
-std::string why_not_polhodes(const BodyModel& model) {
+std::string why_not_polhodes(const Motion& motion) {
+  const BodyModel& model = motion.model();
   const bool free = model.chi_P.squaredNorm() == 0.0 && model.loads.turning.empty();
-  if (free && !model.kind.rotator && model.kind.shape != TopKind::Shape::spherical) return {};
-  return "needs a body on which no torque acts, neither a sphere nor a thin rod";
+  const bool turns = motion.state_at(0.0).y.norm() > 0.0;
+  if (free && turns && !model.kind.rotator && model.kind.shape != TopKind::Shape::spherical)
+    return {};
+  return "needs a turning body on which no torque acts, neither a sphere nor a thin rod";
 }
 
-std::string why_not_middle(const BodyModel& model) {
-  const bool asymmetric = model.kind.shape == TopKind::Shape::asymmetric;
-  if (why_not_polhodes(model).empty() && asymmetric) return {};
-  return "needs an asymmetric body on which no torque acts";
+std::string why_not_middle(const Motion& motion) {
+  const bool asymmetric = motion.model().kind.shape == TopKind::Shape::asymmetric;
+  if (why_not_polhodes(motion).empty() && asymmetric) return {};
+  return "needs a turning asymmetric body on which no torque acts";
 }
 
 // Euler's equation of the middle axis, squared: (dL2/dt)^2 = L1^2 L3^2 (1/I1 - 1/I3)^2, where L1^2

@@ -215,7 +215,8 @@ Diagram pendulum_portrait(const Motion& motion, const HeavyTop& top) {
 
 }  // namespace
 
-std::string why_not_tilt(const BodyModel& model) {
+std::string why_not_tilt(const Motion& motion) {
+  const BodyModel& model = motion.model();
   const bool spherical = model.kind.shape == TopKind::Shape::spherical;
   const bool heavy = model.chi_P.squaredNorm() > 0.0;
   if (heavy && model.loads.empty() && (spherical || center_on_symmetry_axis(model))) return {};
