@@ -44,7 +44,7 @@ const std::vector<Command>& commands() {
        "polhode stability top.toml -o maps --methods rk4",
        define_stability},
       {"section",
-       "draw the Poincaré section of a heavy body: curves or chaos",
+       "tell regular motions of a heavy body from chaotic ones",
        "polhode section top.toml -o section",
        define_section},
       {"diff",

@@ -39,8 +39,13 @@ TEST(AllScenes, TogetherShowEveryName) {
   for (const std::string& name : scene_names()) {
     const Scene scene = load_scene(scene_path(name));
     const Solved solved = solve(scene);
+    Staging staging;
+    staging.camera = scene.camera;
+    staging.timeline = Timeline({}, scene.motion.duration, 1.0);
+    Shared shared;
+    shared.ensemble = solved.ensemble;
     const Composer picture(
-        solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, {320, 180});
+        solved.simulation.motion, scene.body, staging, scene.show, scene.theme, {320, 180}, shared);
     for (const Element& element : elements()) {
       if (picture.shows(element.name)) missing.erase(element.name);
     }
