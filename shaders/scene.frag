@@ -43,7 +43,7 @@ vec3 painted() {
   float soft_x = fwidth(v_mesh.x) + least;
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
   float strip = clamp((f_mark.w - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
-  return mix(f_color.rgb * mix(vec3(0.78, 0.89, 0.97), vec3(1.0), front), f_mark.rgb, strip);
+  return mix(f_color.rgb * mix(vec3(0.54, 0.71, 0.90), vec3(1.0), front), f_mark.rgb, strip);
 #else
   return f_color.rgb;
 #endif

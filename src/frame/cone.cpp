@@ -14,6 +14,9 @@ Mat3 turned_to(const Vec3& axis) {
   return turn_between(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
+// how much of its alpha the near wall of a narrow cone gives to the far one
+constexpr double kGivenBack = 0.5;
+
 DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {
   // the unit shell has radius = height; a flat one keeps a sliver of height for its normals, too
   // low to be seen, so that its axis can change sign
@@ -22,7 +25,12 @@ DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {
   Placement place = Placement::Identity();
   place.translation() = cone.apex;
   place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
-  return {meshes.shell, to_glm(place.matrix()), cone.material, faces};
+  // a body in its cone keeps its colours: the wall before it is thin, the wall behind makes up for
+  // it; a flat cone has no inside, and shows the same side whichever way it opens
+  const double given = kGivenBack * std::cos(cone.half_angle);
+  Material wall = cone.material;
+  wall.alpha *= static_cast<float>(faces == Faces::front ? 1.0 - given : 1.0 + given);
+  return {meshes.shell, to_glm(place.matrix()), wall, faces};
 }
 
 // The tube of a rim relative to the rim's own radius comes in steps of a hundredth, so that rims

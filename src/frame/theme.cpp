@@ -43,7 +43,7 @@ const std::vector<Theme>& themes() {
        .floor = hex("#262d39")},
       {.name = "light",
        .background = hex("#f6f4ef"),
-       .body = hex("#cdbb9c"),
+       .body = hex("#e2d2b0"),
        .mark = hex("#8f2430"),
        .omega = hex("#ba4e00"),
        .momentum = hex("#0170cb"),

@@ -118,6 +118,8 @@ TEST(Cone, TurnsOverWithoutAJump) {
       EXPECT_EQ(a.material.alpha, b.material.alpha);
       EXPECT_EQ(a.faces, b.faces);
     }
+    // the eye sees the inside of one and the outside of the other
+    EXPECT_NEAR(one.translucent[0].material.alpha, other.translucent[1].material.alpha, short_of);
   }
   // from above the flat one is behind what stands on it, from below in front
   for (const double side : {1.0, -1.0}) {
@@ -127,6 +129,18 @@ TEST(Cone, TurnsOverWithoutAJump) {
     const std::string from_below = order_of(drawn(cones, -5.0 * up), cones);
     EXPECT_EQ(from_below.substr(from_below.size() - 2), "a+") << side;
   }
+}
+
+// the near wall, through which a body is seen, is thinner; together they are what was asked for
+TEST(Cone, WallBeforeTheBodyIsThin) {
+  const Cone cone = cone_about({0.2, 0.1, 1}, 0.4);
+  const DrawList list = drawn({cone}, {4, 1, 3});
+  ASSERT_EQ(list.translucent.size(), 2u);
+  const DrawItem& far = list.translucent[0];
+  const DrawItem& near = list.translucent[1];
+  EXPECT_EQ(near.faces, Faces::front);
+  EXPECT_LT(near.material.alpha, 0.6f * cone.material.alpha);
+  EXPECT_NEAR(near.material.alpha + far.material.alpha, 2.0f * cone.material.alpha, 1e-6f);
 }
 
 // every corner of the shell is on the cone, up to what a polygon is off its circle
