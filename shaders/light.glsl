@@ -16,6 +16,6 @@ float light_on(vec2 along, float up) {
 // between its normal and the eye, `lit` its colour as an opaque one.
 vec4 shell(vec3 color, vec3 lit, float alpha, float facing) {
   float edge = 1.0 - facing;
-  float dense = min(1.0, alpha * (0.65 + 1.6 * edge * edge));
+  float dense = min(1.0, alpha * (0.45 + 1.8 * edge * edge));
   return vec4(mix(color, lit, 0.35) * dense, dense);
 }
