@@ -57,7 +57,7 @@ const std::vector<Theme>& themes() {
        .velocity = hex("#8f2a19"),
        .position = hex("#22262c"),
        .ellipsoid = hex("#6fb488"),
-       .plane = hex("#a83f78"),
+       .plane = hex("#a03c86"),
        .polhode = hex("#8a6800"),
        .polhodes = hex("#3a5c48"),
        .herpolhode = hex("#b5301c"),
