@@ -16,18 +16,12 @@ namespace {
 constexpr int kWidth = 1500;
 constexpr int kPanelHeight = 700;
 
-// Okabe and Ito's eight, without black and yellow, then darker ones: told apart by the colour-blind
-constexpr std::array<const char*, 9> kColors = {"#0072B2",
-                                                "#D55E00",
-                                                "#009E73",
-                                                "#CC79A7",
-                                                "#56B4E9",
-                                                "#E69F00",
-                                                "#5D3A9B",
-                                                "#7F7F7F",
-                                                "#8C2D04"};
-// marks of gnuplot: cross, square, disc, triangles, diamond, pentagon; open and filled
-constexpr std::array<int, 12> kMarks = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 2};
+// of families, in the order of MethodFamily: Okabe and Ito's without black and yellow, then darker
+// ones, told apart by the colour-blind
+constexpr std::array<const char*, 8> kColors = {
+    "#7F7F7F", "#0072B2", "#56B4E9", "#D55E00", "#5D3A9B", "#009E73", "#E69F00", "#CC79A7"};
+// of the methods of a family, marks of gnuplot: disc, square, triangles, diamond, open circle
+constexpr std::array<int, 6> kMarks = {7, 5, 9, 11, 13, 6};
 
 // the methods of the points, in their order
 std::vector<std::string> methods_of(const std::vector<WorkPoint>& points) {
@@ -38,14 +32,17 @@ std::vector<std::string> methods_of(const std::vector<WorkPoint>& points) {
   return names;
 }
 
-// a method looks the same in every chart: by its place in the table of methods
+// A method looks the same in every chart: the colour of its family, and a mark by its place there.
 std::string look_of(const std::string& method) {
-  std::size_t index = 0;
-  while (index < stepper_table().size() && stepper_table()[index].name != method)
-    ++index;
-  return fmt::format("linecolor rgb '{}' pointtype {} pointsize 0.7 linewidth 1.3",
-                     kColors[index % kColors.size()],
-                     kMarks[index % kMarks.size()]);
+  const MethodFamily family = find_stepper(method).family;
+  std::size_t before = 0;  // methods of the family
+  for (const StepperInfo& row : stepper_table()) {
+    if (row.name == method) break;
+    before += row.family == family ? 1 : 0;
+  }
+  return fmt::format("linecolor rgb '{}' pointtype {} pointsize 0.8 linewidth 1.3",
+                     kColors.at(static_cast<std::size_t>(family)),
+                     kMarks[before % kMarks.size()]);
 }
 
 // a named block of numbers, time_us evaluations error_rad, with what is drawn of the method
@@ -112,6 +109,26 @@ std::string cheapest_words(const WorkPanel& panel) {
                      best->time_us);
 }
 
+// why some methods need one step only
+std::string exact_label(const WorkPanel& panel) {
+  if (!panel.free_body) return {};
+  for (const std::string& name : methods_of(panel.points)) {
+    const StepperInfo& method = find_stepper(name);
+    if (!method.exact_when_free) continue;
+    return fmt::format(
+        "set label 101 {} at graph 0.02, graph 0.03 left front font ',9'\n",
+        gnuplot_text(family_title(method.family) + ": exact on a free body, but for round-off"));
+  }
+  return {};
+}
+
+// from the decade below the cheapest point, so that its name has room
+std::string range_of(const std::vector<WorkPoint>& points, Cost cost) {
+  const WorkPoint* least = best_drawn(points, 10.0, cost);
+  const double low = std::pow(10.0, std::floor(std::log10(std::max(cost(*least), 1e-3))) - 1.0);
+  return fmt::format("set xrange [{}:*]\n", gnuplot_number(low));
+}
+
 // one panel of a row: error over `column` of the data
 std::string panel_script(const WorkPanel& panel,
                          std::size_t row,
@@ -122,6 +139,8 @@ std::string panel_script(const WorkPanel& panel,
   const std::vector<std::string> names = methods_of(panel.points);
   std::string text = "unset arrow\n";
   text += frontier_labels(panel.points, cost);
+  text += exact_label(panel);
+  text += range_of(panel.points, cost);
   // what the scene needs, as a line over the whole width
   text += fmt::format(
       "set arrow 1 from graph 0, first {0} to graph 1, first {0} nohead linewidth 1.5 dashtype 2 "
@@ -184,7 +203,7 @@ std::string row_script(const WorkPanel& panel, std::size_t row, std::size_t rows
 
 }  // namespace
 
-std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat format) {
+std::string work_precision_script(const std::vector<WorkPanel>& panels) {
   std::string script =
       "set multiplot\n"
       "set logscale xy\n"
@@ -195,8 +214,14 @@ std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat
       "set ylabel 'largest attitude error, rad'\n";
   for (std::size_t row = 0; row < panels.size(); ++row)
     script += row_script(panels[row], row, panels.size());
-  script += "unset multiplot\n";
-  return draw_with_gnuplot(script, format, kWidth, kPanelHeight * static_cast<int>(panels.size()));
+  return script + "unset multiplot\n";
+}
+
+std::string plot_work_precision(const std::vector<WorkPanel>& panels, PlotFormat format) {
+  return draw_with_gnuplot(work_precision_script(panels),
+                           format,
+                           kWidth,
+                           kPanelHeight * static_cast<int>(panels.size()));
 }
 
 std::string work_precision_csv(const std::vector<WorkPanel>& panels) {

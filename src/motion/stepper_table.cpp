@@ -27,101 +27,123 @@ std::string obstacle(const StepperInfo& method, const BodyModel& model) {
 
 }  // namespace
 
+std::string family_title(MethodFamily family) {
+  switch (family) {
+    case MethodFamily::engines:
+      return "game engines";
+    case MethodFamily::runge_kutta:
+      return "Runge-Kutta";
+    case MethodFamily::taylor:
+      return "Taylor series";
+    case MethodFamily::implicit:
+      return "implicit";
+    case MethodFamily::lie_group:
+      return "Lie groups";
+    case MethodFamily::rotations:
+      return "turns about axes";
+    case MethodFamily::moser_veselov:
+      return "Moser-Veselov";
+    case MethodFamily::kicks:
+      return "free motions and kicks";
+  }
+  return {};
+}
+
 // Long, because it is one table: a row for each.
 const std::vector<StepperInfo>& stepper_table() {
   // clang-format off
   static const std::vector<StepperInfo> table = {
-      {.name = "explicit_euler", .title = "Explicit Euler", .order = 1, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "explicit_euler", .title = "Explicit Euler", .family = MethodFamily::engines, .order = 1, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "1 evaluation", .limit = "unstable for every step",
        .source = "Euler 1768; kept to show how it fails", .make = make_explicit_euler},
-      {.name = "semi_implicit_euler", .title = "Semi-implicit Euler", .order = 1, .takes_heavy = true, .takes_rotator = true,
+      {.name = "semi_implicit_euler", .title = "Semi-implicit Euler", .family = MethodFamily::engines, .order = 1, .takes_heavy = true, .takes_rotator = true,
        .cost = "1 evaluation", .limit = "unstable for every step",
        .source = "game engines; MuJoCo's Euler without implicit terms", .make = make_semi_implicit_euler},
-      {.name = "linearly_implicit_euler", .title = "Linearly implicit Euler", .order = 1, .takes_heavy = true, .takes_rotator = true,
+      {.name = "linearly_implicit_euler", .title = "Linearly implicit Euler", .family = MethodFamily::engines, .order = 1, .takes_heavy = true, .takes_rotator = true,
        .cost = "1 evaluation, 3x3 solve", .limit = "none, but damps tumbling",
        .source = "Catto, Numerical Methods, GDC 2015 (Bullet, Box3D, MuJoCo implicit)", .make = make_linearly_implicit_euler},
-      {.name = "renormalised_explicit", .title = "Explicit Euler, |L| put right", .order = 1, .keeps_momentum_norm = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "renormalised_explicit", .title = "Explicit Euler, |L| put right", .family = MethodFamily::engines, .order = 1, .keeps_momentum_norm = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "1 evaluation", .limit = "energy goes to that of the middle axis",
        .source = "the gyroscopic step of Jolt and Avian", .make = make_renormalised_explicit},
-      {.name = "rk2", .title = "RK2", .order = 2, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "rk2", .title = "RK2", .family = MethodFamily::runge_kutta, .order = 2, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "2 evaluations", .limit = "unstable for every step",
        .source = "Runge 1895, the midpoint method", .make = make_rk2},
-      {.name = "rk4", .title = "RK4", .order = 4, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "rk4", .title = "RK4", .family = MethodFamily::runge_kutta, .order = 4, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "4 evaluations", .limit = "h |Omega| < 2 sqrt 2", .limit_of = StepLimit::oscillation, .limit_turn = 2.8284271,
        .source = "Kutta 1901", .make = make_rk4},
-      {.name = "rk4_euler_angles", .title = "RK4 on Euler angles", .order = 4, .takes_heavy = true, .takes_rotator = true,
+      {.name = "rk4_euler_angles", .title = "RK4 on Euler angles", .family = MethodFamily::runge_kutta, .order = 4, .takes_heavy = true, .takes_rotator = true,
        .cost = "4 evaluations", .limit = "fails at tilt 0 and 180 degrees", .limit_of = StepLimit::oscillation, .limit_turn = 2.8284271,
        .source = "Kutta 1901 on zxz angles; kept to show where a chart fails", .make = make_rk4_euler_angles},
-      {.name = "dopri5", .title = "Dormand-Prince 5(4)", .order = 5, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "dopri5", .title = "Dormand-Prince 5(4)", .family = MethodFamily::runge_kutta, .order = 5, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "7 evaluations", .limit = "h |Omega| < 0.997", .limit_of = StepLimit::oscillation, .limit_turn = 0.997,
        .source = "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", .make = make_dopri5},
-      {.name = "dop853", .title = "Dormand-Prince 8(5,3)", .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "dop853", .title = "Dormand-Prince 8(5,3)", .family = MethodFamily::runge_kutta, .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "12 evaluations", .limit = "h |Omega| < 5.9", .limit_of = StepLimit::oscillation, .limit_turn = 5.9,
        .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.10", .make = make_dop853},
-      {.name = "taylor10", .title = "Taylor series of order 10", .order = 10, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "taylor10", .title = "Taylor series of order 10", .family = MethodFamily::taylor, .order = 10, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "10 terms of a series", .limit = "h below the radius of convergence",
        .source = "Jorba and Zou, Experiment. Math. 14 (2005) 99", .make = make_taylor10},
-      {.name = "taylor16", .title = "Taylor series of order 16", .order = 16, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "taylor16", .title = "Taylor series of order 16", .family = MethodFamily::taylor, .order = 16, .adaptive = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "16 terms of a series", .limit = "h below the radius of convergence",
        .source = "Jorba and Zou, Experiment. Math. 14 (2005) 99", .make = make_taylor16},
-      {.name = "implicit_midpoint", .title = "Implicit midpoint", .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "implicit_midpoint", .title = "Implicit midpoint", .family = MethodFamily::implicit, .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "Newton, 3x3", .limit = "Newton, h |omega| < 1 is safe",
        .source = "Hairer, Lubich, Wanner, GNI, IV.2.1 and VII.5", .make = make_implicit_midpoint},
-      {.name = "gauss4", .title = "Gauss, order 4", .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "gauss4", .title = "Gauss, order 4", .family = MethodFamily::implicit, .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "fixed point, 2 evaluations each", .limit = "fixed point, h |omega| < 1 is safe",
        .source = "Hairer, Lubich, Wanner, GNI, II.1.3 and IV.2.1", .make = make_gauss4},
-      {.name = "gauss6", .title = "Gauss, order 6", .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "gauss6", .title = "Gauss, order 6", .family = MethodFamily::implicit, .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .reversible = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "fixed point, 3 evaluations each", .limit = "fixed point, h |omega| < 1 is safe",
        .source = "Hairer, Lubich, Wanner, GNI, II.1.3 and IV.2.1", .make = make_gauss6},
-      {.name = "radau5", .title = "Radau IIA, order 5", .order = 5, .adaptive = true, .stiff = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "radau5", .title = "Radau IIA, order 5", .family = MethodFamily::implicit, .order = 5, .adaptive = true, .stiff = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "Newton's method, 3 evaluations each, and a Jacobian",
        .source = "Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8", .make = make_radau5},
-      {.name = "rkmk4", .title = "Munthe-Kaas, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "rkmk4", .title = "Munthe-Kaas, order 4", .family = MethodFamily::lie_group, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "4 evaluations, 4 exponentials",
        .source = "Munthe-Kaas, Appl. Numer. Math. 29 (1999) 115", .make = make_rkmk4},
-      {.name = "cf4", .title = "Commutator-free, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "cf4", .title = "Commutator-free, order 4", .family = MethodFamily::lie_group, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "4 evaluations, 5 exponentials",
        .source = "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003) 341", .make = make_cf4},
-      {.name = "three_rotations", .title = "Three rotations", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true,
+      {.name = "three_rotations", .title = "Three rotations", .family = MethodFamily::rotations, .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true,
        .cost = "5 turns about axes", .limit = "resonances, first at h |omega| about 2",
        .source = "Hairer, Lubich, Wanner, GNI, VII.5.3; McLachlan 1993, Reich 1994", .make = make_three_rotations},
-      {.name = "symmetric_remainder2", .title = "Symmetric + remainder, order 2", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "symmetric_remainder2", .title = "Symmetric + remainder, order 2", .family = MethodFamily::rotations, .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "4 turns", .limit = "resonances, first at h |omega| about 2",
        .source = "Dullweber, Leimkuhler, McLachlan, J. Chem. Phys. 107 (1997) 5840", .make = make_symmetric_remainder2},
-      {.name = "symmetric_remainder4", .title = "Symmetric + remainder, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "symmetric_remainder4", .title = "Symmetric + remainder, order 4", .family = MethodFamily::rotations, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "20 turns",
        .source = "the same, composed by Suzuki, Phys. Lett. A 146 (1990) 319", .make = make_symmetric_remainder4},
-      {.name = "symmetric_remainder6", .title = "Symmetric + remainder, order 6", .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "symmetric_remainder6", .title = "Symmetric + remainder, order 6", .family = MethodFamily::rotations, .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "36 turns",
        .source = "the same, composed by Kahan and Li, Math. Comp. 66 (1997) 1089", .make = make_symmetric_remainder6},
-      {.name = "dmv2", .title = "Moser-Veselov, order 2", .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true,
+      {.name = "dmv2", .title = "Moser-Veselov, order 2", .family = MethodFamily::moser_veselov, .order = 2, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true,
        .cost = "Newton, 3x3", .limit = "no solution beyond h |omega| = 1", .limit_of = StepLimit::spin, .limit_turn = 1.0,
        .source = "Moser and Veselov, Comm. Math. Phys. 139 (1991) 217", .make = make_dmv2},
-      {.name = "dmv4", .title = "Moser-Veselov, order 4", .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+      {.name = "dmv4", .title = "Moser-Veselov, order 4", .family = MethodFamily::moser_veselov, .order = 4, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
        .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
        .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv4},
-      {.name = "dmv6", .title = "Moser-Veselov, order 6", .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+      {.name = "dmv6", .title = "Moser-Veselov, order 6", .family = MethodFamily::moser_veselov, .order = 6, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
        .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
        .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv6},
-      {.name = "dmv8", .title = "Moser-Veselov, order 8", .order = 8, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+      {.name = "dmv8", .title = "Moser-Veselov, order 8", .family = MethodFamily::moser_veselov, .order = 8, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
        .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
        .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv8},
-      {.name = "dmv10", .title = "Moser-Veselov, order 10", .order = 10, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
+      {.name = "dmv10", .title = "Moser-Veselov, order 10", .family = MethodFamily::moser_veselov, .order = 10, .keeps_energy = true, .keeps_momentum_norm = true, .keeps_momentum_space = true, .reversible = true,
        .cost = "Newton, 3x3", .limit = "none beyond h |omega| about 1",
        .source = "Hairer and Vilmart, J. Phys. A 39 (2006) 13225", .make = make_dmv10},
-      {.name = "kick_strang", .title = "Strang splitting", .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "kick_strang", .title = "Strang splitting", .family = MethodFamily::kicks, .order = 2, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "1 free motion, 2 kicks", .limit = "resonance at h pi / slow precession",
        .source = "Strang, SIAM J. Numer. Anal. 5 (1968) 506", .make = make_kick_strang},
-      {.name = "kick_suzuki4", .title = "Suzuki splitting, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "kick_suzuki4", .title = "Suzuki splitting, order 4", .family = MethodFamily::kicks, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "5 free motions, 6 kicks",
        .source = "Suzuki, Phys. Lett. A 146 (1990) 319", .make = make_kick_suzuki4},
-      {.name = "kick_chin4", .title = "Chin splitting, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "kick_chin4", .title = "Chin splitting, order 4", .family = MethodFamily::kicks, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "2 free motions, 3 kicks",
        .source = "Chin, Phys. Lett. A 226 (1997) 344, scheme A", .make = make_kick_chin4},
-      {.name = "kick_srkn6", .title = "Blanes-Moan splitting, order 4", .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "kick_srkn6", .title = "Blanes-Moan splitting, order 4", .family = MethodFamily::kicks, .order = 4, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "6 free motions, 7 kicks",
        .source = "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 6b", .make = make_kick_srkn6},
-      {.name = "kick_srkn11", .title = "Blanes-Moan splitting, order 6", .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
+      {.name = "kick_srkn11", .title = "Blanes-Moan splitting, order 6", .family = MethodFamily::kicks, .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "11 free motions, 12 kicks",
        .source = "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 11b", .make = make_kick_srkn11},
   };

@@ -14,11 +14,26 @@ namespace polhode {
 // the body, or the angle by which the body turns.
 enum class StepLimit { none, oscillation, spin };
 
+// What methods have in common, and share a colour in charts.
+enum class MethodFamily {
+  engines,        // of game engines, and kept to show how they fail
+  runge_kutta,    // explicit
+  taylor,         // series of high order
+  implicit,       // Runge-Kutta methods that solve for their stages
+  lie_group,      // exponentials of rotations
+  rotations,      // compositions of turns about axes of the body
+  moser_veselov,  // discrete mechanics
+  kicks,          // exact free motions between kicks of gravity
+};
+// its name in lists, such as "Runge-Kutta"
+std::string family_title(MethodFamily family);
+
 // One row per method. To add one: its file in motion/steppers/, and a row in stepper_table.cpp.
 // Help, names and the test kit derive from this table.
 struct StepperInfo {
-  std::string name = {};              // value of numerics.method
-  std::string title = {};             // for charts
+  std::string name = {};   // value of numerics.method
+  std::string title = {};  // for charts
+  MethodFamily family = MethodFamily::engines;
   int order = 0;                      // the error of a motion is proportional to (step)^order
   bool adaptive = false;              // estimates its error and takes a tolerance; else fixed steps
   bool keeps_energy = false;          // to round-off, whatever the step

@@ -40,6 +40,7 @@ std::string list_methods() {
                                 "takes",
                                 "cost of a step",
                                 "limit of the step",
+                                "family",
                                 "source"}};
   for (const StepperInfo& m : stepper_table()) {
     rows.push_back({m.name,
@@ -56,6 +57,7 @@ std::string list_methods() {
                            {m.takes_rotator, "rotators"}}),
                     m.cost,
                     m.limit.empty() ? "-" : m.limit,
+                    family_title(m.family),
                     m.source});
   }
   return aligned(rows);
