@@ -220,7 +220,7 @@ SectionOrbit trace_section(const SectionSurface& surface, const State& start, in
     State before = s;
     double from = 0.0, longest = 0.0;
     walk_adaptive(
-        method, *stepper, s, chunk, kSectionTolerance, first, [&](double to, const State& now) {
+        method, *stepper, s, chunk, kSectionTolerance, first, {}, [&](double to, const State& now) {
           step_to(t + from, before, t + to, now);
           // the neighbour takes the same steps: their errors are the same, and do not part the two
           stepper->step(t + from, to - from, neighbour, work);

@@ -41,6 +41,7 @@ State walk(const StepperInfo& method, const WorkProblem& problem, double finenes
                   problem.duration,
                   fineness,
                   first_step(problem.model, problem.start, fineness, method.order),
+                  problem.model.loads.switches,
                   look_away);
   } else {
     walk_fixed(*stepper, s, fineness, std::lround(problem.duration / fineness), look_away);

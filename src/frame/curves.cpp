@@ -17,27 +17,34 @@ constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostPoints = 200'000;
 constexpr std::size_t kPointsOfPiece = 64;
 
-double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
-  const Vec3 along = to - from;
-  const double length2 = along.squaredNorm();
-  const double s = length2 > 0.0 ? std::clamp((point - from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (point - from - s * along).norm();
+struct PathPoint {
+  double parameter;
+  Vec3 point;
+};
+
+// how far a point is from where a straight piece is at the same parameter: a film that ends the
+// path there must end it where its point is
+double distance_from_piece(const PathPoint& inside, const PathPoint& from, const PathPoint& to) {
+  const double part = (inside.parameter - from.parameter) / (to.parameter - from.parameter);
+  return (inside.point - from.point - part * (to.point - from.point)).norm();
 }
 
-// what of a path is not needed: points that lie on the line between those kept
+// what of a path is not needed: points where the straight piece between those kept is anyway
 Path thinned(const Path& path, double tolerance) {
   Path kept;
   const auto keep = [&](std::size_t i) {
     kept.parameters.push_back(path.parameters[i]);
     kept.points.push_back(path.points[i]);
   };
+  const auto at = [&](std::size_t i) {
+    return PathPoint{path.parameters[i], path.points[i]};
+  };
   keep(0);
   std::size_t start = 0;
   for (std::size_t i = 2; i < path.points.size(); ++i) {
     bool straight = i - start < 64;
     for (std::size_t k = start + 1; straight && k < i; ++k) {
-      straight =
-          distance_to_segment(path.points[k], path.points[start], path.points[i]) <= tolerance;
+      straight = distance_from_piece(at(k), at(start), at(i)) <= tolerance;
     }
     if (straight) continue;
     start = i - 1;
@@ -55,34 +62,35 @@ Path sampled(const std::function<Vec3(double)>& curve,
              int pieces,
              double tolerance) {
   Path path;
-  const auto add = [&](double parameter, const Vec3& point) {
-    path.parameters.push_back(parameter);
-    path.points.push_back(point);
+  const auto add = [&](const PathPoint& end) {
+    path.parameters.push_back(end.parameter);
+    path.points.push_back(end.point);
+  };
+  const auto at = [&](double parameter) {
+    return PathPoint{parameter, curve(parameter)};
   };
   // adds the end of a piece, and what is needed inside it
-  const std::function<void(double, const Vec3&, double, const Vec3&, int)> refine =
-      [&](double a, const Vec3& at_a, double b, const Vec3& at_b, int depth) {
-        const double m = 0.5 * (a + b);
-        const Vec3 at_m = curve(m);
-        const bool off = distance_to_segment(at_m, at_a, at_b) > tolerance ||
-                         distance_to_segment(curve(0.5 * (a + m)), at_a, at_b) > tolerance ||
-                         distance_to_segment(curve(0.5 * (m + b)), at_a, at_b) > tolerance;
+  const std::function<void(const PathPoint&, const PathPoint&, int)> refine =
+      [&](const PathPoint& a, const PathPoint& b, int depth) {
+        const PathPoint m = at(0.5 * (a.parameter + b.parameter));
+        const auto is_off = [&](const PathPoint& inside) {
+          return distance_from_piece(inside, a, b) > tolerance;
+        };
+        const bool off = is_off(m) || is_off(at(0.5 * (a.parameter + m.parameter))) ||
+                         is_off(at(0.5 * (m.parameter + b.parameter)));
         if (off && depth < kMostHalvings && path.points.size() < kMostPoints) {
-          refine(a, at_a, m, at_m, depth + 1);
-          refine(m, at_m, b, at_b, depth + 1);
+          refine(a, m, depth + 1);
+          refine(m, b, depth + 1);
         } else {
-          add(b, at_b);
+          add(b);
         }
       };
-  double a = from;
-  Vec3 at_a = curve(from);
-  add(a, at_a);
+  PathPoint a = at(from);
+  add(a);
   for (int i = 1; i <= pieces; ++i) {
-    const double b = from + (to - from) * i / pieces;
-    const Vec3 at_b = curve(b);
-    refine(a, at_a, b, at_b, 0);
+    const PathPoint b = at(from + (to - from) * i / pieces);
+    refine(a, b, 0);
     a = b;
-    at_a = at_b;
   }
   return thinned(path, 0.5 * tolerance);
 }

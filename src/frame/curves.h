@@ -16,11 +16,12 @@ struct Path {
   std::vector<Vec3> points;
 };
 
-// Samples the curve over [from, to] so that no straight piece is farther from it than about
-// `tolerance` (in the unit of the points; tested at the middle and the quarters of each piece).
+// Samples the curve over [from, to] so that no straight piece, run through at an even pace, is
+// farther from it at any parameter than about `tolerance` (in the unit of the points; tested at the
+// middle and the quarters of each piece).
 // pieces: into how many equal parts the interval is first divided; they must resolve every turn.
 // Each is halved up to twelve times, until there are 200,000 points; then points within half the
-// tolerance of the line between those kept are dropped.
+// tolerance of the piece between those kept are dropped.
 Path sampled(
     const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
 

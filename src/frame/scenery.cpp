@@ -103,8 +103,18 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
   return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
 }
 
+// and when loads have just been switched, and halfway to the next time: a pulse is short
 std::vector<double> framing_times(const Motion& motion) {
-  return scattered_times(motion.duration(), kFramingTimes);
+  const double duration = motion.duration();
+  std::vector<double> times = scattered_times(duration, kFramingTimes);
+  double before = 0.0;
+  for (const double t : motion.model().loads.switches) {
+    times.push_back(std::min(duration, 0.5 * (before + t)));
+    times.push_back(std::min(duration, t));
+    before = t;
+  }
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 void make_look(Scenery& scenery, const BodySpec& body, int segments) {

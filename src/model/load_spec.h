@@ -29,6 +29,9 @@ struct LoadSpec {
                                   // -c omega ("spin", c in N m s)
   std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s; absent: 0
   std::optional<double> phase;    // rad; absent: 0
+  std::optional<double> from;     // when it begins, s; absent: it acts from the start
+  std::optional<double> until;    // when it begins to end, s; absent: never
+  std::optional<double> ramp;     // how long it takes to rise and to fall, s; absent: no time
 };
 
 // The names in load_kinds(), for help and the schema.
@@ -72,6 +75,18 @@ void fields(Visitor& v, LoadSpec& s) {
       "phase",
       s.phase,
       Doc{"phase at t = 0 of a load that swings as cos(rate t + phase); absent: 0", Unit::angle});
+  v.field("from",
+          s.from,
+          Doc{"when the load begins; absent: it acts from the start", Unit::time, kNonNegative});
+  v.field("until",
+          s.until,
+          Doc{"when the load ends, or begins to fall; absent: never", Unit::time, kNonNegative});
+  v.field("ramp",
+          s.ramp,
+          Doc{"how long the load takes to rise after `from`, and to fall after `until`; absent: no "
+              "time",
+              Unit::time,
+              kNonNegative});
 }
 
 }  // namespace polhode

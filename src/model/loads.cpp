@@ -36,6 +36,9 @@ std::vector<std::string> given_keys(const LoadSpec& s) {
   if (s.of) names.emplace_back("of");
   if (s.rate) names.emplace_back("rate");
   if (s.phase) names.emplace_back("phase");
+  if (s.from) names.emplace_back("from");
+  if (s.until) names.emplace_back("until");
+  if (s.ramp) names.emplace_back("ramp");
   return names;
 }
 
@@ -53,12 +56,36 @@ void check_keys_of(const LoadSpec& spec, const std::string& path) {
   std::vector<std::string> known = kind.needs;
   known.insert(known.end(), kind.takes.begin(), kind.takes.end());
   if (kind.directed) known.insert(known.end(), {"space", "body"});
+  known.insert(known.end(), {"from", "until", "ramp"});
   require_keys(kind.name, kind.needs, given, path);
   if (kind.directed && !spec.space && !spec.body) {
     throw input_error("a {} needs 'space' or 'body', its vector in those axes", kind.name)
         .at({{}, 0, path});
   }
   refuse_other_keys(kind.name, known, given, path);
+}
+
+Switching switching_of(const LoadSpec& spec, const std::string& path) {
+  Switching acts;
+  acts.ramp = spec.ramp.value_or(0.0);
+  if (spec.from || (acts.ramp > 0.0 && !spec.until)) acts.from = spec.from.value_or(0.0);
+  if (spec.until) acts.until = *spec.until;
+  const double whole = acts.from + acts.ramp;
+  if (acts.until <= acts.from || acts.until < whole) {
+    throw input_error("the load ends at {} s, before it has begun: it {} at {} s",
+                      acts.until,
+                      acts.ramp > 0.0 ? "is whole" : "begins",
+                      whole)
+        .at({{}, 0, path + ".until"});
+  }
+  return acts;
+}
+
+// what happens at or before the start does not happen
+void add_switches(const Switching& acts, std::vector<double>& switches) {
+  for (const double t : {acts.from, acts.from + acts.ramp, acts.until, acts.until + acts.ramp}) {
+    if (std::isfinite(t) && t > 0.0) switches.push_back(t);
+  }
 }
 
 Load::Kind turned_into(const LoadSpec& spec) {
@@ -106,7 +133,14 @@ std::vector<std::string> load_names() {
   return names;
 }
 
+double Switching::part(double t) const {
+  if (t < from || t >= until + ramp) return 0.0;
+  if (ramp == 0.0) return 1.0;
+  return std::min({1.0, (t - from) / ramp, (until + ramp - t) / ramp});
+}
+
 bool Load::conservative() const {
+  if (!acts.always()) return false;
   switch (kind) {
     case Kind::spring:
       return true;
@@ -120,7 +154,7 @@ bool Load::conservative() const {
 
 bool Loads::only_damp_momentum() const {
   return std::all_of(turning.begin(), turning.end(), [](const Load& load) {
-    return load.kind == Load::Kind::damp_momentum;
+    return load.kind == Load::Kind::damp_momentum && load.acts.always();
   });
 }
 
@@ -163,19 +197,25 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     load.rate = spec.rate.value_or(0.0);
     load.phase = spec.phase.value_or(0.0);
 
+    load.acts = switching_of(spec, fmt::format("motion.torque[{}]", i));
+    add_switches(load.acts, loads.switches);
+
     // a phase without a rate is a constant factor
     if (load.rate == 0.0) load.vector *= std::cos(std::exchange(load.phase, 0.0));
     loads.listed.push_back(load);
     const bool is_force = load.kind == Load::Kind::force;
-    const bool pushes = is_force && !load.in_body && !on_pivot;
+    const bool pushes = is_force && !load.in_body && !on_pivot && load.acts.always();
     if (pushes) loads.pushes.push_back({load.vector, load.rate, load.phase});
     const bool central = load.arm_P.norm() == 0.0;
     const bool needs_place =
-        !on_pivot && (load.kind == Load::Kind::spring || (is_force && load.in_body));
+        !on_pivot && (load.kind == Load::Kind::spring || (is_force && !pushes));
     loads.need_place = loads.need_place || needs_place;
     if ((is_force || load.kind == Load::Kind::couple) && central && !needs_place) continue;
     loads.turning.push_back(load);
   }
+  std::sort(loads.switches.begin(), loads.switches.end());
+  loads.switches.erase(std::unique(loads.switches.begin(), loads.switches.end()),
+                       loads.switches.end());
   return loads;
 }
 
@@ -189,13 +229,13 @@ Wrench wrench_of(const std::vector<Load>& loads,
   for (const Load& load : loads) {
     switch (load.kind) {
       case Load::Kind::damp_momentum:
-        sum.torque_P -= load.c * y;
+        sum.torque_P -= load.acts.part(t) * load.c * y;
         break;
       case Load::Kind::damp_spin:
-        sum.torque_P -= load.c * w_P;
+        sum.torque_P -= load.acts.part(t) * load.c * w_P;
         break;
       case Load::Kind::torque: {
-        const Vec3 torque = swing(load.rate, load.phase, t) * load.vector;
+        const Vec3 torque = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
         sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
         break;
       }
@@ -204,7 +244,7 @@ Wrench wrench_of(const std::vector<Load>& loads,
       case Load::Kind::spring: {
         const Vec3 force_S = point_force(load, t, q, place_S);
         sum.torque_P += load.arm_P.cross(q.conjugate() * force_S);
-        const bool is_push = load.kind == Load::Kind::force && !load.in_body;
+        const bool is_push = load.kind == Load::Kind::force && !load.in_body && load.acts.always();
         if (load.kind != Load::Kind::couple && !is_push) sum.force_S += force_S;
         break;
       }
@@ -218,10 +258,10 @@ Vec3 point_force(const Load& load, double t, const Quat& q, const Vec3& place_S)
     const Vec3 reach = load.anchor_S - (place_S + q * load.arm_P);
     const double stretched = reach.norm();
     const double rest = stretched > 0.0 ? load.length / stretched : 0.0;
-    return load.k * (1.0 - rest) * reach;
+    return load.acts.part(t) * load.k * (1.0 - rest) * reach;
   }
   if (load.kind != Load::Kind::force && load.kind != Load::Kind::couple) return Vec3::Zero();
-  const Vec3 force = swing(load.rate, load.phase, t) * load.vector;
+  const Vec3 force = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
   return load.in_body ? Vec3(q * force) : force;
 }
 

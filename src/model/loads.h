@@ -4,6 +4,8 @@
 //   dy/dt = y x omega + tau,   dP/dt = F   (lecture notes, eqs. 19 to 22; see docs/theory.md).
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,18 @@ struct LoadKind {
 // The table of all kinds; it exists until the program ends.
 const std::vector<LoadKind>& load_kinds();
 
+// When a load acts: it rises in a straight line from `from` on, is whole from `from` + ramp to
+// `until`, and then falls as it rose. All in s.
+struct Switching {
+  double from = -std::numeric_limits<double>::infinity();
+  double until = std::numeric_limits<double>::infinity();
+  double ramp = 0.0;
+  // The part of the load that acts at t, 0 to 1. Without a ramp it jumps, to 1 at `from` and to 0
+  // at `until`.
+  double part(double t) const;
+  bool always() const { return std::isinf(from) && std::isinf(until); }
+};
+
 // A load converted to principal axes P and to the reference point.
 struct Load {
   enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring };
@@ -38,13 +52,15 @@ struct Load {
   double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
   double rate = 0.0;             // rad/s
   double phase = 0.0;            // rad; 0 without a rate: then `vector` contains the cosine
+  Switching acts;
 
-  // Whether the load has a potential: a spring, or a force or couple that is constant in space.
+  // Whether the load has a potential: a spring, or a force or couple that is constant in space, and
+  // is never switched.
   bool conservative() const;
 };
 
-// A force on a free body that is given in space axes: force_S cos(rate t + phase). The path of the
-// centre of mass is then known in closed form, whatever the attitude.
+// A force on a free body that is given in space axes and always acts: force_S cos(rate t + phase).
+// The path of the centre of mass is then known in closed form, whatever the attitude.
 struct Push {
   Vec3 force_S = Vec3::Zero();  // N
   double rate = 0.0;            // rad/s
@@ -55,10 +71,12 @@ struct Push {
 struct Loads {
   std::vector<Load> turning;  // have a torque about the reference point, or a force that depends on
                               // attitude or place
-  std::vector<Push> pushes;   // the forces in space axes on a free body
+  std::vector<Push> pushes;   // the forces in space axes on a free body that always act
   std::vector<Load> listed;   // all, in the order of the scene, for drawing
-  // True: a force on a free body depends on its attitude or place, so six degrees of freedom must
-  // be integrated.
+  // When loads jump or have kinks, s, in order; steps of adaptive methods end there.
+  std::vector<double> switches;
+  // True: a force on a free body depends on its attitude or place or is switched, so six degrees of
+  // freedom must be integrated.
   bool need_place = false;
 
   bool empty() const { return turning.empty() && pushes.empty(); }
@@ -70,7 +88,7 @@ struct Loads {
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
 // principal axes as columns, in B. Throws Error (input) naming motion.torque[i] if a key that its
 // kind needs is missing, motion.torque[i].KEY for an unknown kind, for a key that the kind does not
-// take, and for a couple whose two forces act at one point.
+// take, for a couple whose two forces act at one point, and for an end before its beginning.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,

@@ -151,6 +151,7 @@ Integration integrate_adaptive(const StepperInfo& method,
       duration,
       tolerance,
       first_step(model, start, tolerance, method.order),
+      model.loads.switches,
       [&](double t, const State& now) {
         drift.look_at(now);
         grid->times.push_back(t);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "motion/stepper_table.h"
 
@@ -26,6 +28,19 @@ void refuse_nan(const State& s, const StepperInfo& method, double t);
 // round-off with this tolerance.
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
+// How far to step from t (s) at most: to just before the next switch or, from there, to just behind
+// it. Advances `ahead`, the first switch that is not yet behind t.
+inline double end_of_smooth_part(double t,
+                                 std::vector<double>::const_iterator end,
+                                 std::vector<double>::const_iterator& ahead) {
+  constexpr double kNear = 4.0 * std::numeric_limits<double>::epsilon();
+  while (ahead != end && t >= *ahead * (1.0 + kNear))
+    ++ahead;
+  if (ahead == end) return std::numeric_limits<double>::infinity();
+  const double before = *ahead * (1.0 - kNear);
+  return t < before ? before : *ahead * (1.0 + kNear);
+}
+
 // Takes `steps` steps of h (s) from time 0, starting from s, which is advanced to the end. Calls
 // visit(i, s) with the state after step i = 1, 2, ... States that are not finite are not refused.
 // Throws what the stepper and `visit` throw.
@@ -45,7 +60,8 @@ WalkRecord walk_fixed(const Stepper& stepper, State& s, double h, long steps, Vi
 // tolerance and `first` are positive. If it throws, s is the last accepted state. `stepper` is an
 // instance of `method`. Calls visit(t, s) with the state after every accepted step. Throws Error
 // (check_failed) if the state is not finite or the step falls below round-off, and what the stepper
-// and `visit` throw.
+// and `visit` throw. `switches` (s, in order) are times at which the right-hand side jumps or has a
+// kink: a step ends just before each, and a tiny one leads across.
 template <class Visit>
 WalkRecord walk_adaptive(const StepperInfo& method,
                          const Stepper& stepper,
@@ -53,12 +69,15 @@ WalkRecord walk_adaptive(const StepperInfo& method,
                          double duration,
                          double tolerance,
                          double first,
+                         const std::vector<double>& switches,
                          Visit&& visit) {
   WalkRecord record;
   double h = std::min(first, duration);
   double t = 0.0;
+  auto ahead = switches.begin();
   while (t < duration) {
-    const double next = t + h < duration ? t + h : duration;
+    const double end = std::min(duration, end_of_smooth_part(t, switches.end(), ahead));
+    const double next = t + h < end ? t + h : end;
     State trial = s;
     const double error = stepper.step_with_error(t, next - t, trial, record.work);
 
@@ -74,7 +93,9 @@ WalkRecord walk_adaptive(const StepperInfo& method,
       continue;
     }
     refuse_nan(trial, method, next);
-    h = (next - t) * std::clamp(0.9 * ratio, 0.2, 5.0);
+    // a step that a switch cut short says little of the next
+    const double proposed = (next - t) * std::clamp(0.9 * ratio, 0.2, 5.0);
+    h = next == end ? std::max(h, proposed) : proposed;
     t = next;
     s = trial;
     ++record.steps;

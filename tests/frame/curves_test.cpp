@@ -68,6 +68,24 @@ TEST(Curves, AreAsFineAsTheToleranceAsks) {
 }
 
 // a closed tube about a circle is a torus: volume 2 pi^2 R r^2 less what polygons lack
+// a point that rests, moves on in a straight line and rests again is on its path at all times
+TEST(Curves, KeepThePaceOfTheirPoint) {
+  const auto point = [](double t) {
+    return Vec3(std::clamp(t - 1.3, 0.0, 0.4), 0.0, 0.0);
+  };
+  const Path path = sampled(point, 0.0, 4.0, 64, 1e-3);
+  EXPECT_LT(path.points.size(), 40u);
+  for (double t = 0.0; t <= 4.0; t += 0.0113) {
+    const auto next = std::upper_bound(path.parameters.begin(), path.parameters.end(), t);
+    ASSERT_NE(next, path.parameters.end());
+    const auto i = static_cast<std::size_t>(next - path.parameters.begin());
+    const double part =
+        (t - path.parameters[i - 1]) / (path.parameters[i] - path.parameters[i - 1]);
+    const Vec3 there = path.points[i - 1] + part * (path.points[i] - path.points[i - 1]);
+    EXPECT_LT((there - point(t)).norm(), 1.1e-3) << t;
+  }
+}
+
 TEST(Curves, AClosedTubeIsATorus) {
   constexpr int kPieces = 200, kSides = 24;
   std::vector<Vec3> circle;

@@ -113,6 +113,7 @@ TEST(Stride, WalkingAnAdaptiveGridGivesTheSameStates) {
                 duration,
                 kTolerance,
                 first_step(p.model, p.start, kTolerance, row.order),
+                {},
                 [&](double t, const State& now) {
                   if (++step % 9973 != 0) return;
                   EXPECT_TRUE(same_bits(found.trajectory->at(t), now)) << "step " << step;

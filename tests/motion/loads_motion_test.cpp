@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Motions under torques and forces, against closed forms.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "base/units.h"
 #include "math/so3.h"
 #include "motion/simulate.h"
+#include "motion/stepper_table.h"
 #include "support/expect_error.h"
 #include "support/loads.h"
 #include "support/motions.h"
@@ -67,6 +69,102 @@ TEST(Torque, HarmonicOneSwingsTheSpin) {
     const double spin = 0.8 / 1.3 / 5.0 * (std::sin(5.0 * t + 0.3) - std::sin(0.3));
     expect_residual("sine", std::abs(motion.at(t).w_B.y() - spin), 1e-11);
   }
+}
+
+// the angle is the double integral of a trapezoid: from 1 to 1.5 it rises, from 3 to 3.5 it falls
+TEST(Torque, SwitchedWithARampSpinsUp) {
+  MotionSpec spec = spun({0, 0, 0.5}, 6.0);
+  spec.torque = {load("constant")};
+  spec.torque[0].body = Vec3(0, 0, 0.8);
+  spec.torque[0].from = 1.0;
+  spec.torque[0].until = 3.0;
+  spec.torque[0].ramp = 0.5;
+  const Simulation s = solved(body_with({1, 1.3, 1.6}), spec);
+  EXPECT_TRUE(find_stepper(s.report.method).adaptive);
+  EXPECT_TRUE(s.report.reliability.doubts.empty());
+  // integrals of the ramp r(t) = clamp((t - a) / 0.5): once and twice
+  const auto once = [](double a, double t) {
+    const double u = std::clamp(t - a, 0.0, 0.5);
+    return u * u + std::max(0.0, t - a - 0.5);
+  };
+  const auto twice = [](double a, double t) {
+    const double u = std::clamp(t - a, 0.0, 0.5), after = std::max(0.0, t - a - 0.5);
+    return u * u * u / 3.0 + 0.25 * after + 0.5 * after * after;
+  };
+  for (const double t : {0.9, 1.2, 2.0, 3.3, 6.0}) {
+    const double spin = 0.5 + 0.5 * (once(1.0, t) - once(3.0, t));
+    const double angle = 0.5 * t + 0.5 * (twice(1.0, t) - twice(3.0, t));
+    const Quat wanted = s.motion.at(0.0).q_SB * exp_rotation({0, 0, angle});
+    expect_residual("omega", std::abs(s.motion.at(t).w_B.z() - spin), 1e-11);
+    expect_residual("angle", rotation_angle_between(s.motion.at(t).q_SB, wanted), 1e-11);
+  }
+}
+
+// A torque that jumps on and off, on an asymmetric body: before it the closed form, while it acts
+// the motion of a torque that always acts, after it the closed form of what it left.
+TEST(Torque, ThatJumpsJoinsThreeMotions) {
+  const BodySpec body = body_with({1, 1.3, 1.7});
+  MotionSpec spec = spun({0.4, -0.1, 1.0}, 5.0);
+  spec.torque = {load("constant")};
+  spec.torque[0].space = Vec3(0.9, 0.2, -0.5);
+  spec.torque[0].from = 1.3;
+  spec.torque[0].until = 1.7;
+  const Motion switched = solved(body, spec).motion;
+
+  const auto from_state = [&](const Sample& at, bool pushed, double duration) {
+    MotionSpec next = spun(at.w_B, duration);
+    next.attitude = {};
+    next.attitude.quaternion = Eigen::Vector4d(at.q_SB.w(), at.q_SB.x(), at.q_SB.y(), at.q_SB.z());
+    if (pushed) {
+      next.torque = {load("constant")};
+      next.torque[0].space = spec.torque[0].space;
+    }
+    return solved(body, next).motion;
+  };
+  const Motion before = from_state(switched.at(0.0), false, 1.3);
+  const Motion during = from_state(before.at(1.3), true, 0.4);
+  const Motion after = from_state(during.at(0.4), false, 3.3);
+  expect_residual("before", turn_between(switched.at(1.2), before.at(1.2)), 1e-11);
+  expect_residual("during", turn_between(switched.at(1.6), during.at(0.3)), 1e-11);
+  expect_residual("after", turn_between(switched.at(5.0), after.at(3.3)), 1e-11);
+}
+
+// a push in space on a free body leaves it with the momentum of force times time
+TEST(Force, SwitchedPushesForItsTime) {
+  MotionSpec spec = spun({0.4, -0.1, 1.0}, 4.0);
+  spec.torque = {load("force")};
+  spec.torque[0].space = Vec3(3.0, 0, 0);
+  spec.torque[0].from = 1.0;
+  spec.torque[0].until = 1.5;
+  const BodySpec body = body_with({1, 1.3, 1.7});
+  const Motion motion = solved(body, spec).motion;
+  const double mass = motion.model().body.mass;
+  const Vec3 there = motion.at(0.0).center_S;
+  expect_residual("still", (motion.at(1.0).center_S - there).norm(), 1e-11);
+  const double way = 3.0 / mass * (0.5 * 0.25 + 0.5 * 2.5);
+  expect_residual("way", (motion.at(4.0).center_S - there - Vec3(way, 0, 0)).norm(), 1e-11);
+}
+
+TEST(Torque, EndsAfterItBegins) {
+  MotionSpec spec = spun({0, 0, 1});
+  spec.torque = {load("constant")};
+  spec.torque[0].space = Vec3(1, 0, 0);
+  spec.torque[0].from = 2.0;
+  spec.torque[0].until = 1.0;
+  expect_input_error(
+      [&] {
+        solved(body_with({1, 1.3, 1.6}), spec);
+      },
+      "motion.torque[0].until",
+      "before it has begun: it begins at 2 s");
+  spec.torque[0].until = 2.4;
+  spec.torque[0].ramp = 0.5;
+  expect_input_error(
+      [&] {
+        solved(body_with({1, 1.3, 1.6}), spec);
+      },
+      "motion.torque[0].until",
+      "it is whole at 2.5 s");
 }
 
 // SciMLBenchmarks, RigidBody_wpd, from t = 0 to 10, computed to 18 digits by two other methods:

@@ -54,7 +54,7 @@ TEST(WalkAdaptive, EndsAtTheDurationAndStaysBelowTheTolerance) {
   State s;
   double last = 0.0;
   const WalkRecord record =
-      walk_adaptive(of_order(2), Clock(), s, 1.0, 1e-4, 0.3, [&](double t, const State& now) {
+      walk_adaptive(of_order(2), Clock(), s, 1.0, 1e-4, 0.3, {}, [&](double t, const State& now) {
         EXPECT_LE((t - last) * (t - last), 1e-4);
         EXPECT_NEAR(now.y[0], t, 1e-15 * 200);
         last = t;
@@ -69,25 +69,43 @@ TEST(WalkAdaptive, EndsAtTheDurationAndStaysBelowTheTolerance) {
 TEST(WalkAdaptive, NeverGrowsByMoreThanFive) {
   State s;
   std::vector<double> times = {0.0};
-  walk_adaptive(
-      of_order(2), Clock(), s, 1.0, 1e6, 1e-3, [&](double t, const State&) { times.push_back(t); });
+  walk_adaptive(of_order(2), Clock(), s, 1.0, 1e6, 1e-3, {}, [&](double t, const State&) {
+    times.push_back(t);
+  });
   ASSERT_GE(times.size(), 5U);
   EXPECT_NEAR(times[2] - times[1], 5e-3, 1e-15);
   EXPECT_NEAR(times[3] - times[2], 25e-3, 1e-15);
+}
+
+// steps end within a few roundings of a switch on both sides, and go on as long as before
+TEST(WalkAdaptive, LandsBesideSwitches) {
+  State s;
+  std::vector<double> times = {0.0};
+  walk_adaptive(
+      of_order(2), Clock(), s, 1.0, 1e-2, 0.09, {0.2, 0.5, 3.0}, [&](double t, const State&) {
+        times.push_back(t);
+      });
+  EXPECT_EQ(times.back(), 1.0);
+  for (const double at : {0.2, 0.5}) {
+    const auto behind = std::upper_bound(times.begin(), times.end(), at);
+    EXPECT_NEAR(*behind, at, 1e-15);
+    EXPECT_NEAR(*(behind - 1), at, 1e-15);
+    EXPECT_NEAR(*(behind + 1) - *behind, 0.09, 1e-3);
+  }
 }
 
 TEST(WalkAdaptive, RefusesNaNAndAToleranceThatCannotBeReached) {
   Clock bad;
   bad.bad_after = 0.5;
   State s;
-  expect_error([&] { walk_adaptive(of_order(2), bad, s, 1.0, 1e-2, 0.05, kLookAway); },
+  expect_error([&] { walk_adaptive(of_order(2), bad, s, 1.0, 1e-2, 0.05, {}, kLookAway); },
                Fault::check_failed,
                "",
                "the motion is not a number at t = 0.5");
   Clock stuck;
   stuck.stuck_after = 0.5;
   State at_start;
-  expect_error([&] { walk_adaptive(of_order(2), stuck, at_start, 1.0, 1e-2, 0.05, kLookAway); },
+  expect_error([&] { walk_adaptive(of_order(2), stuck, at_start, 1.0, 1e-2, 0.05, {}, kLookAway); },
                Fault::check_failed,
                "",
                "clock cannot reach tolerance 0.01 at t = 0.5");

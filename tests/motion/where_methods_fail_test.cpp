@@ -29,7 +29,7 @@ State adapted(const char* method, const Problem& p, double duration, double tole
   const StepperInfo& row = find_stepper(method);
   const std::unique_ptr<Stepper> stepper = row.make(p.model, momentum_scale(p.model, p.start));
   State s = p.start;
-  walk_adaptive(row, *stepper, s, duration, tolerance, 0.01, kLookAway);
+  walk_adaptive(row, *stepper, s, duration, tolerance, 0.01, {}, kLookAway);
   return s;
 }
 
