@@ -15,8 +15,9 @@ namespace polhode {
 namespace {
 
 constexpr double kSectionTolerance = 1e-12;
-constexpr double kPatience = 200.0;     // turns without a crossing
-constexpr double kTurnsTogether = 2.0;  // after which a neighbour is brought back
+constexpr double kPatience = 200.0;      // turns without a crossing
+constexpr double kTurnsToJudge = 100.0;  // the least, to call a motion regular
+constexpr double kTurnsTogether = 2.0;   // after which a neighbour is brought back
 constexpr double kRegular = 3.0, kChaotic = 6.0;
 constexpr double kBeside = 1e-8;  // of the neighbour at first, in units of the state's scales
 
@@ -82,6 +83,17 @@ State between(const State& a, const State& b, double part) {
   s.q = (a.q * Quat(Eigen::AngleAxisd(part * way.angle(), way.axis()))).normalized();
   s.y = a.y + part * (b.y - a.y);
   return s;
+}
+
+// Lagrange's top and Kovalevskaya's have a third integral, so that no motion is chaotic.
+bool has_third_integral(const BodyModel& model) {
+  if (center_on_symmetry_axis(model)) return true;
+  if (!model.kind.symmetric()) return false;
+  constexpr double kAsGiven = 1e-9;  // relative, of numbers typed with ten digits
+  const int axis = model.kind.axis;
+  const double across = model.moments[(axis + 1) % 3], along = model.moments[axis];
+  return std::abs(across - 2.0 * along) <= kAsGiven * across &&
+         std::abs(model.chi_P[axis]) <= kAsGiven * model.chi_P.norm();
 }
 
 }  // namespace
@@ -173,10 +185,21 @@ std::vector<Vec2> SectionSurface::spread(int count) const {
   return starts;
 }
 
-std::string why_not_section(const BodyModel& model) {
-  const bool heavy = model.on_pivot && model.chi_P.squaredNorm() > 0.0;
-  if (heavy && model.loads.empty() && !model.kind.rotator) return {};
-  return "needs a body on a pivot under gravity, without other torques, that is no thin rod";
+std::optional<SectionObstacle> why_not_section(const BodyModel& model) {
+  if (!model.on_pivot)
+    return SectionObstacle{"motion.hold",
+                           "needs a body on a pivot under gravity; set hold = \"pivot\""};
+  if (model.gravity_S.isZero())
+    return SectionObstacle{"motion.gravity", "needs gravity that turns the body"};
+  if (model.chi_P.isZero()) {
+    return SectionObstacle{
+        "motion.hold", "needs a body that gravity turns: this one is held at its centre of mass"};
+  }
+  if (!model.loads.empty())
+    return SectionObstacle{"motion.torque", "takes no torques or forces besides gravity"};
+  if (model.kind.rotator)
+    return SectionObstacle{"body", "takes no body with all its mass on a line"};
+  return {};
 }
 
 const char* name_of(SectionVerdict verdict) {
@@ -240,9 +263,13 @@ SectionOrbit trace_section(const SectionSurface& surface, const State& start, in
   orbit.duration = t;
   orbit.energy_drift = drift.worst().energy.value_or(0.0);
   const double late = mean_of_quarter(growths, 3) - mean_of_quarter(growths, 1);
-  orbit.verdict = late < kRegular   ? SectionVerdict::regular
-                  : late > kChaotic ? SectionVerdict::chaotic
-                                    : SectionVerdict::undecided;
+  const bool long_enough = t * rate >= kTurnsToJudge * 2.0 * kPi;
+  orbit.verdict = late < kRegular && long_enough ? SectionVerdict::regular
+                  : late > kChaotic              ? SectionVerdict::chaotic
+                                                 : SectionVerdict::undecided;
+  // at a separatrix rounding errors carry regular motions across, as if they were chaotic
+  if (orbit.verdict == SectionVerdict::chaotic && has_third_integral(model))
+    orbit.verdict = SectionVerdict::undecided;
   return orbit;
 }
 

@@ -55,14 +55,19 @@ class SectionSurface {
   Mat3 inverse_F_ = Mat3::Identity();  // of the tensor of inertia, in F
 };
 
-// "" if the model has a section: a body on a pivot under gravity without other torques, no thin
-// rod. Else what it needs.
-std::string why_not_section(const BodyModel& model);
+// Nothing if the model has a section: a body on a pivot that gravity turns, without other torques,
+// no thin rod. Else what it needs, and the key of the scene that keeps it from one.
+struct SectionObstacle {
+  std::string key, needs;
+};
+std::optional<SectionObstacle> why_not_section(const BodyModel& model);
 
 // How neighbouring motions part: in proportion to the time if the motion is regular, exponentially
 // if it is chaotic. From the second to the last quarter of the time their distance (its geometric
-// mean) grows 2.3 times in the one case. `regular`: less than e^3 times, `chaotic`: more than e^6
-// times, else `undecided`. Chaos that is weaker than this shows after more crossings.
+// mean) grows 2.3 times in the one case. `regular`: less than e^3 times in at least 100 turns,
+// `chaotic`: more than e^6 times, else `undecided`. Chaos that is weaker than this shows after more
+// crossings. Lagrange's and Kovalevskaya's tops are never chaotic; where rounding errors make their
+// motions part at a separatrix, they are `undecided`.
 enum class SectionVerdict { regular, undecided, chaotic };
 const char* name_of(SectionVerdict verdict);
 

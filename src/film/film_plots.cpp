@@ -57,8 +57,9 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   };
   std::size_t curve = 0;
   for (const Motion& motion : motions) {
-    for (std::vector<double>& values : values_over_time(quantity, motion, plot.ends, kSteps))
-      plot.curves[curve++].values = std::move(values);
+    const int steps = steps_to_show(motion, plot.ends, kSteps);
+    for (const std::vector<double>& values : values_over_time(quantity, motion, plot.ends, steps))
+      plot.curves[curve++].values = extremes_of(values, kSteps);
   }
   return plot;
 }

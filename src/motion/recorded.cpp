@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "motion/recorded.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.h"
 #include "math/so3.h"
+#include "motion/deviation.h"
 
 namespace polhode {
 namespace {
@@ -120,6 +122,44 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
     before = now;
   }
   return curves;
+}
+
+int steps_to_show(const Motion& motion, double end, int least) {
+  constexpr double kShownInATurn = 24.0;
+  constexpr double kMostShown = 100'000.0;
+  double fastest = 0.0;
+  for (const double t : scattered_times(end, 256))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  const double needed = std::ceil(kShownInATurn * fastest * end / (2.0 * kPi));
+  return static_cast<int>(std::clamp(needed, static_cast<double>(least), kMostShown));
+}
+
+std::vector<double> extremes_of(const std::vector<double>& values, int most) {
+  if (values.size() <= static_cast<std::size_t>(most) + 1) return values;
+  // the first value, then two for each column
+  const std::size_t columns = static_cast<std::size_t>(most) / 2;
+  const auto is_nan = [](double value) {
+    return std::isnan(value);
+  };
+  // where an angle begins again in most columns, gaps would leave nothing
+  const auto gaps = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), is_nan));
+  const bool with_gaps = 4 * gaps < columns;
+  std::vector<double> kept = {values.front()};
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::size_t from = 1 + (values.size() - 1) * i / columns;
+    const std::size_t to = 1 + (values.size() - 1) * (i + 1) / columns;
+    std::size_t low = from, high = from;
+    bool gap = is_nan(values[from]);
+    for (std::size_t k = from + 1; k < to; ++k) {
+      gap = gap || is_nan(values[k]);
+      if (is_nan(values[low]) || values[k] < values[low]) low = k;
+      if (is_nan(values[high]) || values[k] > values[high]) high = k;
+    }
+    const bool none = gap && with_gaps;
+    kept.push_back(none ? NAN : values[std::min(low, high)]);
+    kept.push_back(none ? NAN : values[std::max(low, high)]);
+  }
+  return kept;
 }
 
 std::vector<std::string> recorded_names() {

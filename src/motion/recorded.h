@@ -22,6 +22,10 @@ struct Recorded {
   double period = 0.0;
 };
 
+// How many equal steps up to `end` (s) show what the quantities of a motion do: at least `least`,
+// and 24 in a turn of the body's fastest rotation, but no more than 100,000.
+int steps_to_show(const Motion& motion, double end, int least);
+
 // The values of each curve at `steps` equal steps of the motion up to `end` (s), and there. NaN
 // where they are not defined, and where an angle begins again: no line belongs there. Throws Error
 // (check_failed) as Recorded::values does.
@@ -29,6 +33,12 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
                                                   const Motion& motion,
                                                   double end,
                                                   int steps);
+
+// The same number of values or fewer, at most `most` + 1 at equal steps: of the values that a
+// column of two steps stands for, the least and the greatest, in their order, so that a line
+// through them covers what the whole line covers. A column with a NaN is NaN, unless that would
+// leave little.
+std::vector<double> extremes_of(const std::vector<double>& values, int most);
 
 // All quantities; the table exists until the program ends.
 const std::vector<Recorded>& recorded_quantities();

@@ -86,7 +86,8 @@ Vec3 sleeping_rotation_P(const BodyModel& model, double rate, const Quat& q) {
   const LagrangeTop top = lagrange_top(model, "motion.spin.sleeping");
   if (up_in_body(model, q).dot(top.axis_P) < 1.0 - 1e-12) {
     throw input_error(
-        "a sleeping top stands upright; leave out motion.attitude, or give another spin")
+        "a sleeping top stands upright, and this one's centre of mass is not above the pivot; turn "
+        "it there with motion.attitude, or give another spin")
         .at({{}, 0, "motion.spin.sleeping"});
   }
   return rate * top.axis_P;

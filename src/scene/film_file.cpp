@@ -97,6 +97,10 @@ int line_of_panel(const toml::table& tree, std::size_t i) {
   return static_cast<int>(panels->get(i)->source().begin.line);
 }
 
+int line_of(const toml::node_view<const toml::node>& value) {
+  return value ? static_cast<int>(value.node()->source().begin.line) : 0;
+}
+
 // "{} rad/s" with a value
 std::string filled(const std::string& pattern, const std::string& value) {
   const std::size_t at = pattern.find("{}");
@@ -134,10 +138,17 @@ std::vector<Asked> panels_of(const FilmFile& film,
     const SweepSpec& sweep = *film.sweep;
     for (std::size_t i = 0; i < sweep.values.size(); ++i) {
       const toml::node& value = *sweep.values.get(i);
-      const Place place{file, line_of_panel(tree, i), fmt::format("sweep.values[{}]", i)};
+      const Place place{
+          file, line_of(tree["sweep"]["values"][i]), fmt::format("sweep.values[{}]", i)};
+      // what is wrong where it is put is the key
+      Change change = put(sweep.key, value, place);
+      const Place at_key{file, line_of(tree["sweep"]["key"]), "sweep.key"};
+      change.apply = [at_key, apply = change.apply](toml::table& scene) {
+        at_place(at_key, [&] { apply(scene); });
+      };
       panels.push_back({sweep.scene,
                         filled(sweep.caption.value_or(sweep.key + " ="), text_of(value)),
-                        {put(sweep.key, value, place)},
+                        {change},
                         place});
     }
   }
@@ -183,18 +194,25 @@ bool is_film(const toml::table& tree) {
 Scene load_film(toml::table tree,
                 const std::filesystem::path& file,
                 const std::vector<Setting>& settings) {
-  Changes from_options;
+  Changes from_options, of_film;
   for (const Setting& setting : settings) {
     const std::string first = setting.key.substr(0, setting.key.find_first_of(".["));
     const Change change = change_of(setting);
     if (is_key_of_film(first)) {
       at_place(change.place, [&] { change.apply(tree); });
+      of_film.push_back(change);
     } else {
       from_options.push_back(change);
     }
   }
   const Changes common = take_common(tree, file.string());
-  const FilmFile film = film_of(tree, file.string());
+  const FilmFile film = [&] {
+    try {
+      return film_of(tree, file.string());
+    } catch (const Error& error) {
+      throw blamed(error, of_film);
+    }
+  }();
 
   std::vector<ScenePanel> panels;
   double longest = 0.0;

@@ -50,6 +50,25 @@ Change change_of(const Setting& setting) {
           }};
 }
 
+Error blamed(const Error& error, const std::vector<Change>& changes) {
+  // the last one that says something of it
+  const std::string& key = error.place().key;
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+    if (change->place.key.empty()) continue;
+    if (is_within(key, change->path))
+      return {error.fault(), about(error, change->path), change->place};
+  }
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+    if (change->place.key.empty() || key.empty() || !is_within(change->path, key)) continue;
+    // a table that the change has brought, or one of the file that it does not go with
+    if (error.place().line == 0) return {error.fault(), about(error, change->path), change->place};
+    return {error.fault(),
+            fmt::format("{}; '{}' is set from outside this file", error.message(), change->path),
+            error.place()};
+  }
+  return error;
+}
+
 bool is_within(const std::string& path, const std::string& around) {
   const std::string inner = without_suffixes(path), outer = without_suffixes(around);
   return inner.starts_with(outer) &&
@@ -78,12 +97,7 @@ Scene changed_scene(toml::table tree,
   try {
     scene = scene_of(tree, file.string());
   } catch (const Error& error) {
-    // the last one that says something of it
-    for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
-      if (!change->place.key.empty() && is_within(error.place().key, change->path))
-        throw Error(error.fault(), about(error, change->path), change->place);
-    }
-    throw;
+    throw blamed(error, changes);
   }
   for (const Change& change : changes) {
     if (change.place.key.empty()) continue;

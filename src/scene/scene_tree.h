@@ -25,6 +25,9 @@ struct Change {
 // The change that a setting of the command line makes.
 Change change_of(const Setting& setting);
 
+// The same error at the place of the change that it is about; as it is if it is about none.
+Error blamed(const Error& error, const std::vector<Change>& changes);
+
 // Whether a path leads to a key or inside of it, in whatever units they are spelled.
 bool is_within(const std::string& path, const std::string& around);
 

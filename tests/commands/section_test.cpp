@@ -68,6 +68,40 @@ TEST_F(Section, GoesOnWhereItWasStopped) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/section.resume"));
 }
 
+// what another job has kept in the folder waits until that is run again
+TEST_F(Section, LeavesTheWorkOfAnotherJob) {
+  const std::string options = "--starts 60 --crossings 500";
+  std::vector<std::string> arguments = {
+      "section", folder_ / "scene.toml", "-o", folder_ / "out", "--jobs", "1"};
+  for (const std::string& word : test::words_of(options))
+    arguments.push_back(word);
+  const std::filesystem::path file = folder_ / "out/section.resume";
+  test::Background run(arguments);
+  EXPECT_TRUE(test::becomes([&] {
+    const std::string kept = read_text(file);
+    return std::count(kept.begin(), kept.end(), '\n') > 1;
+  }));
+  ASSERT_EQ(run.end(SIGINT).code, 130);
+  const std::string kept = read_text(file);
+  ASSERT_EQ(section("--starts 2 --crossings 3").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  std::string waiting;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out")) {
+    if (entry.path().filename().string().starts_with("section.resume-"))
+      waiting = read_text(entry.path());
+  }
+  EXPECT_EQ(waiting, kept);
+  ASSERT_EQ(section(options).code, 0);
+  const auto left = std::filesystem::directory_iterator(folder_ / "out");
+  EXPECT_EQ(std::distance(begin(left), end(left)), 2);  // table and picture
+}
+
+TEST_F(Section, FewCrossingsAreTooFewToJudge) {
+  const Ran ran = section("--starts 2 --crossings 3");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("0 regular, 0 chaotic, 3 undecided"), std::string::npos) << ran.out;
+}
+
 TEST_F(Section, WhatIsWrongIsTold) {
   const struct {
     const char* options;
@@ -76,7 +110,10 @@ TEST_F(Section, WhatIsWrongIsTold) {
                {"--crossings 1000000", "--crossings: must be a whole number from 1 to 100000"},
                {"--starts 10000 --crossings 10000", "more than 1e+07 in all"},
                {"--jobs 0", "--jobs: must be greater than 0"},
-               {"--set motion.hold=free", "a section needs a body on a pivot under gravity"}};
+               {"--set motion.hold=free", "motion.hold: a section needs a body on a pivot"},
+               {"--set motion.gravity=[0,0,0]", "motion.gravity: a section needs gravity"},
+               {"--set 'motion.torque=[{kind=\"damping\",c=1}]'",
+                "motion.torque: a section takes no torques"}};
   for (const auto& one : cases) {
     const Ran ran = section(one.options);
     EXPECT_EQ(ran.code, 2) << one.options;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/recorded.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -116,6 +118,49 @@ TEST(Recorded, AnglesStayWithinATurnAndJumpWithoutALine) {
     // 20 rad/s for 4 s
     EXPECT_NEAR(gaps, 80.0 / (2.0 * kPi), 3.0);
   }
+}
+
+// a body that turns a thousand times has more steps than a curve of a wobble
+TEST(Recorded, AFastMotionIsLookedAtOften) {
+  MotionSpec spec = wobbling();
+  spec.duration = 10.0;
+  spec.spin = {};
+  spec.spin.body = Vec3(0, 0, 0.1);
+  EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 2400);
+  spec.spin.body = Vec3(0, 0, 2000.0 * kPi);  // 1000 turns a second
+  EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 100'000);
+  spec.spin.body = Vec3(0, 0, 40.0 * kPi);
+  EXPECT_NEAR(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 200 * 24, 1);
+}
+
+// fewer values reach as far up and down, and leave gaps where there were a few
+TEST(Recorded, ExtremesKeepTheReachOfACurve) {
+  std::vector<double> values;
+  for (int i = 0; i <= 30'000; ++i)
+    values.push_back(std::sin(0.37 * i) * i);
+  values[7'000] = NAN;
+  const std::vector<double> kept = extremes_of(values, 2400);
+  ASSERT_EQ(kept.size(), 2401U);
+  const std::size_t column = 25;  // values
+  int gaps = 0;
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const auto from = values.begin() + 1 + static_cast<long>(i * column);
+    if (std::isnan(kept[1 + 2 * i])) {
+      ++gaps;
+      continue;
+    }
+    const auto [low, high] = std::minmax_element(from, from + column);
+    EXPECT_EQ(std::min(kept[1 + 2 * i], kept[2 + 2 * i]), *low);
+    EXPECT_EQ(std::max(kept[1 + 2 * i], kept[2 + 2 * i]), *high);
+    EXPECT_EQ(kept[1 + 2 * i] == *low, low < high);
+  }
+  EXPECT_EQ(gaps, 1);
+  // an angle that begins again everywhere is not left blank
+  for (std::size_t i = 5; i < values.size(); i += 20)
+    values[i] = NAN;
+  for (const double value : extremes_of(values, 2400))
+    EXPECT_FALSE(std::isnan(value));
+  EXPECT_EQ(extremes_of({1.0, 2.0}, 2400), (std::vector<double>{1.0, 2.0}));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Cone colored(const Vec3& axis, double half_angle, const glm::vec3& color) {
   cone.half_angle = half_angle;
   cone.slant = 1.0;
   cone.material.color = color;
-  cone.material.alpha = 0.95f;  // what is on top dominates
+  cone.material.alpha = 0.5f;
   cone.material.gloss = 0.0f;
   return cone;
 }
@@ -94,6 +94,10 @@ TEST(Translucency, NearestSurfaceIsOnTopFromEverySide) {
                                             : std::vector{arrangement.first, arrangement.second};
         add_cones(list, meshes, cones, eye);
         list.opaque.clear();
+        for (DrawItem& item : list.translucent) {
+          item.material.flat = true;
+          item.material.alpha = 0.95f;  // what is on top dominates
+        }
         Image image;
         renderer.draw(list, image);
 

@@ -131,6 +131,18 @@ TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
   EXPECT_NE(why(many).find("has 10 panels; at most 9"), std::string::npos);
 }
 
+// a key of a sweep, a value of it, and a table that a panel brings
+TEST_F(FilmFiles, ChangesAreToBlameForWhatTheyBring) {
+  const std::string sweep = "[sweep]\nscene = \"a.toml\"\n";
+  EXPECT_EQ(why(sweep + "key = \"motion.spinn.body[2]\"\nvalues = [1]\n"),
+            "film.toml:3: sweep.key: the scene has no value at 'motion.spinn.body[2]'");
+  EXPECT_EQ(why(sweep + "key = \"motion.duration\"\nvalues = [1,\n2,\n-3]\n"),
+            "film.toml:6: sweep.values[2]: must be greater than 0, got -3");
+  EXPECT_EQ(why(kTwo + "set = { \"motion.spinn.body\" = [1, 2, 3] }\n"),
+            "film.toml:5: panel[1].set.motion.spinn.body: motion.spinn: unknown key (did you mean "
+            "'spin'?)");
+}
+
 TEST_F(FilmFiles, NameTheirFiles) {
   film(kTwo);
   EXPECT_EQ(named_files(folder_ / "film.toml"), (std::vector<std::string>{"a.toml", "b.toml"}));

@@ -177,6 +177,18 @@ TEST_F(SceneSettings, StandAsIfInTheFile) {
   EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), line_of(scene, "motion"));
 }
 
+// a table that the option brings, and one of the file that it does not go with
+TEST_F(SceneSettings, ThatBringATableAreToBlame) {
+  expect_error([&] { with({"motion.spinn.body=[1,2,3]"}); },
+               Fault::input,
+               "--set motion.spinn.body",
+               "motion.spinn: unknown key (did you mean 'spin'?)");
+  expect_error([&] { with({"motion.spin.rates=[1,2,3]"}); },
+               Fault::input,
+               "motion.spin",
+               "; 'motion.spin.rates' is set from outside this file");
+}
+
 TEST_F(SceneSettings, ThatAreWrongAreNamedByTheirOption) {
   const struct {
     const char *text, *key, *words;

@@ -27,6 +27,24 @@ const std::vector<NewKind>& new_kinds() {
   return table;
 }
 
+namespace {
+
+// what polhode would not take up again under that name
+void refuse_name(const NewKind& kind, const std::filesystem::path& first) {
+  const auto refuse = [](const std::string& why) {
+    throw input_error("{}; give another name", why).at({{}, 0, "--output"});
+  };
+  const std::filesystem::path usual = kind.files.front();
+  if (first.extension() != usual.extension())
+    refuse(fmt::format("the name of a {} ends in {}", kind.name, usual.extension().string()));
+  for (std::size_t i = 1; i < kind.files.size(); ++i) {
+    if (first.filename() == kind.files[i])
+      refuse(fmt::format("the scene of the {} is called {}", kind.name, kind.files[i]));
+  }
+}
+
+}  // namespace
+
 std::string write_new(const std::string& kind, const std::filesystem::path& output) {
   const std::vector<NewKind>& kinds = new_kinds();
   const auto found = std::find_if(
@@ -38,13 +56,17 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
     throw input_error("nothing is called '{}'{}", kind, suggestion(kind, names)).at({{}, 0, "new"});
   }
   const std::filesystem::path first = output.empty() ? found->files.front() : output;
-  std::string written;
+  refuse_name(*found, first);
+  std::string written, kept;
   for (std::size_t i = 0; i < found->files.size(); ++i) {
     const std::filesystem::path file = i == 0 ? first : first.parent_path() / found->files[i];
     std::error_code unknown;
     const bool taken = std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
     // a deck may stand beside a scene that has been changed
-    if (taken && i > 0) continue;
+    if (taken && i > 0) {
+      kept = fmt::format(" (with the {} that was there)", file.string());
+      continue;
+    }
     if (taken) {
       throw input_error("{} is already there; give another name with -o", file.string())
           .at({{}, 0, "--output"});
@@ -53,7 +75,7 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
     written += fmt::format("{}{}", written.empty() ? "" : ", ", file.string());
   }
   const char* command = first.extension() == ".md" ? "lecture" : "render";
-  return fmt::format("{}; next: polhode {} {}", written, command, first.string());
+  return fmt::format("{}{}; next: polhode {} {}", written, kept, command, first.string());
 }
 
 }  // namespace polhode

@@ -18,13 +18,17 @@
 namespace polhode {
 namespace {
 
-constexpr int kPlotSteps = 2400;  // over the whole motion
+constexpr int kLeastSteps = 2400;  // over the whole motion
+constexpr int kMostDrawn = 6000;   // more than two for each column of a large picture
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{}, {}", name, unit);
 }
 
-PlotSheet sheet_of(const Recorded& quantity, const Motion& motion, const std::string& title) {
+PlotSheet sheet_of(const Recorded& quantity,
+                   const Motion& motion,
+                   const std::string& title,
+                   bool as_table) {
   // Okabe and Ito
   constexpr std::array<const char*, 3> kColors = {"#D55E00", "#0072B2", "#009E73"};
   PlotSheet sheet;
@@ -33,12 +37,15 @@ PlotSheet sheet_of(const Recorded& quantity, const Motion& motion, const std::st
   sheet.up.label = with_unit(quantity.title, quantity.unit);
   for (std::size_t k = 0; k < quantity.curves.size(); ++k)
     sheet.curves.push_back({quantity.curves[k], kColors[k % kColors.size()], 2.0, {}});
-  const std::vector<std::vector<double>> values =
-      values_over_time(quantity, motion, motion.duration(), kPlotSteps);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    for (std::size_t i = 0; i < values[k].size(); ++i) {
-      const double t = motion.duration() * static_cast<double>(i) / kPlotSteps;
-      sheet.curves[k].points.emplace_back(t, values[k][i]);
+  const int steps = steps_to_show(motion, motion.duration(), kLeastSteps);
+  const std::vector<std::vector<double>> all =
+      values_over_time(quantity, motion, motion.duration(), steps);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::vector<double> values = as_table ? all[k] : extremes_of(all[k], kMostDrawn);
+    const double last = static_cast<double>(values.size()) - 1.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double t = motion.duration() * static_cast<double>(i) / last;
+      sheet.curves[k].points.emplace_back(t, values[i]);
     }
   }
   return sheet;
@@ -124,7 +131,7 @@ void draw_plot(const PlotJob& job) {
   const std::string wrong = kind != nullptr ? kind->why_not(motion) : "";
   if (!wrong.empty()) throw input_error("'{}' {}", job.name, wrong).at({{}, 0, "PLOT"});
   const PlotSheet sheet = kind != nullptr ? sheet_of(kind->make(motion), scene.title, job.at)
-                                          : sheet_of(*quantity, motion, scene.title);
+                                          : sheet_of(*quantity, motion, scene.title, !format);
   write_file(job.output, format ? draw_sheet(sheet, *format) : sheet_csv(sheet));
 }
 

@@ -112,9 +112,10 @@ std::string summary_of(const SectionSurface& surface, const std::vector<SectionO
                       count[2],
                       count[1],
                       crossings);
-  text += fmt::format("that of the scene: {}, {} crossings, Lyapunov exponent {:.3g}/s\n",
+  text += fmt::format("that of the scene: {}, {} crossings, Lyapunov exponent {}{:.3g}/s\n",
                       name_of(orbits.front().verdict),
                       orbits.front().points.size(),
+                      orbits.front().verdict == SectionVerdict::chaotic ? "" : "at most ",
                       orbits.front().exponent());
   return text + fmt::format("energy kept within {:.2g} of its scale\n", drift);
 }
@@ -138,8 +139,8 @@ std::string section(const SectionJob& job) {
   const Scene scene = load_single(job.scene, overrides);
   const auto [model, start] = with_place(scene, [&] {
     const BodyModel body = make_model(scene.body, scene.motion);
-    const std::string wrong = why_not_section(body);
-    if (!wrong.empty()) throw input_error("a section {}", wrong).at({{}, 0, "motion.hold"});
+    if (const std::optional<SectionObstacle> wrong = why_not_section(body))
+      throw input_error("a section {}", wrong->needs).at({{}, 0, wrong->key});
     return std::pair(body, start_state(body, scene.motion));
   });
   require_gnuplot();

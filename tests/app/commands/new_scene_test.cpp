@@ -44,12 +44,28 @@ TEST_P(NewScene, CanBeFilmedAsItIs) {
 }
 
 TEST_P(NewScene, NothingIsReplaced) {
-  const std::string first = folder_ / "mine.toml";
+  const std::string ending = std::filesystem::path(GetParam().files[0]).extension().string();
+  const std::string first = folder_ / ("mine" + ending);
   test::write_text(first, "my own");
   test::expect_input_error(
       [&] { write_new(GetParam().name, first); }, "--output", "is already there");
   EXPECT_EQ(test::read_text(first), "my own");
   EXPECT_EQ(folder_.entries(), 1);
+}
+
+// a name that polhode would not take, or that the scene beside it needs; and a scene that was there
+TEST(NewKinds, NamesThatDoNotGo) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const char* kind, const char* name, const char* words) {
+    test::expect_input_error([&] { write_new(kind, folder / name); }, "--output", words);
+  };
+  refused("deck", "deck.toml", "the name of a deck ends in .md");
+  refused("heavy_top", "-", "the name of a heavy_top ends in .toml");
+  refused("film", "heavy_top.toml", "the scene of the film is called heavy_top.toml");
+  EXPECT_EQ(folder.entries(), 0);
+  test::write_text(folder / "heavy_top.toml", "my own");
+  EXPECT_NE(write_new("film", folder / "film.toml").find("heavy_top.toml that was there)"),
+            std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewScene, ::testing::ValuesIn(new_kinds()), [](const auto& row) {
