@@ -38,9 +38,10 @@ void KeptRows::load(const std::function<bool(const std::string& line)>& take_up)
   const auto rename = [](const std::filesystem::path& from, const std::filesystem::path& to) {
     std::error_code failed;
     std::filesystem::rename(from, to, failed);
-    if (failed)
+    if (failed) {
       throw environment_error(
           "cannot rename {} to {}: {}", from.string(), to.string(), failed.message());
+    }
   };
   const std::optional<std::string> there = first_line();
   if (there && *there != words_) rename(file_, aside(*there));
