@@ -186,9 +186,10 @@ std::vector<Vec2> SectionSurface::spread(int count) const {
 }
 
 std::optional<SectionObstacle> why_not_section(const BodyModel& model) {
-  if (!model.on_pivot)
+  if (!model.on_pivot) {
     return SectionObstacle{"motion.hold",
                            "needs a body on a pivot under gravity; set hold = \"pivot\""};
+  }
   if (model.gravity_S.isZero())
     return SectionObstacle{"motion.gravity", "needs gravity that turns the body"};
   if (model.chi_P.isZero()) {

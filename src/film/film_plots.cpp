@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "base/error.h"
 #include "motion/diagram.h"
@@ -58,6 +59,11 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   std::size_t curve = 0;
   for (const Motion& motion : motions) {
     const int steps = steps_to_show(motion, plot.ends, kSteps);
+    if (steps == kMostShown) {
+      spdlog::warn(
+          "show.plots: the body turns too often for a plot of all its motion; shorten "
+          "motion.duration");
+    }
     for (const std::vector<double>& values : values_over_time(quantity, motion, plot.ends, steps))
       plot.curves[curve++].values = extremes_of(values, kSteps);
   }

@@ -50,7 +50,14 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
   std::vector<std::optional<Simulation>> found(specs.size());
   parallel_for(static_cast<long>(specs.size()), 0, [&](long i) {
     const auto k = static_cast<std::size_t>(i);
-    found[k] = simulate(model, specs[k], numerics, accuracy);
+    try {
+      found[k] = simulate(model, specs[k], numerics, accuracy);
+    } catch (const Error& error) {
+      throw Error(
+          error.fault(),
+          fmt::format("a motion beside that of the scene cannot be computed: {}", error.message()),
+          {{}, 0, "motion.ensemble"});
+    }
   });
   std::vector<Motion> motions;
   std::size_t doubted = 0;
@@ -66,6 +73,14 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
 }
 
 }  // namespace
+
+Solved solve_alone(const Scene& scene, ProgressKind progress) {
+  Scene alone = scene;
+  alone.motion.ensemble.reset();
+  Solved solved = solve(alone, progress);
+  solved.scene = scene;
+  return solved;
+}
 
 Solved solve(const Scene& scene, ProgressKind progress) {
   return with_place(scene, [&] {

@@ -27,6 +27,8 @@ struct Solved {
 // start_state and simulate do; errors that name a key have the file and line of the scene.
 // `progress`: how a long computation is shown.
 Solved solve(const Scene& scene, ProgressKind progress = ProgressKind::none);
+// The same without the ensemble, for what shows one motion.
+Solved solve_alone(const Scene& scene, ProgressKind progress = ProgressKind::none);
 
 // The attitude error that numerics.accuracy allows, rad. Pixels are converted by
 // attitude_tolerance() (frame/compose.h), for the one of the scene's cameras (shots too) that

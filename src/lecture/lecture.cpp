@@ -14,6 +14,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "base/system/parallel.h"
 #include "chart/gnuplot.h"
 #include "lecture/data.h"
@@ -371,6 +372,7 @@ LectureResult lecture(const LectureJob& job) {
   }
   const bool pages = has_pages(outputs);
   if (pages) files.emplace_back(kNoticesFile);
+  refuse_same_files(folder, files, {job.deck});
   OutputFolder documents(folder, files);
 
   // render, then everything that needs it

@@ -376,8 +376,9 @@ Product inspect_product(const DeckScene& scene) {
   return {name_of_product(scene, "inspect"),
           key_of_product("inspect", scene, {}),
           [scene](const fs::path&, const std::string&) {
-            Json facts = {{"kind", "inspect"},
-                          {"inspection", inspection(solve(load_with_overrides(scene.file, {})))}};
+            Json facts = {
+                {"kind", "inspect"},
+                {"inspection", inspection(solve_alone(load_with_overrides(scene.file, {})))}};
             check_unchanged(scene);
             return facts;
           }};

@@ -126,12 +126,11 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
 
 int steps_to_show(const Motion& motion, double end, int least) {
   constexpr double kShownInATurn = 24.0;
-  constexpr double kMostShown = 100'000.0;
   double fastest = 0.0;
   for (const double t : scattered_times(end, 256))
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   const double needed = std::ceil(kShownInATurn * fastest * end / (2.0 * kPi));
-  return static_cast<int>(std::clamp(needed, static_cast<double>(least), kMostShown));
+  return static_cast<int>(std::clamp(needed, 1.0 * least, 1.0 * kMostShown));
 }
 
 std::vector<double> extremes_of(const std::vector<double>& values, int most) {

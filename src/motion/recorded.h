@@ -23,7 +23,8 @@ struct Recorded {
 };
 
 // How many equal steps up to `end` (s) show what the quantities of a motion do: at least `least`,
-// and 24 in a turn of the body's fastest rotation, but no more than 100,000.
+// and 24 in a turn of the body's fastest rotation, but no more than kMostShown.
+inline constexpr int kMostShown = 100'000;
 int steps_to_show(const Motion& motion, double end, int least);
 
 // The values of each curve at `steps` equal steps of the motion up to `end` (s), and there. NaN

@@ -64,8 +64,10 @@ Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat&
   const double L3 = top.along * *spin.axial;
   const double under_root = L3 * L3 - 4.0 * top.across * top.mgl * level;
   if (under_root < 0.0 || L3 == 0.0) {
+    // rounded up, so that what is printed is enough
+    const double least = 2.0 * std::sqrt(top.across * top.mgl * std::max(level, 0.0)) / top.along;
     throw input_error("at this tilt no precession is steady below {:.6g} rad/s",
-                      2.0 * std::sqrt(top.across * top.mgl * std::max(level, 0.0)) / top.along)
+                      least * (1.0 + 1e-5))
         .at({{}, 0, "motion.spin.axial"});
   }
   // as a quotient nothing cancels

@@ -221,6 +221,7 @@ TEST(BadInput, AMeshIsNotOverwritten) {
   for (const std::string arguments : {"render SCENE -o DIR/b.png --report DIR/a.obj",
                                       "render SCENE -o DIR/a.png --still 0",
                                       "preview SCENE -o DIR/a.png",
+                                      "render SCENE -o hash:DIR/a.obj",
                                       "simulate SCENE -o DIR/a.csv"}) {
     SCOPED_TRACE(arguments);
     std::string whole = arguments;
@@ -231,6 +232,28 @@ TEST(BadInput, AMeshIsNotOverwritten) {
     EXPECT_EQ(ran.code, 2) << ran.err;
     EXPECT_NE(ran.err.find("would overwrite"), std::string::npos) << ran.err;
     EXPECT_EQ(test::read_text(folder / "a.obj"), mesh);
+  }
+}
+
+// a scene may have the name of anything that its own command writes
+TEST(BadInput, ASceneOfAnyNameIsKept) {
+  const TemporaryFolder folder;
+  const struct {
+    const char *name, *arguments;
+  } cases[] = {{"chart.csv", "chart DIR/chart.csv -o DIR --methods rk4"},
+               {"stability.csv", "stability DIR/stability.csv -o DIR --methods rk4 --cells 2x2"},
+               {"film.mp4.part", "render DIR/film.mp4.part -o DIR/film.mp4"},
+               {"f_00007.png", "render DIR/f_00007.png -o DIR/f_%05d.png"}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.name);
+    write_text(folder / one.name, test::kSmallScene);
+    std::string arguments = one.arguments;
+    for (std::size_t at; (at = arguments.find("DIR")) != std::string::npos;)
+      arguments.replace(at, 3, folder.path().string());
+    const Ran ran = run_polhode(arguments);
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    EXPECT_NE(ran.err.find("would overwrite"), std::string::npos) << ran.err;
+    EXPECT_EQ(test::read_text(folder / one.name), test::kSmallScene);
   }
 }
 

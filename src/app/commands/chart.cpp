@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "chart/plot_work_precision.h"
 #include "film/error_places.h"
 #include "film/solved_scene.h"
@@ -83,8 +84,10 @@ std::string chart(const ChartJob& job) {
     runs += static_cast<int>(tasks.back().methods.size());
   }
   require_gnuplot();
-  OutputFolder folder(folder_or_default(job.output, job.scenes.front(), "chart"),
-                      {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
+  const std::filesystem::path where = folder_or_default(job.output, job.scenes.front(), "chart");
+  const std::vector<std::string> names = {"chart.csv", "chart.svg", "chart.png", "chart.pdf"};
+  refuse_same_files(where, names, {job.scenes.begin(), job.scenes.end()});
+  OutputFolder folder(where, names);
 
   // one after the other: what is timed has the machine to itself
   Progress progress(job.progress, runs, "methods");

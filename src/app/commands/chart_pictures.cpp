@@ -10,6 +10,7 @@
 #include "base/csv.h"
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "chart/plot_picture_error.h"
 #include "film/overrides.h"
 #include "film/solved_scene.h"
@@ -116,8 +117,10 @@ std::string chart_pictures(const ChartJob& job) {
     solved.push_back(solve(scene));
   }
   require_gnuplot();
-  OutputFolder folder(folder_or_default(job.output, job.scenes.front(), "chart"),
-                      {"chart.csv", "chart.svg", "chart.png", "chart.pdf"});
+  const std::filesystem::path where = folder_or_default(job.output, job.scenes.front(), "chart");
+  const std::vector<std::string> names = {"chart.csv", "chart.svg", "chart.png", "chart.pdf"};
+  refuse_same_files(where, names, {job.scenes.begin(), job.scenes.end()});
+  OutputFolder folder(where, names);
   const std::unique_ptr<Context> context = open_context("auto");
 
   Progress progress(

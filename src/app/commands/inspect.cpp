@@ -129,7 +129,7 @@ nlohmann::ordered_json inspection(const Solved& solved) {
 std::string inspect(const InspectJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
   const auto facts_of = [](const Scene& one) {
-    return inspection(solve(one, ProgressKind::automatic));
+    return inspection(solve_alone(one, ProgressKind::automatic));
   };
   if (scene.panels.empty()) {
     const Json facts = facts_of(scene);

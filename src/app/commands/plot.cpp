@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "base/error.h"
 #include "base/nearest.h"
@@ -38,6 +39,8 @@ PlotSheet sheet_of(const Recorded& quantity,
   for (std::size_t k = 0; k < quantity.curves.size(); ++k)
     sheet.curves.push_back({quantity.curves[k], kColors[k % kColors.size()], 2.0, {}});
   const int steps = steps_to_show(motion, motion.duration(), kLeastSteps);
+  if (steps == kMostShown)
+    spdlog::warn("the body turns too often for a plot of all its motion; shorten motion.duration");
   const std::vector<std::vector<double>> all =
       values_over_time(quantity, motion, motion.duration(), steps);
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -126,7 +129,7 @@ void draw_plot(const PlotJob& job) {
         .at({{}, 0, "--at"});
   }
   if (format) require_gnuplot();
-  const Solved solved = solve(scene, ProgressKind::automatic);
+  const Solved solved = solve_alone(scene, ProgressKind::automatic);
   const Motion& motion = solved.simulation.motion;
   const std::string wrong = kind != nullptr ? kind->why_not(motion) : "";
   if (!wrong.empty()) throw input_error("'{}' {}", job.name, wrong).at({{}, 0, "PLOT"});

@@ -15,6 +15,7 @@
 #include "film/report/film_report.h"
 #include "video/captions.h"
 #include "video/frame_sink.h"
+#include "video/plain_sinks.h"
 #include "video/png_sink.h"
 
 namespace polhode {
@@ -48,8 +49,16 @@ bool is_frame_of(const std::string& sequence, const std::string& file) {
 
 // no output lands on what is needed, or on another output
 void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
-  const std::string& output = plan.sink.output;
+  std::string output = plan.sink.output;
+  if (output.starts_with(kHashPrefix)) output.erase(0, kHashPrefix.size());
   refuse_same_file(output, "the output", input_files(plan.scene));
+  const bool is_sequence = output.ends_with(".png") && has_frame_number(output);
+  for (const std::filesystem::path& file : input_files(plan.scene)) {
+    if (is_sequence && is_frame_of(output, file)) {
+      throw input_error(
+          "a frame of {} would overwrite {}; choose another name", output, file.string());
+    }
+  }
   refuse_same_file(job.report, "--report", input_files(plan.scene));
   if (output == kStandardOutput && job.report == kStandardOutput) {
     throw input_error("the film itself goes to standard output; give a file name")
@@ -58,8 +67,7 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   refuse_same_file(job.report, "--report", {output});
   if (plan.resume) refuse_same_file(job.report, "--report", {folder_of_pieces(output)});
   if (!plan.story.empty()) refuse_same_file(job.report, "--report", {captions_beside(output)});
-  if (output.ends_with(".png") && has_frame_number(output) && !job.report.empty() &&
-      is_frame_of(output, job.report)) {
+  if (is_sequence && !job.report.empty() && is_frame_of(output, job.report)) {
     throw input_error("--report would overwrite a frame of {}; choose another name", output);
   }
 }

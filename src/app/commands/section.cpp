@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_section.h"
@@ -150,7 +151,10 @@ std::string section(const SectionJob& job) {
     starts.push_back(surface.state_at(at.x(), at.y()).value());
 
   const std::filesystem::path where = folder_or_default(job.output, job.scene, "section");
-  OutputFolder folder(where, {"section.csv", "section.png"});
+  const std::vector<std::string> names = {"section.csv", "section.png"};
+  refuse_same_files(where, names, input_files(scene));
+  refuse_same_files(where, {"section.resume"}, input_files(scene));
+  OutputFolder folder(where, names);
   KeptRows kept(
       where / "section.resume",
       fmt::format(

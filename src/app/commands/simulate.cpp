@@ -102,7 +102,7 @@ void write_csv(const SimulateJob& job) {
   }
 
   Table table(job.output);
-  const Solved solved = solve(scene, ProgressKind::automatic);
+  const Solved solved = solve_alone(scene, ProgressKind::automatic);
   Waiting waiting(ProgressKind::automatic);
   for (long row = 0; row <= static_cast<long>(last); ++row) {
     if (row % 4096 == 0) {

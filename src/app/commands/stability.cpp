@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_stability.h"
@@ -231,6 +232,8 @@ std::string stability(const StabilityJob& job) {
   require_gnuplot();
   const std::filesystem::path where =
       folder_or_default(job.output, job.scenes.front(), "stability");
+  refuse_same_files(where, all.files, {job.scenes.begin(), job.scenes.end()});
+  refuse_same_files(where, {"stability.resume"}, {job.scenes.begin(), job.scenes.end()});
   OutputFolder folder(where, all.files);
   KeptRows kept(where / "stability.resume", words_of(places, job));
   fill(all, places, job, kept);

@@ -12,14 +12,22 @@ void refuse_same_file(const std::string& written,
   if (written.ends_with(".toml")) {
     throw input_error("{} '{}' has the ending of scene files; choose another name", what, written);
   }
-  for (const std::filesystem::path& file : needed) {
+  const auto are_the_same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code ignored;
-    if (std::filesystem::path(written).lexically_normal() != file.lexically_normal() &&
-        !std::filesystem::equivalent(written, file, ignored)) {
-      continue;
-    }
-    throw input_error("{} would overwrite {}; choose another name", what, file.string());
+    return a.lexically_normal() == b.lexically_normal() ||
+           std::filesystem::equivalent(a, b, ignored);
+  };
+  for (const std::filesystem::path& file : needed) {
+    if (are_the_same(written, file) || are_the_same(written + ".part", file))
+      throw input_error("{} would overwrite {}; choose another name", what, file.string());
   }
+}
+
+void refuse_same_files(const std::filesystem::path& folder,
+                       const std::vector<std::string>& names,
+                       const std::vector<std::filesystem::path>& needed) {
+  for (const std::string& name : names)
+    refuse_same_file(folder / name, "--output", needed);
 }
 
 }  // namespace polhode

@@ -8,12 +8,17 @@
 
 namespace polhode {
 
-// Throws Error (input), without a place, if the output `written` is the same file as one of the
-// inputs `needed`, also by another path or a link, or ends in .toml, as scene files do. `what`
+// Throws Error (input), without a place, if the output `written`, or the unfinished file beside it
+// (base/system/atomic_file.h), is the same file as one of the inputs `needed`, also by another path
+// or a link, or if it ends in .toml, as scene files do. `what`
 // names the output in the message: "the output", "--report". An empty `written` (no output) is
 // accepted.
 void refuse_same_file(const std::string& written,
                       const std::string& what,
                       const std::vector<std::filesystem::path>& needed);
+// The same for files of these names in a folder that --output names.
+void refuse_same_files(const std::filesystem::path& folder,
+                       const std::vector<std::string>& names,
+                       const std::vector<std::filesystem::path>& needed);
 
 }  // namespace polhode

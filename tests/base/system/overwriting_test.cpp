@@ -41,6 +41,23 @@ TEST(RefuseSameFile, FilesThatAreNotThereYetAreComparedByName) {
   EXPECT_NO_THROW(refuse_same_file("no/such/film.mp4", "--report", {"no/such/film.mkv"}));
 }
 
+// what stands unfinished beside the output would take the place of an input
+TEST(RefuseSameFile, UnfinishedFilesAreFilesToo) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "film.mp4.part", "a scene");
+  test::expect_input_error(
+      [&] { refuse_same_file(folder / "film.mp4", "the output", {folder / "film.mp4.part"}); },
+      "",
+      "the output would overwrite");
+  test::expect_input_error(
+      [&] {
+        refuse_same_files(folder.path(), {"a.csv", "b.csv"}, {folder / "b.csv"});
+      },
+      "",
+      "--output would overwrite");
+  EXPECT_NO_THROW(refuse_same_files(folder.path(), {"a.csv"}, {folder / "b.csv"}));
+}
+
 TEST(RefuseSameFile, SceneFilesAreNeverWritten) {
   expect_refused("other.toml", "film.mp4", "'other.toml' has the ending of scene files");
 }
