@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/system/atomic_file.h"
 #include "scene/reader.h"
+#include "scene/scene_tree.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
@@ -56,9 +57,13 @@ bool is_plain_name(const std::string& name) {
 GoldenFile load_golden_file(const std::filesystem::path& file) {
   GoldenFile golden = load<GoldenFile>(file);
   std::set<std::string> names;
+  const toml::table tree = read_tree(file);
   for (std::size_t i = 0; i < golden.cases.size(); ++i) {
     const GoldenCase& one = golden.cases[i];
-    const Place place{file.string(), 0, fmt::format("case[{}].name", i)};
+    const toml::node* name = tree["case"][i]["name"].node();
+    const Place place{file.string(),
+                      name != nullptr ? static_cast<int>(name->source().begin.line) : 0,
+                      fmt::format("case[{}].name", i)};
     if (!is_plain_name(one.name)) {
       throw input_error("must be letters, digits, _ and -, found '{}'", cut(one.name)).at(place);
     }
