@@ -42,6 +42,14 @@ std::string needs_weight(const Scenery& scenery) {
              : "needs gravity that acts beside the pivot";
 }
 
+bool in_orbit(const Scenery& scenery) {
+  return gradient_of(scenery) != nullptr;
+}
+
+std::string needs_weight_or_orbit(const Scenery& scenery) {
+  return in_orbit(scenery) ? "" : needs_weight(scenery);
+}
+
 }  // namespace
 
 // Long, because it is one table: a row for each.
@@ -158,7 +166,11 @@ const std::vector<Element>& elements() {
        has_forces,
        needs_forces,
        add_forces},
-      {"gravity", "the weight on the centre of mass (pivot)", never, needs_weight, add_gravity},
+      {"gravity",
+       "the weight on the centre of mass: on a pivot downwards, of a satellite to the Earth",
+       in_orbit,
+       needs_weight_or_orbit,
+       add_gravity},
       {"velocity_field",
        "velocities V + Omega x r of points of the body, as small arrows",
        never,

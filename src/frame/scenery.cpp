@@ -48,6 +48,9 @@ MeshPtr rough(const MeshPtr& mesh) {
   return std::make_shared<const Mesh>(clustered(*mesh, kRoughCells));
 }
 
+// Of a satellite: it leaves the body.
+constexpr double kOrbitLength = 1.5;
+
 // The weight ends above the floor, unless it would become too short. In units of the body's radius,
 // like `lowest`: how far the centre of mass stays above the pivot.
 double weight_length(double lowest) {
@@ -88,7 +91,7 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(kVelocityLength, speed),
           per(kForceLength, force),
           per(kForceLength, turned_by),
-          weight_length(lowest / radius) * radius};
+          (model.on_pivot ? weight_length(lowest / radius) : kOrbitLength) * radius};
 }
 
 }  // namespace

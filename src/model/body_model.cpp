@@ -300,7 +300,8 @@ BodyModel make_model(const BodySpec& spec,
   if (on_pivot && arm.norm() > noise) {
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   }
-  model.loads = make_loads(loads, on_pivot, model.body.center, model.reference_B(), model.R_BP);
+  model.loads = make_loads(
+      loads, on_pivot, model.body.center, model.reference_B(), model.R_BP, model.moments);
   refuse_torque_about_line(model);
   return model;
 }

@@ -27,7 +27,8 @@ struct LoadSpec {
   std::optional<double> c;        // damping coefficient, see `of`
   std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s; also if absent) or
                                   // -c omega ("spin", c in N m s)
-  std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s; absent: 0
+  std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s; absent: 0; of a
+                                  // gravity gradient: angular velocity of the orbit
   std::optional<double> phase;    // rad; absent: 0
   std::optional<double> from;     // when it begins, s; absent: it acts from the start
   std::optional<double> until;    // when it begins to end, s; absent: never
@@ -69,12 +70,14 @@ void fields(Visitor& v, LoadSpec& s) {
               {"momentum", "spin"}});
   v.field("rate",
           s.rate,
-          Doc{"angular frequency of a load that swings as cos(rate t + phase); absent: 0",
+          Doc{"angular frequency of a load that swings as cos(rate t + phase); absent: 0; of a "
+              "gravity gradient, the angular velocity of the orbit",
               Unit::angular_velocity});
-  v.field(
-      "phase",
-      s.phase,
-      Doc{"phase at t = 0 of a load that swings as cos(rate t + phase); absent: 0", Unit::angle});
+  v.field("phase",
+          s.phase,
+          Doc{"phase at t = 0 of a load that swings as cos(rate t + phase), or of an orbit from X "
+              "towards Y; absent: 0",
+              Unit::angle});
   v.field("from",
           s.from,
           Doc{"when the load begins; absent: it acts from the start", Unit::time, kNonNegative});

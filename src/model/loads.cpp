@@ -93,6 +93,7 @@ Load::Kind turned_into(const LoadSpec& spec) {
   if (spec.kind == "couple") return Load::Kind::couple;
   if (spec.kind == "force") return Load::Kind::force;
   if (spec.kind == "spring") return Load::Kind::spring;
+  if (spec.kind == "gravity_gradient") return Load::Kind::gradient;
   return spec.of.value_or("momentum") == "momentum" ? Load::Kind::damp_momentum
                                                     : Load::Kind::damp_spin;
 }
@@ -122,6 +123,10 @@ const std::vector<LoadKind>& load_kinds() {
        "default the origin",
        {"k"},
        {"at", "to", "length"}},
+      {"gravity_gradient",
+       "the torque of the Earth's field on a satellite in a circular orbit in the plane XY",
+       {"rate"},
+       {"phase"}},
   };
   return kinds;
 }
@@ -169,7 +174,8 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,
                  const Vec3& reference_B,
-                 const Mat3& R_BP) {
+                 const Mat3& R_BP,
+                 const Vec3& moments) {
   Loads loads;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const LoadSpec& spec = specs[i];
@@ -197,6 +203,15 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     load.rate = spec.rate.value_or(0.0);
     load.phase = spec.phase.value_or(0.0);
 
+    load.moments = moments;
+    if (load.kind == Load::Kind::gradient && on_pivot) {
+      throw input_error("is for free bodies; this one turns about a fixed point")
+          .at({{}, 0, fmt::format("motion.torque[{}].kind", i)});
+    }
+    if (load.kind == Load::Kind::gradient && load.rate == 0.0) {
+      throw input_error("must not be 0: a satellite that does not go round falls")
+          .at({{}, 0, fmt::format("motion.torque[{}].rate", i)});
+    }
     load.acts = switching_of(spec, fmt::format("motion.torque[{}]", i));
     add_switches(load.acts, loads.switches);
 
@@ -219,6 +234,11 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
   return loads;
 }
 
+Vec3 away_from_earth(const Load& gradient, double t) {
+  const double angle = gradient.rate * t + gradient.phase;
+  return {std::cos(angle), std::sin(angle), 0.0};
+}
+
 Wrench wrench_of(const std::vector<Load>& loads,
                  double t,
                  const Quat& q,
@@ -237,6 +257,13 @@ Wrench wrench_of(const std::vector<Load>& loads,
       case Load::Kind::torque: {
         const Vec3 torque = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
         sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
+        break;
+      }
+      case Load::Kind::gradient: {
+        // of the first order in the size of the body over its distance from the Earth
+        const Vec3 away_P = q.conjugate() * away_from_earth(load, t);
+        const double strength = 3.0 * load.rate * load.rate * load.acts.part(t);
+        sum.torque_P += strength * away_P.cross(load.moments.cwiseProduct(away_P));
         break;
       }
       case Load::Kind::couple:

@@ -39,7 +39,7 @@ struct Switching {
 
 // A load converted to principal axes P and to the reference point.
 struct Load {
-  enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring };
+  enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring, gradient };
   Kind kind = Kind::torque;
   bool in_body = false;        // true: `vector` is in P; false: in S
   Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), to be multiplied by cos(rate t + phase)
@@ -50,6 +50,7 @@ struct Load {
   double k = 0.0;                // stiffness, N/m
   double length = 0.0;           // length of the unstretched spring, m
   double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
+  Vec3 moments = Vec3::Zero();   // of a gravity gradient: the principal moments, kg m^2
   double rate = 0.0;             // rad/s
   double phase = 0.0;            // rad; 0 without a rate: then `vector` contains the cosine
   Switching acts;
@@ -85,15 +86,21 @@ struct Loads {
   double momentum_damping() const;
 };
 
+// The direction from the Earth to a satellite on its circular orbit in the plane XY of space, with
+// which a load of the kind `gradient` turns; unit, in S.
+Vec3 away_from_earth(const Load& gradient, double t);
+
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
-// principal axes as columns, in B. Throws Error (input) naming motion.torque[i] if a key that its
-// kind needs is missing, motion.torque[i].KEY for an unknown kind, for a key that the kind does not
-// take, for a couple whose two forces act at one point, and for an end before its beginning.
+// principal axes as columns, in B; moments: the principal moments, kg m^2. Throws Error (input)
+// naming motion.torque[i] if a key that its kind needs is missing, motion.torque[i].KEY for an
+// unknown kind, for a key that the kind does not take, for a couple whose two forces act at one
+// point, for an end before its beginning, and for a gravity gradient on a pivot or without a rate.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,
                  const Vec3& reference_B,
-                 const Mat3& R_BP);
+                 const Mat3& R_BP,
+                 const Vec3& moments);
 
 // A torque and a force.
 struct Wrench {

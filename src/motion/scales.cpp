@@ -17,6 +17,10 @@ double driven_rate(const BodyModel& model, const Load& load) {
   const double arm = load.arm_P.norm();
   const double torque = load.vector.norm() * (load.kind == Load::Kind::torque ? 1.0 : arm);
   const double least = least_moment(model);
+  if (load.kind == Load::Kind::gradient) {
+    const double apart = model.moments.maxCoeff() - model.moments.minCoeff();
+    return std::abs(load.rate) * std::sqrt(3.0 * apart / least);
+  }
   return std::sqrt(torque / least) +
          std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least));
 }

@@ -18,7 +18,12 @@ const Mat3 kAxes = from_xyz_turns({0.3, -0.4, 0.8});
 const Vec3 kCenter(0.1, -0.2, 0.3);
 
 Loads loads_of(const std::vector<LoadSpec>& specs, bool on_pivot = false) {
-  return make_loads(specs, on_pivot, kCenter, on_pivot ? Vec3(Vec3::Zero()) : kCenter, kAxes);
+  return make_loads(specs,
+                    on_pivot,
+                    kCenter,
+                    on_pivot ? Vec3(Vec3::Zero()) : kCenter,
+                    kAxes,
+                    Vec3(1.0, 2.0, 2.5));
 }
 
 LoadSpec load(const std::string& kind) {

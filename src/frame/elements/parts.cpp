@@ -184,6 +184,14 @@ bool stays_above_floor(const Scenery& scenery) {
   });
 }
 
+const Load* gradient_of(const Scenery& scenery) {
+  const std::vector<Load>& listed = scenery.motion.model().loads.listed;
+  const auto found = std::find_if(listed.begin(), listed.end(), [](const Load& load) {
+    return load.kind == Load::Kind::gradient;
+  });
+  return found == listed.end() ? nullptr : &*found;
+}
+
 bool has_forces(const Scenery& scenery) {
   const std::vector<Load>& listed = scenery.motion.model().loads.listed;
   return std::any_of(listed.begin(), listed.end(), [](const Load& load) {

@@ -101,6 +101,9 @@ using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 Add add_body, add_ghosts, add_ensemble;
 Add add_body_axes, add_space_axes, add_fixed_frame;
 Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
+// The gravity gradient among the loads; null: the body is no satellite.
+const Load* gradient_of(const Scenery& scenery);
+
 Add add_velocity_field, add_forces, add_gravity;
 Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
 Add add_stand, add_gimbals, add_floor;

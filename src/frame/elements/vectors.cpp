@@ -187,9 +187,12 @@ void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
                    name_of(scenery, &VectorNames::torque, "<b>τ</b>"));
 }
 
-// m g on the centre of mass
+// m g on the centre of mass, downwards or to where the Earth is
 void add_gravity(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 down = -scenery.scale.weight * scenery.motion.model().up_S;
+  const Load* orbit = gradient_of(scenery);
+  const Vec3 up =
+      orbit != nullptr ? away_from_earth(*orbit, sample.t) : scenery.motion.model().up_S;
+  const Vec3 down = -scenery.scale.weight * up;
   add_vector(scenery,
              sample.center_S,
              sample.center_S + down,
