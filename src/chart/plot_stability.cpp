@@ -16,39 +16,6 @@ namespace {
 constexpr std::array<const char*, kRunOutcomes> kOutcomeColors = {
     "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222"};
 
-double shown(const MapAxis& axis, double value) {
-  return axis.logarithmic() ? std::log10(value) : value;
-}
-
-// "set xrange [...]" and tics, for axes that gnuplot sees as logarithms
-std::string axis_script(const char* letter, const MapAxis& axis, bool alone) {
-  const double first = shown(axis, axis.at(0)), last = shown(axis, axis.at(axis.cells - 1));
-  const double half = 0.5 * (last - first) / std::max(1, axis.cells - 1);
-  std::string text = fmt::format("set {}range [{}:{}]\nset {}label {}\n",
-                                 letter,
-                                 gnuplot_number(first - half),
-                                 gnuplot_number(last + half),
-                                 letter,
-                                 gnuplot_text(alone ? axis.key : ""));
-  if (!axis.logarithmic()) return text + fmt::format("set {}tics auto\n", letter);
-  // 1, 2, 5 of every power of ten inside; in a small panel the powers alone, if there are two
-  const bool crowded = !alone && last - first >= 1.0;
-  std::string tics;
-  for (int power = static_cast<int>(std::floor(first)); power <= static_cast<int>(last) + 1;
-       ++power) {
-    for (const int digit : {1, 2, 5}) {
-      if (crowded && digit != 1) continue;
-      const double place = power + std::log10(static_cast<double>(digit));
-      if (place < first - half || place > last + half) continue;
-      tics += fmt::format("{}'{:g}' {}",
-                          tics.empty() ? "" : ", ",
-                          digit * std::pow(10.0, power),
-                          gnuplot_number(place));
-    }
-  }
-  return text + fmt::format("set {}tics ({})\n", letter, tics);
-}
-
 // an outcome in the key: its colour and its name
 std::string key_entry(int outcome) {
   std::string words = name_of(static_cast<RunOutcome>(outcome));
@@ -70,8 +37,10 @@ std::string map_script(
   text += "EOD\n";
   if (!map.limit.empty()) {
     text += fmt::format("$limit{} << EOD\n", index);
-    for (const LimitPoint& p : map.limit)
-      text += fmt::format("{} {}\n", gnuplot_number(shown(x, p.x)), gnuplot_number(shown(y, p.y)));
+    for (const LimitPoint& p : map.limit) {
+      text += fmt::format(
+          "{} {}\n", gnuplot_number(shown_on(x, p.x)), gnuplot_number(shown_on(y, p.y)));
+    }
     text += "EOD\n";
   }
   text += axis_script("x", x, alone) + axis_script("y", y, alone);
@@ -83,15 +52,7 @@ std::string map_script(
                                            map.limit_words)
                              : map.method) +
           "\n";
-  const double x0 = shown(x, x.at(0)), y0 = shown(y, y.at(0));
-  const double dx = (shown(x, x.at(x.cells - 1)) - x0) / std::max(1, x.cells - 1);
-  const double dy = (shown(y, y.at(y.cells - 1)) - y0) / std::max(1, y.cells - 1);
-  text += fmt::format("plot $map{} matrix using ({}+$1*{}):({}+$2*{}):3 with image notitle",
-                      index,
-                      gnuplot_number(x0),
-                      gnuplot_number(dx),
-                      gnuplot_number(y0),
-                      gnuplot_number(dy));
+  text += fmt::format("plot $map{} matrix using {}:3 with image notitle", index, cells_using(x, y));
   if (!map.limit.empty()) {
     text += fmt::format(
         ", $limit{} using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb 'black' title {}",
@@ -119,12 +80,6 @@ std::string palette() {
 }
 
 }  // namespace
-
-double MapAxis::at(int i) const {
-  if (cells == 1) return from;
-  const double part = static_cast<double>(i) / (cells - 1);
-  return logarithmic() ? from * std::pow(to / from, part) : from + part * (to - from);
-}
 
 std::string plot_stability(const std::vector<const StabilityMap*>& maps,
                            const MapAxis& x,

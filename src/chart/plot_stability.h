@@ -6,24 +6,10 @@
 #include <vector>
 
 #include "chart/gnuplot.h"
+#include "chart/map_axis.h"
 #include "chart/stability.h"
 
 namespace polhode {
-
-// One axis of a map: a key of the scene and the values that the cells give it, in the unit in which
-// the scene spells the key. The key "spin" is a factor on the angular momentum at the start
-// (app/commands/stability_job.h).
-struct MapAxis {
-  std::string key;               // dotted path such as "numerics.step", or "spin"
-  double from = 0.1, to = 10.0;  // values of the first and the last cell; from < to
-  int cells = 64;                // number of cells along the axis, at least 1
-
-  // True if neighbouring values have equal ratios, which is so if both ends are positive; else they
-  // have equal differences.
-  bool logarithmic() const { return from > 0.0 && to > 0.0; }
-  // The value of cell i, 0 <= i < cells; `from` if there is only one.
-  double at(int i) const;
-};
 
 // A point of a limit curve; x and y are values of the axes, in their units.
 struct LimitPoint {

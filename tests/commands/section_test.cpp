@@ -2,6 +2,8 @@
 // `polhode section` as a user calls it.
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -96,6 +98,34 @@ TEST_F(Section, LeavesTheWorkOfAnotherJob) {
   EXPECT_EQ(std::distance(begin(left), end(left)), 2);  // table and picture
 }
 
+// a cell is the motion of the scene with its values: the same verdict and exponent
+TEST_F(Section, AMapHasTheMotionsOfItsScenes) {
+  const std::string axes =
+      "--x motion.spin.body[1] --x-range 8:12 --y motion.spin.body[0] --y-range 4:6 --cells 3x2";
+  const Ran map = section(axes + " --crossings 100", "map");
+  ASSERT_EQ(map.code, 0) << map.err;
+  EXPECT_NE(map.out.find("6 motions: "), std::string::npos) << map.out;
+  const std::string cells = read_text(folder_ / "map/section_map.csv");
+  EXPECT_EQ(std::count(cells.begin(), cells.end(), '\n'), 7);
+  ASSERT_EQ(section("--starts 1 --crossings 100 --set motion.spin.body[1]=12 --set "
+                    "motion.spin.body[0]=6")
+                .code,
+            0);
+  // of the table: orbit, verdict, exponent; of the map: x, y, verdict, exponent
+  const auto word = [](const std::string& line, int n) {
+    std::istringstream in(line);
+    std::string found;
+    for (int i = 0; i <= n; ++i)
+      std::getline(in, found, ',');
+    return found;
+  };
+  const std::string alone = table().substr(table().find('\n') + 1);
+  const std::string last = cells.substr(cells.rfind('\n', cells.size() - 2) + 1);
+  EXPECT_EQ(word(last, 0) + word(last, 1), "126");
+  EXPECT_EQ(word(last, 2), word(alone, 1));
+  EXPECT_NEAR(std::stod(word(last, 3)), std::stod(word(alone, 2)), 1e-4);
+}
+
 TEST_F(Section, FewCrossingsAreTooFewToJudge) {
   const Ran ran = section("--starts 2 --crossings 3");
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -110,6 +140,11 @@ TEST_F(Section, WhatIsWrongIsTold) {
                {"--crossings 1000000", "--crossings: must be a whole number from 1 to 100000"},
                {"--starts 10000 --crossings 10000", "more than 1e+07 in all"},
                {"--jobs 0", "--jobs: must be greater than 0"},
+               {"--x motion.duration", "--y: a map needs two keys"},
+               {"--x-range 1:2", "--x-range: is for maps"},
+               {"--x motion.spin.body[0] --y motion.spin.body[0]", "--y: is the key of --x"},
+               {"--x motion.spin.body[0] --y motion.spin.body[1] --cells 1x1", "--cells: '1x1'"},
+               {"--x motion.spin.body[0] --y motion.spn --y-range 1:2", "motion.spn"},
                {"--set motion.hold=free", "motion.hold: a section needs a body on a pivot"},
                {"--set motion.gravity=[0,0,0]", "motion.gravity: a section needs gravity"},
                {"--set 'motion.torque=[{kind=\"damping\",c=1}]'",

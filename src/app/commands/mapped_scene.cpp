@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/mapped_scene.h"
 
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "app/commands/able_methods.h"
+#include "app/commands/map_options.h"
 #include "base/error.h"
-#include "base/numbers.h"
 #include "base/system/parallel.h"
 #include "film/error_places.h"
 #include "motion/scales.h"
@@ -20,39 +19,7 @@ namespace polhode {
 namespace {
 
 constexpr const char* kSpinKey = "spin";
-constexpr int kMostCells = 1024;  // in one direction
 constexpr double kMostStepsOfCell = 1e6;
-
-MapAxis parse_range(const std::string& text, const std::string& option) {
-  MapAxis axis;
-  const std::size_t colon = text.find(':');
-  const auto number = [&](const std::string& part) {
-    const std::optional<double> value = parse_number(part);
-    if (!value) {
-      throw input_error("'{}' is not a range; write two numbers, 0.1:10", text).at({{}, 0, option});
-    }
-    return *value;
-  };
-  if (colon == std::string::npos) number("");
-  axis.from = number(text.substr(0, colon));
-  axis.to = number(text.substr(colon + 1));
-  if (axis.from >= axis.to) {
-    throw input_error("the range must go up, got {}", text).at({{}, 0, option});
-  }
-  return axis;
-}
-
-// the two numbers of "128x96"
-std::array<int, 2> parse_cells(const std::string& text) {
-  int columns = 0, rows = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%4dx%4d%n", &columns, &rows, &used) != 2 ||
-      used != static_cast<int>(text.size()) || columns < 2 || rows < 2 || columns > kMostCells ||
-      rows > kMostCells) {
-    throw input_error("'{}' is not the size of a map; write 64x64, at most {}", text, kMostCells)
-        .at({{}, 0, "--cells"});
-  }
-  return {columns, rows};
-}
 
 // the scene with these values of the two keys, as a problem
 StabilitySetup make_setup(const MappedScene& place, double x, double y, const StabilityJob& job) {
@@ -104,20 +71,11 @@ MapAxis make_axis(const MappedScene& place,
                   const std::string& option,
                   double rate) {
   MapAxis axis;
-  if (range) {
-    axis = parse_range(*range, option + "-range");
+  if (range || (key != kStepKey && key != kSpinKey)) {
+    axis = axis_of_key(place.file, settings, key, range, option);
   } else if (key == kStepKey) {
     axis.from = 0.1 / rate;
     axis.to = 10.0 / rate;
-  } else if (key != kSpinKey) {
-    const std::optional<double> own = number_in_scene(place.file, settings, key);
-    if (!own) {
-      throw input_error(
-          "{} has no number at '{}'; give {}-range A:B", place.file.string(), key, option)
-          .at({{}, 0, option});
-    }
-    axis.from = *own > 0.0 ? 0.1 * *own : *own < 0.0 ? 2.0 * *own : -1.0;
-    axis.to = *own > 0.0 ? 10.0 * *own : *own < 0.0 ? -2.0 * *own : 1.0;
   }
   if ((key == kStepKey || key == kSpinKey) && axis.from <= 0.0) {
     throw input_error("{} must be greater than 0", key).at({{}, 0, option + "-range"});
@@ -143,11 +101,11 @@ MappedScene make_place(const std::filesystem::path& file,
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
     return found;
   });
-  const std::array<int, 2> cells = parse_cells(job.cells);
+  const auto [columns, rows] = parse_cells(job.cells);
   place.x = make_axis(place, job.settings, job.x, job.x_range, "--x", rate);
   place.y = make_axis(place, job.settings, job.y, job.y_range, "--y", rate);
-  place.x.cells = cells[0];
-  place.y.cells = cells[1];
+  place.x.cells = columns;
+  place.y.cells = rows;
   return place;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/section_map.h"
 #include "base/error.h"
 #include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
@@ -17,7 +18,7 @@
 #include "base/version.h"
 #include "chart/plot_section.h"
 #include "film/error_places.h"
-#include "film/solved_scene.h"
+#include "film/overrides.h"
 #include "scene/canonical.h"
 
 namespace polhode {
@@ -128,6 +129,7 @@ std::string section(const SectionJob& job) {
   constexpr double kMostOfAll = 1e7;
   check_range(job.starts, kMostStarts, "--starts");
   check_range(job.crossings, kMostCrossings, "--crossings");
+  if (job.map) return section_map(job);
   if (static_cast<double>(job.starts) * job.crossings > kMostOfAll) {
     throw input_error("{} starts with {} crossings each are more than {:g} in all",
                       job.starts,
@@ -138,12 +140,7 @@ std::string section(const SectionJob& job) {
   Overrides overrides;
   overrides.settings = job.settings;
   const Scene scene = load_single(job.scene, overrides);
-  const auto [model, start] = with_place(scene, [&] {
-    const BodyModel body = make_model(scene.body, scene.motion);
-    if (const std::optional<SectionObstacle> wrong = why_not_section(body))
-      throw input_error("a section {}", wrong->needs).at({{}, 0, wrong->key});
-    return std::pair(body, start_state(body, scene.motion));
-  });
+  const auto [model, start] = with_place(scene, [&] { return start_of_section(scene); });
   require_gnuplot();
   const SectionSurface surface(model, start);
   std::vector<State> starts = {start};

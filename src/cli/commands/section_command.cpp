@@ -27,11 +27,37 @@ Action define_section(CLI::App& command) {
       ->type_name("N");
   add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
       ->type_name("N");
+  auto axes = std::make_shared<SectionMapAxes>();
+  add_text(command, "--x", axes->x, "a map instead: scene key on the horizontal axis")
+      ->type_name("KEY");
+  add_text(command, "--y", axes->y, "scene key on the vertical axis of the map")->type_name("KEY");
+  add_text(
+      command, "--x-range", axes->x_range, "range of the axis (default: around the scene's value)")
+      ->type_name("A:B");
+  add_text(
+      command, "--y-range", axes->y_range, "range of the axis (default: around the scene's value)")
+      ->type_name("A:B");
+  add_text(command, "--cells", axes->cells, "number of cells of the map, horizontal x vertical")
+      ->type_name("NxM");
   add_settings(command, job->settings);
   add_progress(command, *progress);
   return [=] {
     if (*jobs && **jobs < 1)
       throw input_error("must be greater than 0, got {}", **jobs).at({{}, 0, "--jobs"});
+    if (axes->x.empty() != axes->y.empty()) {
+      throw input_error("a map needs two keys, --x and --y")
+          .at({{}, 0, axes->x.empty() ? "--x" : "--y"});
+    }
+    const bool is_map = !axes->x.empty();
+    if (is_map && *starts) {
+      throw input_error("a map has a start for each cell, that of the scene")
+          .at({{}, 0, "--starts"});
+    }
+    if (!is_map && (axes->x_range || axes->y_range)) {
+      throw input_error("is for maps; give --x and --y")
+          .at({{}, 0, axes->x_range ? "--x-range" : "--y-range"});
+    }
+    if (is_map) job->map = *axes;
     job->starts = starts->value_or(job->starts);
     job->crossings = crossings->value_or(job->crossings);
     job->jobs = jobs->value_or(job->jobs);

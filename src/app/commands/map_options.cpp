@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/map_options.h"
+
+#include <cstdio>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "scene/scene_file.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kMostCells = 1024;  // in one direction
+
+MapAxis parse_range(const std::string& text, const std::string& option) {
+  MapAxis axis;
+  const std::size_t colon = text.find(':');
+  const auto number = [&](const std::string& part) {
+    const std::optional<double> value = parse_number(part);
+    if (!value) {
+      throw input_error("'{}' is not a range; write two numbers, 0.1:10", text).at({{}, 0, option});
+    }
+    return *value;
+  };
+  if (colon == std::string::npos) number("");
+  axis.from = number(text.substr(0, colon));
+  axis.to = number(text.substr(colon + 1));
+  if (axis.from >= axis.to) {
+    throw input_error("the range must go up, got {}", text).at({{}, 0, option});
+  }
+  return axis;
+}
+
+}  // namespace
+
+CellCount parse_cells(const std::string& text) {
+  int columns = 0, rows = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%4dx%4d%n", &columns, &rows, &used) != 2 ||
+      used != static_cast<int>(text.size()) || columns < 2 || rows < 2 || columns > kMostCells ||
+      rows > kMostCells) {
+    throw input_error("'{}' is not the size of a map; write 64x64, at most {}", text, kMostCells)
+        .at({{}, 0, "--cells"});
+  }
+  return {columns, rows};
+}
+
+MapAxis axis_of_key(const std::filesystem::path& file,
+                    const std::vector<Setting>& settings,
+                    const std::string& key,
+                    const std::optional<std::string>& range,
+                    const std::string& option) {
+  MapAxis axis;
+  if (range) {
+    axis = parse_range(*range, option + "-range");
+  } else {
+    const std::optional<double> own = number_in_scene(file, settings, key);
+    if (!own) {
+      throw input_error("{} has no number at '{}'; give {}-range A:B", file.string(), key, option)
+          .at({{}, 0, option});
+    }
+    axis.from = *own > 0.0 ? 0.1 * *own : *own < 0.0 ? 2.0 * *own : -1.0;
+    axis.to = *own > 0.0 ? 10.0 * *own : *own < 0.0 ? -2.0 * *own : 1.0;
+  }
+  axis.key = key;
+  return axis;
+}
+
+}  // namespace polhode

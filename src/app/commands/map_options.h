@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What the options --x, --y, --x-range, --y-range and --cells of maps mean.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chart/map_axis.h"
+#include "scene/setting.h"
+
+namespace polhode {
+
+struct CellCount {
+  int columns = 0, rows = 0;
+};
+// "128x96": each from 2 to 1024. Throws Error (input), naming --cells.
+CellCount parse_cells(const std::string& text);
+
+// The axis of a key: its range is "A:B" with A < B or, if none is given, around the number that the
+// scene has there: a tenth of it to ten times as much; if it is negative (v), 2 v to -2 v; if it is
+// 0, -1 to 1. `option` is "--x" or "--y". Throws Error (input), naming the option of the range, for
+// a wrong range and, naming `option`, for a scene without a number there.
+MapAxis axis_of_key(const std::filesystem::path& file,
+                    const std::vector<Setting>& settings,
+                    const std::string& key,
+                    const std::optional<std::string>& range,
+                    const std::string& option);
+
+}  // namespace polhode
