@@ -45,8 +45,6 @@ std::vector<MethodCost> cheapest_methods(const BodyModel& model,
     // one step of it is the closed form, and integrates nothing
     if (method.exact_when_free && kind == ProblemKind::free) continue;
     if ((splittings_only && !method.symplectic) || !why_not(method, model).empty()) continue;
-    // fixed steps do not end where a load is switched
-    if (!model.loads.switches.empty() && !method.adaptive && !numerics.step) continue;
     able.push_back(row);
   }
   const auto uses_no = [&](const MethodCost& row) {

@@ -91,7 +91,7 @@ Refined refine(const StepperInfo& method,
   const double rate = typical_rate(model, start) + 1.0 / duration;
   // no explicit method takes longer steps: what is hopeless is refused before it begins
   constexpr double kLongestStep = 3.0;  // rad
-  const double least_steps = duration * rate / kLongestStep;
+  const double least_steps = (typical_turn(model, start, duration) + 1.0) / kLongestStep;
   if (!method.stiff && least_steps > static_cast<double>(most_steps))
     throw too_many_steps(method, duration, least_steps, most_steps);
   const double finer = method.adaptive ? 1.0 / kTolerancesApart : 0.5;

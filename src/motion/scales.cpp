@@ -30,19 +30,35 @@ double damping_rate(const BodyModel& model, const Load& load) {
   return load.kind == Load::Kind::damp_spin ? load.c / least_moment(model) : load.c;
 }
 
+// what a load adds to the rates of a motion
+double rate_of(const BodyModel& model, const Load& load) {
+  return driven_rate(model, load) + std::abs(load.rate) + damping_rate(model, load);
+}
+
 }  // namespace
 
 double typical_rate(const BodyModel& model, const State& start) {
   const double least = least_moment(model);
   double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
   for (const Load& load : model.loads.turning)
-    rate += driven_rate(model, load) + std::abs(load.rate) + damping_rate(model, load);
+    rate += rate_of(model, load);
   if (!model.with_translation) return rate;
   // forces through the centre of mass turn nothing, but move it
   const double size = std::sqrt(model.moments.maxCoeff() / model.body.mass);
   for (const Push& push : model.loads.pushes)
     rate += std::abs(push.rate) + std::sqrt(push.force_S.norm() / (model.body.mass * size));
   return rate;
+}
+
+double typical_turn(const BodyModel& model, const State& start, double duration) {
+  double turn = typical_rate(model, start) * duration;
+  for (const Load& load : model.loads.turning) {
+    if (load.acts.always()) continue;
+    const double begins = std::clamp(load.acts.from, 0.0, duration);
+    const double ends = std::clamp(load.acts.until + load.acts.ramp, begins, duration);
+    turn -= rate_of(model, load) * (duration - (ends - begins));
+  }
+  return turn;
 }
 
 double stiffness(const BodyModel& model, const State& start, double duration) {

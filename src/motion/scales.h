@@ -10,6 +10,10 @@ namespace polhode {
 // the loads; 0 for a body at rest that nothing turns.
 double typical_rate(const BodyModel& model, const State& start);
 
+// By how much the attitude changes in the duration (s), rad: that rate times the duration, but
+// switched loads count only while they act.
+double typical_turn(const BodyModel& model, const State& start, double duration);
+
 // A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 

@@ -20,6 +20,8 @@ std::string obstacle(const StepperInfo& method, const BodyModel& model) {
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
     return method.name + " takes free bodies only, and gravity turns this one about its pivot";
+  if (!method.adaptive && !model.loads.switches.empty())
+    return method.name + " has fixed steps, which do not end where a load is switched";
   if (!method.takes_rotator && model.kind.rotator)
     return method.name + " takes no body with all its mass on a line";
   return {};
@@ -188,8 +190,10 @@ std::string why_not(const StepperInfo& method, const BodyModel& model) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min<std::size_t>(able.size(), 4); ++i)
     names.push_back(able[i]->name);
-  return fmt::format(
-      "{}; {} can, and others of `polhode list methods`", reason, fmt::join(names, ", "));
+  return fmt::format("{}; {} can{}",
+                     reason,
+                     fmt::join(names, ", "),
+                     able.size() > names.size() ? ", and others of `polhode list methods`" : "");
 }
 
 }  // namespace polhode

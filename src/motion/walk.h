@@ -86,7 +86,8 @@ WalkRecord walk_adaptive(const StepperInfo& method,
     if (!(error <= tolerance)) {
       ++record.rejected;
       h = (next - t) * std::clamp(0.9 * ratio, 0.1, 0.9);
-      if (!std::isfinite(h) || t + h == t) {
+      // a step of one rounding of the time cannot be shortened
+      if (!std::isfinite(h) || t + h == t || t + h >= next) {
         refuse_nan(trial, method, next);
         refuse_tolerance(method, tolerance, t);
       }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "base/units.h"
 #include "math/so3.h"
 #include "motion/simulate.h"
@@ -246,6 +247,30 @@ TEST(GravityGradient, NeedsAnOrbit) {
       "must not be 0");
   spec.torque[0].rate.reset();
   expect_input_error([&] { solved(body_with({1, 1.3, 1.6}), spec); }, "motion.torque[0]", "rate");
+}
+
+// so short that fixed steps would not see it, so strong that such a torque for the whole time would
+// need a million steps
+TEST(Torque, APulseIsSeenByStepsThatChooseTheirLength) {
+  const BodySpec body = body_with({1, 1.3, 1.7});
+  MotionSpec spec = spun({0.4, -0.1, 1.0}, 10.0);
+  spec.torque = {load("constant")};
+  spec.torque[0].space = Vec3(1e9, 0, 0);
+  spec.torque[0].from = 1.0;
+  spec.torque[0].until = 1.0 + 1e-9;
+  const BodyModel model = make_model(body, spec);
+  const Motion motion = simulate(model, spec, {}, 1e-4).motion;
+  const Vec3 change = motion.at(10.0).L_S - motion.at(0.0).L_S;
+  expect_residual("tau t", (change - Vec3(1, 0, 0)).norm(), 1e-5);
+  // roundings of the time near the switches do as much as this torque in 1e-16 s: no finer answer
+  EXPECT_THROW(simulate(model, spec, {}, 1e-11), Error);
+  for (const char* method : {"rk4", "gauss6"}) {
+    NumericsSpec numerics;
+    numerics.method = method;
+    expect_input_error([&] { solved(body, spec, numerics); },
+                       "numerics.method",
+                       "has fixed steps, which do not end where a load is switched; dop853");
+  }
 }
 
 TEST(Torque, EndsAfterItBegins) {
