@@ -79,6 +79,19 @@ double momentum_scale(const BodyModel& model, const State& start) {
   return scale > 0.0 ? scale : 1.0;
 }
 
+double linear_momentum_scale(const BodyModel& model, double angular_momentum) {
+  const double mass = model.body.mass;
+  const double size = std::sqrt(model.moments.maxCoeff() / mass);
+  double scale = angular_momentum / size;
+  for (const Load& load : model.loads.turning) {
+    const double force = load.kind == Load::Kind::force ? load.vector.norm() : load.k * size;
+    scale = std::max(scale, std::sqrt(force * mass * size));
+  }
+  for (const Push& push : model.loads.pushes)
+    scale = std::max(scale, std::sqrt(push.force_S.norm() * mass * size));
+  return scale;
+}
+
 double first_step(const BodyModel& model, const State& start, double tolerance, int order) {
   const double rate = typical_rate(model, start);
   return rate > 0.0 ? 0.5 * std::pow(tolerance, 1.0 / order) / rate

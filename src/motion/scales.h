@@ -17,6 +17,10 @@ double typical_turn(const BodyModel& model, const State& start, double duration)
 // A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 
+// The same of the linear momentum, kg m/s: what goes with `angular_momentum` (kg m^2/s) at the
+// radius of gyration, or what the forces will give the body on a way of that length.
+double linear_momentum_scale(const BodyModel& model, double angular_momentum);
+
 // The first step (s) to try with an adaptive method of that order and that tolerance (relative
 // local error per step, positive); infinite for a body at rest that nothing turns.
 double first_step(const BodyModel& model, const State& start, double tolerance, int order);

@@ -146,6 +146,20 @@ TEST(Force, SwitchedPushesForItsTime) {
   expect_residual("way", (motion.at(4.0).center_S - there - Vec3(way, 0, 0)).norm(), 1e-11);
 }
 
+// beside the centre by a rounding, a force turns a body at rest by nothing and still moves it
+TEST(Force, ThatIsSwitchedOnMovesABodyAtRest) {
+  MotionSpec spec;
+  spec.duration = 3.0;
+  spec.torque = {load("force")};
+  spec.torque[0].space = Vec3(0, 0, 1000);
+  spec.torque[0].from = 1.0;
+  spec.torque[0].at = Vec3(0, 3e-18, 0);
+  const Motion motion = solved(body_with({1, 1.3, 1.7}), spec).motion;
+  const double mass = motion.model().body.mass;
+  const Vec3 way = motion.at(3.0).center_S - motion.at(0.0).center_S;
+  EXPECT_NEAR(way.z() * mass / 2000.0, 1.0, 1e-11);
+}
+
 // a satellite in an orbit of angular velocity 1: x away from the Earth, y ahead, z the orbit's
 // normal
 MotionSpec in_orbit(double duration) {

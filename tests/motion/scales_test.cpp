@@ -53,6 +53,23 @@ TEST(MomentumScale, IsNeverZero) {
   EXPECT_DOUBLE_EQ(momentum_scale(with_torque(torque), State()), 2.5 * 0.3);
 }
 
+// a body at rest that a force drives: after the radius of gyration, 1.5 m, it has sqrt(F m d), but
+// for the factor of sqrt(2)
+TEST(LinearMomentumScale, IsWhatForcesGive) {
+  BodySpec body = body_with({1, 2, 2.25});
+  body.mass = 1.0;
+  LoadSpec force = load("force");
+  force.space = Vec3(0, 0, 6);
+  MotionSpec motion;
+  for (const double from : {-1.0, 1.0}) {
+    force.from = from > 0.0 ? std::optional(from) : std::nullopt;
+    motion.torque = {force};
+    const BodyModel model = make_model(body, motion);
+    EXPECT_DOUBLE_EQ(linear_momentum_scale(model, 0.015), 3.0);
+    EXPECT_DOUBLE_EQ(linear_momentum_scale(model, 15.0), 10.0);
+  }
+}
+
 // the local error of order p grows as the p-th power of the step: ten times less is asked, the
 // step falls by 10^(1/p)
 TEST(FirstStep, FollowsToleranceAndOrder) {

@@ -9,6 +9,7 @@
 
 #include "math/so3.h"
 #include "model/body_model.h"
+#include "motion/scales.h"
 #include "motion/stepper.h"
 
 namespace polhode {
@@ -87,13 +88,14 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
 
 // The norm of a difference of states: the largest of the norms of q, of y over a typical momentum,
 // and with six degrees of freedom of the place over the radius of gyration and of the linear
-// momentum over the typical momentum per radius of gyration. Dimensionless.
+// momentum over linear_momentum_scale(). Dimensionless.
 class ErrorNorm {
  public:
   // momentum_scale: a typical |y|, kg m^2/s.
   ErrorNorm(const BodyModel& model, double momentum_scale)
       : momentum_scale_(momentum_scale),
-        length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)) {}
+        length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)),
+        linear_momentum_scale_(linear_momentum_scale(model, momentum_scale)) {}
 
   template <int N>
   double of(const StateVector<N>& v) const {
@@ -102,14 +104,15 @@ class ErrorNorm {
     if constexpr (N == kSixDegrees) {
       size = std::max({size,
                        v.template segment<3>(7).norm() / length_scale_,
-                       v.template segment<3>(10).norm() * length_scale_ / momentum_scale_});
+                       v.template segment<3>(10).norm() / linear_momentum_scale_});
     }
     return size;
   }
 
  private:
-  double momentum_scale_;  // kg m^2/s
-  double length_scale_;    // m
+  double momentum_scale_;         // kg m^2/s
+  double length_scale_;           // m
+  double linear_momentum_scale_;  // kg m/s
 };
 
 // Makes a Method<N>(model, arguments...) with the N that the model needs.
