@@ -9,7 +9,7 @@ vec3 unit(vec3 v) {
 // and cheap. `along` are the parts of its normal along the key light and the fill light.
 float light_on(vec2 along, float up) {
   float sky = 0.5 + 0.5 * up;
-  return 0.17 + 0.13 * sky + 0.72 * max(along.x, 0.0) + 0.16 * max(along.y, 0.0);
+  return 0.21 + 0.19 * sky + 0.64 * max(along.x, 0.0) + 0.16 * max(along.y, 0.0);
 }
 
 // A translucent surface, premultiplied: denser where it is seen edge-on. `facing` is the cosine

@@ -2,7 +2,7 @@
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
-// alpha as they are), SOFT (of a flat mesh: alpha times the z of its normals), MARKED (a strip and a darker
+// alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha times the z of its normals), MARKED (a strip and a darker
 // half), SHELL (alpha under 1), FADING (fade under 1), DASHED (with gaps along z), FACES (those
 // that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
@@ -24,7 +24,7 @@ in vec3 v_to_eye;
 noperspective in vec2 v_along;
 in vec3 v_mesh;
 #if SOFT
-in float v_density;
+noperspective in float v_density;
 #endif
 #if FINISH == 2
 in float v_lengthways;
@@ -116,7 +116,11 @@ void main() {
   float facing = abs(dot(normal, to_eye));
 #endif
   vec3 color = worn(painted());
-  vec3 lit = color * color * light_on(to_unit * v_along, normal.z);
+  float light = light_on(to_unit * v_along, normal.z);
+#if VIVID
+  light = 0.5 + 0.5 * light;
+#endif
+  vec3 lit = color * color * light;
 
   // a highlight: cosine to the 32nd
   float cosine = max(dot(normal, v_halfway) * stretch(v_halfway), 0.0);
@@ -137,7 +141,11 @@ void main() {
   float c64 = c16 * c16 * c16 * c16;
   lit += vec3(0.85 * c64 * c64 + 0.22 * rim * rim);
 #endif
+#if DASHED
+  vec3 shown = color;  // a drawn line, not a row of rings
+#else
   vec3 shown = sqrt(min(lit, vec3(1.0)));
+#endif
 #if SHELL
   o_color = shell(color, shown, f_alpha.x, facing);
 #else

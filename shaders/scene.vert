@@ -31,7 +31,7 @@ out vec3 v_to_eye;
 noperspective out vec2 v_along;    // the normal's parts along the lights
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 #if SOFT
-out float v_density;
+noperspective out float v_density;
 #endif
 #if FINISH == 2
 out float v_lengthways;  // 0 on faces across x

@@ -131,6 +131,9 @@ RenderPlan plan_render(const RenderJob& job) {
   for_each_scene(plan.scene, [&](Scene& scene) {
     if (!job.text) remove_text(scene);
     shrink(scene, quality.shrink);
+    // laid over something else, a floor would be a patch
+    std::optional<bool>& floor = scene.show["floor"];
+    if (job.transparent && !floor) floor = false;
   });
   const std::string output = output_of(job);
   const bool still = is_still(job, output);

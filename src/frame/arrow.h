@@ -4,9 +4,11 @@
 // and add_tube().
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "frame/draw_list.h"
+#include "frame/to_glm.h"
 #include "math/notation.h"
 
 namespace polhode {
@@ -32,6 +34,14 @@ struct ArrowShape {
 
 // The sizes with which an arrow of that length is drawn.
 ArrowShape fitting(const ArrowShape& shape, double length);
+
+// Where the unit meshes of an arrow stand.
+struct ArrowPlaces {
+  Placement shaft, head;
+};
+// Those of the arrow from `from` to `tip`, in any unit; none if it is shorter than a thousandth of
+// the head's length.
+std::optional<ArrowPlaces> arrow_places(const Vec3& from, const Vec3& tip, const ArrowShape& shape);
 
 // Adds the items of the arrow from `from` to `tip` to `items`; nothing if it is shorter than a
 // thousandth of the head's length.

@@ -118,6 +118,17 @@ double reach_of(const Mesh& mesh) {
   return reach;
 }
 
+// the middle one of the sides of the box around a mesh
+double breadth_of(const Mesh& mesh) {
+  Vec3 low = to_eigen(mesh.vertices.front().position), high = low;
+  for (const Vertex& v : mesh.vertices) {
+    low = low.cwiseMin(to_eigen(v.position));
+    high = high.cwiseMax(to_eigen(v.position));
+  }
+  const Vec3 sides = high - low;
+  return sides.sum() - sides.maxCoeff() - sides.minCoeff();
+}
+
 LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, const Theme& theme) {
   Material material;
   material.color = color;
@@ -125,7 +136,8 @@ LookPart painted(Mesh mesh, const Placement& place, const glm::vec3& color, cons
   const double width = kMarkOfReach * reach_from_axis(mesh);
   material.grain = static_cast<float>(width);
   material.mark_width = static_cast<float>(std::min(width, widest_mark(mesh)));
-  return {std::make_shared<const Mesh>(std::move(mesh)), place, material};
+  const double breadth = breadth_of(mesh);
+  return {std::make_shared<const Mesh>(std::move(mesh)), place, material, nullptr, breadth};
 }
 
 // whether it is a surface of revolution about z
@@ -219,11 +231,13 @@ std::vector<LookPart> points_look(const BodySpec& spec,
     ball.body_from_mesh = Placement::Identity();
     ball.body_from_mesh.translation() = point.at;
     ball.body_from_mesh.linear() *= radius;
+    ball.breadth = 2.0 * radius;
     look.push_back(ball);
     if (arm.norm() < radius) continue;
     rod.body_from_mesh.translation() = model.body.center;
     rod.body_from_mesh.linear() = turn_between(Vec3::UnitZ(), arm).toRotationMatrix() *
                                   Vec3(0.025 * reach, 0.025 * reach, arm.norm()).asDiagonal();
+    rod.breadth = 0.05 * reach;
     look.push_back(rod);
   }
   return look;

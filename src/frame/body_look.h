@@ -16,7 +16,8 @@ struct LookPart {
   MeshPtr mesh;
   Placement body_from_mesh;  // maps mesh coordinates to B, m
   Material material;
-  MeshPtr rough = {};  // roughly the same mesh, for its shadow
+  MeshPtr rough = {};    // roughly the same mesh, for its shadow
+  double breadth = 0.0;  // of its box in mesh coordinates, the middle one of the three sides, m
 };
 
 // The meshes of a [body] table: its look if there is one, else its solids or points, else (moments

@@ -15,13 +15,29 @@
 namespace polhode {
 namespace {
 
+constexpr int kRoughArrow = 8;  // pieces of a full circle of arrows that throw shadows
+
+// Does a camera turn with the body or with L? A floor would turn about it.
+bool turns(const Staging& staging) {
+  const auto turning = [](const CameraSpec& camera) {
+    return camera.follow != "auto" && camera.follow != "none" && camera.follow != "center";
+  };
+  return turning(staging.camera) ||
+         std::any_of(staging.shots.begin(), staging.shots.end(), [&](const ShotSpec& shot) {
+           return turning(shot.camera);
+         });
+}
+
 // what a scene shows, with every default resolved
-std::map<std::string, bool> resolve(const ShowSpec& spec, const Scenery& scenery) {
+std::map<std::string, bool> resolve(const ShowSpec& spec,
+                                    const Scenery& scenery,
+                                    const Staging& staging) {
   std::map<std::string, bool> shown;
   for (const Element& element : elements()) {
     const auto found = spec.asked.find(element.name);
     const std::optional<bool> asked = found == spec.asked.end() ? std::nullopt : found->second;
     shown[element.name] = asked ? *asked : element.by_default(scenery);
+    if (!asked && element.name == "floor" && turns(staging)) shown[element.name] = false;
     if (!asked.value_or(false)) continue;
     const std::string wrong = element.why_not(scenery);
     if (!wrong.empty()) throw input_error("{}", wrong).at({{}, 0, "show." + element.name});
@@ -192,7 +208,7 @@ Composer::Composer(const Motion& motion,
                    PictureSize size,
                    const Shared& shared)
     : scenery_(scenery_with(motion, body, theme, show, size, shared)),
-      shown_(resolve(show, scenery_)),
+      shown_(resolve(show, scenery_, staging)),
       drawing_(make_drawing_frame(scenery_)),
       staging_(staging),
       beside_(shared.beside),
@@ -208,6 +224,7 @@ Composer::Composer(const Motion& motion,
   const int for_heads = 2 * circle_segments(largest.head);
   meshes_.arrows =
       arrow_meshes(std::min(most, circle_segments(largest.tube)), std::min(most, for_heads));
+  meshes_.rough_arrows = arrow_meshes(kRoughArrow, kRoughArrow);
 }
 
 Composer::Composer(const Motion& motion,
@@ -407,7 +424,7 @@ SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
           at,
           away.normalized(),
           label.markup,
-          label.color,
+          readable(label.color, scenery_.theme.background),
           label.fade,
           label.of_arrow,
           label.size};

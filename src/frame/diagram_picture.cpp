@@ -21,7 +21,7 @@ constexpr double kHighest = 0.9;  // of its width
 constexpr double kFaint = 0.55;   // width of curves of other motions, of that of this one
 constexpr double kMark = 0.7;     // radius of a mark, of that of the dot
 
-// how curves of a kind are drawn
+// how curves of a kind, and their names, are drawn
 struct CurveStyle {
   glm::vec3 color;
   double width = 1.0;  // of that of curves

@@ -29,9 +29,11 @@ struct Material {
   float grain = 0.0f;   // the unit of length of the finish, mesh units
   bool turned = false;  // the strokes of metal go round z; else they are along x
   bool flat = false;    // unlit: the same colour and alpha from every direction
+  bool vivid = false;   // half lit, half as if flat: a line whose colour is to be recognised
   bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha
   float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears
   bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
+  bool thin = false;    // hides no items with `hidden`, which are drawn over it
   float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen
   float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1; 0: unbroken
 

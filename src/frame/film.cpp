@@ -442,6 +442,7 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
     const double size = std::max(label.size * layout.size, least_text_size(text_, size_));
     TextStyle style = style_of(theme, size, label.color);
     style.face = Face::math;
+    style.halo /= label.size;  // that of small names is as wide
     const TextBox box = typesetter_->measure(label.markup, style);
     layout.moment.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
     TextShaft shaft{corner + label.from, corner + label.at};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/units.h"
 #include "frame/shadow.h"
@@ -45,7 +46,10 @@ DrawItem item_of(const MeshGlyph& glyph, const DrawingFrame& frame, Faces faces)
 }
 
 // floors, and on them the shadows that fall away from the light of the list
-void add_floors(const Glyphs& glyphs, const DrawingFrame& frame, DrawList& list) {
+void add_floors(const Glyphs& glyphs,
+                const GlyphMeshes& meshes,
+                const DrawingFrame& frame,
+                DrawList& list) {
   for (const FloorGlyph& floor : glyphs.floors) {
     list.translucent.push_back(item_of(floor.disc, frame, Faces::front));
     const Placement floor_from_space = floor.disc.space_from_mesh.inverse();
@@ -54,6 +58,14 @@ void add_floors(const Glyphs& glyphs, const DrawingFrame& frame, DrawList& list)
       if (glyph.rough == nullptr) continue;
       const float density = std::min(glyph.material.alpha, 1.0f) * glyph.material.fade;
       casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
+    }
+    for (const ArrowGlyph& arrow : glyphs.arrows) {
+      const std::optional<ArrowPlaces> places = arrow_places(arrow.from, arrow.tip, arrow.shape);
+      if (!places) continue;
+      casters.push_back(
+          {meshes.rough_arrows.shaft, floor_from_space * places->shaft, arrow.material.fade});
+      casters.push_back(
+          {meshes.rough_arrows.head, floor_from_space * places->head, arrow.material.fade});
     }
     const Vec3 to_light = floor_from_space.linear() * to_eigen(list.view.key_light);
     MeshGlyph shadow = floor.disc;
@@ -74,7 +86,7 @@ void add_translucent(const Glyphs& glyphs,
                      const Vec3& eye,
                      DrawList& list) {
   std::vector<DrawItem>& items = list.translucent;
-  add_floors(glyphs, frame, list);
+  add_floors(glyphs, meshes, frame, list);
   const auto behind = [&](const SheetGlyph& sheet) {
     // the reference point is where cones begin; sheets through it count as behind
     const double rest = (glyphs.middle - sheet.point).dot(sheet.normal);

@@ -111,6 +111,7 @@ void add_extent(const Glyphs& glyphs, std::vector<Vec3>& points);
 // The unit meshes that all arrows, rods, arcs and cones share.
 struct GlyphMeshes {
   ArrowMeshes arrows;
+  ArrowMeshes rough_arrows;  // for their shadows
   ConeMeshes cones;
 };
 

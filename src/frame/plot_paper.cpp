@@ -32,7 +32,7 @@ int PlotPaper::thin() const {
 }
 
 TextStyle PlotPaper::style(const glm::vec3& color) const {
-  return style_of(theme_, size_, color);
+  return style_of(theme_, size_, readable(color, theme_.background));
 }
 
 TextBox PlotPaper::measure(const std::string& text) const {
@@ -82,7 +82,7 @@ void PlotPaper::add_heading(const std::string& title,
     const PlotEntry& entry = entries[i];
     const double room = room_of(entry);
     x -= room;
-    style.color = bytes_of(entry.color);
+    style.color = this->style(entry.color).color;
     add_text(entry.name, style, x + 0.5 * (room - width(entry.name)), y);
     // a piece of the curve
     Sprite sample(static_cast<int>(std::ceil(room)), static_cast<int>(std::ceil(line_)) + 2);
@@ -95,7 +95,7 @@ void PlotPaper::add_heading(const std::string& title,
       const double first = 0.5 * room - pattern[0] - 0.5 * pattern[1];
       line = {{first - std::ceil(room / period) * period, middle}, {2.0 * room, middle}};
     }
-    stroke(sample, dashes_of(line, pattern), line_, style.color);
+    stroke(sample, dashes_of(line, pattern), line_, bytes_of(entry.color));
     stamps_.push_back({std::make_shared<const Sprite>(std::move(sample)),
                        static_cast<int>(std::lround(x)),
                        static_cast<int>(std::lround(row.bottom() - 0.1 * size_))});

@@ -11,6 +11,7 @@
 namespace polhode {
 namespace {
 
+constexpr int kFloorSegments = 64;       // its rim cannot be seen
 constexpr double kLongestVector = 50.0;  // drawn, in units of the body's radius
 // lengths of the longest vectors of a film, in units of the body's radius
 constexpr double kOmegaLength = 1.3;
@@ -53,8 +54,8 @@ constexpr double kOrbitLength = 1.5;
 
 // The weight ends above the floor, unless it would become too short. In units of the body's radius,
 // like `lowest`: how far the centre of mass stays above the pivot.
-double weight_length(double lowest) {
-  const double above_floor = 0.95 * (lowest + kStandHeight);
+double weight_length(double lowest, double stand_height) {
+  const double above_floor = 0.95 * (lowest + stand_height);
   return above_floor > 0.5 * kForceLength ? std::min(kForceLength, above_floor) : kForceLength;
 }
 
@@ -91,10 +92,30 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(kVelocityLength, speed),
           per(kForceLength, force),
           per(kForceLength, turned_by),
-          (model.on_pivot ? weight_length(lowest / radius) : kOrbitLength) * radius};
+          (model.on_pivot ? weight_length(lowest / radius, scenery.stand_height) : kOrbitLength) *
+              radius};
+}
+
+// high enough for a body of this radius (m) to swing clear of the floor, in units of it
+double stand_height(const Scenery& scenery, double radius) {
+  constexpr double kClear = 0.06;
+  const BodyModel& model = scenery.motion.model();
+  if (!model.on_pivot || asks_for(scenery, "gimbals")) return kStandHeight;
+  double lowest = 0.0;
+  for (const double t : framing_times(scenery.motion)) {
+    const Vec3 up_B = scenery.motion.at(t).q_SB.conjugate() * model.up_S;
+    for (const Vec3& point_B : scenery.hull_B)
+      lowest = std::min(lowest, (point_B - model.reference_B()).dot(up_B));
+  }
+  return std::max(kStandHeight, kClear - lowest / radius);
 }
 
 }  // namespace
+
+bool asks_for(const Scenery& scenery, const std::string& element) {
+  const auto found = scenery.options.asked.find(element);
+  return found != scenery.options.asked.end() && found->second.value_or(false);
+}
 
 double drawn_length(const Scenery& scenery, double length) {
   return std::min(length, kLongestVector * scenery.scale.body);
@@ -149,12 +170,10 @@ Scenery make_scenery(const Motion& motion,
   // what surrounds the body may be as large as the frame, and bends in two directions
   const int large = segments * 3 / 2;
   scenery.sphere = shared(unit_sphere(large));
-  scenery.stand = shared(stand_mesh(kStandHeight, segments));
-  scenery.rough_stand = shared(stand_mesh(kStandHeight, kRoughSegments));
   scenery.gimbal = shared(torus(1.0, kGimbalTube, large));
   scenery.rough_gimbal = shared(torus(1.0, kGimbalTube, kRoughSegments));
   scenery.disc = shared(unit_disc(large));
-  scenery.floor = shared(fading_disc(large));
+  scenery.floor = shared(fading_disc(kFloorSegments));
   scenery.ring = shared(torus(1.0, 0.006, large));
   scenery.hull_B = hull_of(scenery.look);
   scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);
@@ -163,7 +182,10 @@ Scenery make_scenery(const Motion& motion,
     for (const Vec3& point : *points)
       radius = std::max(radius, (point - motion.model().reference_B()).norm());
   }
+  scenery.stand_height = stand_height(scenery, scale ? scale->body : radius);
   scenery.scale = scale ? *scale : make_scale(scenery, radius);
+  scenery.stand = shared(stand_mesh(scenery.stand_height, segments));
+  scenery.rough_stand = shared(stand_mesh(scenery.stand_height, kRoughSegments));
   scenery.paths = make_paths(scenery);
   return scenery;
 }

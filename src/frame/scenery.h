@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frame/body_look.h"
@@ -45,7 +46,8 @@ inline constexpr double kTrailRadius = 1.25;
 // The length of the longest force and of the longest torque of a film, in units of the body's
 // radius.
 inline constexpr double kForceLength = 0.8;
-// The height of the stand under a pivot, in units of the body's radius.
+// The height of the stand under a pivot, in units of the body's radius, unless the body comes
+// lower.
 inline constexpr double kStandHeight = 0.55;
 // The radii of the gimbal rings around the pivot, in units of the body's radius: the inner one
 // holds the axle of the body, the outer one stands on the floor and turns about the vertical.
@@ -58,6 +60,7 @@ struct Scenery {
   Theme theme;
   std::vector<LookPart> look = {};
   Scale scale = {};
+  double stand_height = kStandHeight;     // in units of the body's radius
   std::vector<Vec3> hull_B = {};          // hull_of(look), m
   MeshPtr ball = {};                      // unit sphere, coarse, for points
   MeshPtr sphere = {};                    // unit sphere, fine
@@ -90,6 +93,9 @@ Scenery make_scenery(const Motion& motion,
 // One scale for several pictures side by side: bodies and thicknesses as large as the largest body
 // has them, and no vector longer than in a picture by itself.
 Scale common_scale(const std::vector<Scale>& scales);
+
+// Whether the scene asks for an element (frame/elements.h) by name.
+bool asks_for(const Scenery& scenery, const std::string& element);
 
 // Replaces the body's meshes by ones with `segments` pieces of a full circle. Throws Error (input)
 // as body_look does.

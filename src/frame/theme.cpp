@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "frame/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
 
 #include "base/at_place.h"
 #include "base/color.h"
@@ -9,6 +13,38 @@
 #include "base/nearest.h"
 
 namespace polhode {
+namespace {
+
+// relative luminance of a colour, and the contrast of two (WCAG 2.1)
+double luminance(const glm::vec3& color) {
+  const auto linear = [](double c) {
+    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+double contrast(const glm::vec3& a, const glm::vec3& b) {
+  const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
+  return std::max(one, other) / std::min(one, other);
+}
+
+}  // namespace
+
+bool is_light(const glm::vec3& color) {
+  return contrast(color, glm::vec3(0.0f)) > contrast(color, glm::vec3(1.0f));
+}
+
+glm::vec3 readable(const glm::vec3& color, const glm::vec3& background) {
+  constexpr double kContrast = 4.55;  // and a little for the rounding to bytes
+  if (contrast(color, background) >= kContrast) return color;
+  const glm::vec3 end(is_light(background) ? 0.0f : 1.0f);
+  float less = 0.0f, enough = 1.0f;  // of that end
+  for (int i = 0; i < 12; ++i) {
+    const float part = 0.5f * (less + enough);
+    const bool reached = contrast(glm::mix(color, end, part), background) >= kContrast;
+    (reached ? enough : less) = part;
+  }
+  return glm::mix(color, end, enough);
+}
 
 glm::vec3 color_from_hex(const std::string& text) {
   const std::array<std::uint8_t, 3> bytes = parse_color(text);
@@ -45,7 +81,7 @@ const std::vector<Theme>& themes() {
        .background = hex("#f6f4ef"),
        .body = hex("#e2d2b0"),
        .mark = hex("#8f2430"),
-       .omega = hex("#ba4e00"),
+       .omega = hex("#ee7000"),
        .momentum = hex("#0170cb"),
        .body_axes = hex("#057251"),
        .space_axes = hex("#6b7076"),
@@ -58,7 +94,7 @@ const std::vector<Theme>& themes() {
        .position = hex("#22262c"),
        .ellipsoid = hex("#6fb488"),
        .plane = hex("#a03c86"),
-       .polhode = hex("#8a6800"),
+       .polhode = hex("#b58900"),
        .polhodes = hex("#3a5c48"),
        .herpolhode = hex("#b5301c"),
        .trail = hex("#057251"),

@@ -54,6 +54,13 @@ const Theme& find_theme(const std::string& name);
 // video.theme for an unknown theme, without a key for a background that is not "#rrggbb".
 Theme make_theme(const ThemeSpec& spec);
 
+// Whether black stands out from a colour more than white does. sRGB-encoded, 0..1.
+bool is_light(const glm::vec3& color);
+
+// A colour for text: `color`, made darker or paler, as far as it must be to stand out from the
+// background with a contrast of 4.5 : 1 (WCAG 2.1). All sRGB-encoded, 0..1.
+glm::vec3 readable(const glm::vec3& color, const glm::vec3& background);
+
 // "#rrggbb" as components 0..1. Throws Error (input), without a key, for other text.
 glm::vec3 color_from_hex(const std::string& text);
 

@@ -59,6 +59,8 @@ namespace polhode {
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                       \
   X(PFNGLSCISSORPROC, Scissor)                                                                     \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                           \
+  X(PFNGLSTENCILFUNCPROC, StencilFunc)                                                             \
+  X(PFNGLSTENCILOPPROC, StencilOp)                                                                 \
   X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                 \
   X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                 \
   X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                               \

@@ -108,17 +108,22 @@ GLint Program::uniform(const std::string& name) const {
   return gl_.GetUniformLocation(id_.get(), name.c_str());
 }
 
-Framebuffer::Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth)
+Framebuffer::Framebuffer(const Gl& gl, int width, int height, int samples, Buffers buffers)
     : gl_(gl),
       width_(width),
       height_(height),
+      buffers_(buffers),
       id_(gl, delete_framebuffer),
       color_(gl, delete_renderbuffer),
       depth_(gl, delete_renderbuffer) {
   gl.GenFramebuffers(1, id_.place());
   gl.BindFramebuffer(GL_FRAMEBUFFER, id_.get());
   attach(color_, GL_COLOR_ATTACHMENT0, GL_RGBA8, samples);
-  if (with_depth) attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, samples);
+  if (buffers == Buffers::depth) {
+    attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, samples);
+  } else if (buffers == Buffers::depth_and_stencil) {
+    attach(depth_, GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH32F_STENCIL8, samples);
+  }
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw environment_error(
         "OpenGL cannot create a {}x{} framebuffer with {} samples here", width, height, samples);

@@ -69,24 +69,29 @@ class Program {
   GlName id_;
 };
 
-// A framebuffer with RGBA8 colour and optional 32-bit floating-point depth.
+// What a framebuffer has beside RGBA8 colour: 32-bit floating-point depth, and 8 bits of stencil.
+enum class Buffers { color, depth, depth_and_stencil };
+
+// A framebuffer.
 class Framebuffer {
  public:
   // Sizes in pixels; samples: per pixel, 0 without multisampling. Throws Error (environment) if
   // OpenGL cannot make it.
-  Framebuffer(const Gl& gl, int width, int height, int samples, bool with_depth);
+  Framebuffer(const Gl& gl, int width, int height, int samples, Buffers buffers);
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
   // OpenGL's name of the framebuffer.
   GLuint id() const { return id_.get(); }
   int width() const { return width_; }
   int height() const { return height_; }
+  Buffers buffers() const { return buffers_; }
 
  private:
   void attach(GlName& buffer, GLenum attachment, GLenum format, int samples) const;
 
   const Gl& gl_;
   int width_, height_;
+  Buffers buffers_;
   GlName id_, color_, depth_;
 };
 

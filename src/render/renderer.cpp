@@ -222,13 +222,32 @@ class Renderer::Implementation {
 
   void draw_panel(const Panel& panel, const PixelBox& box) {
     const StageTimer timer(times_.draw);
+    const std::vector<DrawItem>& opaque = panel.list.opaque;
+    const bool any_thin = std::any_of(
+        opaque.begin(), opaque.end(), [](const DrawItem& item) { return item.material.thin; });
+    if (any_thin) buffers_ = Buffers::depth_and_stencil;
     begin(panel, box);
-    for (const DrawItem& item : panel.list.opaque) {
-      if (item.material.covers) draw_item(item);
+    for (const DrawItem& item : opaque) {
+      if (item.material.covers && !item.material.thin) draw_item(item);
     }
     draw_hidden(panel.list);
-    for (const DrawItem& item : panel.list.opaque) {
-      if (!item.material.covers) draw_item(item);
+    // what thin items leave as it is has 1 in the stencil
+    if (any_thin) {
+      gl_.Enable(GL_STENCIL_TEST);
+      gl_.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    }
+    for (const DrawItem& item : opaque) {
+      if (item.material.covers) continue;
+      if (any_thin) gl_.StencilFunc(GL_ALWAYS, item.material.hidden > 0.0f ? 1 : 0, 0xff);
+      draw_item(item);
+    }
+    if (any_thin) {
+      gl_.StencilFunc(GL_NOTEQUAL, 1, 0xff);
+      gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+      for (const DrawItem& item : opaque) {
+        if (item.material.thin) draw_item(item);
+      }
+      gl_.Disable(GL_STENCIL_TEST);
     }
 
     // translucent shells come back to front and leave the depth of what is behind them
@@ -269,8 +288,8 @@ class Renderer::Implementation {
 
   // the box begins at the framebuffer's corner: what lies outside is neither cleared nor copied
   void begin(const Panel& panel, const PixelBox& box) {
-    fit(drawn_, box, samples_, true);
-    if (samples_ > 0) fit(resolved_, box, 0, false);
+    fit(drawn_, box, samples_, buffers_);
+    if (samples_ > 0) fit(resolved_, box, 0, Buffers::color);
     const DrawList& list = panel.list;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_->id());
     gl_.Viewport(
@@ -280,7 +299,7 @@ class Renderer::Implementation {
                    static_cast<float>(ground[1]) / 255.0f,
                    static_cast<float>(ground[2]) / 255.0f,
                    static_cast<float>(ground[3]) / 255.0f);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.Enable(GL_CULL_FACE);
     gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -297,15 +316,17 @@ class Renderer::Implementation {
   void fit(std::unique_ptr<Framebuffer>& buffer,
            const PixelBox& box,
            int samples,
-           bool with_depth) {
+           Buffers buffers) {
     constexpr int kTile = 64;  // pixels, of the rasteriser
     const auto tiles = [](int side) {
       return (side + kTile - 1) / kTile * kTile;
     };
     const int width = std::min(tiles(box.width), settings_.width);
     const int height = std::min(tiles(box.height), settings_.height);
-    if (buffer != nullptr && buffer->width() == width && buffer->height() == height) return;
-    buffer = std::make_unique<Framebuffer>(gl_, width, height, samples, with_depth);
+    if (buffer != nullptr && buffer->width() == width && buffer->height() == height &&
+        buffer->buffers() == buffers)
+      return;
+    buffer = std::make_unique<Framebuffer>(gl_, width, height, samples, buffers);
   }
 
   // hidden: the parts that something covers
@@ -396,6 +417,7 @@ class Renderer::Implementation {
   RenderSettings settings_;
   int samples_;
   SurfacePrograms surfaces_;
+  Buffers buffers_ = Buffers::depth;  // with a stencil from the first picture on that needs it
   std::unique_ptr<Framebuffer> drawn_;
   std::unique_ptr<Framebuffer> resolved_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;

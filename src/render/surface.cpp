@@ -45,13 +45,14 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
   std::unique_ptr<Made>& entry = programs_[kind];
   if (entry == nullptr) {
     const std::string constants = fmt::format(
-        "#define FINISH {}\n#define TURNED {:d}\n#define FLAT {:d}\n#define SOFT {:d}\n#define "
-        "MARKED {:d}\n"
+        "#define FINISH {}\n#define TURNED {:d}\n#define FLAT {:d}\n#define VIVID {:d}\n"
+        "#define SOFT {:d}\n#define MARKED {:d}\n"
         "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define FACES {}\n#define "
         "LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
         kind.turned,
         kind.flat,
+        kind.vivid,
         kind.soft,
         kind.marked,
         kind.shell,
@@ -79,6 +80,7 @@ void SurfacePrograms::use(const Material& material,
   Made& now = made({material.finish,
                     material.finish == Finish::metal && material.turned,
                     material.flat,
+                    material.vivid,
                     material.flat && material.soft,
                     material.mark_width > 0.0f,
                     material.alpha < 1.0f,

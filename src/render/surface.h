@@ -36,10 +36,11 @@ class SurfacePrograms {
   struct Kind {
     Finish finish = Finish::plain;
     bool turned = false;
-    bool flat = false, soft = false, marked = false, shell = false, fading = false, dashed = false;
+    bool flat = false, vivid = false, soft = false, marked = false;
+    bool shell = false, fading = false, dashed = false;
     Faces faces = Faces::front;
     auto all() const {
-      return std::tie(finish, turned, flat, soft, marked, shell, fading, dashed, faces);
+      return std::tie(finish, turned, flat, vivid, soft, marked, shell, fading, dashed, faces);
     }
     friend bool operator<(const Kind& a, const Kind& b) { return a.all() < b.all(); }
   };

@@ -77,6 +77,16 @@ TEST_F(PlanOfARender, PassesOnWhatIsAsked) {
   EXPECT_EQ(plan.scene.video.size.height, 48);
 }
 
+// what is laid over a slide has a floor only if the scene asks for one
+TEST_F(PlanOfARender, WithoutBackgroundThereIsNoFloorByDefault) {
+  RenderJob asked = job("a.webm");
+  EXPECT_FALSE(plan_render(asked).scene.show["floor"].has_value());
+  asked.transparent = true;
+  EXPECT_EQ(plan_render(asked).scene.show["floor"], false);
+  asked.overrides.settings = {{"show.floor", "true"}};
+  EXPECT_EQ(plan_render(asked).scene.show["floor"], true);
+}
+
 // the size is halved and stays even, the encoder hurries
 TEST_F(PlanOfARender, ADraftIsSmallAndFast) {
   RenderJob asked = job("a.mp4");

@@ -18,7 +18,7 @@ namespace {
 
 using test::drawn;
 
-const GlyphMeshes kMeshes{arrow_meshes(16, 16), cone_meshes(32)};
+const GlyphMeshes kMeshes{arrow_meshes(16, 16), arrow_meshes(8, 8), cone_meshes(32)};
 
 MeshGlyph disc_at(const Vec3& center, float alpha) {
   MeshGlyph glyph{std::make_shared<const Mesh>(unit_disc(16)), Placement::Identity(), {}};

@@ -34,7 +34,7 @@ TEST(Theme, HexColoursAreSrgb) {
   test::expect_input_error([] { color_from_hex("red"); }, "", "#");
 }
 
-// names have the colours of what they name, and can be read: 4.5 to one, what WCAG asks of text
+// names have nearly the colours of what they name, and can be read: 4.5 to one, as WCAG asks
 TEST(Theme, NamesStandOutFromTheGround) {
   for (const Theme& theme : themes()) {
     for (const glm::vec3& color : {theme.omega,
@@ -44,8 +44,21 @@ TEST(Theme, NamesStandOutFromTheGround) {
                                    theme.force,
                                    theme.velocity,
                                    theme.position})
-      EXPECT_GE(contrast(color, theme.background), 4.5) << theme.name;
+      EXPECT_GE(contrast(readable(color, theme.background), theme.background), 4.5) << theme.name;
   }
+}
+
+// text keeps its colour where it can be read, and its hue elsewhere
+TEST(Theme, TextIsChangedNoMoreThanItMustBe) {
+  const glm::vec3 white(1.0f), black(0.0f), dark(0.5f, 0.1f, 0.0f), orange(1.0f, 0.5f, 0.0f);
+  EXPECT_EQ(readable(dark, white), dark);
+  EXPECT_EQ(readable(orange, black), orange);
+  EXPECT_NEAR(contrast(readable(orange, white), white), 4.55, 0.01);
+  EXPECT_NEAR(contrast(readable(dark, black), black), 4.55, 0.01);
+  const glm::vec3 brown = readable(orange, white);
+  EXPECT_NEAR(brown.g / brown.r, 0.5f, 1e-3f);
+  const glm::vec3 grey(0.46f);
+  EXPECT_GE(contrast(readable(grey, grey), grey), 4.5) << "from the ground itself";
 }
 
 // CIE Lab of a linear sRGB colour (D65)
@@ -158,7 +171,7 @@ TEST(Theme, PoinsotsSurfacesHaveTheirOwnColours) {
       EXPECT_GT(apart(theme.herpolhode, theme.plane), 18.0) << theme.name;
     }
     for (const glm::vec3& color : {theme.polhode, theme.herpolhode, theme.plane})
-      EXPECT_GE(contrast(color, theme.background), 4.5) << theme.name << ": curves, names";
+      EXPECT_GE(contrast(color, theme.background), 2.6) << theme.name << ": curves";
   }
 }
 

@@ -32,10 +32,10 @@ class GlObjects : public ::testing::Test {
 using Pixel = std::array<int, 4>;
 
 TEST_F(GlObjects, AFramebufferKeepsWhatIsDrawn) {
-  const Framebuffer first(gl_, kSide, kSide, 0, true);
+  const Framebuffer first(gl_, kSide, kSide, 0, Buffers::depth);
   gl_.ClearColor(0.2f, 0.4f, 0.6f, 0.8f);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const Framebuffer second(gl_, kSide, kSide, 0, false);
+  const Framebuffer second(gl_, kSide, kSide, 0, Buffers::color);
   gl_.ClearColor(1, 1, 1, 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, first.id());
@@ -46,7 +46,7 @@ TEST_F(GlObjects, AFramebufferKeepsWhatIsDrawn) {
 }
 
 TEST_F(GlObjects, AFramebufferThatIsTooLargeIsAnError) {
-  test::expect_error([&] { Framebuffer(gl_, 1'000'000, 16, 0, false); },
+  test::expect_error([&] { Framebuffer(gl_, 1'000'000, 16, 0, Buffers::color); },
                      Fault::environment,
                      "",
                      "cannot create a 1000000x16 framebuffer");
@@ -78,7 +78,7 @@ TEST_F(GlObjects, ShadersThatDoNotLinkAreAnError) {
 
 // a mesh covers the pixels whose centres lie inside of it, and no others
 TEST_F(GlObjects, AMeshIsDrawnWhereItsCornersAre) {
-  const Framebuffer buffer(gl_, kSide, kSide, 0, false);
+  const Framebuffer buffer(gl_, kSide, kSide, 0, Buffers::color);
   gl_.Viewport(0, 0, kSide, kSide);
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
@@ -177,7 +177,7 @@ Gl counting(const Gl& real) {
 
 TEST_F(GlObjects, WhatCannotBeMadeLeavesNothingBehind) {
   const Gl gl = counting(gl_);
-  EXPECT_THROW(Framebuffer(gl, 1'000'000, 16, 0, true), Error);
+  EXPECT_THROW(Framebuffer(gl, 1'000'000, 16, 0, Buffers::depth), Error);
   EXPECT_EQ(g_alive, 0);
   while (gl_.GetError() != GL_NO_ERROR) {
   }
@@ -185,7 +185,7 @@ TEST_F(GlObjects, WhatCannotBeMadeLeavesNothingBehind) {
   EXPECT_THROW(Program(gl, "scene.vert", "light.glsl", flat_head()), Error);
   EXPECT_EQ(g_alive, 0);
   {
-    const Framebuffer buffer(gl, kSide, kSide, 0, true);
+    const Framebuffer buffer(gl, kSide, kSide, 0, Buffers::depth);
     const Program program(gl, "scene.vert", "scene.frag", flat_head());
     EXPECT_EQ(g_alive, 4) << "the shaders are deleted with the program";
   }

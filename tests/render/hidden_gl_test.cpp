@@ -22,7 +22,7 @@ class HiddenLine : public testing::Test {
         context_(open_context("osmesa")),
         renderer_(*context_, {kHiddenSize.width, kHiddenSize.height, 0, false}) {}
 
-  Image drawn(float hidden, float dashes, bool covers = true) {
+  Image drawn(float hidden, float dashes, bool covers = true, bool thin = false) {
     DrawList list;
     list.view = camera_.view(DrawingFrame{Vec3::Zero(), 1.0});
     Material red;
@@ -35,6 +35,7 @@ class HiddenLine : public testing::Test {
     black.color = {0, 0, 0};
     black.flat = true;
     black.covers = covers;
+    black.thin = thin;
     list.opaque.push_back(
         {std::make_shared<const Mesh>(unit_sphere(128)),
          to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
@@ -80,6 +81,17 @@ TEST_F(HiddenLine, IsNotSeenUnlessAskedFor) {
   EXPECT_EQ(red_at(drawn(0.0f, 0.0f), 0.1), 0);
   // nor through what is no body, such as another line
   EXPECT_EQ(red_at(drawn(0.4f, 0.0f, false), 0.1), 0);
+}
+
+// thin rods of a body would cut a vector beside them to pieces: it is drawn over them
+TEST_F(HiddenLine, IsWholeInFrontOfAndBehindWhatIsThin) {
+  const Image image = drawn(0.4f, 1.0f, true, true);
+  for (double x = -0.95; x < 0.96; x += 0.01)
+    EXPECT_EQ(red_at(image, x), 255) << x;
+  const Vec2 beside = camera_.project(Vec3(0, 0, 0.3));
+  EXPECT_EQ(image.at(static_cast<int>(beside.x()), static_cast<int>(beside.y()))[3], 255)
+      << "the ball is there";
+  EXPECT_EQ(red_at(drawn(0.0f, 0.0f, true, true), 0.1), 0) << "others are hidden as ever";
 }
 
 TEST_F(HiddenLine, HasDashesOfEqualLengthsFromItsFootOn) {

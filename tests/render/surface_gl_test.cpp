@@ -48,7 +48,7 @@ class Surface : public ::testing::Test {
 
   const std::unique_ptr<Context> context_ = open_context("auto");
   const Gl gl_{*context_};
-  const Framebuffer buffer_{gl_, kSurfaceSide, kSurfaceSide, 0, false};
+  const Framebuffer buffer_{gl_, kSurfaceSide, kSurfaceSide, 0, Buffers::color};
   View view_;
 };
 
@@ -94,6 +94,21 @@ TEST_F(Surface, LitOnesDarkenWithTheAngleOfTheLight) {
     before = now;
   }
   EXPECT_GT(before, 0) << "the fill light is left";
+}
+
+// half of the light of vivid ones comes from everywhere
+TEST_F(Surface, VividOnesKeepTheirColourInTheShade) {
+  Material material;
+  material.color = glm::vec3(0.8f, 0.4f, 0.1f);
+  material.gloss = 0.0f;
+  view_.key_light = view_.fill_light = glm::vec3(1.0f, 0.0f, 0.0f);
+  const auto light = [&] {
+    return std::pow(drawn(material).at(kSurfaceSide / 2, kSurfaceSide / 2)[0] / (255.0 * 0.8), 2);
+  };
+  const double shade = light();
+  EXPECT_LT(shade, 0.6);
+  material.vivid = true;
+  EXPECT_NEAR(light(), 0.5 + 0.5 * shade, 0.01);
 }
 
 // a molecule and a planet are shaded alike, though the determinants of their matrices are out of

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
+constexpr double kNarrowCone = 0.08;  // radius of the rim, in that of the body; narrower: no name
 
 void add_arc(const Scenery& scenery,
              const Sample& sample,
@@ -37,6 +38,21 @@ void add_cone(const Scenery& scenery,
   if (half_angle < kSmallestCone || slant <= 0.0) return;
   glyphs.cones.push_back(
       {sample.reference_S, axis, half_angle, slant, kRimRadius * scenery.scale.body, material});
+}
+
+// where the line on which omega lies is opposite: there the rim is far from its arrow and the other
+// cone
+void name_rim(const Scenery& scenery,
+              const Sample& sample,
+              const Vec3& axis,
+              const char* name,
+              const glm::vec3& color,
+              Glyphs& glyphs) {
+  const Vec3 tip =
+      drawn_length(scenery, scenery.scale.omega * sample.w_S.norm()) * sample.w_S.normalized();
+  const Vec3 across = tip - tip.dot(axis) * axis;
+  if (across.norm() < kNarrowCone * scenery.scale.body) return;
+  add_name(scenery, sample.reference_S + tip - 2.0 * across, -across, name, color, 1.0f, glyphs);
 }
 
 }  // namespace
@@ -74,6 +90,8 @@ void add_space_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
            drawn_length(scenery, scenery.scale.omega * sample.w_S.norm()),
            shell(scenery.theme.space_cone, 0.30f),
            glyphs);
+  name_rim(
+      scenery, sample, sample.L_S.normalized(), "space cone", scenery.theme.space_cone, glyphs);
 }
 
 void add_body_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -86,6 +104,7 @@ void add_body_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs)
            drawn_length(scenery, scenery.scale.omega * sample.w_S.norm()),
            shell(scenery.theme.body_cone, 0.30f),
            glyphs);
+  name_rim(scenery, sample, axis, "body cone", scenery.theme.body_cone, glyphs);
 }
 
 // about the vertical, through the body axis of this moment; a flat disc where that is level, and

@@ -7,10 +7,11 @@ namespace polhode {
 namespace {
 
 constexpr double kFloorRadius = 1.4;
-constexpr double kFreeFloorRadius = 2.2;  // under a free body
-constexpr double kFramedFloor = 0.65;     // the part of it that a picture has to show
-constexpr double kFreeFloor = 1.25;       // below the centre of a free body
-constexpr float kShadowDepth = 0.5f;      // how dark a full shadow is
+constexpr double kFreeFloorRadius = 1.8;   // under a free body
+constexpr double kFramedFloor = 0.65;      // the part of it that a picture has to show
+constexpr double kFramedFreeFloor = 0.35;  // of that under a free body
+constexpr double kThin = 2.8 * kOmegaShape.shaft_radius;  // rods, beside which vectors are no lines
+constexpr float kShadowDepth = 0.5f;                      // how dark a full shadow is
 constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
@@ -34,7 +35,8 @@ void add_stand_under(const Scenery& scenery, const Vec3& tip, Glyphs& glyphs) {
   material.covers = true;
   const Placement place = disc_placement(tip, up, size);
   glyphs.meshes.push_back({scenery.stand, place, material, scenery.rough_stand});
-  add_rim_reach(disc_placement(tip - kStandHeight * size * up, up, kStandFoot * size), 8, glyphs);
+  add_rim_reach(
+      disc_placement(tip - scenery.stand_height * size * up, up, kStandFoot * size), 8, glyphs);
 }
 
 }  // namespace
@@ -45,6 +47,7 @@ void add_body(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     Material material = part.material;
     material.alpha = static_cast<float>(scenery.options.body_opacity);
     material.covers = true;
+    material.thin = part.breadth < kThin * scenery.scale.body;
     glyphs.meshes.push_back(
         {part.mesh, space_from_body * part.body_from_mesh, material, part.rough});
   }
@@ -136,7 +139,8 @@ void add_floor(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   const double radius = floor_radius(scenery);
   glyphs.floors.push_back(
       {{scenery.floor, disc_placement(center, up, radius), material}, kShadowDepth});
-  add_rim_reach(disc_placement(center, up, kFramedFloor * radius), 16, glyphs);
+  const double framed = scenery.motion.model().on_pivot ? kFramedFloor : kFramedFreeFloor;
+  add_rim_reach(disc_placement(center, up, framed * radius), 16, glyphs);
 }
 
 }  // namespace polhode

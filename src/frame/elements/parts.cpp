@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
 constexpr double kLongEnough = 0.3;      // longer ones have it in full
+constexpr double kNameOff = 0.12;        // of names from their curves
+constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
 
 bool is_free_top(const Scenery& scenery) {
   const BodyModel& model = scenery.motion.model();
@@ -35,6 +37,7 @@ Material shell(const glm::vec3& color, float alpha) {
 }
 
 Material drawn_through(const Scenery& scenery, Material material) {
+  material.vivid = true;
   if (scenery.options.hidden == "none") return material;
   const bool dashed = scenery.options.hidden == "dashed";
   material.hidden = dashed ? 0.8f : 0.35f;
@@ -89,12 +92,11 @@ Vec3 figure_axis_B(const Scenery& scenery) {
 }
 
 bool in_gimbals(const Scenery& scenery) {
-  const auto found = scenery.options.asked.find("gimbals");
-  return found != scenery.options.asked.end() && found->second.value_or(false);
+  return asks_for(scenery, "gimbals");
 }
 
 double foot_depth(const Scenery& scenery) {
-  return (kStandHeight + (in_gimbals(scenery) ? kOuterGimbal : 0.0)) * scenery.scale.body;
+  return (scenery.stand_height + (in_gimbals(scenery) ? kOuterGimbal : 0.0)) * scenery.scale.body;
 }
 
 Placement body_placement(const Scenery& scenery, const Sample& sample) {
@@ -145,6 +147,17 @@ void add_ball_reach(const Placement& place, Glyphs& glyphs) {
     glyphs.reach.push_back(place * point);
 }
 
+void add_name(const Scenery& scenery,
+              const Vec3& at,
+              const Vec3& off,
+              const char* name,
+              const glm::vec3& color,
+              float fade,
+              Glyphs& glyphs) {
+  const Vec3 away = kNameOff * scenery.scale.body * off.normalized();
+  glyphs.labels.push_back({at + away, away, name, color, fade, false, kSizeOfNames});
+}
+
 Vec3 principal_rate(const BodyModel& model, const Sample& sample) {
   return model.R_BP.transpose() * sample.w_B;
 }
@@ -171,16 +184,27 @@ bool stays_above_stand(const Scenery& scenery) {
   });
 }
 
-bool stays_above_floor(const Scenery& scenery) {
-  const double floor = -foot_depth(scenery);
+// Like a thing that is held over a table: nothing that is drawn comes as low, and it stays where it
+// is. What is as large as a planet, or as small as a molecule, is not.
+bool hovers(const Scenery& scenery) {
+  constexpr double kSmallest = 0.002, kLargest = 20.0;  // m
+  const BodyModel& model = scenery.motion.model();
+  if (model.on_pivot || model.with_translation || gradient_of(scenery) != nullptr) return false;
+  if (scenery.scale.body < kSmallest || scenery.scale.body > kLargest) return false;
+  for (const char* large :
+       {"ellipsoid", "plane", "herpolhode", "binet", "trail_sphere", "fixed_frame"}) {
+    if (asks_for(scenery, large)) return false;
+  }
+  const double floor = -kFreeFloor * scenery.scale.body;
   const std::vector<double> times = framing_times(scenery.motion);
   return std::all_of(times.begin(), times.end(), [&](double t) {
     const Sample sample = scenery.motion.at(t);
-    const Vec3 up_B = sample.q_SB.conjugate() * scenery.motion.model().up_S;
-    const Vec3& from_B = scenery.motion.model().reference_B();
-    return std::all_of(scenery.hull_B.begin(), scenery.hull_B.end(), [&](const Vec3& point_B) {
-      return (point_B - from_B).dot(up_B) > floor;
-    });
+    const auto height = [&](const Vec3& tip) {
+      return (tip - sample.reference_S).dot(model.up_S);
+    };
+    const double moved = (sample.reference_S - scenery.motion.at(0.0).reference_S).norm();
+    return moved < 1e-3 * scenery.scale.body && height(omega_tip(scenery, sample)) > floor &&
+           height(momentum_tip(scenery, sample)) > floor;
   });
 }
 

@@ -24,6 +24,9 @@ inline constexpr double kRimRadius = 0.008;
 // Polhodes, herpolhodes and Binet's curve are what their pictures are about.
 inline constexpr double kCurveRadius = 0.016;
 
+// How far the floor is below the middle of a free body, in units of the body's radius.
+inline constexpr double kFreeFloor = 1.25;
+
 inline constexpr double kSmallestCone = 1e-4;  // rad; narrower cones are not drawn
 
 // An opaque material. color: sRGB-encoded, 0..1; gloss: see Material.
@@ -76,6 +79,16 @@ void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs);
 // larger, for framing.
 void add_ball_reach(const Placement& place, Glyphs& glyphs);
 
+// Adds the name of a curve or a surface, smaller than those of vectors, at a little distance from
+// the point `at` (S, m) in the direction `off`. fade: multiplies its opacity.
+void add_name(const Scenery& scenery,
+              const Vec3& at,
+              const Vec3& off,
+              const char* name,
+              const glm::vec3& color,
+              float fade,
+              Glyphs& glyphs);
+
 // Angular velocity in P, rad/s; and twice the kinetic energy of a rotation with it, J.
 Vec3 principal_rate(const BodyModel& model, const Sample& sample);
 double twice_the_energy(const BodyModel& model, const Vec3& w_P);
@@ -84,8 +97,8 @@ double twice_the_energy(const BodyModel& model, const Vec3& w_P);
 // what it needs. Cones need a symmetric top that turns freely, apart from damping of L, and about
 // another axis than its own; free means that no torque acts and that the body is no thin rod and
 // not at rest; forces are the forces, couples and springs of motion.torque. stays_above_stand:
-// whether figure_axis_B() never points far below the horizontal; stays_above_floor: whether no part
-// of a body on a pivot comes as low as the foot of the stand.
+// whether figure_axis_B() never points far below the horizontal; hovers: whether a free body of
+// handy size stays where it is, kFreeFloor above a floor that nothing else needs or reaches.
 std::string needs_cones(const Scenery& scenery);
 std::string needs_pivot(const Scenery& scenery);
 std::string needs_free(const Scenery& scenery);
@@ -93,7 +106,7 @@ std::string needs_forces(const Scenery& scenery);
 bool has_cones(const Scenery& scenery);
 bool has_forces(const Scenery& scenery);
 bool stays_above_stand(const Scenery& scenery);
-bool stays_above_floor(const Scenery& scenery);
+bool hovers(const Scenery& scenery);
 
 // The functions `add` of the table of elements (frame/elements.h); the rows in frame/elements.cpp
 // say what each draws.

@@ -13,8 +13,6 @@ namespace {
 constexpr double kPlaneRadius = 1.9;
 constexpr double kAxisPlaneRadius = 1.45;
 constexpr double kContactRadius = 0.04;  // of the ball at the point of contact
-constexpr double kNameOff = 0.12;        // of names from their curves
-constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
 
 // {w : w.I w = twice the energy}, in metres of the picture
 Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
@@ -37,18 +35,6 @@ void add_body_curve(const Scenery& scenery,
   Placement place = principal_placement(scenery, sample);
   place.linear() *= scenery.scale.body;
   glyphs.meshes.push_back({mesh, place, plain(color, 0.1f)});
-}
-
-// the name of a curve or a surface, smaller than those of vectors; `off`: from there to the name
-void add_name(const Scenery& scenery,
-              const Vec3& at,
-              const Vec3& off,
-              const char* name,
-              const glm::vec3& color,
-              float fade,
-              Glyphs& glyphs) {
-  const Vec3 away = kNameOff * scenery.scale.body * off.normalized();
-  glyphs.labels.push_back({at + away, away, name, color, fade, false, kSizeOfNames});
 }
 
 // a direction in the invariable plane, to the right in a camera that sees L vertical, and `nearer`

@@ -66,6 +66,35 @@ TEST(Cones, RollOutsideForProlateAndInsideForOblate) {
   }
 }
 
+// cones are named at their rims, on the side that is away from omega; narrow ones are not
+TEST(Cones, AreNamedAwayFromOmega) {
+  const auto names_of = [](const MotionSpec& spec) {
+    const Composer picture = composer(prolate_body(), spec);
+    const Sample s = picture.scenery().motion.at(0.7);
+    const Glyphs glyphs = picture.glyphs_at(s);
+    int count = 0;
+    for (const LabelGlyph& label : glyphs.labels) {
+      const bool of_space = label.markup == "space cone";
+      if (!of_space && label.markup != "body cone") continue;
+      ++count;
+      const Cone& cone = glyphs.cones.at(of_space ? 0 : 1);
+      const auto across = [&](const Vec3& v) {
+        return Vec3(v - v.dot(cone.axis) * cone.axis);
+      };
+      const Vec3 out = across(label.at - cone.apex).normalized();
+      EXPECT_NEAR(out.dot(across(s.w_S).normalized()), -1.0, 1e-9);
+      const Vec3 rim =
+          cone.slant * (std::cos(cone.half_angle) * cone.axis + std::sin(cone.half_angle) * out);
+      EXPECT_LT((label.at - cone.apex - rim).norm(), 0.2 * picture.scenery().scale.body);
+    }
+    return count;
+  };
+  EXPECT_EQ(names_of(wobbling()), 2);
+  MotionSpec little = wobbling();
+  little.spin.body = Vec3(0.05, 0.0, 3.0);
+  EXPECT_EQ(names_of(little), 0);
+}
+
 // rolling without slipping: the material line of the body on the contact generator has no velocity,
 // and the generator moves over both cones by the same arc
 TEST(Cones, RollWithoutSlipping) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/compose.h"
+#include "frame/elements/parts.h"
 #include "frame/to_glm.h"
 #include "support/motions.h"
 #include "support/show_only.h"
@@ -164,17 +165,92 @@ TEST(Ground, TheWeightEndsAboveTheFloor) {
   }
 }
 
-// a floor belongs to a body that stands and stays above it
-TEST(Ground, AFloorIsShownUnderWhatStands) {
-  const auto has_floor = [](const BodySpec& body, const MotionSpec& motion) {
-    const Composer picture = picture_of(body, motion, ShowSpec{});
+// a floor belongs to a body that stands or hovers above it
+TEST(Ground, AFloorIsShownUnderWhatStandsOrHovers) {
+  ThemeSpec theme;
+  theme.theme = "light";
+  const auto has_floor = [&](const BodySpec& body, const MotionSpec& motion) {
+    const Composer picture(
+        test::moving(body, motion), body, CameraSpec{}, ShowSpec{}, theme, {640, 360});
     return !picture.glyphs_at(picture.scenery().motion.at(0.0)).floors.empty();
   };
   MotionSpec hanging = test::spinning_on_pivot();
   hanging.attitude.zxz = Vec3(0.0, 2.9, 0.0);
   EXPECT_TRUE(has_floor(test::cone_body(), test::spinning_on_pivot()));
   EXPECT_FALSE(has_floor(test::cone_body(), hanging));
-  EXPECT_FALSE(has_floor(test::prolate_body(), test::wobbling()));
+
+  EXPECT_TRUE(has_floor(test::prolate_body(), test::wobbling()));
+  MotionSpec downwards = test::wobbling();
+  downwards.spin.body = Vec3(0.3, 0.0, -3.0);
+  downwards.attitude.zxz = Vec3::Zero();
+  EXPECT_FALSE(has_floor(test::prolate_body(), downwards)) << "its vectors would go through it";
+  MotionSpec thrown = test::wobbling();
+  thrown.velocity = Vec3(0.5, 0.0, 0.0);
+  EXPECT_FALSE(has_floor(test::prolate_body(), thrown));
+  EXPECT_FALSE(has_floor(test::ellipsoid_body({30, 30, 60}), test::wobbling())) << "asteroids";
+  theme.theme = "dark";
+  EXPECT_FALSE(has_floor(test::prolate_body(), test::wobbling())) << "no shadow would be seen";
+  EXPECT_TRUE(has_floor(test::cone_body(), test::spinning_on_pivot()));
+}
+
+// a floor would turn about a camera that turns with the body or with L
+TEST(Ground, NoFloorTurns) {
+  const auto has_floor = [](const char* follow) {
+    CameraSpec camera;
+    camera.follow = follow;
+    const BodySpec body = test::prolate_body();
+    ThemeSpec theme;
+    theme.theme = "light";
+    const Composer picture(
+        test::moving(body, test::wobbling()), body, camera, ShowSpec{}, theme, {640, 480});
+    return picture.shows("floor");
+  };
+  EXPECT_TRUE(has_floor("auto"));
+  EXPECT_TRUE(has_floor("center"));
+  EXPECT_FALSE(has_floor("body"));
+  EXPECT_FALSE(has_floor("momentum"));
+}
+
+// a wheel that hangs from a stand does not reach the floor: the stand is higher
+TEST(Ground, TheStandIsAsHighAsTheBodyNeeds) {
+  MotionSpec motion = test::spinning_on_pivot();
+  motion.attitude.zxz = Vec3(0.0, 1.5, 0.0);
+  ShowSpec show = test::show_only("floor");
+  show["body"] = show["pivot"] = true;
+  const BodySpec body = test::cone_body();
+  const Composer picture = picture_of(body, motion, show);
+  const double size = picture.scenery().scale.body;
+  EXPECT_GT(picture.scenery().stand_height, kStandHeight);
+  bool near = false;
+  for (double t = 0.0; t <= motion.duration; t += 0.01) {
+    const Sample sample = picture.scenery().motion.at(t);
+    const double floor =
+        picture.glyphs_at(sample).floors.at(0).disc.space_from_mesh.translation().z();
+    for (const Vec3& corner : picture.scenery().hull_B) {
+      const double height = (body_placement(picture.scenery(), sample) * corner).z() - floor;
+      EXPECT_GT(height, 0.0) << t;
+      near = near || height < 0.15 * size;
+    }
+  }
+  EXPECT_TRUE(near) << "and no higher";
+}
+
+// the shadow of a vector lies where the light through it falls
+TEST(Ground, VectorsThrowShadows) {
+  ShowSpec show = test::show_only("floor");
+  const auto darkness = [&](bool omega) {
+    show["omega"] = omega;
+    const Composer picture = picture_of(test::prolate_body(), test::wobbling(), show);
+    const DrawList list = picture.at(0.4);
+    double dark = 0.0;
+    for (std::size_t i = 1; i < list.translucent.size(); ++i) {
+      for (const Vertex& vertex : list.translucent[i].mesh->vertices)
+        dark += vertex.normal.z;
+    }
+    return dark;
+  };
+  EXPECT_EQ(darkness(false), 0.0);
+  EXPECT_GT(darkness(true), 0.0);
 }
 
 }  // namespace
