@@ -51,6 +51,9 @@ void check_time_range(const Scene& scene, const TimeRange& range) {
   const double to = time_option("--to", range.to, duration, duration);
   if (range.one_picture) {
     time_option("--still", range.still, from, duration);
+    if (range.to) throw input_error("a picture shows one time; omit it").at({{}, 0, "--to"});
+    if (range.still && range.from)
+      throw input_error("--still says which time a picture shows; omit it").at({{}, 0, "--from"});
     return;
   }
   if (to <= from)

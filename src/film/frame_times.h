@@ -14,7 +14,7 @@ namespace polhode {
 struct TimeRange {
   std::optional<double> from, to;  // absent: start and end of the motion
   std::optional<double> still;     // time of a single picture; absent: `from`
-  bool one_picture = false;        // true: a single picture, at `still`; `to` is only checked
+  bool one_picture = false;        // true: a single picture, at `still`, else at `from`
 };
 
 // The times of the frames. Film time counts from the start of the whole film, motion time from the

@@ -277,7 +277,7 @@ def main():
         shutil.rmtree(work, ignore_errors=True)
         folder, scratch = work / "case", work / "scratch"
         (folder / "out").mkdir(parents=True)
-        scratch.mkdir()
+        scratch.mkdir(exist_ok=True)
         for file in (ROOT / "scenes").glob("*.*"):
             shutil.copy(file, folder)
         for command in attack.commands(folder):

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The real binary from scene to product.
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/new_scene.h"
 #include "image/png.h"
 #include "support/run.h"
 
@@ -48,6 +50,29 @@ TEST_F(GoodRun, FilmWithReport) {
     EXPECT_GT(report["stages"][stage]["cpu_s"].get<double>(), 0.0) << stage;
   }
   EXPECT_EQ(report["stages"]["smooth"]["wall_s"], 0.0) << "nothing was smoothed";
+}
+
+// what `new` writes is taken by the command that it names, without a warning
+TEST_F(GoodRun, NewScenesAndTheirNextCommands) {
+  for (const NewKind& kind : new_kinds()) {
+    SCOPED_TRACE(kind.name);
+    const TemporaryFolder folder;
+    const std::string first =
+        folder / ("mine" + std::filesystem::path(kind.files[0]).extension().string());
+    const Ran made = run_polhode(fmt::format("new {} -o '{}'", kind.name, first));
+    ASSERT_EQ(made.code, 0) << made.err;
+    const std::string words = "next: polhode ";
+    const std::size_t at = made.err.find(words);
+    ASSERT_NE(at, std::string::npos) << made.err;
+    std::string next = made.err.substr(at + words.size());
+    next.pop_back();  // the end of the line
+    const bool deck = next.rfind("lecture ", 0) == 0;
+    const std::string rest =
+        deck ? " --to html -o '" + (folder / "out'") : " --to 0.5 -o '" + (folder / "a.mp4'");
+    const Ran ran = run_polhode(next + " --size 64x36" + rest);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.err.find("warning"), std::string::npos) << ran.err;
+  }
 }
 
 // a film with --set is the film of the scene that has the value, and its report knows

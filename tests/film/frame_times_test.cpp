@@ -108,6 +108,9 @@ TEST(FrameTimes, TimesOutsideTheMotionNameTheirOption) {
   refused({{}, 1.01, {}, false}, "--to", "got 1.01");
   refused(range(0.5, 0.5), "--to", "later than --from (0.5 s)");
   refused(picture_at(1.5), "--still", "got 1.5");
+  refused({{}, 0.5, {}, true}, "--to", "a picture shows one time");
+  refused({0.2, {}, 0.5, true}, "--from", "--still says");
+  EXPECT_NO_THROW(check_time_range(scene, {0.2, {}, {}, true}));
   EXPECT_NO_THROW(check_time_range(scene, range(0.0, 1.0)));
   EXPECT_NO_THROW(check_time_range(scene, picture_at(1.0)));
 }

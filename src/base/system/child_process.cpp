@@ -11,6 +11,7 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 
 #include "base/error.h"
@@ -66,6 +67,8 @@ class Child {
     posix_spawn_file_actions_adddup2(&files, in.reader(), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files, out.writer(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files, err.writer(), STDERR_FILENO);
+    // what it leaves behind becomes ours, so that its end can be waited for
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
     // our own way with signals is not its way
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
@@ -88,7 +91,7 @@ class Child {
   }
   ~Child() {
     if (id_ < 0) return;
-    end_with_all_it_started(id_);
+    end_now();
     wait_for_end();
   }
   Child(const Child&) = delete;
@@ -103,10 +106,17 @@ class Child {
            what.si_pid == id_;
   }
 
-  // as waitpid() tells it
+  // Ends what it has left behind, too. Returns what waitpid() tells.
   int wait_for_end() {
+    siginfo_t what{};
+    while (waitid(P_PID, static_cast<id_t>(id_), &what, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    end_now();  // the number is still its own, and its group's
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    }
+    // killed is not yet gone: a browser's helper may still write to a folder that is to be removed
+    while (waitpid(-id_, nullptr, 0) > 0 || errno == EINTR) {
     }
     unfinished_.reset();
     id_ = -1;

@@ -29,15 +29,15 @@ struct ChildResult {
 };
 
 // Runs words[0] (found on PATH if it has no slash) with the other words as arguments and `input` as
-// its standard input, and waits for it to end, but not for programs that it has left behind with
-// its output open. It is killed when it exceeds the limit of time or output, with all that it has
-// started; memory beyond its limit is refused to it. It inherits the environment and the working
-// folder. An exit code other than 0 is not an error. SIGPIPE must be ignored
-// (base/system/interrupt.h), because the program may exit before it has read its input. A limit of
-// memory is set by prlimit (util-linux), which exits with 127 if it cannot start the program.
-// Thread-safe. Throws Error (environment), "gnuplot is not installed" or "gnuplot cannot be
-// started: Too many open files", and (interrupted) after SIGINT, SIGTERM or SIGHUP; the program is
-// then killed.
+// its standard input, and waits for it to end; programs of its process group that it has left
+// behind are killed then, and gone when this returns. It is killed when it exceeds the limit of
+// time or output, with all that it has started; memory beyond its limit is refused to it. It
+// inherits the environment and the working folder. An exit code other than 0 is not an error.
+// SIGPIPE must be ignored (base/system/interrupt.h), because the program may exit before it has
+// read its input. A limit of memory is set by prlimit (util-linux), which exits with 127 if it
+// cannot start the program. Thread-safe. Throws Error (environment), "gnuplot is not installed" or
+// "gnuplot cannot be started: Too many open files", and (interrupted) after SIGINT, SIGTERM or
+// SIGHUP; the program is then killed.
 ChildResult run_child(const std::vector<std::string>& words,
                       std::string_view input,
                       const ChildLimits& limits = {});

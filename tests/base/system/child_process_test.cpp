@@ -61,6 +61,21 @@ TEST(ChildProcess, NobodyWaitsForItsOwnChildren) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+// a helper of a killed browser wrote to a folder that was being removed
+TEST(ChildProcess, WhatItLeavesBehindIsGoneWithIt) {
+  std::signal(SIGPIPE, SIG_IGN);
+  for (const std::string ending : {"exit 0", "kill -ABRT $$"}) {
+    const TemporaryFolder folder;
+    const std::string script =
+        "while :; do mkdir -p \"$0/left\"; done & while [ ! -d \"$0/left\" ]; do :; done; " +
+        ending;
+    run_child({"sh", "-c", script, folder.path().string()}, "");
+    std::filesystem::remove_all(folder / "left");
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(folder.entries(), 0) << ending;
+  }
+}
+
 TEST(ChildProcess, AProgramIsAskedForItsVersion) {
   const TemporaryFolder folder;
   const auto found = [&](const std::string& script) {
