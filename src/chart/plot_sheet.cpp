@@ -2,6 +2,8 @@
 #include "chart/plot_sheet.h"
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -33,8 +35,10 @@ std::string draw_sheet(const PlotSheet& sheet, PlotFormat format) {
   const auto add = [&](const std::string& what) {
     plots += (plots.empty() ? "plot " : ", ") + what;
   };
+  std::set<std::string> in_key;
   for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
     const SheetCurve& curve = sheet.curves[i];
+    const bool is_new = !curve.name.empty() && in_key.insert(curve.name).second;
     script += fmt::format("$curve{} << EOD\n", i);
     for (const Vec2& point : curve.points) {
       // a line without numbers interrupts the curve
@@ -47,7 +51,7 @@ std::string draw_sheet(const PlotSheet& sheet, PlotFormat format) {
                     i,
                     curve.width,
                     curve.color,
-                    curve.name.empty() ? "notitle" : "title " + gnuplot_text(curve.name)));
+                    is_new ? "title " + gnuplot_text(curve.name) : "notitle"));
   }
   for (std::size_t i = 0; i < sheet.marks.size(); ++i) {
     const SheetMark& mark = sheet.marks[i];
@@ -82,9 +86,12 @@ std::string sheet_csv(const PlotSheet& sheet) {
   const auto add = [&](const std::string& name, const Vec2& point) {
     text += fmt::format("{},{:.17g},{:.17g}\n", csv_field(name), point.x() + 0.0, point.y() + 0.0);
   };
-  int unnamed = 0;
+  std::map<std::string, int> of_name;
   for (const SheetCurve& curve : sheet.curves) {
-    const std::string name = curve.name.empty() ? fmt::format("other {}", ++unnamed) : curve.name;
+    const int number = ++of_name[curve.name];
+    const std::string name = curve.name.empty() ? fmt::format("other {}", number)
+                             : number == 1      ? curve.name
+                                                : fmt::format("{} {}", curve.name, number);
     for (const Vec2& point : curve.points)
       add(name, point);
   }

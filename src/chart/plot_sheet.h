@@ -12,7 +12,7 @@ namespace polhode {
 
 // A curve of a sheet, in units of its axes; it is interrupted where a coordinate is not finite.
 struct SheetCurve {
-  std::string name;   // empty: not in the key
+  std::string name;   // empty: not in the key; of several with one name, the first is in the key
   std::string color;  // "#rrggbb"
   double width = 2.0;
   std::vector<Vec2> points;
@@ -43,7 +43,8 @@ struct PlotSheet {
 // The bytes of a picture file. Throws Error as draw_with_gnuplot() does.
 std::string draw_sheet(const PlotSheet& sheet, PlotFormat format);
 
-// The points as a table: curve,x,y with 17 digits; marks are curves of one point.
+// The points as a table: curve,x,y with 17 digits; marks are curves of one point. Further curves of
+// one name are "name 2", "name 3"; those without a name are "other 1", "other 2".
 std::string sheet_csv(const PlotSheet& sheet);
 
 }  // namespace polhode

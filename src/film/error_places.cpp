@@ -2,6 +2,22 @@
 #include "film/error_places.h"
 
 namespace polhode {
+namespace {
+
+// What the command line says of body and motion, for errors about them that name another key.
+std::string settings_beside(const Scene& scene, const std::string& key) {
+  const auto is_mechanics = [](const std::string& path) {
+    return path.starts_with("body") || path.starts_with("motion");
+  };
+  std::string given;
+  for (const auto& [path, place] : scene.options) {
+    if (is_mechanics(key) && is_mechanics(path) && place.key.starts_with("--set"))
+      given += (given.empty() ? " (with " : ", ") + place.key;
+  }
+  return given.empty() ? "" : given + ")";
+}
+
+}  // namespace
 
 Error placed(const Scene& scene, const Error& error) {
   const Place& place = error.place();
@@ -16,7 +32,8 @@ Error placed(const Scene& scene, const Error& error) {
     const std::size_t end = path.find_last_of(".[");
     path = end == std::string::npos ? "" : path.substr(0, end);
   }
-  return error.at({scene.file, line_of(scene, place.key), {}});
+  const std::string message = error.message() + settings_beside(scene, place.key);
+  return {error.fault(), message, {scene.file, line_of(scene, place.key), place.key}};
 }
 
 }  // namespace polhode

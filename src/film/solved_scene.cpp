@@ -38,6 +38,16 @@ double accuracy_in_radians(const Scene& scene, const BodyModel& model) {
 
 namespace {
 
+// where methods are compared, steps and tolerances are theirs, and the scene's motion is the truth
+NumericsSpec numerics_of_truth(const Scene& scene) {
+  NumericsSpec numerics = scene.numerics;
+  if (numerics.compare.empty()) return numerics;
+  numerics.compare.clear();
+  numerics.step.reset();
+  numerics.tolerance.reset();
+  return numerics;
+}
+
 // the motions of the ensemble; `warn` is told once of those that cannot be trusted
 template <class Warn>
 std::vector<Motion> solve_ensemble(const Scene& scene,
@@ -45,8 +55,7 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
                                    double accuracy,
                                    const Warn& warn) {
   const std::vector<MotionSpec> specs = ensemble_of(model, scene.motion);
-  NumericsSpec numerics = scene.numerics;
-  numerics.compare.clear();
+  const NumericsSpec numerics = numerics_of_truth(scene);
   std::vector<std::optional<Simulation>> found(specs.size());
   parallel_for(static_cast<long>(specs.size()), 0, [&](long i) {
     const auto k = static_cast<std::size_t>(i);
@@ -90,12 +99,7 @@ Solved solve(const Scene& scene, ProgressKind progress) {
     const auto warn = [&](const std::string& words, const char* key) {
       spdlog::warn("{}", placed(scene, input_error("{}", words).at({{}, 0, key})).what());
     };
-    // where methods are compared, steps and tolerances are theirs, and this is the truth
-    NumericsSpec numerics = scene.numerics;
-    if (!numerics.compare.empty()) {
-      numerics.step.reset();
-      numerics.tolerance.reset();
-    }
+    const NumericsSpec numerics = numerics_of_truth(scene);
     const std::optional<std::string> too_long =
         step_beyond_limit(model, start_state(model, scene.motion), numerics);
     if (too_long) warn(*too_long, "numerics.step");

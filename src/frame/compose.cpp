@@ -502,6 +502,9 @@ std::vector<Error> Composer::warnings() const {
   bool any_seen = false;
   double nearest = std::numeric_limits<double>::infinity();
   double largest = 0.0;  // pixels
+  double body = 0.0;  // how far it reaches from its reference point, m; points shown may be farther
+  for (const Vec3& point_B : scenery_.hull_B)
+    body = std::max(body, (point_B - scenery_.motion.model().reference_B()).norm());
   for (const double film : film_times()) {
     const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
     const Camera camera = camera_at(film);
@@ -513,8 +516,7 @@ std::vector<Error> Composer::warnings() const {
                });
     const Vec3& middle = sample.reference_S;
     nearest = std::min(nearest, (camera.eye() - middle).norm());
-    if (camera.sees(middle))
-      largest = std::max(largest, scenery_.scale.body * camera.pixels_per_metre(middle));
+    if (camera.sees(middle)) largest = std::max(largest, body * camera.pixels_per_metre(middle));
   }
   if (!any_seen) {
     return {
@@ -523,18 +525,19 @@ std::vector<Error> Composer::warnings() const {
             .at({{}, 0, "camera.eye"})};
   }
   if (!shows("body")) return {};
-  if (nearest < scenery_.scale.body) {
+  if (nearest < body) {
     return {input_error("the camera comes within {:.3g} m of the body's middle, but the body "
                         "reaches {:.3g} m; move it away",
                         nearest,
-                        scenery_.scale.body)
+                        body)
                 .at({{}, 0, "camera.eye"})};
   }
   if (largest > 0.0 && largest < 1.0) {
-    return {input_error("the body, {:.3g} m, is never as large as a pixel; the motion goes too far "
-                        "or the camera is too far away",
-                        scenery_.scale.body)
-                .at({{}, 0, "camera"})};
+    return {
+        input_error("the body, {:.3g} m, is never as large as a pixel; the motion or the points "
+                    "shown go too far, or the camera is too far away",
+                    body)
+            .at({{}, 0, "camera"})};
   }
   return {};
 }

@@ -38,6 +38,8 @@ CurveStyle style_of(Kind kind, const Theme& theme) {
       return {theme.omega, kFaint, "E"};
     case Kind::separatrix:
       return {theme.velocity, 1.0, "separatrix"};
+    case Kind::boundary:
+      return {theme.momentum, 1.0, "stable within"};
     case Kind::other:
       return {theme.space_axes, kFaint};
   }
@@ -89,7 +91,7 @@ DiagramPicture::DiagramPicture(Diagram diagram,
       choose_ticks(across.low, across.high, axes_.width, ink_width, kPlotAside * type);
 
   std::vector<PlotEntry> entries;
-  for (const Kind kind : {Kind::potential, Kind::energy, Kind::separatrix}) {
+  for (const Kind kind : {Kind::potential, Kind::energy, Kind::separatrix, Kind::boundary}) {
     const bool is_there = std::any_of(diagram_.curves.begin(),
                                       diagram_.curves.end(),
                                       [&](const DiagramCurve& one) { return one.kind == kind; });
@@ -127,8 +129,12 @@ LinePoint DiagramPicture::pixel(const Vec2& point) const {
 void DiagramPicture::add_curves() {
   const int rim = static_cast<int>(std::ceil(paper_.line()));
   Sprite sprite(axes_.width + 2 * rim, axes_.height + 2 * rim);
-  for (const Kind kind :
-       {Kind::other, Kind::separatrix, Kind::potential, Kind::energy, Kind::motion}) {
+  for (const Kind kind : {Kind::other,
+                          Kind::boundary,
+                          Kind::separatrix,
+                          Kind::potential,
+                          Kind::energy,
+                          Kind::motion}) {
     std::vector<Polyline> lines;
     for (const DiagramCurve& curve : diagram_.curves) {
       if (curve.kind != kind) continue;

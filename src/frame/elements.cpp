@@ -42,6 +42,10 @@ std::string needs_weight(const Scenery& scenery) {
              : "needs gravity that acts beside the pivot";
 }
 
+std::string needs_frame_rotation(const Scenery& scenery) {
+  return frame_rotation_of(scenery.motion.model()) ? "" : "needs motion.frame_rotation";
+}
+
 bool in_orbit(const Scenery& scenery) {
   return gradient_of(scenery) != nullptr;
 }
@@ -173,6 +177,11 @@ const std::vector<Element>& elements() {
        in_orbit,
        needs_weight_or_orbit,
        add_gravity},
+      {"frame_rotation",
+       "the axis about which space turns (motion.frame_rotation)",
+       [](const Scenery& scenery) { return needs_frame_rotation(scenery).empty(); },
+       needs_frame_rotation,
+       add_frame_rotation},
       {"velocity_field",
        "velocities V + Omega x r of points of the body, as small arrows",
        never,

@@ -240,14 +240,27 @@ std::vector<double> PlotStack::dashes(std::size_t curve) const {
     return std::vector<double>{drawn * paper_.size() - paper_.line(),
                                free * paper_.size() + paper_.line()};
   };
-  if (curve == 1) return pattern(1.1, 0.35);
-  if (curve == 2) return pattern(0.45, 0.3);
-  return {};
+  // no two of six (the most that a plot holds) are alike, whatever their colours
+  switch (curve) {
+    case 1:
+      return pattern(1.1, 0.35);
+    case 2:
+      return pattern(0.45, 0.3);
+    case 3:
+      return pattern(2.2, 0.35);
+    case 4:
+      return pattern(0.2, 0.25);
+    case 5:
+      return pattern(1.1, 1.0);
+    default:
+      return {};
+  }
 }
 
 glm::vec3 PlotStack::color(std::size_t curve) const {
-  const std::array<glm::vec3, 3> colors = {
-      paper_.theme().omega, paper_.theme().momentum, paper_.theme().body_axes};
+  const Theme& theme = paper_.theme();
+  const std::array<glm::vec3, 6> colors = {
+      theme.omega, theme.momentum, theme.body_axes, theme.force, theme.velocity, theme.position};
   return colors[curve % colors.size()];
 }
 

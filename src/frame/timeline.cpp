@@ -24,6 +24,11 @@ double eased(double part) {
 Timeline::Timeline(const std::vector<StoryStep>& story, double duration, double time_scale)
     : story_(story), duration_(duration), time_scale_(time_scale) {
   for (std::size_t i = 0; i < story_.size(); ++i) {
+    for (const std::string& element : story_[i].show) {
+      if (!names(story_[i].hide, element)) continue;
+      throw input_error("'{}' is shown and hidden at once", element)
+          .at({{}, 0, fmt::format("story[{}].hide", i)});
+    }
     if (story_[i].at <= duration) continue;
     throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, story_[i].at)
         .at({{}, 0, fmt::format("story[{}].at", i)});

@@ -24,8 +24,8 @@ class Timeline {
  public:
   Timeline() = default;  // of a motion without duration
   // The motion from 0 to `duration` (s) at `time_scale` (positive) seconds of motion per second of
-  // film. Steps may be in any order. Throws Error (input), naming story[i].at, for a step after the
-  // end.
+  // film. Steps may be in any order. Throws Error (input), naming story[i].hide, for a step that
+  // shows and hides one element, and story[i].at, for a step after the end.
   Timeline(const std::vector<StoryStep>& story, double duration, double time_scale);
 
   // The timeline of the same motion with another story. Throws Error as the constructor does.

@@ -59,7 +59,7 @@ inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 // What is drawn: the [show] table.
 // Other names for vectors, plain text; absent: the usual one.
 struct VectorNames {
-  std::optional<std::string> omega, momentum, torque, gravity;
+  std::optional<std::string> omega, momentum, torque, gravity, frame_rotation;
 };
 
 struct ShowSpec {
@@ -189,6 +189,8 @@ void fields(Visitor& v, VectorNames& s) {
   v.field("momentum", s.momentum, Doc{"of the angular momentum; absent: L"});
   v.field("torque", s.torque, Doc{"of the torque; absent: τ"});
   v.field("gravity", s.gravity, Doc{"of the weight; absent: mg"});
+  v.field(
+      "frame_rotation", s.frame_rotation, Doc{"of the axis about which space turns; absent: Ω₀"});
 }
 
 template <class Visitor>

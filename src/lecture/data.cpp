@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/hash.h"
+#include "base/shell_word.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "base/version.h"
@@ -190,13 +191,25 @@ void write_data(const LectureData& data, const fs::path& folder) {
   std::string to;
   for (const std::string& output : data.outputs)
     to += (to.empty() ? "" : ",") + output;
+  std::string options;
+  const auto add_option = [&](const char* name, const std::optional<std::string>& value) {
+    if (value) options += fmt::format(" {} {}", name, shell_word(*value));
+  };
+  add_option("--size", data.settings.size);
+  add_option("--fps", data.settings.fps);
+  add_option("--theme", data.settings.theme);
+  if (data.settings.quality != LectureSettings{}.quality)
+    add_option("--quality", data.settings.quality);
   const Json manifest = {
       {"deck", "source/" + deck_name},
       {"deck_hash", content_hash(data.deck_text)},
       {"program", "polhode " + program_version()},
       {"versions", versions()},
       {"rebuild",
-       fmt::format("cd data/source && polhode lecture '{}' -o ../../again --to {}", deck_name, to)},
+       fmt::format("cd data/source && polhode lecture {} -o ../../again --to {}{}",
+                   shell_word(deck_name),
+                   to,
+                   options)},
       {"licences", licences(data)},
       {"columns",
        "t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy: s, attitude body to space, rad/s in body "

@@ -24,6 +24,7 @@ struct LectureData {
   // LectureOutput::name (lecture/lecture.h) of those that are made, for the command in the manifest
   // that makes the lecture again
   std::vector<std::string> outputs;
+  LectureSettings settings;    // likewise
   std::string reveal_version;  // empty: no slides
   bool formula_font = false;   // the pages contain Latin Modern Math
   std::vector<SceneData> scenes;

@@ -164,7 +164,7 @@ Json table_row(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Json number_table(const Json& inspection, const std::string& keys) {
+Json number_table(const Json& inspection, const std::string& scene, const std::string& keys) {
   std::vector<std::string> asked;
   for (std::size_t from = 0; from < keys.size();) {
     const std::size_t end = std::min(keys.find(' ', from), keys.size());
@@ -183,7 +183,7 @@ Json number_table(const Json& inspection, const std::string& keys) {
     std::string name = split_unit(key).first;
     std::replace(name.begin(), name.end(), '_', ' ');
     name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-    rows.push_back(table_row({name, quoted(inspection, {"the scene", key, "", ""}).text}));
+    rows.push_back(table_row({name, quoted(inspection, {scene, key, "", ""}).text}));
   }
   const Json none = Json::array({"", Json::array(), Json::array()});
   const Json column = Json::array({{{"t", "AlignLeft"}}, {{"t", "ColWidthDefault"}}});

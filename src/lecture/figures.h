@@ -27,10 +27,10 @@ Json handout_blocks(const Figure& figure);  // handout.pdf
 Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 
-// A table (a block) of values of `inspection`, the result of inspection() (app/commands/inspect.h):
-// those in `keys` (as in Quote::key in lecture/quotes.h, separated by spaces); if `keys` is empty,
-// the kind, the mass, the principal moments and all derived values. Throws Error (input), without a
-// place, as quoted() does.
-Json number_table(const Json& inspection, const std::string& keys);
+// A table (a block) of values of `inspection`, the result of inspection() (app/commands/inspect.h)
+// of the scene that the deck calls `scene`: those in `keys` (as in Quote::key in lecture/quotes.h,
+// separated by spaces); if `keys` is empty, the kind, the mass, the principal moments and all
+// derived values. Throws Error (input), without a place, as quoted() does.
+Json number_table(const Json& inspection, const std::string& scene, const std::string& keys);
 
 }  // namespace polhode

@@ -91,8 +91,10 @@ std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
   const DeckScene& scene = scenes.front();
   const LectureSettings& settings = work.job->settings;
   switch (picture.kind) {
-    case PictureKind::film:
     case PictureKind::loop:
+      refuse_panels(scene.scene);
+      [[fallthrough]];
+    case PictureKind::film:
       return add_task(work, film_product(picture, scene, settings));
     case PictureKind::compare:
       return add_task(work, compare_product(picture, scenes, settings));
@@ -103,6 +105,7 @@ std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
     case PictureKind::stability:
       return add_task(work, stability_product(picture, scene), true);
     case PictureKind::inspect:
+      refuse_panels(scene.scene);
       return add_task(work, inspect_product(scene));
   }
   return "";
@@ -165,6 +168,14 @@ void run_tasks(LectureWork& work, Media& media) {
     run(task);
 }
 
+// the table of a picture that inspects a scene
+Json table_of(const DeckPicture& picture, const Json& facts) {
+  const auto keys = picture.settings.find("keys");
+  return number_table(facts.at("inspection"),
+                      picture.scenes.front(),
+                      keys == picture.settings.end() ? "" : keys->second);
+}
+
 // the failures of products become those of the pictures that need them
 void tell_failures(LectureWork& work) {
   for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
@@ -174,8 +185,7 @@ void tell_failures(LectureWork& work) {
     try {
       if (task.failure) throw *task.failure;
       if (picture.kind != PictureKind::inspect) continue;
-      const auto keys = picture.settings.find("keys");
-      number_table(task.facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second);
+      table_of(picture, task.facts);
     } catch (const Error& error) {
       work.failures[i] = error.what();
       work.deck.problems.push_back(in_deck(work, picture.line, error));
@@ -192,9 +202,7 @@ Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
   if (!figure.failure.empty()) return figure;
   figure.facts = work.tasks.at(work.stems[i]).facts;
   if (picture.kind == PictureKind::inspect) {
-    const auto keys = picture.settings.find("keys");
-    figure.facts["table"] = Json::array({number_table(
-        figure.facts.at("inspection"), keys == picture.settings.end() ? "" : keys->second)});
+    figure.facts["table"] = Json::array({table_of(picture, figure.facts)});
   }
   return figure;
 }
@@ -309,6 +317,7 @@ LectureData data_of(const LectureWork& work,
   data.deck_text = work.deck_text;
   data.licence = words_of(work.deck).licence;
   data.outputs = outputs;
+  data.settings = work.job->settings;
   data.reveal_version = reveal ? reveal->version : "";
   data.formula_font = formula_font;
   for (const auto& [stem, task] : work.tasks) {

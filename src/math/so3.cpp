@@ -2,6 +2,7 @@
 #include "math/so3.h"
 
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 
@@ -51,6 +52,15 @@ Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates) {
   return {rates[0] * sin_theta * sin_psi + rates[1] * cos_psi,
           rates[0] * sin_theta * cos_psi - rates[1] * sin_psi,
           rates[0] * std::cos(angles[1]) + rates[2]};
+}
+
+Vec3 zxz_rates_from_body_rate(const Vec3& angles, const Vec3& w_B) {
+  const double sin_theta = std::sin(angles[1]);
+  const double sin_psi = std::sin(angles[2]);
+  const double cos_psi = std::cos(angles[2]);
+  const double first = sin_theta == 0.0 ? std::numeric_limits<double>::quiet_NaN()
+                                        : (w_B[0] * sin_psi + w_B[1] * cos_psi) / sin_theta;
+  return {first, w_B[0] * cos_psi - w_B[1] * sin_psi, w_B[2] - first * std::cos(angles[1])};
 }
 
 Mat3 from_xyz_turns(const Vec3& turns) {

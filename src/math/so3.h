@@ -32,6 +32,9 @@ Quat from_zxz_angles(const Vec3& angles);
 // and Lifshitz, Mechanics, eq. 35.1.
 Vec3 body_rate_from_zxz_rates(const Vec3& angles, const Vec3& rates);
 
+// The inverse. Where sin(theta) is 0, the first and the third rate are NaN.
+Vec3 zxz_rates_from_body_rate(const Vec3& angles, const Vec3& w_B);
+
 // R = Rz(c) Ry(b) Rx(a) for turns = (a, b, c) in radians: a turn about x, then y, then z of the
 // fixed axes.
 Mat3 from_xyz_turns(const Vec3& turns);

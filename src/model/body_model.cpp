@@ -312,7 +312,21 @@ Vec3 torque_of_loads(const BodyModel& m, double t, const State& s) {
 }
 
 Vec3 torque(const BodyModel& m, double t, const State& s) {
-  return up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
+  const Vec3 sum = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
+  if (!m.loads.gimbals) return sum;
+  return sum + torque_of_rings(*m.loads.gimbals, pose_of_gimbals(m, s), m.moments, sum);
+}
+
+std::optional<Vec3> frame_rotation_of(const BodyModel& m) {
+  for (const Load& load : m.loads.turning) {
+    if (load.kind == Load::Kind::frame) return load.vector;
+  }
+  return {};
+}
+
+GimbalPose pose_of_gimbals(const BodyModel& m, const State& s) {
+  const GimbalPose near{Vec3(s.ring_angle, 0.0, 0.0), Vec3(s.ring_rate, 0.0, 0.0)};
+  return pose_of(*m.loads.gimbals, s.q, angular_velocity(m, s.y), near);
 }
 
 Vec3 force(const BodyModel& m, double t, const State& s) {
@@ -327,9 +341,17 @@ Vec3 force(const BodyModel& m, double t, const State& s) {
 double energy(const BodyModel& m, const State& s) {
   double sum = 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q)) +
                potential_of(m.loads.turning, s.q, s.place_S);
+  if (m.loads.gimbals)
+    sum += kinetic_energy_of_gimbals(m, s) +
+           frame_potential(*m.loads.gimbals, pose_of_gimbals(m, s).angles);
   if (!m.with_translation) return sum;
   return sum + 0.5 * s.linear_momentum_S.squaredNorm() / m.body.mass +
          potential_of_place(m, s.place_S);
+}
+
+double kinetic_energy_of_gimbals(const BodyModel& m, const State& s) {
+  if (!m.loads.gimbals) return 0.0;
+  return kinetic_energy(*m.loads.gimbals, pose_of_gimbals(m, s));
 }
 
 double potential_of_place(const BodyModel& m, const Vec3& center_S) {
@@ -342,6 +364,7 @@ double potential_of_place(const BodyModel& m, const Vec3& center_S) {
 bool keeps_energy(const BodyModel& m) {
   const auto& turning = m.loads.turning;
   const auto& pushes = m.loads.pushes;
+  if (m.loads.gimbals && !m.loads.gimbals->friction.isZero(0.0)) return false;
   return std::all_of(
              turning.begin(), turning.end(), [](const Load& l) { return l.conservative(); }) &&
          (!m.with_translation ||
@@ -349,7 +372,7 @@ bool keeps_energy(const BodyModel& m) {
 }
 
 bool keeps_momentum(const BodyModel& m) {
-  return m.loads.turning.empty();
+  return !m.loads.turn_body();
 }
 
 bool center_on_symmetry_axis(const BodyModel& model) {

@@ -3,6 +3,7 @@
 // loads, right-hand side and invariants. Frames: math/notation.h.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,12 +54,14 @@ struct BodyModel {
 };
 
 // The state that steppers advance. Place and linear momentum are used with six degrees of freedom
-// only (BodyModel::with_translation).
+// only (BodyModel::with_translation), the ring with gimbals only (Loads::gimbals).
 struct State {
   Quat q = Quat::Identity();    // attitude: rotates P to S
   Vec3 y = Vec3::Zero();        // angular momentum about the reference point, in P, kg m^2/s
   Vec3 place_S = Vec3::Zero();  // centre of mass, m
   Vec3 linear_momentum_S = Vec3::Zero();  // mass times velocity of the centre of mass, kg m/s
+  double ring_angle = 0.0;                // angle phi of the outer ring, rad
+  double ring_rate = 0.0;                 // its rate, rad/s
 };
 
 // Mass properties of a [body] table, in B. Throws Error (input) naming body.mass,
@@ -109,8 +112,8 @@ inline Quat attitude_rate(const Quat& q, const Vec3& w_P) {
   return Quat(0.5 * (q * Quat(0.0, w_P.x(), w_P.y(), w_P.z())).coeffs());
 }
 
-// Torque about the reference point in P at time t (s), N m: torque_of_loads() without gravity,
-// torque() with gravity.
+// Torque about the reference point in P at time t (s), N m: torque_of_loads() without gravity and
+// gimbals, torque() with both.
 Vec3 torque_of_loads(const BodyModel& m, double t, const State& s);
 Vec3 torque(const BodyModel& m, double t, const State& s);
 
@@ -118,9 +121,18 @@ Vec3 torque(const BodyModel& m, double t, const State& s);
 Vec3 force(const BodyModel& m, double t, const State& s);
 
 // Kinetic energy of rotation about the reference point plus potential energy, J: y.w/2 + chi.gamma
-// + potential_of() (model/loads.h) of the loads. With six degrees of freedom also the kinetic
-// energy of the centre of mass and potential_of_place().
+// + potential_of() (model/loads.h) of the loads, + that of gimbal rings. With six degrees of
+// freedom also the kinetic energy of the centre of mass and potential_of_place().
 double energy(const BodyModel& m, const State& s);
+
+// The angular velocity at which space turns, in S, rad/s; none if it does not.
+std::optional<Vec3> frame_rotation_of(const BodyModel& m);
+
+// Where the gimbals of Loads::gimbals, which must be there, are in a state.
+GimbalPose pose_of_gimbals(const BodyModel& m, const State& s);
+
+// The part of energy() that is the motion of gimbal rings, J; 0 without them.
+double kinetic_energy_of_gimbals(const BodyModel& m, const State& s);
 
 // Potential energy of gravity and of forces that are constant in S (Loads::pushes; those that vary
 // with time have none) for a free body with its centre of mass at center_S (m), J; 0 at the origin.

@@ -27,6 +27,8 @@ struct LoadSpec {
   std::optional<double> c;        // damping coefficient, see `of`
   std::optional<std::string> of;  // damping -c L ("momentum", c in 1/s; also if absent) or
                                   // -c omega ("spin", c in N m s)
+  std::optional<Vec3> about;      // of damping of spin: the only axis about which it acts, as of a
+                                  // bearing, in B
   std::optional<double> rate;     // the load varies as cos(rate t + phase), rad/s; absent: 0; of a
                                   // gravity gradient: angular velocity of the orbit
   std::optional<double> phase;    // rad; absent: 0
@@ -68,6 +70,9 @@ void fields(Visitor& v, LoadSpec& s) {
               Unit::none,
               kAny,
               {"momentum", "spin"}});
+  v.field("about",
+          s.about,
+          Doc{"axis of the bearing that damps the spin, in body axes; absent: any spin is damped"});
   v.field("rate",
           s.rate,
           Doc{"angular frequency of a load that swings as cos(rate t + phase); absent: 0; of a "

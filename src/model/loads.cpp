@@ -34,6 +34,7 @@ std::vector<std::string> given_keys(const LoadSpec& s) {
   if (s.length) names.emplace_back("length");
   if (s.c) names.emplace_back("c");
   if (s.of) names.emplace_back("of");
+  if (s.about) names.emplace_back("about");
   if (s.rate) names.emplace_back("rate");
   if (s.phase) names.emplace_back("phase");
   if (s.from) names.emplace_back("from");
@@ -88,6 +89,16 @@ void add_switches(const Switching& acts, std::vector<double>& switches) {
   }
 }
 
+// the only axis about which a bearing damps, in P
+Vec3 axis_of_damping(const LoadSpec& spec, const Mat3& R_BP, const std::string& path) {
+  if (spec.of.value_or("momentum") != "spin") {
+    throw input_error("is for damping of = \"spin\": a bearing damps angular velocity")
+        .at({{}, 0, path + ".about"});
+  }
+  if (!(spec.about->norm() > 0.0)) throw input_error("must not be 0").at({{}, 0, path + ".about"});
+  return R_BP.transpose() * spec.about->stableNormalized();
+}
+
 Load::Kind turned_into(const LoadSpec& spec) {
   if (spec.kind == "constant") return Load::Kind::torque;
   if (spec.kind == "couple") return Load::Kind::couple;
@@ -107,7 +118,10 @@ const std::vector<LoadKind>& load_kinds() {
        {},
        {"rate", "phase"},
        true},
-      {"damping", "a torque -c L or -c omega", {"c"}, {"of"}},
+      {"damping",
+       "a torque -c L or -c omega, or that of a bearing about one axis",
+       {"c"},
+       {"of", "about"}},
       {"couple",
        "a force on one point of the body and the opposite force on another",
        {"at", "opposite"},
@@ -152,13 +166,15 @@ bool Load::conservative() const {
     case Kind::couple:
     case Kind::force:
       return !in_body && rate == 0.0;
+    case Kind::frame:
+      return true;
     default:
       return false;
   }
 }
 
 bool Loads::only_damp_momentum() const {
-  return std::all_of(turning.begin(), turning.end(), [](const Load& load) {
+  return !gimbals && std::all_of(turning.begin(), turning.end(), [](const Load& load) {
     return load.kind == Load::Kind::damp_momentum && load.acts.always();
   });
 }
@@ -202,6 +218,8 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     load.c = spec.c.value_or(0.0);
     load.rate = spec.rate.value_or(0.0);
     load.phase = spec.phase.value_or(0.0);
+
+    if (spec.about) load.about_P = axis_of_damping(spec, R_BP, fmt::format("motion.torque[{}]", i));
 
     load.moments = moments;
     if (load.kind == Load::Kind::gradient && on_pivot) {
@@ -251,9 +269,11 @@ Wrench wrench_of(const std::vector<Load>& loads,
       case Load::Kind::damp_momentum:
         sum.torque_P -= load.acts.part(t) * load.c * y;
         break;
-      case Load::Kind::damp_spin:
-        sum.torque_P -= load.acts.part(t) * load.c * w_P;
+      case Load::Kind::damp_spin: {
+        const Vec3 damped = load.about_P ? Vec3(load.about_P->dot(w_P) * *load.about_P) : w_P;
+        sum.torque_P -= load.acts.part(t) * load.c * damped;
         break;
+      }
       case Load::Kind::torque: {
         const Vec3 torque = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
         sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
@@ -266,6 +286,9 @@ Wrench wrench_of(const std::vector<Load>& loads,
         sum.torque_P += strength * away_P.cross(load.moments.cwiseProduct(away_P));
         break;
       }
+      case Load::Kind::frame:
+        sum.torque_P += frame_torque(load.moments, w_P, q.conjugate() * load.vector);
+        break;
       case Load::Kind::couple:
       case Load::Kind::force:
       case Load::Kind::spring: {
@@ -297,6 +320,8 @@ double potential_scale(const std::vector<Load>& loads, const Quat& q, const Vec3
   for (const Load& load : loads) {
     if (load.kind == Load::Kind::spring) {
       sum += potential_of({load}, q, place_S);
+    } else if (load.kind == Load::Kind::frame) {
+      sum += 0.5 * load.moments.maxCoeff() * load.vector.squaredNorm();
     } else if (load.conservative()) {
       sum += load.vector.norm() * load.arm_P.norm();
     }
@@ -311,6 +336,9 @@ double potential_of(const std::vector<Load>& loads, const Quat& q, const Vec3& p
     if (load.kind == Load::Kind::spring) {
       const double stretched = (load.anchor_S - (place_S + q * load.arm_P)).norm();
       sum += 0.5 * load.k * (stretched - load.length) * (stretched - load.length);
+    } else if (load.kind == Load::Kind::frame) {
+      const Vec3 frame_P = q.conjugate() * load.vector;
+      sum -= 0.5 * frame_P.dot(load.moments.cwiseProduct(frame_P));
     } else {
       sum -= load.vector.dot(q * load.arm_P);
     }

@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "math/notation.h"
+#include "model/gimbals.h"
 #include "model/load_spec.h"
 
 namespace polhode {
@@ -39,10 +41,11 @@ struct Switching {
 
 // A load converted to principal axes P and to the reference point.
 struct Load {
-  enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring, gradient };
+  enum class Kind { torque, damp_momentum, damp_spin, couple, force, spring, gradient, frame };
   Kind kind = Kind::torque;
   bool in_body = false;        // true: `vector` is in P; false: in S
-  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), to be multiplied by cos(rate t + phase)
+  Vec3 vector = Vec3::Zero();  // torque (N m) or force (N), to be multiplied by cos(rate t +
+                               // phase); of a frame: its angular velocity, rad/s
   Vec3 arm_P = Vec3::Zero();   // lever arm from the reference point, for a couple from the opposite
                                // force to the force, m
   Vec3 at_P = Vec3::Zero();    // point of action, from the reference point, m
@@ -50,13 +53,14 @@ struct Load {
   double k = 0.0;                // stiffness, N/m
   double length = 0.0;           // length of the unstretched spring, m
   double c = 0.0;                // damping, 1/s (damp_momentum) or N m s (damp_spin)
-  Vec3 moments = Vec3::Zero();   // of a gravity gradient: the principal moments, kg m^2
+  Vec3 moments = Vec3::Zero();   // of a gravity gradient and a frame: the principal moments, kg m^2
+  std::optional<Vec3> about_P;   // of damping of spin: the only axis about which it acts, unit
   double rate = 0.0;             // rad/s
   double phase = 0.0;            // rad; 0 without a rate: then `vector` contains the cosine
   Switching acts;
 
-  // Whether the load has a potential: a spring, or a force or couple that is constant in space, and
-  // is never switched.
+  // Whether energy is conserved: of a spring, of a force or couple that is constant in space, none
+  // of them switched, and in a frame that rotates.
   bool conservative() const;
 };
 
@@ -80,7 +84,11 @@ struct Loads {
   // freedom must be integrated.
   bool need_place = false;
 
-  bool empty() const { return turning.empty() && pushes.empty(); }
+  std::optional<Gimbals> gimbals;  // rings that carry the body, unless they do nothing
+
+  bool empty() const { return !turn_body() && pushes.empty(); }
+  // Whether anything besides gravity turns the body.
+  bool turn_body() const { return !turning.empty() || gimbals; }
   // Whether no torque acts besides damping -c L; momentum_damping() is the sum of the c, in 1/s.
   bool only_damp_momentum() const;
   double momentum_damping() const;

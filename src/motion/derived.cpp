@@ -29,10 +29,15 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
   double potential = potential_of(model.loads.turning, start.q, spec.position);
   potential += model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
                               : potential_of_place(model, spec.position);
-  const double kinetic = model.on_pivot ? turning : turning + travel;
+  double kinetic = model.on_pivot ? turning : turning + travel;
+  const double turning_about_center = kinetic - travel;
+  if (model.loads.gimbals) {
+    kinetic += kinetic_energy_of_gimbals(model, start);
+    potential += frame_potential(*model.loads.gimbals, pose_of_gimbals(model, start).angles);
+  }
   list.push_back({"kinetic_energy", Q::energy, kinetic});
   list.push_back({"kinetic_energy_of_center_of_mass", Q::energy, travel});
-  list.push_back({"kinetic_energy_about_center_of_mass", Q::energy, kinetic - travel});
+  list.push_back({"kinetic_energy_about_center_of_mass", Q::energy, turning_about_center});
   list.push_back({"potential_energy", Q::energy, potential});
   list.push_back({"total_energy", Q::energy, kinetic + potential});
   list.push_back({"angular_momentum", Q::momentum, start.y.norm()});
@@ -199,7 +204,7 @@ std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpe
   const State start = start_state(model, spec);
   List list;
   add_energies(list, model, spec, start);
-  if (!model.loads.turning.empty()) return list;
+  if (model.loads.turn_body()) return list;
   if (model.chi_P.squaredNorm() > 0.0) {
     Vec3 aside = model.chi_P;
     aside[model.kind.axis] = 0.0;

@@ -31,6 +31,10 @@ const std::vector<DiagramKind>& diagram_kinds() {
        "map of the sphere of angular momentum, seen from a free body, with polhodes",
        why_not_polhodes,
        polhode_map},
+      {"satellite_map",
+       "for which moments of inertia a satellite keeps its attitude to the Earth",
+       why_not_satellite,
+       satellite_map},
   };
   return table;
 }

@@ -20,8 +20,9 @@ struct DiagramAxis {
 // A curve of a diagram, in units of its axes.
 struct DiagramCurve {
   // motion: the curve on which the motion stays; potential; energy: its level; separatrix: between
-  // motions of different kinds; other: motions with another energy
-  enum class Kind { motion, potential, energy, separatrix, other };
+  // motions of different kinds; boundary: around what is stable; other: motions with another energy,
+  // lines to go by
+  enum class Kind { motion, potential, energy, separatrix, boundary, other };
   Kind kind = Kind::other;
   std::vector<Vec2> points;
 };
@@ -73,5 +74,8 @@ std::string why_not_middle(const Motion& motion);
 Diagram middle_potential(const Motion& motion);
 std::string why_not_polhodes(const Motion& motion);
 Diagram polhode_map(const Motion& motion);
+// A satellite: the ratios of moments for which its attitude to the Earth is stable.
+std::string why_not_satellite(const Motion& motion);
+Diagram satellite_map(const Motion& motion);
 
 }  // namespace polhode

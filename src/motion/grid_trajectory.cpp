@@ -82,13 +82,15 @@ class GridTrajectory final : public Trajectory {
 }  // namespace
 
 Error too_many_steps(const StepperInfo& method, double duration, double needed, long most) {
+  const long limit = method.adaptive ? kMostSteps / 8 : kMostSteps;
   return input_error(
       "{} needs at least about {:.2g} steps for {:.4g} s, and at most {:.2g} are taken; take a "
-      "shorter or slower motion, or allow more with numerics.max_steps",
+      "shorter or slower motion{}",
       method.name,
       needed,
       duration,
-      static_cast<double>(most));
+      static_cast<double>(most),
+      most < limit ? ", or allow more with numerics.max_steps" : " or another method");
 }
 
 Integration integrate_fixed(const StepperInfo& method,

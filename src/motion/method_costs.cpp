@@ -10,7 +10,7 @@ namespace polhode {
 
 ProblemKind problem_kind(const BodyModel& model) {
   if (model.with_translation) return ProblemKind::six;
-  if (!model.loads.turning.empty()) return ProblemKind::loaded;
+  if (model.loads.turn_body()) return ProblemKind::loaded;
   if (model.chi_P.squaredNorm() == 0.0) return ProblemKind::free;
   return center_on_symmetry_axis(model) ? ProblemKind::top : ProblemKind::heavy;
 }

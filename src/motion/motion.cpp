@@ -10,6 +10,23 @@ namespace {
 
 constexpr double kStandardGravity = 9.80665;  // m/s^2, the defined standard value
 
+Gimbals make_gimbals(const GimbalsSpec& spec, const BodyModel& model, const Vec3& frame) {
+  Gimbals gimbals;
+  // for a body whose axle is z under gravity along -Z, the zxz angles of the scene
+  const Vec3 axle_B =
+      model.kind.symmetric() ? Vec3(model.R_BP.col(model.kind.axis)) : Vec3(Vec3::UnitZ());
+  gimbals.axes_P = model.R_BP.transpose() * turn_between(Vec3::UnitZ(), axle_B).toRotationMatrix();
+  gimbals.axes_S = turn_between(Vec3::UnitZ(), model.up_S).toRotationMatrix();
+  gimbals.outer = spec.outer;
+  gimbals.inner = spec.inner;
+  gimbals.friction = spec.friction;
+  if (spec.clamp) {
+    gimbals.clamp = *spec.clamp == "outer" ? Gimbals::Clamp::outer : Gimbals::Clamp::inner;
+  }
+  gimbals.frame_S = frame;
+  return gimbals;
+}
+
 }  // namespace
 
 Motion::Motion(const BodyModel& model,
@@ -78,7 +95,26 @@ Vec3 gravity_of(const MotionSpec& spec) {
 }
 
 BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
-  return make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque);
+  BodyModel model = make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque);
+  const auto refuse_free = [&](const char* key) {
+    if (model.on_pivot) return;
+    throw input_error("is for a body on a pivot; set motion.hold = \"pivot\"").at({{}, 0, key});
+  };
+  const Vec3 frame = motion.frame_rotation.value_or(Vec3::Zero());
+  if (motion.frame_rotation) refuse_free("motion.frame_rotation");
+  if (frame != Vec3::Zero()) {
+    Load turning;
+    turning.kind = Load::Kind::frame;
+    turning.vector = frame;
+    turning.moments = model.moments;
+    model.loads.turning.push_back(turning);
+  }
+  if (motion.gimbals) {
+    refuse_free("motion.gimbals");
+    const Gimbals gimbals = make_gimbals(*motion.gimbals, model, frame);
+    if (!gimbals.idle()) model.loads.gimbals = gimbals;
+  }
+  return model;
 }
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 
 #include "base/fields.h"
 #include "math/notation.h"
+#include "model/gimbals_spec.h"
 #include "model/load_spec.h"
 
 namespace polhode {
@@ -56,6 +57,11 @@ struct MotionSpec {
   Vec3 position = Vec3::Zero();  // of the centre of mass at t = 0, in S, m; free bodies only
   Vec3 velocity = Vec3::Zero();  // of the centre of mass at t = 0, in S, m/s; free bodies only
   std::vector<LoadSpec> torque;  // torques and forces besides gravity
+  // Angular velocity of space, such as that of the Earth or of a turntable, rad/s in S; absent:
+  // space does not turn. Pivot only; all rates and momenta are relative to S.
+  std::optional<Vec3> frame_rotation;
+  std::optional<GimbalsSpec>
+      gimbals;  // rings that carry the body; absent: nothing does. Pivot only
   std::optional<EnsembleSpec> ensemble;
 };
 
@@ -164,6 +170,12 @@ void fields(Visitor& v, MotionSpec& s) {
           s.velocity,
           Doc{"velocity of the centre of mass at the start; free bodies only", Unit::velocity});
   v.field("torque", s.torque, Doc{"torques and forces that act besides gravity"});
+  v.field("frame_rotation",
+          s.frame_rotation,
+          Doc{"angular velocity at which space itself turns, such as that of the Earth or of a "
+              "turntable, in space axes; pivot only",
+              Unit::angular_velocity});
+  v.field("gimbals", s.gimbals, Doc{"inertia and friction of the rings that carry the body"});
   v.field("ensemble", s.ensemble, Doc{"motions that begin near this one"});
 }
 

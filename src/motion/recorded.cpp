@@ -63,19 +63,42 @@ const std::vector<Recorded>& recorded_quantities() {
          const double tilt = angle_between(axis_S(motion, now), motion.model().up_S);
          return std::vector<double>{tilt * 180.0 / kPi};
        }},
+      {"azimuth",
+       "azimuth of the axis",
+       "°",
+       {"φ"},
+       [](const Motion& motion, const Sample& now) {
+         // about the vertical, from X; for a vertical that is not Z, from where turning Z there
+         // takes X
+         const Quat upright = turn_between(motion.model().up_S, Vec3::UnitZ());
+         const Vec3 axis = upright * axis_S(motion, now);
+         return std::vector<double>{std::atan2(axis.y(), axis.x()) / kDegree};
+       },
+       360.0},
       {"euler_angles",
        "zxz angles",
        "°",
        {"φ", "θ", "ψ"},
        [](const Motion&, const Sample& now) {
          const Vec3 angles = zxz_angles(now.q_SB);
-         const auto within_a_turn = [](double angle) {
-           return std::remainder(angle, 2.0 * kPi) / kDegree;
+         // while the axis is upright, phi and psi are any two with the same sum or difference
+         const bool upright = std::sin(angles[1]) < 1e-9;
+         const auto within_a_turn = [&](double angle) {
+           return upright ? NAN : std::remainder(angle, 2.0 * kPi) / kDegree;
          };
          return std::vector<double>{
              within_a_turn(angles[0]), angles[1] / kDegree, within_a_turn(angles[2])};
        },
        360.0},
+      {"euler_rates",
+       "rates of the zxz angles",
+       "rad/s",
+       {"φ′", "θ′", "ψ′"},
+       [](const Motion& motion, const Sample& now) {
+         if (!motion.model().loads.gimbals)
+           return parts(zxz_rates_from_body_rate(zxz_angles(now.q_SB), now.w_B));
+         return parts(pose_of_gimbals(motion.model(), motion.state_at(now.t)).rates);
+       }},
       {"energy",
        "energy",
        "J",
@@ -84,7 +107,8 @@ const std::vector<Recorded>& recorded_quantities() {
          const double turning = 0.5 * now.w_S.dot(now.L_S);
          const double moving =
              0.5 * motion.model().body.mass * now.reference_velocity_S.squaredNorm();
-         const double kinetic = turning + moving;
+         const double rings = kinetic_energy_of_gimbals(motion.model(), motion.state_at(now.t));
+         const double kinetic = turning + moving + rings;
          return std::vector<double>{now.energy, kinetic, now.energy - kinetic};
        }},
       {"drift",

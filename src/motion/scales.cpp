@@ -21,6 +21,7 @@ double driven_rate(const BodyModel& model, const Load& load) {
     const double apart = model.moments.maxCoeff() - model.moments.minCoeff();
     return std::abs(load.rate) * std::sqrt(3.0 * apart / least);
   }
+  if (load.kind == Load::Kind::frame) return load.vector.norm();
   return std::sqrt(torque / least) +
          std::sqrt(load.k * (1.0 / model.body.mass + arm * arm / least));
 }
@@ -42,6 +43,7 @@ double typical_rate(const BodyModel& model, const State& start) {
   double rate = angular_velocity(model, start.y).norm() + std::sqrt(model.chi_P.norm() / least);
   for (const Load& load : model.loads.turning)
     rate += rate_of(model, load);
+  if (model.loads.gimbals) rate += model.loads.gimbals->friction.maxCoeff() / least;
   if (!model.with_translation) return rate;
   // forces through the centre of mass turn nothing, but move it
   const double size = std::sqrt(model.moments.maxCoeff() / model.body.mass);

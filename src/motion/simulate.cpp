@@ -252,11 +252,13 @@ void doubt_given_fineness(const BodyModel& model,
     const double order = method.adaptive ? 2.0 : 1.0 / (1.0 - std::pow(kFinerStep, method.order));
     report.error_estimate_rad = apart * order;
     if (apart * order <= report.accuracy_rad) return;
-    doubts.push_back(
-        fmt::format("{} moves the attitude by up to {:.2g} rad, and the scene allows {:.2g}",
-                    against,
-                    apart,
-                    report.accuracy_rad));
+    doubts.push_back(fmt::format(
+        "{} moves the attitude by up to {:.2g} rad, so that the error may be {:.2g} rad, "
+        "and the scene allows {:.2g}",
+        against,
+        apart,
+        apart * order,
+        report.accuracy_rad));
   } catch (const Error& error) {
     if (error.fault() == Fault::interrupted) throw;
     doubts.push_back(fmt::format("it could not be held against {}: {}", against, error.message()));

@@ -39,7 +39,7 @@ std::string why_not_asymmetric(const BodyModel& model) {
 
 std::string why_not_heavy_symmetric(const BodyModel& model) {
   if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
-  if (!model.loads.turning.empty()) return "other torques than that of gravity act";
+  if (model.loads.turn_body()) return "other torques than that of gravity act";
   if (model.kind.shape == TopKind::Shape::spherical) return {};
   if (!model.kind.symmetric()) return "no two moments are equal (" + model.kind.name() + ")";
   if (center_on_symmetry_axis(model)) return {};
@@ -48,7 +48,7 @@ std::string why_not_heavy_symmetric(const BodyModel& model) {
 
 std::string why_not_splitting(const BodyModel& model) {
   if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
-  if (!model.loads.turning.empty()) return "other torques than that of gravity act";
+  if (model.loads.turn_body()) return "other torques than that of gravity act";
   return {};
 }
 
@@ -109,7 +109,7 @@ std::string reason_for(const SolutionMethod& row, const BodyModel& model) {
   }
   if (row.with_translation) return why_not_ode(model) + ": six degrees of freedom";
   const bool vowel = kind.front() == 'a' || kind.front() == 'o';
-  const bool loaded = !model.loads.turning.empty();
+  const bool loaded = model.loads.turn_body();
   return fmt::format("no closed form in this version for {} {} body {}{}",
                      vowel ? "an" : "a",
                      kind,

@@ -60,10 +60,15 @@ Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat&
         .at({{}, 0, "motion.spin.steady"});
   }
   const Vec3 up_P = up_in_body(model, q);
-  const double level = up_P.dot(top.axis_P);
+  const double rounded = up_P.dot(top.axis_P);
+  const double level = std::abs(rounded) < 1e-12 ? 0.0 : rounded;
   const double L3 = top.along * *spin.axial;
   const double under_root = L3 * L3 - 4.0 * top.across * top.mgl * level;
-  if (under_root < 0.0 || L3 == 0.0) {
+  if (L3 == 0.0 && level == 0.0) {
+    throw input_error("must not be 0: a level axis without spin falls")
+        .at({{}, 0, "motion.spin.axial"});
+  }
+  if (under_root < 0.0) {
     // rounded up, so that what is printed is enough
     const double least = 2.0 * std::sqrt(top.across * top.mgl * std::max(level, 0.0)) / top.along;
     throw input_error("at this tilt no precession is steady below {:.6g} rad/s",
@@ -74,7 +79,7 @@ Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat&
   const double sum = L3 + std::copysign(std::sqrt(under_root), L3);
   double precession = 2.0 * top.mgl / sum;
   if (*spin.steady == "fast") {
-    if (std::abs(level) < 1e-12) {
+    if (level == 0.0) {
       throw input_error("a level axis has no fast steady precession; use \"slow\"")
           .at({{}, 0, "motion.spin.steady"});
     }
@@ -130,6 +135,40 @@ Vec3 start_angles(const AttitudeSpec& spec, const Quat& q_SB) {
   return spec.zxz.value_or(zxz_angles(q_SB));
 }
 
+// Sets where the outer ring is and how it turns, and refuses what the gimbals cannot begin with.
+void set_ring(const BodyModel& model, const MotionSpec& spec, State& start) {
+  if (!model.loads.gimbals) return;
+  if (spec.spin.steady || spec.spin.sleeping) {
+    throw input_error("is for a top without motion.gimbals; give spin.rates")
+        .at({{}, 0, spec.spin.steady ? "motion.spin.steady" : "motion.spin.sleeping"});
+  }
+  const Gimbals& gimbals = *model.loads.gimbals;
+  const Vec3 axle_S = start.q * gimbals.axes_P.col(2);
+  const Vec3 up_S = gimbals.axes_S.col(2);
+  constexpr double kLeastTilt = 1e-3;  // rad
+  if (spec.spin.rates && spec.attitude.zxz) {
+    start.ring_angle = (*spec.attitude.zxz)[0];
+    start.ring_rate = (*spec.spin.rates)[0];
+  } else if (up_S.cross(axle_S).norm() < kLeastTilt) {
+    throw input_error(
+        "the axle is along the axis of the outer ring (gimbal lock), so that this does not say "
+        "where the rings are; give attitude.zxz and spin.rates, or tilt the axle by 0.001 rad")
+        .at({{}, 0, "motion.attitude"});
+  }
+  const GimbalPose pose = pose_of_gimbals(model, start);
+  start.ring_angle = pose.angles[0];
+  start.ring_rate = pose.rates[0];
+  const double kept = gimbals.clamp == Gimbals::Clamp::inner   ? pose.rates[1]
+                      : gimbals.clamp == Gimbals::Clamp::outer ? pose.rates[0]
+                                                               : 0.0;
+  if (std::abs(kept) > 1e-9 * pose.rates.norm()) {
+    throw input_error("turns the {} ring at {:.6g} rad/s, which motion.gimbals.clamp holds",
+                      *spec.gimbals->clamp,
+                      kept)
+        .at({{}, 0, "motion.spin"});
+  }
+}
+
 }  // namespace
 
 State start_state(const BodyModel& model, const MotionSpec& spec) {
@@ -143,6 +182,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
   if (spec.spin.momentum_body) {
     start.y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, start.y);
+    set_ring(model, spec, start);
     return start;
   }
 
@@ -159,6 +199,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
     throw input_error("is for steady = \"slow\" or \"fast\"").at({{}, 0, "motion.spin.axial"});
   refuse_spin_about_line(model, w_P);
   start.y = model.moments.cwiseProduct(w_P);
+  set_ring(model, spec, start);
   return start;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 // "" or what the method cannot do with the model
 std::string obstacle(const StepperInfo& method, const BodyModel& model) {
-  if (!method.takes_loads && (model.with_translation || !model.loads.turning.empty()))
+  if (!method.takes_loads && (model.with_translation || model.loads.turn_body()))
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
     return method.name + " takes free bodies only, and gravity turns this one about its pivot";

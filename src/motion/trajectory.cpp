@@ -33,6 +33,7 @@ DriftWatch::DriftWatch(const BodyModel& model, const State& start)
       momentum_(conserved_momentum(model, start)),
       energy_scale_(or_one(0.5 * start.y.dot(angular_velocity(model, start.y)) +
                            model.chi_P.norm() + energy_of_place(model, start) +
+                           kinetic_energy_of_gimbals(model, start) +
                            potential_scale(model.loads.turning, start.q, start.place_S))),
       momentum_scale_(or_one(
           std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {

@@ -159,6 +159,28 @@ std::vector<Asked> panels_of(const FilmFile& film,
   return panels;
 }
 
+// What all panels share cannot be changed in one of them.
+void refuse_shared(const Changes& changes, bool same_cameras) {
+  constexpr std::array<const char*, 8> kShared = {"video",
+                                                  "story",
+                                                  "show.clock",
+                                                  "show.title",
+                                                  "show.text_size",
+                                                  "show.plots",
+                                                  "format",
+                                                  "title"};
+  const auto refuse = [](const Change& change, const char* how) {
+    throw input_error("'{}' is one for the whole film: {}", change.path, how).at(change.place);
+  };
+  for (const Change& change : changes) {
+    for (const char* shared : kShared) {
+      if (is_within(change.path, shared)) refuse(change, "set it beside the panels");
+    }
+    if (same_cameras && is_within(change.path, "camera"))
+      refuse(change, "set it beside the panels, or set cameras = \"own\"");
+  }
+}
+
 // what a panel cannot have
 void check_panel(const Scene& scene) {
   const auto refuse_at = [&](const char* key, const Error& error) {
@@ -217,6 +239,7 @@ Scene load_film(toml::table tree,
   std::vector<ScenePanel> panels;
   double longest = 0.0;
   for (Asked& asked : panels_of(film, tree, file.string())) {
+    refuse_shared(asked.changes, film.cameras == "same");
     // values of the film, of the panel, and of the command line
     Changes changes = common;
     changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());

@@ -78,6 +78,12 @@ constexpr OtherWord kOtherWords[] = {
     {"drag", "motion.torque = [{ kind = \"damping\", c = ... }]"},
     {"spring", "motion.torque = [{ kind = \"spring\", k = ... }]"},
     {"force", "motion.torque = [{ kind = \"force\", space = [x, y, z] }]"},
+    {"bearing",
+     "motion.gimbals.friction, or motion.torque = [{ kind = \"damping\", about = ... }]"},
+    {"rings", "motion.gimbals"},
+    {"earth_rotation", "motion.frame_rotation"},
+    {"rotating_frame", "motion.frame_rotation"},
+    {"coriolis", "motion.frame_rotation"},
     {"angle", "motion.attitude = { tilt_deg = 30 }"},
     {"angles", "motion.attitude = { zxz_deg = [phi, theta, psi] }"},
     {"orientation", "motion.attitude"},
@@ -116,13 +122,18 @@ void refuse_unknown(const Place& place,
   const std::string near = nearest_name(name, keys.all_spellings());
   const std::vector<std::string> elsewhere = tables_with(name, root);
   const std::string other_units = units_instead(name, keys);
+  const std::string instead = instead_of(name);
   std::string message = "unknown key";
   if (!elsewhere.empty()) {
     message += fmt::format(" here; '{}' is a key of {}", name, fmt::join(elsewhere, " and "));
-    if (!near.empty()) message += fmt::format(" (or did you mean '{}'?)", near);
+    if (!instead.empty()) {
+      message += fmt::format(" (here it is {})", instead);
+    } else if (!near.empty()) {
+      message += fmt::format(" (or did you mean '{}'?)", near);
+    }
   } else if (!other_units.empty()) {
     message += other_units;
-  } else if (const std::string instead = instead_of(name); !instead.empty()) {
+  } else if (!instead.empty()) {
     message += fmt::format(" (here it is {})", instead);
   } else if (!near.empty()) {
     message += fmt::format(" (did you mean '{}'?)", near);

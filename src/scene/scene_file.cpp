@@ -43,7 +43,8 @@ Scene load_scene(const std::filesystem::path& file,
   for (const Setting& setting : settings)
     changes.push_back(change_of(setting));
   for (const auto& number : numbers) {
-    changes.push_back({number.first, {}, [number](toml::table& of) {
+    const Place place{{}, 0, fmt::format("{} = {:g}", number.first, number.second)};
+    changes.push_back({number.first, place, [number](toml::table& of) {
                          replace_number(of, number.first, number.second);
                        }});
   }

@@ -14,7 +14,8 @@ PlotSheet sheet() {
   sheet.across = {"x, m", -1.0, 1.0};
   sheet.up = {"y, J"};
   sheet.curves = {{"first, one", "#D55E00", 2.0, {{-1.0, 0.5}, {0.0, NAN}, {1.0, 1.0 / 3.0}}},
-                  {"", "#A0A0A0", 1.0, {{0.0, 0.0}, {1.0, 1.0}}}};
+                  {"", "#A0A0A0", 1.0, {{0.0, 0.0}, {1.0, 1.0}}},
+                  {"first, one", "#D55E00", 2.0, {{2.0, 3.0}}}};
   sheet.marks = {{"rest", Vec2(0.25, 0.5), false}};
   return sheet;
 }
@@ -24,7 +25,7 @@ TEST(PlotSheet, ATableHasEveryPoint) {
             "curve,x,y\n"
             "\"first, one\",-1,0.5\n\"first, one\",0,nan\n"
             "\"first, one\",1,0.33333333333333331\n"
-            "other 1,0,0\nother 1,1,1\n"
+            "other 1,0,0\nother 1,1,1\n\"first, one 2\",2,3\n"
             "rest,0.25,0.5\n");
 }
 

@@ -157,6 +157,7 @@ const BadCall kBadCalls[] = {
     {"manual -o SCENE", 2, "scene.toml"},
     {"completion fish", 2, "did you mean 'bash'?"},
     {"simulate SCENE -o DIR/a.csv --rate -5", 2, "--rate"},
+    {"simulate SCENE -o DIR/a.csv --rate 1e8", 2, "1e+08 a second, are too many"},
     {"simulate SCENE -o DIR/a.csv --method explicit_euler --accuracy 1e-9", 2, "accuracy"},
     {"simulate SCENE -o DIR", 2, "folder"},
     {"simulate SCENE -o SCENE", 2, "the ending of scene files"},
@@ -274,6 +275,7 @@ TEST(BadInput, ACameraThatSeesNothingIsWarnedOf) {
   } cases[] = {{"eye = [5, 0, 0]\ntarget = [10, 0, 0]", "does not see"},
                {"eye = [0.05, 0, 0]", "comes within 0.05 m"},
                {"eye = [1e5, 0, 0]", "never as large as a pixel"},
+               {"zoom = 1\n[show]\ntrail_points = [[0, 0, 1e5]]", "never as large as a pixel"},
                {"eye = [2, 0, 0]", ""},
                {"target = [0, 0, 0.1]", ""}};
   for (const auto& one : cases) {

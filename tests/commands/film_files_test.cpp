@@ -100,6 +100,17 @@ TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
   run(fmt::format("render {} -o a.mp4 --report {}", at("film.toml"), at("scene.toml")), 2);
 }
 
+// a deck that asks for one motion of several, or for a loop of them
+TEST_F(SeveralScenes, AreNoNumbersAndNoLoopOfADeck) {
+  for (const char* what : {".inspect", ".loop"}) {
+    write_text(folder_ / "deck.md", fmt::format("# One\n\n![a](film.toml){{{}}}\n", what));
+    const Ran ran = run_polhode(
+        fmt::format("lecture {} -o {} --to html --size 64x36", at("deck.md"), at("out")));
+    EXPECT_EQ(ran.code, 2) << what << ran.err;
+    EXPECT_NE(ran.err.find("film.toml: is a film of 2 scenes"), std::string::npos) << ran.err;
+  }
+}
+
 TEST_F(SeveralScenes, WhatCannotBeReadIsToldOrRefused) {
   write_text(folder_ / "small.toml",
              "[[panel]]\nscene = \"scene.toml\"\n[[panel]]\nscene = \"scene.toml\"\n"

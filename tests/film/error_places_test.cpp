@@ -37,6 +37,16 @@ TEST(Placed, AValueOfTheCommandLineIsNamedByItsOption) {
             Fault::check_failed);
 }
 
+// a body or motion that was changed there may be what is wrong
+TEST(Placed, SettingsOfTheMechanicsAreNamedBesideAnotherKey) {
+  Scene scene = test::small_scene();
+  scene.options["body.solid.mass"].key = "--set body.solid.mass";
+  scene.options["video.size"].key = "--set video.size";
+  EXPECT_STREQ(placed(scene, about("motion.duration")).what(),
+               "scene.toml:6: motion.duration: is wrong (with --set body.solid.mass)");
+  EXPECT_STREQ(placed(scene, about("camera.fov")).what(), "scene.toml: camera.fov: is wrong");
+}
+
 TEST(Placed, ErrorsThatKnowTheirFileOrNoKeyStayAsTheyAre) {
   const Scene scene = test::small_scene();
   EXPECT_STREQ(placed(scene, input_error("no GL")).what(), "no GL");

@@ -159,6 +159,49 @@ TEST(SceneNumbers, TheGyroscopeInGimbalsGoesRoundSteadily) {
   }
 }
 
+// the axle swings about north (X) with the period of the comment in the scene, and comes to rest
+// there
+TEST(SceneNumbers, TheGyrocompassFindsNorth) {
+  const Solved solved = solved_scene("gyrocompass");
+  const Motion& motion = solved.simulation.motion;
+  const auto azimuth = [&](double t) {
+    const Vec3 axle = motion.at(t).q_SB * Vec3::UnitZ();
+    EXPECT_LT(std::abs(axle.z()), 1e-9) << t;
+    return std::atan2(axle.y(), axle.x());
+  };
+  EXPECT_NEAR(azimuth(0.0), 110 * kPi / 180, 1e-12);
+  std::vector<double> crossings;
+  for (double t = 5.0; t < 10.0; t += 1e-3) {
+    const double before = azimuth(t - 1e-3), now = azimuth(t);
+    if (before < 0.0 && now >= 0.0) crossings.push_back(t - 1e-3 * now / (now - before));
+  }
+  ASSERT_GE(crossings.size(), 4U);
+  const Vec3 I = solved.model.moments;
+  const double pull = I.z() * (60.0 - 0.5142 * std::cos(70 * kPi / 180)) * 0.5142;
+  const double period = 2.0 * kPi * std::sqrt((I.x() + 3e-4) / pull);
+  EXPECT_NEAR(crossings.back() - crossings[crossings.size() - 2], period, 0.02 * period);
+  EXPECT_NEAR(period, 1.04, 0.005);
+  double widest = 0.0;
+  for (double t = 8.8; t < 10.0; t += 0.01)
+    widest = std::max(widest, std::abs(azimuth(t)));
+  EXPECT_LT(widest, 10 * kPi / 180);
+}
+
+TEST(SceneNumbers, TheAxlePassesGimbalLock) {
+  const Solved solved = solved_scene("gimbal_lock");
+  const Motion& motion = solved.simulation.motion;
+  double least = 1.0;
+  int passed = 0;
+  for (double t = 0.01; t <= 6.0; t += 0.01) {
+    const double before = pose_of_gimbals(solved.model, motion.state_at(t - 0.01)).angles[1];
+    const double now = pose_of_gimbals(solved.model, motion.state_at(t)).angles[1];
+    passed += before * now < 0.0 ? 1 : 0;
+    least = std::min(least, std::abs(now));
+  }
+  EXPECT_EQ(passed, 4);
+  EXPECT_LT(std::abs(drift_at(motion, 6.0).energy.value()), 1e-6);
+}
+
 TEST(SceneNumbers, OneTopSleepsAndTheOtherFalls) {
   const Solved sleeping = solved_scene("sleeping_top");
   EXPECT_NEAR(number_of(sleeping, "sleeping_top_stability_ratio"), 1.79, 0.005);

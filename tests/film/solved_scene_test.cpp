@@ -51,6 +51,12 @@ TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfTheTruth) {
   EXPECT_FALSE(report.tolerance);
 }
 
+TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfItsEnsemble) {
+  Scene scene = small_scene("[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n");
+  scene.motion.ensemble = EnsembleSpec{3, 0.1, 0.0};
+  EXPECT_EQ(solve(scene).ensemble.size(), 3U);
+}
+
 TEST(SolvedScene, DoubtsAreLoggedWithTheLineOfTheMethod) {
   const Scene scene = small_scene("[numerics]\nmethod = \"explicit_euler\"\nstep = 0.1\n");
   const std::string said = test::logged_by(

@@ -95,6 +95,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"precession_cone", {.cones = 1}},
                                                {"pivot", {.meshes = 1}},
                                                {"gimbals", {.meshes = 3, .rods = 3}},
+                                               {"frame_rotation", {.arrows = 1}},
                                                {"ensemble", {.meshes = 2, .ghosts = 2}},
                                                {"forces", {.arrows = 3, .meshes = 1}},
                                                {"velocity_field", {.arrows = 48}},
@@ -120,10 +121,10 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
     const bool heavy = name == "precession_cone" || name == "pivot" || name == "gimbals" ||
-                       name == "gravity" || name == "torque" || name == "ghosts";
-    const MotionSpec motion = heavy              ? spinning_on_pivot()
-                              : name == "forces" ? pulled()
-                                                 : wobbling();
+                       name == "gravity" || name == "torque" || name == "ghosts" ||
+                       name == "frame_rotation";
+    MotionSpec motion = heavy ? spinning_on_pivot() : name == "forces" ? pulled() : wobbling();
+    if (name == "frame_rotation") motion.frame_rotation = Vec3(0.0, 0.1, 0.2);
     const BodySpec body = heavy ? cone_body() : prolate_body();
     Shared shared;
     if (name == "ensemble")

@@ -67,5 +67,13 @@ TEST(Timeline, AStepBehindTheEndIsRefused) {
                      "within the motion");
 }
 
+TEST(Timeline, AStepCannotShowAndHideOneThing) {
+  StoryStep step;
+  step.show = {"trail", "omega"};
+  step.hide = {"omega"};
+  test::expect_input_error(
+      [&] { Timeline({step}, 1.0, 1.0); }, "story[0].hide", "'omega' is shown and hidden at once");
+}
+
 }  // namespace
 }  // namespace polhode

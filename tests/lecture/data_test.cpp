@@ -74,7 +74,13 @@ TEST_F(DataOfALecture, TheManifestTellsHowToMakeItAgain) {
   EXPECT_EQ(json.at("deck"), "source/talk.md");
   EXPECT_EQ(json.at("deck_hash"), content_hash("# The deck\n"));
   EXPECT_EQ(json.at("rebuild"),
-            "cd data/source && polhode lecture 'talk.md' -o ../../again --to html,data");
+            "cd data/source && polhode lecture talk.md -o ../../again --to html,data");
+  data_.settings.size = "320x180";
+  data_.settings.quality = "draft";
+  EXPECT_EQ(
+      manifest().at("rebuild"),
+      "cd data/source && polhode lecture talk.md -o ../../again --to html,data --size 320x180 "
+      "--quality draft");
   EXPECT_EQ(json.at("scenes").at(0).at("scene"), "source/in/top.toml");
   EXPECT_EQ(json.at("scenes").at(0).at("title"), "test");
   EXPECT_EQ(json.at("scenes").at(0).at("scene_hash"), data_.scenes[0].scene->hash);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "math/so3.h"
@@ -102,6 +103,97 @@ TEST(Diagrams, TheTiltTurnsWhereThePotentialIsTheEnergy) {
       }
     }
   }
+}
+
+// The moments of a satellite of ratios (yaw, roll); pitch, roll and yaw are z, y and x.
+Vec3 moments_of(double yaw, double roll) {
+  return Vec3((1.0 - roll), (1.0 - yaw), 1.0 - yaw * roll) / (1.0 - yaw * roll);
+}
+
+// how fast a small disturbance grows in one orbit: the largest eigenvalue of the map from turn and
+// rate before it to turn and rate after it
+double growth_in_an_orbit(const Vec3& moments) {
+  BodySpec body;
+  body.moments = moments;
+  MotionSpec spec;
+  spec.duration = 2.0 * kPi;
+  LoadSpec gradient;
+  gradient.kind = "gravity_gradient";
+  gradient.rate = 1.0;
+  spec.torque = {gradient};
+  const double size = 1e-5;
+  const auto after = [&](const Vec3& turn, const Vec3& rate) {
+    const Quat q = exp_rotation(turn);
+    MotionSpec disturbed = spec;
+    disturbed.attitude.quaternion = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+    // in the orbit's frame, which turns about Z
+    disturbed.spin.space = Vec3::UnitZ() + rate;
+    const Sample end =
+        simulate(make_model(body, disturbed), disturbed, {}, 1e-10).motion.at(spec.duration);
+    Eigen::Matrix<double, 6, 1> found;
+    found << std::copysign(2.0, end.q_SB.w()) * end.q_SB.vec(), end.w_S - Vec3::UnitZ();
+    return found;
+  };
+  Eigen::Matrix<double, 6, 6> map;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 step = size * Vec3::Unit(i);
+    map.col(i) = (after(step, Vec3::Zero()) - after(-step, Vec3::Zero())) / (2.0 * size);
+    map.col(3 + i) = (after(Vec3::Zero(), step) - after(Vec3::Zero(), -step)) / (2.0 * size);
+  }
+  return map.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+bool is_within(const std::vector<Vec2>& outline, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i - 1], &b = outline[i];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    const double x = a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y());
+    if (point.x() < x) inside = !inside;
+  }
+  return inside;
+}
+
+// Floquet multipliers of the motion itself say where its attitude is stable
+TEST(Diagrams, ASatelliteIsStableWithinTheBoundary) {
+  MotionSpec spec;
+  spec.duration = 10.0;
+  LoadSpec gradient;
+  gradient.kind = "gravity_gradient";
+  gradient.rate = 1.0;
+  spec.torque = {gradient};
+  int stable = 0, unstable = 0;
+  for (const Vec2& at : {Vec2(0.3, 0.6),
+                         Vec2(0.1, 0.9),
+                         Vec2(0.7, 0.8),
+                         Vec2(0.6, 0.5),
+                         Vec2(0.5, 0.2),
+                         Vec2(-0.5, -0.05),
+                         Vec2(-0.9, -0.03),
+                         Vec2(-0.15, -0.1),
+                         Vec2(-0.5, -0.12),
+                         Vec2(-0.9, -0.08),
+                         Vec2(-0.3, -0.2),
+                         Vec2(-0.3, -0.6),
+                         Vec2(-0.4, 0.5),
+                         Vec2(0.4, -0.5),
+                         Vec2(-0.8, 0.05)}) {
+    SCOPED_TRACE(testing::Message() << "yaw " << at.x() << ", roll " << at.y());
+    BodySpec body;
+    body.moments = moments_of(at.x(), at.y());
+    const Motion motion = test::moving(body, spec);
+    const Diagram diagram = find_diagram("satellite_map")->make(motion);
+    expect_within(diagram, motion);
+    EXPECT_LT((diagram.now(0.0) - at).norm(), 1e-12);
+    bool inside = false;
+    for (const DiagramCurve& curve : diagram.curves)
+      inside = inside || (curve.kind == Kind::boundary && is_within(curve.points, at));
+    const double growth = growth_in_an_orbit(*body.moments);
+    EXPECT_EQ(growth < 1.001, inside) << growth;
+    ++(inside ? stable : unstable);
+  }
+  EXPECT_EQ(stable, 6);
+  EXPECT_EQ(unstable, 9);
 }
 
 TEST(Diagrams, APhasePortraitHoldsItsMotion) {

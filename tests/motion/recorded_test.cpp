@@ -66,6 +66,28 @@ TEST(Recorded, AnglesAreInDegrees) {
   }
 }
 
+// upright, phi and psi have no values of their own
+TEST(Recorded, AnglesOfAnUprightAxisAreNone) {
+  MotionSpec upright = wobbling();
+  upright.attitude.zxz = Vec3(0.3, 0.0, 0.2);
+  const std::vector<double> angles = recorded("euler_angles", moving(prolate_body(), upright), 0.0);
+  EXPECT_TRUE(std::isnan(angles.at(0)));
+  EXPECT_EQ(angles.at(1), 0.0);
+  EXPECT_TRUE(std::isnan(angles.at(2)));
+}
+
+TEST(Recorded, RatesAreThoseOfTheAngles) {
+  const Motion motion = moving(prolate_body(), wobbling());
+  const double t = 1.3, h = 1e-5;
+  const Vec3 change = vector(recorded("euler_angles", motion, t + h)) -
+                      vector(recorded("euler_angles", motion, t - h));
+  const Vec3 rates = vector(recorded("euler_rates", motion, t));
+  EXPECT_LE((change * kPi / 180.0 / (2.0 * h) - rates).norm(), 1e-7);
+  const double turned =
+      recorded("azimuth", motion, t + h).at(0) - recorded("azimuth", motion, t - h).at(0);
+  EXPECT_NEAR(turned, change[0], 1e-8) << "the axis goes round with phi";
+}
+
 TEST(Recorded, EnergyIsKineticAndPotential) {
   const Motion top = moving(cone_body(), spinning_on_pivot());
   const double m = 0.1, g = gravity_of(spinning_on_pivot()).norm(),

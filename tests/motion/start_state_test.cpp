@@ -89,6 +89,23 @@ TEST(StartWords, BelowItsThresholdNoPrecessionIsSteady) {
   EXPECT_NO_THROW(start_state(model, spec));
 }
 
+// a pendulum that goes round without spin; a level axis falls without it
+TEST(StartWords, WithoutSpinAHangingTopGoesRound) {
+  MotionSpec spec = on_pivot(2.0);
+  spec.spin.steady = "slow";
+  spec.spin.axial = 0.0;
+  const BodyModel model = make_model(cone(), spec);
+  const Motion motion = simulate(model, spec, {}, 1e-9).motion;
+  for (const double t : {0.0, 0.37, 20.0})
+    EXPECT_NEAR((motion.at(t).q_SB * Vec3::UnitZ()).z(), std::cos(2.0), 2e-9) << t;
+  EXPECT_GT(motion.at(0.0).w_S.norm(), 1.0);
+  spec.attitude.tilt = 0.5 * kPi;
+  test::expect_input_error(
+      [&] { start_state(model, spec); }, "motion.spin.axial", "a level axis without spin falls");
+  spec.attitude.tilt = 1.0;
+  test::expect_input_error([&] { start_state(model, spec); }, "motion.spin.axial", "below ");
+}
+
 TEST(StartWords, ASleepingTopStandsUpright) {
   MotionSpec spec = on_pivot(0.0);
   spec.spin.sleeping = 190.0;

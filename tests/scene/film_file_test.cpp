@@ -125,6 +125,16 @@ TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
   EXPECT_NE(
       why(kTwo + "[numerics]\ncompare = [\"rk4\", \"dmv2\"]\n").find("numerics.compare: a panel"),
       std::string::npos);
+  // what all panels share cannot differ in one
+  EXPECT_NE(
+      why(kTwo + "set = { \"video.fps\" = 10 }\n").find("'video.fps' is one for the whole film"),
+      std::string::npos);
+  EXPECT_NE(
+      why("[sweep]\nscene = \"a.toml\"\nkey = \"video.theme\"\nvalues = [\"dark\", \"light\"]\n")
+          .find("film.toml:4: sweep.values[0]: 'video.theme' is one for the whole film"),
+      std::string::npos);
+  EXPECT_NE(why(kTwo + "set = { \"camera.fov_deg\" = 20 }\n").find("or set cameras = \"own\""),
+            std::string::npos);
   std::string many;
   for (int i = 0; i < 10; ++i)
     many += "[[panel]]\nscene = \"a.toml\"\n";

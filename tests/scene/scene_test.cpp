@@ -129,11 +129,11 @@ TEST_F(SceneNumbers, WrongPathsAreRefused) {
     };
   };
   for (const char* path : {"motion.spin.body[7]", "motion.spin", "video.size[0]", "motion.spin[0]"})
-    expect_input_error(with(path), "", "no number at");
+    expect_input_error(with(path), std::string(path) + " = 1", "no number at");
   for (const char* path : {"motion.spin.body[", "motion..spin", "motion.spin.body[x]", ""})
-    expect_input_error(with(path), "", "not a key");
-  expect_input_error(with("motion.durration"), "motion.durration", "did you mean 'duration'?");
-  expect_input_error(with("motion.duration", -1.0), "motion.duration", "greater than 0");
+    expect_input_error(with(path), std::string(path) + " = 1", "not a key");
+  expect_input_error(with("motion.durration"), "motion.durration = 1", "did you mean 'duration'?");
+  expect_input_error(with("motion.duration", -1.0), "motion.duration = -1", "greater than 0");
 }
 
 class SceneSettings : public SceneNumbers {

@@ -2,12 +2,15 @@
 #include "app/commands/new_scene.h"
 
 #include <algorithm>
+#include <utility>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/at_place.h"
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/one_line.h"
+#include "base/shell_word.h"
 #include "base/system/atomic_file.h"
 
 namespace polhode {
@@ -29,11 +32,12 @@ const std::vector<NewKind>& new_kinds() {
 
 namespace {
 
+[[noreturn]] void refuse(const std::string& why) {
+  throw input_error("{}; give another name or folder with -o", why).at({{}, 0, "--output"});
+}
+
 // what polhode would not take up again under that name
 void refuse_name(const NewKind& kind, const std::filesystem::path& first) {
-  const auto refuse = [](const std::string& why) {
-    throw input_error("{}; give another name", why).at({{}, 0, "--output"});
-  };
   const std::filesystem::path usual = kind.files.front();
   if (first.extension() != usual.extension())
     refuse(fmt::format("the name of a {} ends in {}", kind.name, usual.extension().string()));
@@ -57,25 +61,36 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
   }
   const std::filesystem::path first = output.empty() ? found->files.front() : output;
   refuse_name(*found, first);
-  std::string written, kept;
-  for (std::size_t i = 0; i < found->files.size(); ++i) {
-    const std::filesystem::path file = i == 0 ? first : first.parent_path() / found->files[i];
+  std::vector<std::pair<std::filesystem::path, std::string>> missing;  // files and their templates
+  std::string kept;
+  for (const std::string name : found->files) {
+    const bool is_first = name == found->files[0];
+    const std::filesystem::path file = is_first ? first : first.parent_path() / name;
     std::error_code unknown;
-    const bool taken = std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
-    // a deck may stand beside a scene that has been changed
-    if (taken && i > 0) {
-      kept = fmt::format(" (with the {} that was there)", file.string());
-      continue;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, unknown))) {
+      missing.emplace_back(file, name);
+    } else if (is_first) {
+      refuse(fmt::format("{} is already there", one_line(file.string())));
+    } else if (read_file(file) == template_files().at(name)) {
+      kept = fmt::format(" (with the {} that was there)", one_line(file.string()));
+    } else {
+      refuse(fmt::format("{} is already there, and is not the scene that the {} needs",
+                         one_line(file.string()),
+                         kind));
     }
-    if (taken) {
-      throw input_error("{} is already there; give another name with -o", file.string())
-          .at({{}, 0, "--output"});
-    }
-    write_file(file, template_files().at(found->files[i]));
-    written += fmt::format("{}{}", written.empty() ? "" : ", ", file.string());
+  }
+  // all of them, or none
+  std::vector<std::string> written;
+  for (const auto& [file, name] : missing) {
+    write_file(file, template_files().at(name));
+    written.push_back(one_line(file.string()));
   }
   const char* command = first.extension() == ".md" ? "lecture" : "render";
-  return fmt::format("{}{}; next: polhode {} {}", written, kept, command, first.string());
+  return fmt::format("{}{}; next: polhode {} {}",
+                     fmt::join(written, ", "),
+                     kept,
+                     command,
+                     shell_word(first.string()));
 }
 
 }  // namespace polhode

@@ -70,17 +70,16 @@ PlotSheet sheet_of(const Diagram& diagram, const std::string& title, std::option
     double width;
   };
   // those of other motions under all others
-  constexpr std::array<Look, 5> kLooks = {{{Kind::other, "", "#A0A0A0", 1.0},
+  constexpr std::array<Look, 6> kLooks = {{{Kind::other, "", "#A0A0A0", 1.0},
                                            {Kind::separatrix, "separatrix", "#8C2D04", 2.0},
+                                           {Kind::boundary, "stable within", "#0072B2", 2.0},
                                            {Kind::potential, "U", "#0072B2", 2.5},
                                            {Kind::energy, "E", "#D55E00", 1.5},
                                            {Kind::motion, "the motion", "#D55E00", 2.5}}};
   for (const Look& look : kLooks) {
-    bool is_named = false;
     for (const DiagramCurve& curve : diagram.curves) {
-      if (curve.kind != look.kind) continue;
-      sheet.curves.push_back({is_named ? "" : look.name, look.color, look.width, curve.points});
-      is_named = true;
+      if (curve.kind == look.kind)
+        sheet.curves.push_back({look.name, look.color, look.width, curve.points});
     }
   }
   for (const DiagramMark& mark : diagram.marks)

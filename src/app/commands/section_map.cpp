@@ -102,6 +102,14 @@ void fill(const SectionJob& job, ExponentMap& map, KeptRows& kept) {
   }
 }
 
+// a section depends on body and motion alone, and not on how long the motion is shown
+void refuse_other_axis(const std::string& key, const char* option) {
+  const bool matters = key.starts_with("body.") || key.starts_with("motion.");
+  if (matters && !key.starts_with("motion.duration")) return;
+  throw input_error("a section does not depend on '{}'; give a key of [body] or [motion]", key)
+      .at({{}, 0, option});
+}
+
 }  // namespace
 
 std::string section_map(const SectionJob& job) {
@@ -120,6 +128,8 @@ std::string section_map(const SectionJob& job) {
                       kMostOfAll)
         .at({{}, 0, "--cells"});
   }
+  refuse_other_axis(asked.x, "--x");
+  refuse_other_axis(asked.y, "--y");
   ExponentMap map;
   map.title = scene.title.empty() ? job.scene.stem().string() : scene.title;
   map.x = axis_of_key(job.scene, job.settings, asked.x, asked.x_range, "--x");

@@ -97,7 +97,7 @@ void write_csv(const SimulateJob& job) {
   }
   const double last = std::floor(scene.motion.duration * rate * (1.0 + 1e-12));
   if (last > kMostRows) {
-    throw input_error("{:.3g} rows are too many; choose a smaller rate", last)
+    throw input_error("{:.3g} rows, {:g} a second, are too many; give fewer a second", last, rate)
         .at({{}, 0, "--rate"});
   }
 

@@ -64,7 +64,14 @@ Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& 
       return {fmt::format("kept: matches {}", result.best->file.filename().string())};
     return {"new", true, true};
   }
-  const Image before = read_png(target->file);
+  const Image before = [&] {
+    try {
+      return read_png(target->file);
+    } catch (const Error& error) {
+      throw Error(
+          error.fault(), error.message() + "; delete it, and it is drawn anew", error.place());
+    }
+  }();
   const Image& now = result.drawn->image;
   const bool rule_changed =
       !target->has_sidecar || !same_rule(target->sidecar.verdict, one.verdict);

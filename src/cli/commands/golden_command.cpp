@@ -28,6 +28,24 @@ const GoldenAction& find_action(const std::string& name) {
       .at({{}, 0, "golden"});
 }
 
+// options that another action would take, and this one would leave unread
+void refuse_others(const std::string& action, const GoldenJob& job) {
+  const struct {
+    bool given;
+    const char* option;
+    const char* action;
+  } options[] = {{!job.html.empty(), "--html", "run"},
+                 {job.output != GoldenJob{}.output, "--output", "run"},
+                 {!job.cause.empty(), "--cause", "update"},
+                 {job.all, "--all", "update"},
+                 {job.allow_dirty, "--allow-dirty", "update"}};
+  for (const auto& one : options) {
+    if (!one.given || action == one.action) continue;
+    throw input_error("is for golden {}, not for golden {}", one.action, action)
+        .at({{}, 0, one.option});
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> golden_actions() {
@@ -65,6 +83,7 @@ Action define_golden(CLI::App& command) {
   add_progress(command, *progress);
   return [=] {
     const GoldenAction& chosen = find_action(*action);
+    refuse_others(*action, *job);
     if (*jobs && **jobs < 1) {
       throw input_error("must be at least 1, got {}", **jobs).at({{}, 0, "--jobs"});
     }

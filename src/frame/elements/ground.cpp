@@ -102,13 +102,20 @@ void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
 }
 
 // The outer ring turns about the vertical, the inner one in it about the line of nodes, and the
-// body in that about its axle: the angles phi, theta and psi. While the axle is upright, there is
-// no line of nodes, and any will do.
+// body in that about its axle: the angles phi, theta and psi. While the axle of rings without mass
+// is upright, there is no line of nodes, and any will do.
 void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3& up = scenery.motion.model().up_S;
-  const Vec3 axle = sample.q_SB * figure_axis_B(scenery);
+  const BodyModel& model = scenery.motion.model();
+  const Vec3& up = model.up_S;
+  Vec3 axle = sample.q_SB * figure_axis_B(scenery);
   const Vec3 across = up.cross(axle);
-  const Vec3 nodes = across.norm() > 1e-9 ? Vec3(across.normalized()) : up.unitOrthogonal();
+  Vec3 nodes = across.norm() > 1e-9 ? Vec3(across.normalized()) : up.unitOrthogonal();
+  if (model.loads.gimbals) {
+    const Vec3 angles = pose_of_gimbals(model, scenery.motion.state_at(sample.t)).angles;
+    const Mat3 axes = turning_axes_P(*model.loads.gimbals, angles);
+    nodes = sample.q_SB * (model.R_BP * axes.col(1));
+    axle = sample.q_SB * (model.R_BP * axes.col(2));
+  }
   const Vec3& pivot = sample.reference_S;
   const double inner = kInnerGimbal * scenery.scale.body;
   const double outer = kOuterGimbal * scenery.scale.body;

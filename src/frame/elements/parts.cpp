@@ -18,7 +18,7 @@ constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of v
 
 bool is_free_top(const Scenery& scenery) {
   const BodyModel& model = scenery.motion.model();
-  return model.chi_P.squaredNorm() == 0.0 && model.loads.turning.empty() && !model.with_translation;
+  return model.chi_P.squaredNorm() == 0.0 && !model.loads.turn_body() && !model.with_translation;
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
 // The gravity gradient among the loads; null: the body is no satellite.
 const Load* gradient_of(const Scenery& scenery);
 
-Add add_velocity_field, add_forces, add_gravity;
+Add add_velocity_field, add_forces, add_gravity, add_frame_rotation;
 Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
 Add add_stand, add_gimbals, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;

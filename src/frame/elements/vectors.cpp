@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kBodyAxisLength = 1.2;
 constexpr double kSpaceAxisLength = 1.2;
+constexpr double kFrameLength = 1.55;  // out of the rings of gimbals
 constexpr double kBallRadius = 0.05;
 // of springs, in units of the body's radius
 constexpr double kCoilRadius = 0.11;
@@ -200,6 +201,18 @@ void add_gravity(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
              plain(scenery.theme.force, 0.25f),
              glyphs,
              name_of(scenery, &VectorNames::gravity, "<i>m</i><b>g</b>"));
+}
+
+// the axis about which space turns; its length says nothing, since it would hardly ever be seen
+void add_frame_rotation(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const Vec3 along = *frame_rotation_of(scenery.motion.model());
+  add_at_reference(scenery,
+                   sample,
+                   kFrameLength * scenery.scale.body * along.normalized(),
+                   kAxisShape,
+                   plain(scenery.theme.position, 0.25f),
+                   glyphs,
+                   name_of(scenery, &VectorNames::frame_rotation, "<b>Ω</b><sub>0</sub>"));
 }
 
 // V + Omega x r (notes, section 0.1) at points of the body

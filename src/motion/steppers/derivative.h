@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The state as a vector of numbers and its time derivative, for methods on vectors (Runge-Kutta,
-// Taylor, Gauss): seven numbers with three degrees of freedom, thirteen with six.
+// Taylor, Gauss): seven numbers with three degrees of freedom, thirteen with six, and six in
+// gimbals.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +16,22 @@
 namespace polhode {
 
 // (q.x, q.y, q.z, q.w, y1, y2, y3), with six degrees of freedom followed by place_S and
-// linear_momentum_S. Units as in State.
+// linear_momentum_S; in gimbals their three angles and the rates of these. Units as in State.
 template <int N>
 using StateVector = Eigen::Matrix<double, N, 1>;
-// The values of N with three and with six degrees of freedom.
+// The values of N with three and with six degrees of freedom, and in gimbals.
 inline constexpr int kThreeDegrees = 7;
 inline constexpr int kSixDegrees = 13;
+inline constexpr int kInGimbals = 6;
 
 // The vector of a state.
 template <int N>
-StateVector<N> to_vector(const State& s) {
+StateVector<N> to_vector(const BodyModel& m, const State& s) {
   StateVector<N> v;
-  if constexpr (N == kThreeDegrees) {
+  if constexpr (N == kInGimbals) {
+    const GimbalPose pose = pose_of_gimbals(m, s);
+    v << pose.angles, pose.rates;
+  } else if constexpr (N == kThreeDegrees) {
     v << s.q.coeffs(), s.y;
   } else {
     v << s.q.coeffs(), s.y, s.place_S, s.linear_momentum_S;
@@ -34,7 +39,28 @@ StateVector<N> to_vector(const State& s) {
   return v;
 }
 
-// The state of a vector. The quaternion is not normalised: inside a step it leaves the unit sphere.
+// Stores a vector in a state and normalises the quaternion. Members of the state that the vector
+// does not contain are not changed.
+template <int N>
+void set_state(const BodyModel& m, const StateVector<N>& v, State& s) {
+  if constexpr (N == kInGimbals) {
+    const GimbalPose pose{v.template head<3>(), v.template tail<3>()};
+    s.q = attitude_of(*m.loads.gimbals, pose.angles);
+    s.y = m.moments.cwiseProduct(angular_velocity_of(*m.loads.gimbals, pose));
+    s.ring_angle = pose.angles[0];
+    s.ring_rate = pose.rates[0];
+  } else {
+    s.q = normalized(Quat(Eigen::Vector4d(v.template head<4>())));
+    s.y = v.template segment<3>(4);
+  }
+  if constexpr (N == kSixDegrees) {
+    s.place_S = v.template segment<3>(7);
+    s.linear_momentum_S = v.template segment<3>(10);
+  }
+}
+
+// The state of a vector without gimbals. The quaternion is not normalised: inside a step it leaves
+// the unit sphere.
 template <int N>
 State raw_state(const StateVector<N>& v) {
   State s;
@@ -45,18 +71,6 @@ State raw_state(const StateVector<N>& v) {
     s.linear_momentum_S = v.template segment<3>(10);
   }
   return s;
-}
-
-// Stores a vector in a state and normalises the quaternion. Members of the state that the vector
-// does not contain are not changed.
-template <int N>
-void set_state(const StateVector<N>& v, State& s) {
-  s.q = normalized(Quat(Eigen::Vector4d(v.template head<4>())));
-  s.y = v.template segment<3>(4);
-  if constexpr (N == kSixDegrees) {
-    s.place_S = v.template segment<3>(7);
-    s.linear_momentum_S = v.template segment<3>(10);
-  }
 }
 
 // The vertical gamma in P for a q that is not of unit length, as a quadratic form in q: Eigen turns
@@ -71,46 +85,62 @@ inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
 // normalised here, so that the vector field stays smooth and the method keeps its order.
 template <int N>
 StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v) {
-  const Quat q(Eigen::Vector4d(v.template head<4>()));
-  const Vec3 y = v.template segment<3>(4);
-  StateVector<N> rate;
-  rate.template head<4>() = attitude_rate(q, angular_velocity(m, y)).coeffs();
-  rate.template segment<3>(4) = momentum_rate(m, y, up_in_body_off_sphere(m, q));
-  if (!m.loads.turning.empty()) {
-    rate.template segment<3>(4) += torque_of_loads(m, t, raw_state<N>(v));
+  if constexpr (N == kInGimbals) {
+    State s;
+    set_state<N>(m, v, s);
+    const Vec3 others = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
+    const GimbalPose pose{v.template head<3>(), v.template tail<3>()};
+    StateVector<N> rate;
+    rate << pose.rates, accelerations(*m.loads.gimbals, pose, m.moments, others);
+    return rate;
+  } else {
+    const Quat q(Eigen::Vector4d(v.template head<4>()));
+    const Vec3 y = v.template segment<3>(4);
+    StateVector<N> rate;
+    rate.template head<4>() = attitude_rate(q, angular_velocity(m, y)).coeffs();
+    rate.template segment<3>(4) = momentum_rate(m, y, up_in_body_off_sphere(m, q));
+    if (!m.loads.turning.empty()) {
+      rate.template segment<3>(4) += torque_of_loads(m, t, raw_state<N>(v));
+    }
+    if constexpr (N == kSixDegrees) {
+      rate.template segment<3>(7) = v.template segment<3>(10) / m.body.mass;
+      rate.template segment<3>(10) = force(m, t, raw_state<N>(v));
+    }
+    return rate;
   }
-  if constexpr (N == kSixDegrees) {
-    rate.template segment<3>(7) = v.template segment<3>(10) / m.body.mass;
-    rate.template segment<3>(10) = force(m, t, raw_state<N>(v));
-  }
-  return rate;
 }
 
-// The norm of a difference of states: the largest of the norms of q, of y over a typical momentum,
-// and with six degrees of freedom of the place over the radius of gyration and of the linear
-// momentum over linear_momentum_scale(). Dimensionless.
+// The norm of a difference of states: the largest of the norms of q (in gimbals, of half the
+// angles), of y over a typical momentum, and with six degrees of freedom of the place over the
+// radius of gyration and of the linear momentum over linear_momentum_scale(). Dimensionless.
 class ErrorNorm {
  public:
   // momentum_scale: a typical |y|, kg m^2/s.
   ErrorNorm(const BodyModel& model, double momentum_scale)
       : momentum_scale_(momentum_scale),
+        rate_scale_(momentum_scale / model.moments.maxCoeff()),
         length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)),
         linear_momentum_scale_(linear_momentum_scale(model, momentum_scale)) {}
 
   template <int N>
   double of(const StateVector<N>& v) const {
-    double size =
-        std::max(v.template head<4>().norm(), v.template segment<3>(4).norm() / momentum_scale_);
-    if constexpr (N == kSixDegrees) {
-      size = std::max({size,
-                       v.template segment<3>(7).norm() / length_scale_,
-                       v.template segment<3>(10).norm() / linear_momentum_scale_});
+    if constexpr (N == kInGimbals) {
+      return std::max(0.5 * v.template head<3>().norm(), v.template tail<3>().norm() / rate_scale_);
+    } else {
+      double size =
+          std::max(v.template head<4>().norm(), v.template segment<3>(4).norm() / momentum_scale_);
+      if constexpr (N == kSixDegrees) {
+        size = std::max({size,
+                         v.template segment<3>(7).norm() / length_scale_,
+                         v.template segment<3>(10).norm() / linear_momentum_scale_});
+      }
+      return size;
     }
-    return size;
   }
 
  private:
   double momentum_scale_;         // kg m^2/s
+  double rate_scale_;             // rad/s
   double length_scale_;           // m
   double linear_momentum_scale_;  // kg m/s
 };
@@ -118,6 +148,7 @@ class ErrorNorm {
 // Makes a Method<N>(model, arguments...) with the N that the model needs.
 template <template <int> class Method, class... Arguments>
 std::unique_ptr<Stepper> make_on_vector(const BodyModel& model, Arguments... arguments) {
+  if (model.loads.gimbals) return std::make_unique<Method<kInGimbals>>(model, arguments...);
   if (model.with_translation) return std::make_unique<Method<kSixDegrees>>(model, arguments...);
   return std::make_unique<Method<kThreeDegrees>>(model, arguments...);
 }

@@ -63,7 +63,7 @@ class DormandPrince853 final : public Stepper {
   }
 
   double step_with_error(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     std::array<Vector, kStages> k;
     k[0] = derivative<N>(model_, t, v);
     for (int i = 0; i + 1 < kStages; ++i) {
@@ -82,7 +82,7 @@ class DormandPrince853 final : public Stepper {
       error5 += kError5[j] * k[j + 4];
     }
     const Vector error3 = slope - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];
-    set_state<N>(v + h * slope, s);
+    set_state<N>(model_, v + h * slope, s);
 
     // HNW II.10, eq. 10.17: an error of the eighth power of the step
     const double fifth = norm_.template of<N>(h * error5);

@@ -14,8 +14,8 @@ class ExplicitEuler final : public Stepper {
   explicit ExplicitEuler(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(s);
-    set_state<N>(v + h * derivative<N>(model_, t, v), s);
+    const Vector v = to_vector<N>(model_, s);
+    set_state<N>(model_, v + h * derivative<N>(model_, t, v), s);
     ++work.evaluations;
   }
 
@@ -32,9 +32,9 @@ class RungeKutta2 final : public Stepper {
   explicit RungeKutta2(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     const Vector k1 = derivative<N>(model_, t, v);
-    set_state<N>(v + h * derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1), s);
+    set_state<N>(model_, v + h * derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1), s);
     work.evaluations += 2;
   }
 
@@ -50,12 +50,12 @@ class RungeKutta4 final : public Stepper {
   explicit RungeKutta4(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1);
     const Vector k3 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k2);
     const Vector k4 = derivative<N>(model_, t + h, v + h * k3);
-    set_state<N>(v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4), s);
+    set_state<N>(model_, v + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4), s);
     work.evaluations += 4;
   }
 
@@ -89,7 +89,7 @@ class DormandPrince5 final : public Stepper {
 
   template <bool WithError>
   double advance(double t, double h, State& s, Work& work) const {
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + h / 5.0, v + h * (1.0 / 5 * k1));
     const Vector k3 = derivative<N>(model_, t + 0.3 * h, v + h * (3.0 / 40 * k1 + 9.0 / 40 * k2));
@@ -106,7 +106,7 @@ class DormandPrince5 final : public Stepper {
                                49.0 / 176 * k4 - 5103.0 / 18656 * k5));
     const Vector end = v + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
                                 2187.0 / 6784 * k5 + 11.0 / 84 * k6);
-    set_state<N>(end, s);
+    set_state<N>(model_, end, s);
     work.evaluations += 6;
     if constexpr (!WithError) return 0.0;
     const Vector k7 = derivative<N>(model_, t + h, end);

@@ -46,14 +46,14 @@ class Gauss final : public Stepper {
       : model_(model), norm_(model, momentum_scale) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     std::array<Vector, Stages> k;
     k.fill(derivative<N>(model_, t, v));
-    solve(t, h, v, k, work);
+    solve(t, h, v, s.y, k, work);
     Vector change = Vector::Zero();
     for (int i = 0; i < Stages; ++i)
       change += Table::kB[i] * k[i];
-    set_state<N>(v + h * change, s);
+    set_state<N>(model_, v + h * change, s);
   }
 
  private:
@@ -66,7 +66,12 @@ class Gauss final : public Stepper {
   ErrorNorm norm_;
 
   // fixed-point iteration for the slopes of the stages, until round-off stops it
-  void solve(double t, double h, const Vector& v, std::array<Vector, Stages>& k, Work& work) const {
+  void solve(double t,
+             double h,
+             const Vector& v,
+             const Vec3& y,
+             std::array<Vector, Stages>& k,
+             Work& work) const {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
       double change = 0.0;
@@ -85,12 +90,8 @@ class Gauss final : public Stepper {
       if (!std::isfinite(change)) break;
       last = change;
     }
-    throw no_solution(Table::kName,
-                      t,
-                      h,
-                      model_,
-                      v.template segment<3>(4),
-                      "its fixed-point iteration contracts below about 1");
+    throw no_solution(
+        Table::kName, t, h, model_, y, "its fixed-point iteration contracts below about 1");
   }
 };
 

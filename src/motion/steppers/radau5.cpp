@@ -30,7 +30,7 @@ class Radau5 final : public Stepper {
   double step_with_error(double t, double h, State& s, Work& work) const override {
     constexpr double kFailed = std::numeric_limits<double>::infinity();
     if (h == 0.0) return 0.0;
-    const Vector v = to_vector<N>(s);
+    const Vector v = to_vector<N>(model_, s);
     const Vector rate = derivative<N>(model_, t, v);
     const Square jacobian = jacobian_at(t, v, rate, work);
 
@@ -52,7 +52,7 @@ class Radau5 final : public Stepper {
     Vector error = filtered.solve(rate + sum);
     error = filtered.solve(derivative<N>(model_, t, v + error) + sum);
     ++work.evaluations;
-    set_state<N>(v + z.col(2), s);
+    set_state<N>(model_, v + z.col(2), s);
     return norm_.template of<N>(error);
   }
 

@@ -63,9 +63,14 @@ TEST(NewKinds, NamesThatDoNotGo) {
   refused("heavy_top", "-", "the name of a heavy_top ends in .toml");
   refused("film", "heavy_top.toml", "the scene of the film is called heavy_top.toml");
   EXPECT_EQ(folder.entries(), 0);
-  test::write_text(folder / "heavy_top.toml", "my own");
-  EXPECT_NE(write_new("film", folder / "film.toml").find("heavy_top.toml that was there)"),
+  write_new("deck", folder / "deck.md");
+  EXPECT_NE(write_new("film", folder / "a film.toml")
+                .find("heavy_top.toml that was there); next: polhode render '"),
             std::string::npos);
+  // what the film says would not be true of another scene
+  test::write_text(folder / "heavy_top.toml", "my own");
+  refused("film", "film.toml", "is not the scene that the film needs");
+  EXPECT_EQ(folder.entries(), 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewScene, ::testing::ValuesIn(new_kinds()), [](const auto& row) {

@@ -33,9 +33,9 @@ TEST(Vectors, HaveTheNamesThatTheSceneGives) {
   };
   using Names = std::vector<std::string>;
   EXPECT_EQ(names(), (Names{"<b>Ω</b>", "<b>L</b>"}));
-  show.names = VectorNames{"ω", "a<b", {}, {}};
+  show.names = VectorNames{"ω", "a<b", {}, {}, {}};
   EXPECT_EQ(names(), (Names{"<b>ω</b>", "<b>a&lt;b</b>"}));
-  show.names = VectorNames{"", {}, {}, {}};
+  show.names = VectorNames{"", {}, {}, {}, {}};
   EXPECT_EQ(names(), (Names{"<b>L</b>"})) << "none";
 }
 
