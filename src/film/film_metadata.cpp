@@ -56,6 +56,11 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
     if (says || step.hold > 0.0)
       chapters.push_back({frame_at(frames, told.starts()[i]), title_of(step)});
   }
+  for (std::size_t i = 0; scene.in_turn && i < scene.panels.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(scene.panels.size());
+    chapters.push_back(
+        {frame_at(frames, part * told.film_duration()), one_line(scene.panels[i].caption)});
+  }
   for (const ShotSpec& shot : scene.shots) {
     if (shot.name.empty()) continue;
     chapters.push_back({frame_at(frames, told.first_film_time(shot.at)), one_line(shot.name)});
@@ -89,7 +94,7 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
 FilmMetadata film_metadata(const Scene& scene,
                            const std::vector<StoryStep>& story,
                            const FrameTimes& frames) {
-  const Timeline told = frames.timeline.retold(story);
+  const Timeline told = frames.timeline.retold(story_of_film(scene, story));
   FilmMetadata metadata;
   metadata.frames = frames.count;
   metadata.captions = captions_of(told, frames);

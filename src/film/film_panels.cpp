@@ -153,6 +153,10 @@ Film make_film(const std::vector<Solved>& solved,
                const FilmCharts& charts,
                bool with_text) {
   const Scene& scene = solved.front().scene;
+  // panels in turn have a clock each, and the film one of all
+  const Timeline own = scene.in_turn
+                           ? Timeline(scene.story, scene.motion.duration, scene.video.time_scale)
+                           : timeline;
   const PictureSize size = scene.video.size;
   FilmText text = film_text(scene.show, scene.title, scene.video.time_scale);
   text.captions =
@@ -166,21 +170,27 @@ Film make_film(const std::vector<Solved>& solved,
   const std::size_t count = solved.size() > 1       ? solved.size()
                             : comparison != nullptr ? comparison->contenders().size()
                                                     : scene.show.views.size();
-  const FrameAreas areas = frame_areas(text, size, static_cast<int>(count), charts.count());
+  const std::size_t beside = scene.in_turn ? 1 : count;
+  FrameAreas areas = frame_areas(text, size, static_cast<int>(beside), charts.count());
+  areas.panels.resize(count, areas.panels.front());
   NoteRows rows;
   if (with_text && comparison != nullptr) {
     rows = Comparison::note_rows(scene.show.details.value_or(false));
   } else {
     rows.name = with_text && count > 1;
   }
-  const Stage stage{timeline, common_margins(text, areas.panels, size, rows), rows};
+  const Stage stage{own, common_margins(text, areas.panels, size, rows), rows};
   std::vector<FilmPanel> panels =
       solved.size() > 1       ? panels_of_scenes(solved, stage, areas.panels)
       : comparison != nullptr ? panels_of_methods(solved.front(), *comparison, stage, areas.panels)
                               : panels_of_views(solved.front(), stage, areas.panels);
   for (FilmPanel& panel : panels)
     panel.rows = rows;
-  return {std::move(panels), text, size, charts};
+  return {std::move(panels),
+          text,
+          size,
+          charts,
+          scene.in_turn ? std::optional(timeline) : std::nullopt};
 }
 
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/film_plots.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@ namespace {
 
 // more than two for each column of pixels that axes have in a large picture
 constexpr int kSteps = 2400;
+constexpr int kLeastSteps = 400;  // of one of several motions that follow one another
 
 // what a curve is called beside those of other panels
 std::string curve_name(const Recorded& quantity, std::size_t curve, const std::string& caption) {
@@ -26,7 +29,57 @@ std::string curve_name(const Recorded& quantity, std::size_t curve, const std::s
 // the colours and dashes that can be told apart
 constexpr std::size_t kMostCurves = 6;
 
+// the values of a motion over `end` s, as few as show them
+std::vector<std::vector<double>> shown_values(const Recorded& quantity,
+                                              const Motion& motion,
+                                              double end,
+                                              int most) {
+  const int steps = steps_to_show(motion, end, most);
+  if (steps == kMostShown) {
+    spdlog::warn(
+        "show.plots: the body turns too often for a plot of all its motion; shorten "
+        "motion.duration");
+  }
+  std::vector<std::vector<double>> curves = values_over_time(quantity, motion, end, steps);
+  for (std::vector<double>& values : curves)
+    values = extremes_of(values, most);
+  return curves;
+}
+
+// one motion after the other, with a gap between
+FilmPlot plot_in_turn(const Recorded& quantity, const std::vector<Solved>& solved) {
+  FilmPlot plot;
+  plot.title = quantity.title;
+  plot.unit = quantity.unit;
+  for (const std::string& name : quantity.curves)
+    plot.curves.push_back({name, {}});
+  const double each = solved.front().scene.motion.duration;
+  const auto count = static_cast<int>(solved.size());
+  plot.ends = count * each;
+  const int steps = std::max(kSteps / count, kLeastSteps);
+  std::vector<Motion> motions;
+  for (const Solved& one : solved) {
+    motions.push_back(one.simulation.motion);
+    const auto values = shown_values(quantity, motions.back(), each, steps);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      // values stand at equal steps: the first of a motion takes the place of the last before it
+      std::vector<double>& all = plot.curves[k].values;
+      std::vector<double> own = values[k];
+      own.resize(static_cast<std::size_t>(steps) + 1, own.back());
+      if (!all.empty()) all.back() = NAN;
+      all.insert(all.end(), own.begin() + (all.empty() ? 0 : 1), own.end());
+    }
+  }
+  plot.now = [motions, each, values = quantity.values](double t) {
+    const double turn = std::min(std::floor(t / each), static_cast<double>(motions.size() - 1));
+    const Motion& motion = motions[static_cast<std::size_t>(turn)];
+    return values(motion, motion.at(std::min(t - turn * each, motion.duration())));
+  };
+  return plot;
+}
+
 FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
+  if (solved.front().scene.in_turn) return plot_in_turn(quantity, solved);
   if (quantity.curves.size() * solved.size() > kMostCurves) {
     throw input_error(
         "a plot holds {} curves, and '{}' of {} panels has {}; choose another quantity",
@@ -58,14 +111,8 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   };
   std::size_t curve = 0;
   for (const Motion& motion : motions) {
-    const int steps = steps_to_show(motion, plot.ends, kSteps);
-    if (steps == kMostShown) {
-      spdlog::warn(
-          "show.plots: the body turns too often for a plot of all its motion; shorten "
-          "motion.duration");
-    }
-    for (const std::vector<double>& values : values_over_time(quantity, motion, plot.ends, steps))
-      plot.curves[curve++].values = extremes_of(values, kSteps);
+    for (std::vector<double>& values : shown_values(quantity, motion, plot.ends, kSteps))
+      plot.curves[curve++].values = std::move(values);
   }
   return plot;
 }

@@ -45,8 +45,19 @@ void refuse_steps_behind(const Loop& loop, const Scene& scene) {
 
 }  // namespace
 
+std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<StoryStep>& story) {
+  std::vector<StoryStep> whole = story;
+  for (std::size_t i = 1; scene.in_turn && i < scene.panels.size(); ++i) {
+    for (StoryStep step : story) {
+      step.at += static_cast<double>(i) * scene.motion.duration;
+      whole.push_back(step);
+    }
+  }
+  return whole;
+}
+
 void check_time_range(const Scene& scene, const TimeRange& range) {
-  const double duration = scene.motion.duration;
+  const double duration = shown_duration(scene);
   const double from = time_option("--from", range.from, 0.0, duration);
   const double to = time_option("--to", range.to, duration, duration);
   if (range.one_picture) {
@@ -66,7 +77,7 @@ FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
   const Scene& scene = solved.scene;
   FrameTimes frames;
   frames.rate = scene.video.fps.value();
-  double duration = scene.motion.duration;
+  double duration = shown_duration(scene);
   double time_scale = scene.video.time_scale;
   if (scene.video.loop) {
     // a whole number of frames, the last one step before the first
@@ -76,7 +87,7 @@ FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
     const double count = std::max(1.0, std::round(duration / time_scale * frames.rate));
     time_scale = duration * frames.rate / count;
   }
-  frames.timeline = Timeline(scene.story, duration, time_scale);
+  frames.timeline = Timeline(story_of_film(scene, scene.story), duration, time_scale);
   frames.from = std::min(range.from.value_or(0.0), duration);
   frames.to = std::min(range.to.value_or(duration), duration);
   if (range.one_picture) {

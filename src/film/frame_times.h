@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
@@ -10,7 +11,8 @@
 
 namespace polhode {
 
-// The part of the motion that a film shows, in seconds of motion.
+// The part of the motion that a film shows, in seconds of motion; of panels in turn, of all their
+// motions.
 struct TimeRange {
   std::optional<double> from, to;  // absent: start and end of the motion
   std::optional<double> still;     // time of a single picture; absent: `from`
@@ -20,16 +22,20 @@ struct TimeRange {
 // The times of the frames. Film time counts from the start of the whole film, motion time from the
 // start of the motion; `timeline` converts between them.
 struct FrameTimes {
-  Timeline timeline;
-  double first = 0.0;             // s of film: time of frame 0
-  double rate = 60.0;             // frames per second of film
-  int count = 1;                  // number of frames; 1 for a single picture
+  Timeline timeline;   // of the whole film; panels in turn begin where the motion before them ends
+  double first = 0.0;  // s of film: time of frame 0
+  double rate = 60.0;  // frames per second of film
+  int count = 1;       // number of frames; 1 for a single picture
   double from = 0.0, to = 0.0;    // s of motion: what the frames cover; equal for one picture
   std::optional<Loop> loop = {};  // how well a looping film closes; absent: it does not loop
 
   // The film time (s) that a frame shows; the first frame has the index 0.
   double film_time(int index) const { return first + index / rate; }
 };
+
+// The story, or one with the same steps in other words, as the whole film tells it: once for each
+// panel, if these follow one another.
+std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<StoryStep>& story);
 
 // Checks what can be checked before the motion is computed. Throws Error (input) with --from, --to
 // or --still as key for a time outside the motion or in the wrong order, and without a place for

@@ -20,7 +20,9 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
   double fastest = 0.0;
   const int looks = std::min(frames.count, 200);
   for (int i = 0; i < looks; ++i) {
-    const double t = frames.from + (frames.to - frames.from) * i / looks;
+    const double shown = frames.from + (frames.to - frames.from) * i / looks;
+    // of panels in turn, each shows the whole motion
+    const double t = scene.in_turn ? motion.duration() * i / looks : shown;
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
   const std::optional<std::string> words =

@@ -180,12 +180,18 @@ struct Film::WithFonts {
   std::vector<LabelTracks> tracks;         // of each panel; none without labels
 };
 
-Film::Film(std::vector<FilmPanel> panels, const FilmText& text, PictureSize size, FilmCharts charts)
+Film::Film(std::vector<FilmPanel> panels,
+           const FilmText& text,
+           PictureSize size,
+           FilmCharts charts,
+           std::optional<Timeline> in_turn)
     : panels_(std::move(panels)),
+      in_turn_(std::move(in_turn)),
       text_(text),
       size_(size),
-      areas_(frame_areas(text, size, static_cast<int>(panels_.size()), charts.count())),
-      seams_(make_seams(panels_, areas_, size)),
+      areas_(
+          frame_areas(text, size, in_turn_ ? 1 : static_cast<int>(panels_.size()), charts.count())),
+      seams_(is_divided() ? make_seams(panels_, areas_, size) : std::vector<Stamp>()),
       typesetter_(std::make_unique<Typesetter>()),
       with_fonts_(std::make_unique<WithFonts>()) {
   with_fonts_->asked = std::move(charts);
@@ -197,8 +203,8 @@ Film::~Film() = default;
 const Film::WithFonts& Film::with_fonts() const {
   std::call_once(with_fonts_->once, [&] {
     if (text_.labels) {
-      for (const FilmPanel& panel : panels_)
-        with_fonts_->tracks.push_back(tracks_of(panel));
+      for (std::size_t i = 0; i < panels_.size(); ++i)
+        with_fonts_->tracks.push_back(tracks_of(i));
     }
     const FilmCharts& asked = with_fonts_->asked;
     const Theme& theme = panels_.front().composer->scenery().theme;
@@ -217,22 +223,53 @@ const Film::WithFonts& Film::with_fonts() const {
   return *with_fonts_;
 }
 
+const Timeline& Film::timeline() const {
+  return in_turn_ ? *in_turn_ : panels_.front().composer->timeline();
+}
+
+double Film::turn() const {
+  return panels_.front().composer->timeline().film_duration();
+}
+
+bool Film::is_divided() const {
+  return (panels_.size() > 1 && !in_turn_) || !areas_.plots.empty();
+}
+
+std::vector<Film::Shown> Film::shown_at(double film) const {
+  std::vector<Shown> shown;
+  if (in_turn_) {
+    // a frame time may be a rounding before the end of a turn
+    constexpr double kRounding = 1e-9;
+    const double last = static_cast<double>(panels_.size() - 1);
+    const double now = std::clamp(std::floor(film / turn() + kRounding), 0.0, last);
+    shown.push_back({static_cast<std::size_t>(now), std::max(0.0, film - now * turn())});
+    return shown;
+  }
+  for (std::size_t i = 0; i < panels_.size(); ++i)
+    shown.push_back({i, film});
+  return shown;
+}
+
 Film::Page Film::page_at(double film) const {
-  const double t = panels_.front().composer->timeline().motion_time(film);
+  const double t = timeline().motion_time(film);
   Page page;
   // the text that keeps its place comes first: labels give way to it
   add_charts(t, page);
   page.picture.stamps.insert(page.picture.stamps.end(), seams_.begin(), seams_.end());
-  if (panels_.size() > 1 || !areas_.plots.empty()) {
+  if (is_divided()) {
     add_bars(film, page);
   } else {
     add_frame_text(film, page);
   }
-  for (std::size_t i = 0; i < panels_.size(); ++i) {
-    const FilmPanel& panel = panels_[i];
-    const double notes_end = add_notes(panel, t, page);
-    CameraView view = panel.composer->camera_view(film, panel.end);
-    if (text_.labels) add_labels(panel, with_fonts().tracks[i], view.names, film, notes_end, page);
+  for (const Shown& shown : shown_at(film)) {
+    const FilmPanel& panel = panels_[shown.panel];
+    const double own_t = panel.composer->timeline().motion_time(shown.film);
+    const double notes_end = add_notes(panel, own_t, page);
+    CameraView view = panel.composer->camera_view(shown.film, panel.end);
+    if (text_.labels) {
+      const LabelTracks& tracks = with_fonts().tracks[shown.panel];
+      add_labels(panel, tracks, view.names, shown.film, notes_end, page);
+    }
     page.picture.panels.push_back({panel.place, std::move(view.list)});
   }
   // under all text
@@ -247,8 +284,11 @@ Picture Film::at(double film) const {
 
 Picture Film::bare_at(double film) const {
   Picture picture;
-  for (const FilmPanel& panel : panels_)
-    picture.panels.push_back({panel.place, panel.composer->camera_view(film, panel.end).list});
+  for (const Shown& shown : shown_at(film)) {
+    const FilmPanel& panel = panels_[shown.panel];
+    picture.panels.push_back(
+        {panel.place, panel.composer->camera_view(shown.film, panel.end).list});
+  }
   return picture;
 }
 
@@ -286,7 +326,7 @@ void Film::add_charts(double t, Page& page) const {
 
 // title and clock in the bar above, the caption in that below
 void Film::add_bars(double film, Page& page) const {
-  const Timeline& timeline = panels_.front().composer->timeline();
+  const Timeline& timeline = this->timeline();
   const Theme& theme = panels_.front().composer->scenery().theme;
   const double edge = edge_of({0, 0, size_.width, size_.height});
   const auto add = [&](TextRole role,
@@ -336,7 +376,7 @@ void Film::add_bars(double film, Page& page) const {
 }
 
 void Film::add_frame_text(double film, Page& page) const {
-  const Timeline& timeline = panels_.front().composer->timeline();
+  const Timeline& timeline = this->timeline();
   const double t = timeline.motion_time(film);
   const std::string caption = timeline.caption(film).value_or(text_.caption);
   const double edge = edge_of({0, 0, size_.width, size_.height});
@@ -458,8 +498,11 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
   return layout;
 }
 
-LabelTracks Film::tracks_of(const FilmPanel& panel) const {
+LabelTracks Film::tracks_of(std::size_t index) const {
+  const FilmPanel& panel = panels_[index];
   const Timeline& timeline = panel.composer->timeline();
+  // when the panel begins, s of film
+  const double begins = in_turn_ ? static_cast<double>(index) * turn() : 0.0;
   const double duration = timeline.film_duration();
   const double step = step_between_moments(duration);
   // text that keeps its place as long as the caption and the stamp are the same
@@ -475,10 +518,10 @@ LabelTracks Film::tracks_of(const FilmPanel& panel) const {
     const auto [found, is_new] = texts.try_emplace(key);
     if (!is_new) return found->second;
     Page page;
-    if (panels_.size() > 1 || !areas_.plots.empty()) {
-      add_bars(time, page);
+    if (is_divided()) {
+      add_bars(begins + time, page);
     } else {
-      add_frame_text(time, page);
+      add_frame_text(begins + time, page);
     }
     found->second.top = add_notes(panel, t, page);
     found->second.rooms = page.placed.rooms;

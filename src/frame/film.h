@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,11 +57,13 @@ class Film {
  public:
   // There is at least one panel; the first one gives the colours of the text and the times of
   // captions, clock and plots. Panels stand where frame_areas() (frame/layout.h) of the same text
-  // and the same numbers of panels and charts puts them.
+  // and the same numbers of panels and charts puts them; with `in_turn`, which is the timeline of
+  // all of them together, they follow one another at the place of a single panel.
   Film(std::vector<FilmPanel> panels,
        const FilmText& text,
        PictureSize size,
-       FilmCharts charts = {});
+       FilmCharts charts = {},
+       std::optional<Timeline> in_turn = {});
   Film(Film&&) noexcept;
   ~Film();
 
@@ -78,6 +81,17 @@ class Film {
   struct Page;
   struct WithFonts;
   const WithFonts& with_fonts() const;
+  // A panel that is shown at a time, and its own time, s of film.
+  struct Shown {
+    std::size_t panel;
+    double film;
+  };
+  std::vector<Shown> shown_at(double film) const;
+  // how long each panel is shown in turn, s of film
+  double turn() const;
+  const Timeline& timeline() const;
+  // Whether the frame is divided, so that its text stands in bars.
+  bool is_divided() const;
   void add_charts(double t, Page& page) const;
   void add_frame_text(double film, Page& page) const;
   void add_bars(double film, Page& page) const;
@@ -89,7 +103,7 @@ class Film {
                    const LabelView& view,
                    double top,
                    const std::vector<TextRoom>& text) const;
-  LabelTracks tracks_of(const FilmPanel& panel) const;
+  LabelTracks tracks_of(std::size_t panel) const;
   void add_labels(const FilmPanel& panel,
                   const LabelTracks& tracks,
                   const LabelView& view,
@@ -106,6 +120,7 @@ class Film {
   Page page_at(double film) const;
 
   std::vector<FilmPanel> panels_;
+  std::optional<Timeline> in_turn_;
   FilmText text_;
   PictureSize size_;
   FrameAreas areas_;

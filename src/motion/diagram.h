@@ -20,8 +20,8 @@ struct DiagramAxis {
 // A curve of a diagram, in units of its axes.
 struct DiagramCurve {
   // motion: the curve on which the motion stays; potential; energy: its level; separatrix: between
-  // motions of different kinds; boundary: around what is stable; other: motions with another energy,
-  // lines to go by
+  // motions of different kinds; boundary: around what is stable; other: motions with another
+  // energy, lines to go by
   enum class Kind { motion, potential, energy, separatrix, boundary, other };
   Kind kind = Kind::other;
   std::vector<Vec2> points;

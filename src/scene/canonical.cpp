@@ -117,6 +117,7 @@ std::string scene_hash(const Scene& scene) {
                                   nlohmann::ordered_json(scene.title).dump(),
                                   scene.same_cameras,
                                   scene.same_scales);
+    if (scene.in_turn) all += "in turn\n";
     for (const ScenePanel& panel : scene.panels)
       all += nlohmann::ordered_json(panel.caption).dump() + scene_hash(panel.scene) + "\n";
     return content_hash(all);

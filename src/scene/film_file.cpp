@@ -274,6 +274,7 @@ Scene load_film(toml::table tree,
   scene.title = film.title;
   scene.same_cameras = film.cameras == "same";
   scene.same_scales = film.scales == "same";
+  scene.in_turn = film.arrange == "in_turn";
   scene.panels = std::move(panels);
   return scene;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Film files: several scenes side by side, on one clock.
+// Film files: several scenes side by side, on one clock, or one after the other.
 #pragma once
 
 #include <filesystem>
@@ -54,6 +54,7 @@ struct FilmFile {
   std::string title;
   std::vector<PanelSpec> panel;
   std::optional<SweepSpec> sweep;
+  std::string arrange = "side_by_side";
   std::string cameras = "same";
   std::string scales = "same";
 };
@@ -64,6 +65,12 @@ void fields(Visitor& v, FilmFile& s) {
   v.field("panel", s.panel, Doc{"the scenes, side by side"});
   v.field("sweep", s.sweep, Doc{"one scene with several values of one key"});
   v.exactly_one_of({"panel", "sweep"});
+  v.field("arrange",
+          s.arrange,
+          Doc{"panels side by side, or one after the other in the whole picture",
+              Unit::none,
+              kAny,
+              {"side_by_side", "in_turn"}});
   v.field("cameras",
           s.cameras,
           Doc{"one camera for all, or each its own", Unit::none, kAny, {"same", "own"}});

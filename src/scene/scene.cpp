@@ -35,6 +35,11 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   return files;
 }
 
+double shown_duration(const Scene& scene) {
+  const double count = scene.in_turn ? static_cast<double>(scene.panels.size()) : 1.0;
+  return count * scene.motion.duration;
+}
+
 void refuse_panels(const Scene& scene) {
   if (scene.panels.empty()) return;
   throw input_error("is a film of {} scenes; name one of them, such as {}",

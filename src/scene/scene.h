@@ -45,13 +45,17 @@ struct Scene {
   std::string film_file;     // of such a film, as the user named it
   bool same_cameras = true;  // one camera shows all panels
   bool same_scales = true;   // vectors have one scale in all panels
+  bool in_turn = false;      // panels follow one another, each in the whole frame
 };
 
-// One of several scenes that are shown side by side.
+// One of several scenes that are shown side by side, or in turn.
 struct ScenePanel {
   std::string caption;
   Scene scene;  // without panels
 };
+
+// The motion time that a film shows, s: that of all panels together, if they follow one another.
+double shown_duration(const Scene& scene);
 
 // Throws Error (input), with the film file, for a scene with panels; for what works on one motion.
 void refuse_panels(const Scene& scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Films of several scenes, with the real program.
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -80,6 +81,45 @@ TEST_F(SeveralScenes, AreVerified) {
   EXPECT_EQ(altered([](Json& r) { r["film"]["scales"] = "own"; }), 1);
   EXPECT_EQ(altered([](Json& r) { r["film"]["panels"] = Json::array(); }), 2);
   EXPECT_EQ(altered([](Json& r) { r.erase("film"); }), 1);
+}
+
+// one after the other: the frames of each scene, which a film of it alone has too
+TEST_F(SeveralScenes, FollowOneAnotherInTurn) {
+  write_text(folder_ / "turns.toml",
+             "arrange = \"in_turn\"\ncameras = \"own\"\nscales = \"own\"\n"
+             "[sweep]\nscene = \"scene.toml\"\nkey = \"motion.spin.body[2]\"\nvalues = [3, 9]\n");
+  const auto frames = [&](const std::string& scene, const std::string& options) {
+    run(fmt::format("render {} -o {} {}", at(scene), at("a.hash"), options));
+    std::istringstream lines(read_text(folder_ / "a.hash"));
+    std::vector<std::string> found;  // without the numbers of the frames
+    for (std::string line; std::getline(lines, line);)
+      found.push_back(line.substr(line.find_last_of(" ,") + 1));
+    return found;
+  };
+  const std::vector<std::string> whole = frames("turns.toml", "--no-text");
+  std::vector<std::string> alone = frames("scene.toml", "--no-text --set motion.spin.body[2]=3");
+  const std::vector<std::string> second =
+      frames("scene.toml", "--no-text --set motion.spin.body[2]=9");
+  alone.insert(alone.end(), second.begin(), second.end());
+  ASSERT_EQ(whole.size(), 20U);
+  EXPECT_EQ(whole, alone);
+  // in pieces, and from a time in the second
+  std::vector<std::string> pieces = frames("turns.toml", "--no-text --shard 1/3");
+  for (const char* piece : {"--no-text --shard 2/3", "--no-text --shard 3/3"}) {
+    const std::vector<std::string> more = frames("turns.toml", piece);
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(pieces, whole);
+  const std::vector<std::string> late = frames("turns.toml", "--no-text --from 1.2");
+  EXPECT_EQ(late, std::vector<std::string>(whole.begin() + 12, whole.end()));
+  // plots and captions go through all of them; the report makes it again
+  run(fmt::format("render {} -o {} --set 'show.plots=[\"tilt\"]' --report {}",
+                  at("turns.toml"),
+                  at("a.mp4"),
+                  at("a.json")));
+  EXPECT_EQ(Json::parse(read_text(folder_ / "a.json")).at("film").at("arrange"), "in_turn");
+  run(fmt::format("verify {}", at("a.mp4")));
+  run(fmt::format("render {} -o {} --still 2.1", at("turns.toml"), at("b.png")), 2);
 }
 
 TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {

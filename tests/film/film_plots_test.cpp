@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "film/film_plots.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "film/small_films.h"
+#include "math/so3.h"
 #include "scene/scene_file.h"
 #include "support/expect_error.h"
 #include "support/scenes.h"
@@ -41,6 +44,32 @@ TEST(FilmPlots, CurvesAreSampledOverTheWholeMotion) {
       }
     }
   }
+}
+
+// one curve through all motions, with a gap where the next begins
+TEST(FilmPlots, MotionsInTurnFollowOneAnother) {
+  const Solved slow = solve(load_scene(test::scene_path("heavy_top")));
+  Scene faster = slow.scene;
+  (*faster.motion.spin.rates)[2] *= 2.0;
+  const Solved fast = solve(faster);
+  Solved first = slow;
+  first.scene.show.plots = {"tilt"};
+  first.scene.in_turn = true;
+  const FilmPlot plot = make_charts({first, fast}).plots.at(0);
+  const double each = slow.scene.motion.duration;
+  ASSERT_EQ(plot.curves.size(), 1U);
+  EXPECT_EQ(plot.ends, 2.0 * each);
+  const auto tilt = [](const Motion& motion, double t) {
+    return angle_between(motion.at(t).q_SB * Vec3::UnitZ(), Vec3::UnitZ()) / kDegree;
+  };
+  EXPECT_NEAR(plot.now(0.4)[0], tilt(slow.simulation.motion, 0.4), 1e-9);
+  EXPECT_NEAR(plot.now(each + 0.4)[0], tilt(fast.simulation.motion, 0.4), 1e-9);
+  const std::vector<double>& values = plot.curves[0].values;
+  const std::size_t half = (values.size() - 1) / 2;
+  EXPECT_EQ(values.size(), 2 * half + 1);
+  EXPECT_TRUE(std::isnan(values[half]));
+  EXPECT_NEAR(values.front(), plot.now(0.0)[0], 1e-9);
+  EXPECT_NEAR(values.back(), plot.now(2.0 * each)[0], 1.0);
 }
 
 TEST(FilmPlots, DiagramsStandBesideThem) {

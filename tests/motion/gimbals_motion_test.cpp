@@ -183,6 +183,8 @@ TEST(GimbalsMotion, PassesGimbalLock) {
   for (double t = 0.0; t < 3.0; t += 0.01)
     least = std::min(least, pose_of_gimbals(motion.model(), motion.state_at(t)).angles[1]);
   EXPECT_LT(least, -0.1);
+  for (double t = 0.0; t < 2.99; t += 0.01)
+    EXPECT_GT(motion.at(t).q_SB.dot(motion.at(t + 0.01).q_SB), 0.9) << "no jump to -q at " << t;
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
 
   const GimbalPose end = pose_of_gimbals(motion.model(), motion.state_at(3.0));

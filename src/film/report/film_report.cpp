@@ -39,6 +39,7 @@ Json several_scenes(const PreparedFilm& film) {
     list.push_back(row);
   }
   return {{"file", first.film_file},
+          {"arrange", first.in_turn ? "in_turn" : "side_by_side"},
           {"cameras", first.same_cameras ? "same" : "own"},
           {"scales", first.same_scales ? "same" : "own"},
           {"panels", list}};

@@ -49,6 +49,7 @@ Scene scene_from(const FilmReport& record) {
   if (!record.film) return scene;
   const Json& film = *record.film;
   scene.film_file = film.at("file");
+  scene.in_turn = film.value("arrange", "") == "in_turn";
   scene.same_cameras = film.at("cameras") == "same";
   scene.same_scales = film.at("scales") == "same";
   for (const Json& row : film.at("panels")) {

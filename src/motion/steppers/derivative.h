@@ -45,7 +45,9 @@ template <int N>
 void set_state(const BodyModel& m, const StateVector<N>& v, State& s) {
   if constexpr (N == kInGimbals) {
     const GimbalPose pose{v.template head<3>(), v.template tail<3>()};
-    s.q = attitude_of(*m.loads.gimbals, pose.angles);
+    // of the two quaternions of that attitude the one that continues the motion
+    const Quat q = attitude_of(*m.loads.gimbals, pose.angles);
+    s.q = q.dot(s.q) < 0.0 ? Quat(-q.coeffs()) : q;
     s.y = m.moments.cwiseProduct(angular_velocity_of(*m.loads.gimbals, pose));
     s.ring_angle = pose.angles[0];
     s.ring_rate = pose.rates[0];
