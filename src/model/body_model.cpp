@@ -312,9 +312,10 @@ Vec3 torque_of_loads(const BodyModel& m, double t, const State& s) {
 }
 
 Vec3 torque(const BodyModel& m, double t, const State& s) {
-  const Vec3 sum = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
-  if (!m.loads.gimbals) return sum;
-  return sum + torque_of_rings(*m.loads.gimbals, pose_of_gimbals(m, s), m.moments, sum);
+  Vec3 sum = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
+  if (m.loads.gimbals)
+    sum += torque_of_rings(*m.loads.gimbals, pose_of_gimbals(m, s), m.moments, sum);
+  return sum;
 }
 
 std::optional<Vec3> frame_rotation_of(const BodyModel& m) {
@@ -341,9 +342,10 @@ Vec3 force(const BodyModel& m, double t, const State& s) {
 double energy(const BodyModel& m, const State& s) {
   double sum = 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q)) +
                potential_of(m.loads.turning, s.q, s.place_S);
-  if (m.loads.gimbals)
+  if (m.loads.gimbals) {
     sum += kinetic_energy_of_gimbals(m, s) +
            frame_potential(*m.loads.gimbals, pose_of_gimbals(m, s).angles);
+  }
   if (!m.with_translation) return sum;
   return sum + 0.5 * s.linear_momentum_S.squaredNorm() / m.body.mass +
          potential_of_place(m, s.place_S);
