@@ -37,6 +37,7 @@ Action define_verify(CLI::App& command);
 Action define_preview(CLI::App& command);
 Action define_simulate(CLI::App& command);
 Action define_plot(CLI::App& command);
+Action define_export(CLI::App& command);
 Action define_inspect(CLI::App& command);
 Action define_chart(CLI::App& command);
 Action define_stability(CLI::App& command);

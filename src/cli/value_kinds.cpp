@@ -46,6 +46,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"SCENE", ValueForm::file, {}, {"toml"}},
       {"DECK", ValueForm::file, {}, {"md"}},
       {"FILE.csv", ValueForm::file, {}, {"csv"}},
+      {"FILE.glb", ValueForm::file, {}, {"glb"}},
       {"FILE.json", ValueForm::file, {}, {"json"}},
       {"OUT.png", ValueForm::file, {}, {"png"}},
       {"OUT", ValueForm::file, {}, {}},

@@ -115,6 +115,13 @@ Camera Camera::moved(const Eigen::Isometry3d& rig_from_space) const {
   return {R_CS_ * rig_from_space.linear(), rig_from_space.inverse() * eye_, fov_, size_, clip_};
 }
 
+Eigen::Isometry3d Camera::space_from_camera() const {
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  place.linear() = R_CS_.transpose();
+  place.translation() = eye_;
+  return place;
+}
+
 Camera Camera::zoomed(double factor) const {
   return {R_CS_, eye_, 2.0 * std::atan(std::tan(0.5 * fov_) / factor), size_, clip_};
 }

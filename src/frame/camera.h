@@ -52,6 +52,13 @@ class Camera {
   double pixels_per_metre(const Vec3& point_S) const;
   // The position, in S, m; a reference to a member.
   const Vec3& eye() const { return eye_; }
+  // Maps coordinates of the camera (x to the right, y up, -z forwards) to S, m.
+  Eigen::Isometry3d space_from_camera() const;
+  // The vertical field of view, rad.
+  double field_of_view() const { return fov_; }
+  // The distances of the clip planes from the eye, m.
+  double nearest() const { return clip_.near_plane; }
+  double farthest() const { return clip_.far_plane; }
   // Whether the point is in front of the camera and inside the picture.
   bool sees(const Vec3& point_S) const;
   // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at

@@ -412,6 +412,11 @@ Camera Composer::camera_at(double film) const {
       placed(rigs_[last - 1]), placed(rig), eased((film - rig.begins) / rig.move), focus);
 }
 
+Camera Composer::camera_at(double film, std::size_t index) const {
+  const Rig& rig = rigs_.at(index);
+  return rig.camera.moved(rig_from_space(rig.spec, film));
+}
+
 SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const Vec2 at = camera.project(label.at);
   // a little way along; where that is towards the eye, the label stands above

@@ -18,19 +18,12 @@ Mat3 turned_to(const Vec3& axis) {
 constexpr double kGivenBack = 0.5;
 
 DrawItem shell_item(const ConeMeshes& meshes, const Cone& cone, Faces faces) {
-  // the unit shell has radius = height; a flat one keeps a sliver of height for its normals, too
-  // low to be seen, so that its axis can change sign
-  const double across = cone.slant * std::sin(cone.half_angle);
-  const double along = std::max(cone.slant * std::cos(cone.half_angle), 1e-5 * cone.slant);
-  Placement place = Placement::Identity();
-  place.translation() = cone.apex;
-  place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
   // a body in its cone keeps its colours: the wall before it is thin, the wall behind makes up for
   // it; a flat cone has no inside, and shows the same side whichever way it opens
   const double given = kGivenBack * std::cos(cone.half_angle);
   Material wall = cone.material;
   wall.alpha *= static_cast<float>(faces == Faces::front ? 1.0 - given : 1.0 + given);
-  return {meshes.shell, to_glm(place.matrix()), wall, faces};
+  return {meshes.shell, to_glm(cone_places(cone).shell.matrix()), wall, faces};
 }
 
 // The tube of a rim relative to the rim's own radius comes in steps of a hundredth, so that rims
@@ -57,8 +50,7 @@ DrawItem rim_item(const ConeMeshes& meshes, const Cone& cone) {
   const MeshPtr mesh = ready != meshes.rims.end() ? ready->second : rim_mesh(step, meshes.segments);
   const double across = cone.slant * std::sin(cone.half_angle);
   const double along = rim_tube(cone) / std::exp(kRimStep * step);
-  Placement place = Placement::Identity();
-  place.translation() = cone.apex + cone.axis * cone.slant * std::cos(cone.half_angle);
+  Placement place = cone_places(cone).rim;
   place.linear() = turned_to(cone.axis) * Vec3(across, across, along).asDiagonal();
   Material solid = cone.material;
   solid.alpha = 1.0f;
@@ -86,6 +78,21 @@ bool farther(const Cone& a, const Cone& b, const Vec3& eye) {
 }
 
 }  // namespace
+
+// the unit shell has radius = height; a flat one keeps a sliver of height for its normals, too low
+// to be seen, so that its axis can change sign
+ConePlaces cone_places(const Cone& cone) {
+  const double across = cone.slant * std::sin(cone.half_angle);
+  const double along = std::max(cone.slant * std::cos(cone.half_angle), 1e-5 * cone.slant);
+  const Mat3 turn = turned_to(cone.axis);
+  ConePlaces places;
+  places.shell.translation() = cone.apex;
+  places.shell.linear() = turn * Vec3(across, across, along).asDiagonal();
+  places.rim.translation() = cone.apex + cone.axis * cone.slant * std::cos(cone.half_angle);
+  places.rim.linear() = turn * across;
+  places.tube = rim_tube(cone) / across;
+  return places;
+}
 
 ConeMeshes cone_meshes(int segments, const std::vector<Cone>& expected) {
   // the rim hides where a shell ends; long thin triangles are dear

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frame/draw_list.h"
+#include "frame/to_glm.h"
 #include "math/notation.h"
 
 namespace polhode {
@@ -20,6 +21,15 @@ struct Cone {
   double rim_radius = 0.005;  // of the tube drawn along the rim; a narrow cone has a thinner one
   Material material;          // of the shell; the rim has the same colour, opaque
 };
+
+// Where the meshes of a cone stand.
+struct ConePlaces {
+  Placement shell;    // of unit_cone_shell()
+  Placement rim;      // of a torus of radius 1 about z with a tube of radius `tube`
+  double tube = 0.0;  // as thick as the cone's own, in its radius
+};
+// Those of a cone, in the unit of its lengths. A flat one keeps a height that cannot be seen.
+ConePlaces cone_places(const Cone& cone);
 
 // The unit meshes that all cones share.
 struct ConeMeshes {

@@ -9,6 +9,7 @@
 #include "frame/arrow.h"
 #include "frame/camera.h"
 #include "frame/cone.h"
+#include "frame/curves.h"
 #include "frame/to_glm.h"
 
 namespace polhode {
@@ -20,12 +21,19 @@ struct ArrowGlyph {
   Material material;
 };
 
+// The part of a path that has been drawn, between two times (s of motion).
+struct TrailPart {
+  const Trail* trail = nullptr;  // of the scenery, which it must not outlive; null: no path
+  double from = 0.0, to = 0.0;
+};
+
 // A mesh at its position.
 struct MeshGlyph {
   MeshPtr mesh;
   Placement space_from_mesh;  // maps mesh coordinates to S, m
   Material material;
   MeshPtr rough = {};  // roughly the same mesh, which throws its shadow; null: it throws none
+  TrailPart of = {};   // it is drawn with others as this part of a path
 };
 
 // A floor, with the shadows of the meshes that throw one.

@@ -55,11 +55,6 @@ void add_at_reference(const Scenery& scenery,
                       const Material& material,
                       Glyphs& glyphs,
                       const std::string& name = {});
-// The unit vector (B) of the axis whose motion is shown: the symmetry axis, else the direction from
-// the pivot to the centre of mass, else the third body axis. On a pivot it points to the side of
-// the centre of mass.
-Vec3 figure_axis_B(const Scenery& scenery);
-
 // How far the foot of the stand, or of the gimbals, is below the pivot, m.
 double foot_depth(const Scenery& scenery);
 // Whether the scene asks for gimbals, which carry the body in place of a stand.

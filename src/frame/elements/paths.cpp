@@ -26,7 +26,7 @@ void add_tail(const Scenery& scenery,
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs) {
   if (trail.empty()) return;
   for (const MeshPtr& mesh : trail.part(from, to))
-    glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f)});
+    glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f), {}, {&trail, from, to}});
   // what is not drawn yet needs no place: a camera that goes along comes nearer
   const Path& path = trail.path();
   const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);

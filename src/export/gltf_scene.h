@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A solved scene as a glTF document: what its film shows, as nodes that move as the bodies do.
+#pragma once
+
+#include "export/gltf_document.h"
+#include "export/key_times.h"
+#include "film/solved_scene.h"
+
+namespace polhode {
+
+// What is to be written.
+struct ExportPlan {
+  std::optional<double> from, to;  // s of motion; absent: start and end of the motion
+  std::string author, licence;     // empty: none
+  // How far what a player makes of the file may be from the exact motion: pixels of a picture 1080
+  // pixels high, where the film's cameras see it largest; or radians, of a body turned about its
+  // reference point.
+  double pixels = 0.1;
+  std::optional<double> radians = {};  // absent: `pixels` counts
+};
+
+// What was found.
+struct ExportReport {
+  std::size_t keys = 0;           // key times of all nodes together
+  double tolerance = 0.0;         // m
+  double error = 0.0;             // as measured, m
+  double pixels_per_metre = 0.0;  // where the film's cameras see things largest, 1080 pixels high
+};
+
+// The document and what was found. Below the root, which turns S so that its Z is up, coordinates
+// are those of S (m) from `origin`, the reference point at the start; the node "body_frame" moves
+// with the body axes from the body origin. Nodes are named after the elements that they belong to
+// (docs/export.md). Things that keep their place in the body are below "body_frame". Stories hide
+// nothing. The time of the animation is film time without pauses. Throws Error (input) with --from
+// or --to as key as check_time_range() (film/frame_times.h) does, without a place for a motion that
+// is too long to be tabulated, as make_film() (film/film_panels.h) does; (check_failed) as
+// Motion::at does.
+struct ExportedScene {
+  GltfDocument document;
+  ExportReport report;
+};
+ExportedScene export_scene(const Solved& solved, const ExportPlan& plan);
+
+// The finest accuracy that numbers of single precision hold, rad.
+inline constexpr double kFinestPlayback = 1e-6;
+
+}  // namespace polhode

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "export/key_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kTurnBetweenLooks = 0.5;  // rad
+constexpr int kFewestLooks = 16;
+constexpr double kMostLooks = 1e6;
+constexpr double kJump = 1e-5;    // of the animation
+constexpr double kSafety = 0.75;  // of the tolerance: what is between the tested places is more
+constexpr double kStill = 1e-3;   // of the tolerance
+
+double in_single_precision(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+// The keys of one thing, as they are found.
+class Search {
+ public:
+  Search(const Thing& thing,
+         const std::function<Pose(double)>& pose_at,
+         const AnimationClock& clock,
+         double tolerance)
+      : thing_(thing), pose_at_(pose_at), clock_(clock), tolerance_(tolerance) {}
+
+  Pose exact(double played) const { return pose_at_(clock_.motion_time(played)); }
+  double error_at(double a, const Pose& pose_a, double b, const Pose& pose_b, double part) const {
+    const double played = in_single_precision(a + part * (b - a));
+    const double exact_part = (played - a) / (b - a);
+    return distance(thing_, exact(played), between(thing_, pose_a, pose_b, exact_part));
+  }
+  bool is_jump(double a, double b) const { return b - a <= kJump * clock_.duration(); }
+
+  // the keys after a up to b
+  void add(double a, const Pose& pose_a, double b, const Pose& pose_b, KeyedPoses& keys) const {
+    const double middle = in_single_precision(0.5 * (a + b));
+    const bool divisible = middle > a && middle < b && !is_jump(a, b);
+    double error = 0.0;
+    for (const double part : {0.5, 0.25, 0.75}) {
+      if (divisible && error <= kSafety * tolerance_)
+        error = std::max(error, error_at(a, pose_a, b, pose_b, part));
+    }
+    if (error > kSafety * tolerance_) {
+      const Pose pose = exact(middle);
+      add(a, pose_a, middle, pose, keys);
+      add(middle, pose, b, pose_b, keys);
+      return;
+    }
+    keys.times.push_back(b);
+    keys.poses.push_back(pose_b);
+  }
+
+ private:
+  const Thing& thing_;
+  const std::function<Pose(double)>& pose_at_;
+  const AnimationClock& clock_;
+  double tolerance_;
+};
+
+}  // namespace
+
+std::vector<double> first_times(const Motion& motion, const AnimationClock& clock) {
+  double fastest = 0.0;
+  for (const double t : framing_times(motion))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  const double turned = fastest * (clock.to - clock.from);
+  const double looks = std::ceil(turned / kTurnBetweenLooks) + kFewestLooks;
+  if (!(looks < kMostLooks)) {
+    throw input_error(
+        "the body turns by {:.3g} radians, too much for a table of its motion; export a part of it "
+        "with --from and --to",
+        turned);
+  }
+  std::vector<double> times;
+  for (int i = 0; i <= static_cast<int>(looks); ++i)
+    times.push_back(in_single_precision(clock.duration() * i / std::floor(looks)));
+  for (const double t : motion.model().loads.switches) {
+    if (t > clock.from && t < clock.to)
+      times.push_back(in_single_precision((t - clock.from) / clock.scale));
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+KeyedPoses keyed(const Thing& thing,
+                 const std::function<Pose(double)>& pose_at,
+                 const std::vector<double>& first,
+                 const AnimationClock& clock,
+                 double tolerance) {
+  const Search search(thing, pose_at, clock, tolerance);
+  KeyedPoses keys;
+  keys.times = {first.front()};
+  keys.poses = {search.exact(first.front())};
+  keys.still = std::all_of(first.begin(), first.end(), [&](double played) {
+    return distance(thing, keys.poses.front(), search.exact(played)) <= kStill * tolerance;
+  });
+  if (keys.still) return keys;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i)
+    search.add(first[i], keys.poses.back(), first[i + 1], search.exact(first[i + 1]), keys);
+
+  // other places than those that decided
+  for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
+    const double a = keys.times[i], b = keys.times[i + 1];
+    if (search.is_jump(a, b)) continue;
+    for (const double part : {0.375, 0.625})
+      keys.error =
+          std::max(keys.error, search.error_at(a, keys.poses[i], b, keys.poses[i + 1], part));
+  }
+  return keys;
+}
+
+}  // namespace polhode

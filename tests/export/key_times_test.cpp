@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "export/key_times.h"
+
+#include <gtest/gtest.h>
+
+#include "math/so3.h"
+#include "support/motions.h"
+
+namespace polhode {
+namespace {
+
+Thing ball() {
+  Thing thing;
+  thing.low = Vec3::Constant(-1.0);
+  thing.high = Vec3::Constant(1.0);
+  return thing;
+}
+
+std::vector<double> looks(int count) {
+  std::vector<double> times;
+  for (int i = 0; i <= count; ++i)
+    times.push_back(static_cast<double>(static_cast<float>(1.0 * i / count)));
+  return times;
+}
+
+const AnimationClock kSecond{0.0, 1.0, 1.0};
+
+// slerp is exact for it
+TEST(KeyTimes, AUniformRotationNeedsNoMoreThanTheFirstTimes) {
+  const auto pose_at = [](double t) {
+    return Pose{Vec3::Zero(), exp_rotation(Vec3(0, 0, 3.0 * t)), Vec3::Ones()};
+  };
+  const KeyedPoses keys = keyed(ball(), pose_at, looks(6), kSecond, 1e-6);
+  EXPECT_EQ(keys.times.size(), 7u);
+  EXPECT_LT(keys.error, 1e-12);
+}
+
+// of x = a t^2 / 2, a chord over h is off by a h^2 / 8 at its middle
+TEST(KeyTimes, AreAsDenseAsTheAccelerationAsks) {
+  const double a = 8.0, tolerance = 1e-4;
+  const auto pose_at = [&](double t) {
+    return Pose{Vec3(0.5 * a * t * t, 0, 0), Quat::Identity(), Vec3::Ones()};
+  };
+  const KeyedPoses keys = keyed(ball(), pose_at, looks(1), kSecond, tolerance);
+  EXPECT_LE(keys.error, tolerance);
+  const double needed = std::sqrt(a / (8.0 * tolerance));  // intervals, if they were all as long
+  EXPECT_GE(keys.times.size(), needed);
+  EXPECT_LE(keys.times.size(), 3.0 * needed);  // halving wastes up to a factor of two, and the safety
+  for (const double t : keys.times)
+    EXPECT_EQ(t, static_cast<double>(static_cast<float>(t)));
+}
+
+TEST(KeyTimes, AJumpTakesAMomentAndIsNoError) {
+  const auto pose_at = [](double t) {
+    return Pose{Vec3(t < 0.4 ? 0.0 : 1.0, 0, 0), Quat::Identity(), Vec3::Ones()};
+  };
+  const KeyedPoses keys = keyed(ball(), pose_at, looks(4), kSecond, 1e-3);
+  EXPECT_LT(keys.times.size(), 64u);
+  EXPECT_EQ(keys.error, 0.0);
+  for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
+    if (keys.poses[i].at.x() != keys.poses[i + 1].at.x())
+      EXPECT_LT(keys.times[i + 1] - keys.times[i], 2e-5);
+  }
+}
+
+TEST(KeyTimes, WhatIsStillHasOnePose) {
+  const auto pose_at = [](double) { return Pose{Vec3(1, 2, 3), Quat::Identity(), Vec3::Ones()}; };
+  const KeyedPoses keys = keyed(ball(), pose_at, looks(4), kSecond, 1e-3);
+  EXPECT_TRUE(keys.still);
+  EXPECT_EQ(keys.poses.size(), 1u);
+}
+
+// how a round thing is turned about its own axis says nothing
+TEST(KeyTimes, ARoundThingMayTurnAboutItsAxis) {
+  Thing rod = ball();
+  rod.kind = ThingKind::rod;
+  rod.round = true;
+  const auto pose_at = [](double t) {
+    return Pose{Vec3::Zero(), exp_rotation(Vec3(0, 0, 100.0 * t * t)), Vec3(0.1, 0.1, 1.0)};
+  };
+  EXPECT_TRUE(keyed(rod, pose_at, looks(4), kSecond, 1e-6).still);
+}
+
+// a level cone that opens up or down is the same disc
+TEST(KeyTimes, ARingMayTurnOver) {
+  Thing ring = ball();
+  ring.round = true;
+  ring.low.z() = -0.1;
+  ring.high.z() = 0.1;
+  const auto pose_at = [](double t) {
+    const bool over = std::fmod(10.0 * t, 1.0) > 0.5;
+    return Pose{Vec3::Zero(), exp_rotation(Vec3(over ? kPi : 0.0, 0, 0)), Vec3::Ones()};
+  };
+  EXPECT_TRUE(keyed(ring, pose_at, looks(8), kSecond, 1e-6).still);
+}
+
+TEST(KeyTimes, FirstTimesFollowTheBody) {
+  const Motion motion = test::moving(test::prolate_body(), test::wobbling());
+  const AnimationClock clock{0.0, motion.duration(), 2.0};
+  const std::vector<double> times = first_times(motion, clock);
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_NEAR(times.back(), clock.duration(), 1e-6 * clock.duration());
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const Quat a = motion.at(clock.motion_time(times[i])).q_SB;
+    const Quat b = motion.at(clock.motion_time(times[i + 1])).q_SB;
+    EXPECT_LT(rotation_angle_between(a, b), 0.51);
+  }
+}
+
+}  // namespace
+}  // namespace polhode
