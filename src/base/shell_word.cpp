@@ -6,12 +6,15 @@
 namespace polhode {
 
 std::string shell_word(const std::string& name) {
+  return shell_quoted(name.starts_with('-') ? "./" + name : name);
+}
+
+std::string shell_quoted(const std::string& text) {
   constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:@%";
-  std::string word = name.starts_with('-') ? "./" + name : name;
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:@%=";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
   std::string quoted;
-  for (const char c : word)
+  for (const char c : text)
     quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return "'" + quoted + "'";
 }

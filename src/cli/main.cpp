@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The program: options to a job, a job to an exit code, every error to one line.
-#include <cctype>
-#include <cstring>
 #include <exception>
 #include <malloc.h>
 #include <new>
@@ -9,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "app/version_text.h"
 #include "base/error.h"
-#include "base/nearest.h"
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
 #include "cli/command.h"
 #include "cli/commit.h"
+#include "cli/parse_errors.h"
 
 namespace polhode {
 
@@ -28,81 +26,6 @@ namespace {
 int fail(const Error& error) {
   print_err(fmt::format("polhode: {}\n", error.what()));
   return static_cast<int>(error.fault());
-}
-
-// a mistyped command gets the nearest one; CLI11 only says that it was unexpected
-void refuse_unknown_command(int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const Command& command : commands()) {
-    if (std::strcmp(command.name, argv[1]) == 0) return;
-    names.emplace_back(command.name);
-  }
-  throw input_error("unknown command '{}'{}", argv[1], suggestion(argv[1], names));
-}
-
-// the option in "--size=12x12" and "-oFILE"; "" if the word has none, such as "-" and "-1.5"
-std::string option_in(const std::string& word) {
-  if (word.starts_with("--")) return word == "--" ? "" : word.substr(0, word.find('='));
-  const bool letter = word.size() > 1 && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
-  return letter && word[0] == '-' ? word.substr(0, 2) : "";
-}
-
-// the first option that this command does not have; "" if there is none
-std::string unknown_option(const std::vector<std::string>& known, int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    std::string option = option_in(argv[i]);
-    if (option.empty()) continue;
-    if (std::find(known.begin(), known.end(), option) == known.end()) return option;
-  }
-  return {};
-}
-
-void add_names(const CLI::App& app,
-               std::vector<std::string>& long_names,
-               std::vector<std::string>& all) {
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      long_names.push_back("--" + name);
-      all.push_back("--" + name);
-    }
-    for (const std::string& name : option->get_snames())
-      all.push_back("-" + name);
-  }
-}
-
-// the parser's complaint in our words; a mistyped option gets the nearest one of its command
-Error explain(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
-  if (app.get_subcommands().empty()) {
-    std::vector<std::string> names;
-    for (const Command& command : commands())
-      names.emplace_back(command.name);
-    return input_error("give a command: {}; see `polhode --help`", fmt::join(names, ", "));
-  }
-  const CLI::App& command = *app.get_subcommands().front();
-  std::string text = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    std::vector<std::string> own, of_program, all;
-    add_names(command, own, all);
-    add_names(app, of_program, all);
-    const std::string unknown = unknown_option(all, argc, argv);
-    if (!unknown.empty()) {
-      // one letter is near to every other
-      const std::string hint = unknown.starts_with("--")
-                                   ? suggestion(unknown, own)
-                                   : fmt::format(" (known: {})", fmt::join(own, ", "));
-      return input_error("{} has no option {}{}", command.get_name(), unknown, hint);
-    }
-    const std::vector<std::string> left = app.remaining(true);
-    const std::string word = left.empty() ? "" : left.front();
-    text = word.starts_with("-") ? fmt::format("'{}' must come after the command", word)
-                                 : fmt::format("unexpected argument '{}'", word);
-  } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    // "--size: 1 required TEXT missing" in several wordings; the first word is the option
-    text = text.substr(0, text.find(':')) + " needs a value";
-  }
-  return input_error(
-      "{}: {}; see `polhode {} --help`", command.get_name(), text, command.get_name());
 }
 
 // Frames are large and short-lived. Among what is small and kept, they would leave gaps into which
@@ -142,9 +65,11 @@ int run(int argc, char** argv) {
     sub->footer(fmt::format("Example: {}", command.example));
     actions.emplace_back(sub, command.define(*sub));
   }
-  refuse_unknown_command(argc, argv);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  refuse_unknown_command(words);
+  words = with_work_apart(app, std::move(words));
   try {
-    app.parse(argc, argv);
+    parse_words(app, words);
   } catch (const CLI::Success& request) {
     // --help, --version
     std::ostringstream text;
@@ -152,7 +77,7 @@ int run(int argc, char** argv) {
     print_out(text.str());
     return code;
   } catch (const CLI::ParseError& error) {
-    throw explain(error, app, argc, argv);
+    throw explain(error, app, words);
   }
   start_log(verbose);
   for (const auto& [sub, action] : actions) {

@@ -145,6 +145,23 @@ void add_numerics_options(CLI::App& command, Overrides& overrides) {
       ->type_name("A");
 }
 
+void add_part(CLI::App& command, PartOptions& part) {
+  add_text(command,
+           "--shard",
+           part.shard,
+           "make only the K-th of N parts; the same command without it collects them")
+      ->type_name("K/N");
+  add_submitted(command, part.submitted);
+}
+
+void add_submitted(CLI::App& command, std::string& submitted) {
+  add_text(command,
+           "--submitted",
+           submitted,
+           "stop unless the work is still the one that `polhode submit` named so")
+      ->type_name("HASH");
+}
+
 void add_thresholds(CLI::App& command, ThresholdOptions& given) {
   add_whole_number(command,
                    "--max",

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/compare/diff.h"
+#include "app/piecewise.h"
 #include "base/system/progress.h"
 #include "film/overrides.h"
 #include "scene/setting.h"
@@ -71,6 +72,13 @@ void add_settings(CLI::App& command, std::vector<Setting>& settings);
 // Adds --method, --step, --tolerance and --accuracy. `overrides` must outlive parsing;
 // load_with_overrides() checks the values.
 void add_numerics_options(CLI::App& command, Overrides& overrides);
+
+// Adds --shard and --submitted, for work that several runs do together. `part` must outlive
+// parsing; part_of_work() (app/piecewise.h) checks the values.
+void add_part(CLI::App& command, PartOptions& part);
+
+// Adds only --submitted. `submitted` must outlive parsing.
+void add_submitted(CLI::App& command, std::string& submitted);
 
 // The values of --max, --fraction, --limit, --ssim and --flip, with the meaning of the members of
 // Thresholds (image/verdict.h). Absent: not given.

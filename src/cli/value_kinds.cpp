@@ -17,6 +17,13 @@ std::vector<std::string> command_names() {
   return names;
 }
 
+std::vector<std::string> divisible_words() {
+  std::vector<std::string> names;
+  for (const Command& command : commands())
+    if (command.divide != nullptr) names.emplace_back(command.name);
+  return names;
+}
+
 std::vector<std::string> new_kind_words() {
   std::vector<std::string> names;
   for (const NewKind& kind : new_kinds())
@@ -40,6 +47,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"PLOT", ValueForm::word, plot_names(), {}},
       {"PRESET", ValueForm::word, preset_words(), {}},
       {"QUALITY", ValueForm::word, quality_words(), {}},
+      {"WORK", ValueForm::word, divisible_words(), {}},
       {"SHELL", ValueForm::word, {"bash", "zsh"}, {}},
       {"THEME", ValueForm::word, theme_words(), {}},
       {"TABLE", ValueForm::word, list_names(), {}},
@@ -53,6 +61,7 @@ const std::vector<ValueKind>& value_kinds() {
       {"PART", ValueForm::file, {}, {}},
       {"ACTUAL", ValueForm::file, {}, {}},
       {"REFERENCE", ValueForm::file, {}, {}},
+      {"JOB", ValueForm::folder, {}, {}},
       {"DIR", ValueForm::folder, {}, {}},
   };
   return table;

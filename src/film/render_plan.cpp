@@ -85,8 +85,12 @@ void check_shard(const RenderPlan& plan) {
                       output)
         .at({{}, 0, "--resume"});
   }
-  if (plan.resume && plan.shard) {
-    throw input_error("is for whole films; render the shard again instead").at({{}, 0, "--resume"});
+  constexpr int kMostPieces = 100000;
+  if (plan.pieces != 0 && !plan.resume)
+    throw input_error("is the number of pieces of --resume").at({{}, 0, "--pieces"});
+  if (plan.pieces < 0 || plan.pieces > kMostPieces) {
+    throw input_error("must be from 1 to {}, got {}", kMostPieces, plan.pieces)
+        .at({{}, 0, "--pieces"});
   }
 }
 
@@ -147,6 +151,7 @@ RenderPlan plan_render(const RenderJob& job) {
   });
   if (job.shard) plan.shard = parse_shard(*job.shard);
   plan.resume = job.resume;
+  if (job.pieces) plan.pieces = *job.pieces == 0 ? -1 : *job.pieces;
   check_shard(plan);
   plan.text = job.text;
   plan.progress = job.progress;

@@ -46,9 +46,12 @@ struct RenderJob {
   bool transparent = false;           // without background
   int jobs = 1;                       // processes that draw, 1 to 64
   bool resume = false;                // work in segments, and continue an earlier run
+  std::optional<int> pieces;          // of --resume; absent: one for each five seconds of film
   std::optional<std::string> shard;   // "K/N": make the K-th of N parts only; absent: everything
-  bool text = true;                   // false: no labels, clock, title or caption
-  std::string report;                 // file for the JSON report, "-": stdout; empty: none
+  std::string submitted;  // hash of words_of_film() (film/output/segments.h) of the film that was
+                          // meant; empty: whatever it is now
+  bool text = true;       // false: no labels, clock, title or caption
+  std::string report;     // file for the JSON report, "-": stdout; empty: none
   ProgressKind progress = ProgressKind::automatic;
 };
 
@@ -65,8 +68,10 @@ struct RenderPlan {
   std::vector<StoryStep> story;  // of the scene, with captions even if the picture shows no text
   TimeRange range;               // part of the motion
   SinkJob sink;                  // output and encoder
-  std::optional<Shard> shard;    // part of the film to make; absent: the whole film
+  std::optional<Shard> shard;    // part of the film to make; absent: the whole film. With resume it
+                                 // is a part of the segments, which are kept for the run that joins
   bool resume = false;           // work in segments, and continue an earlier run
+  int pieces = 0;                // number of these; 0: one for each five seconds of film
   bool text = true;              // false: the picture shows no text
   RenderSetup setup;
   ProgressKind progress = ProgressKind::none;  // of what comes before the first frame

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "app/commands/render.h"
 #include "base/hash.h"
 #include "base/name_list.h"
 #include "base/one_line.h"
@@ -16,6 +17,7 @@
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
 #include "base/system/parallel.h"
+#include "base/system/scratch_folder.h"
 #include "chart/gnuplot.h"
 #include "lecture/data.h"
 #include "lecture/documents.h"
@@ -33,7 +35,8 @@ namespace fs = std::filesystem;
 // One product with what came of it.
 struct Task {
   Product product;
-  bool alone = false;  // it measures time, and has the machine to itself
+  bool alone = false;   // it measures time, and has the machine to itself
+  double cost_s = 0.0;  // about what it takes on one processor, s
   Json facts;
   std::optional<Error> failure;
 };
@@ -72,10 +75,26 @@ const DeckScene& scene_of(LectureWork& work, const std::string& name) {
   return *scene;
 }
 
-std::string add_task(LectureWork& work, Product product, bool alone = false) {
+// What products cost beside films, s on one processor; a film is told by its pixels. They are only
+// needed to deal the dear ones out first.
+constexpr double kChartSeconds = 30.0, kStabilitySeconds = 30.0, kStillSeconds = 1.0,
+                 kNumbersSeconds = 0.1, kPixelSeconds = 8e-9;
+
+std::string add_task(LectureWork& work, Product product, double cost_s, bool alone = false) {
   std::string stem = Media::stem_of(product);
-  work.tasks.try_emplace(stem, Task{std::move(product), alone, {}, {}});
+  work.tasks.try_emplace(stem, Task{std::move(product), alone, cost_s, {}, {}});
   return stem;
+}
+
+double cost_of_film(const DeckPicture& picture,
+                    const std::vector<DeckScene>& scenes,
+                    const LectureSettings& settings) {
+  double seconds = 0.0;
+  for (const DeckScene& scene : scenes)
+    seconds = std::max(seconds, scene.scene.motion.duration / scene.scene.video.time_scale);
+  const RenderJob job = film_job(picture, scenes.front(), settings, {});
+  const VideoSpec video = load_with_overrides(job.scene, job.overrides).video;
+  return seconds * video.fps.value() * video.size.width * video.size.height * kPixelSeconds;
 }
 
 // an error of a scene behind the place in the deck that asked for it
@@ -95,18 +114,21 @@ std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
       refuse_panels(scene.scene);
       [[fallthrough]];
     case PictureKind::film:
-      return add_task(work, film_product(picture, scene, settings));
+      return add_task(
+          work, film_product(picture, scene, settings), cost_of_film(picture, scenes, settings));
     case PictureKind::compare:
-      return add_task(work, compare_product(picture, scenes, settings));
+      return add_task(work,
+                      compare_product(picture, scenes, settings),
+                      cost_of_film(picture, scenes, settings));
     case PictureKind::still:
-      return add_task(work, still_product(picture, scene, settings));
+      return add_task(work, still_product(picture, scene, settings), kStillSeconds);
     case PictureKind::chart:
-      return add_task(work, chart_product(picture, scene), true);
+      return add_task(work, chart_product(picture, scene), kChartSeconds, true);
     case PictureKind::stability:
-      return add_task(work, stability_product(picture, scene), true);
+      return add_task(work, stability_product(picture, scene), kStabilitySeconds, true);
     case PictureKind::inspect:
       refuse_panels(scene.scene);
-      return add_task(work, inspect_product(scene));
+      return add_task(work, inspect_product(scene), kNumbersSeconds);
   }
   return "";
 }
@@ -133,8 +155,8 @@ void plan(LectureWork& work, bool data) {
   for (const auto& [name, scene] : work.scenes) {
     // a film of several scenes has no one motion to inspect
     if (scene == nullptr || !scene->scene.panels.empty()) continue;
-    work.inspections[name] = add_task(work, inspect_product(*scene));
-    if (data) work.motions[name] = add_task(work, motion_product(*scene));
+    work.inspections[name] = add_task(work, inspect_product(*scene), kNumbersSeconds);
+    if (data) work.motions[name] = add_task(work, motion_product(*scene), kNumbersSeconds);
   }
 }
 
@@ -147,11 +169,23 @@ void run_task(Task& task, Media& media) {
   }
 }
 
-void run_tasks(LectureWork& work, Media& media) {
-  std::vector<Task*> together, alone;
+// The tasks of the shard, or all; those that take longest come first and are dealt out first.
+std::vector<Task*> tasks_of(LectureWork& work, const std::optional<Shard>& shard) {
+  std::vector<Task*> all, mine;
   for (auto& [stem, task] : work.tasks)
-    (task.alone ? alone : together).push_back(&task);
-  Progress progress(work.job->progress, static_cast<int>(work.tasks.size()), "pictures");
+    all.push_back(&task);
+  std::stable_sort(
+      all.begin(), all.end(), [](const Task* a, const Task* b) { return a->cost_s > b->cost_s; });
+  for (const long i : pieces_of(shard, static_cast<long>(all.size()), "pictures"))
+    mine.push_back(all[static_cast<std::size_t>(i)]);
+  return mine;
+}
+
+void run_tasks(LectureWork& work, Media& media, const std::vector<Task*>& tasks) {
+  std::vector<Task*> together, alone;
+  for (Task* task : tasks)
+    (task->alone ? alone : together).push_back(task);
+  Progress progress(work.job->progress, static_cast<int>(tasks.size()), "pictures");
   progress.show(0);
   std::mutex lock;
   int done = 0;
@@ -349,44 +383,113 @@ const std::vector<LectureOutput>& lecture_outputs() {
   return table;
 }
 
-LectureResult lecture(const LectureJob& job) {
-  if (fs::path(job.deck).extension() == ".toml") {
-    throw input_error(
-        "is a scene, not a deck; name a Markdown file whose pictures name scenes, or use "
-        "`polhode render`")
-        .at({job.deck, 0, {}});
-  }
-  require_pandoc();
-  const auto may_want = [&](const char* name) {
-    return job.to.empty() || job.to.find(name) != std::string::npos;
-  };
-  const std::optional<Reveal> reveal = may_want("slides") ? find_reveal() : std::nullopt;
-  const Printer printer = may_want("handout") ? find_printer() : Printer{};
-  LectureResult result;
-  const std::vector<std::string> outputs = settle_outputs(job.to, reveal, printer, result.summary);
-  const auto wants = [&](const char* name) {
-    return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
-  };
+namespace {
 
-  // read and plan before anything is written
-  LectureWork work;
-  work.job = &job;
-  work.deck_text = read_file(job.deck);
-  work.deck = read_deck(job.deck, job.allow_outside);
-  plan(work, wants("data"));
-  const fs::path folder = folder_or_default(job.output, job.deck, "lecture");
-  std::vector<std::string> files;
-  for (const LectureOutput& output : lecture_outputs()) {
-    if (wants(output.name.c_str()) && output.name != "data") files.push_back(output.file);
+void refuse_scene(const fs::path& deck) {
+  if (deck.extension() != ".toml") return;
+  throw input_error(
+      "is a scene, not a deck; name a Markdown file whose pictures name scenes, or use "
+      "`polhode render`")
+      .at({deck, 0, {}});
+}
+
+// What is to be made, and with what; nothing is written yet.
+struct PlannedLecture {
+  explicit PlannedLecture(const LectureJob& job)
+      : folder(folder_or_default(job.output, job.deck, "lecture")) {
+    refuse_scene(job.deck);
+    require_pandoc();
+    const auto may_want = [&](const char* name) {
+      return job.to.empty() || job.to.find(name) != std::string::npos;
+    };
+    // a part makes no documents
+    if (!job.part.shard) {
+      if (may_want("slides")) reveal = find_reveal();
+      if (may_want("handout")) printer = find_printer();
+      outputs = settle_outputs(job.to, reveal, printer, left_out);
+    } else {
+      parse_outputs(job.to);
+    }
+    work.job = &job;
+    work.deck_text = read_file(job.deck);
+    work.deck = read_deck(job.deck, job.allow_outside);
+    const bool data = job.part.shard ? job.to.empty() || may_want("data") : wants("data");
+    plan(work, data);
   }
+
+  bool wants(const std::string& name) const {
+    return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+  }
+  // the documents, and what goes with them
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const LectureOutput& output : lecture_outputs()) {
+      if (wants(output.name) && output.name != "data") names.push_back(output.file);
+    }
+    if (has_pages(outputs)) names.emplace_back(kNoticesFile);
+    return names;
+  }
+  // all that the products depend on, and which they are
+  std::string words() const {
+    std::string all = program_identity();
+    for (const auto& [stem, task] : work.tasks)
+      all += "\n" + task.product.key;
+    return all + "\n" + work.deck_text;
+  }
+
+  fs::path folder;
+  std::optional<Reveal> reveal;
+  Printer printer;
+  std::string left_out;  // documents that this machine cannot make
+  std::vector<std::string> outputs;
+  LectureWork work;
+};
+
+// the products of one shard
+LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
+  LectureWork& work = lecture.work;
+  const std::vector<Task*> mine = tasks_of(work, shard);
+  Media media(lecture.folder / "media");
+  run_tasks(work, media, mine);
+  LectureResult result;
+  for (const Task* task : mine) {
+    if (!task->failure) continue;
+    result.problems.emplace_back(task->failure->fault(),
+                                 fmt::format("{}: {}", task->product.name, task->failure->what()),
+                                 Place{work.deck.file, 0, {}});
+  }
+  result.summary = fmt::format(
+      "part {}: {} of {} pictures, {} made now; kept in {} until the same command without --shard "
+      "uses them\n",
+      name_of(shard),
+      mine.size(),
+      work.tasks.size(),
+      media.made(),
+      one_line((lecture.folder / "media").string()));
+  return result;
+}
+
+}  // namespace
+
+LectureResult lecture(const LectureJob& job) {
+  // read and plan before anything is written
+  PlannedLecture planned(job);
+  LectureWork& work = planned.work;
+  const std::optional<Shard> shard = part_of_work(job.part, planned.words());
+  if (shard) return make_products(planned, *shard);
+  LectureResult result;
+  result.summary = planned.left_out;
+  const std::vector<std::string>& outputs = planned.outputs;
+  const std::optional<Reveal>& reveal = planned.reveal;
+  const fs::path& folder = planned.folder;
+  const std::vector<std::string> files = planned.files();
   const bool pages = has_pages(outputs);
-  if (pages) files.emplace_back(kNoticesFile);
   refuse_same_files(folder, files, {job.deck});
   OutputFolder documents(folder, files);
 
   // render, then everything that needs it
   Media media(folder / "media");
-  run_tasks(work, media);
+  run_tasks(work, media, tasks_of(work, {}));
   tell_failures(work);
   fill_quotes(work.deck, work.deck_text, [&](const std::string& name) -> const Json& {
     return inspection_of(work, name);
@@ -395,20 +498,59 @@ LectureResult lecture(const LectureJob& job) {
   copy_images(work, folder);
   std::vector<std::string> contents;
   for (const std::string& output : outputs) {
-    if (output != "data") contents.push_back(make_document(output, work, folder, reveal, printer));
+    if (output != "data")
+      contents.push_back(make_document(output, work, folder, reveal, planned.printer));
   }
   const bool formula_font = pages && !formula_font_css().empty();
   if (pages) contents.push_back(notices(outputs, reveal, formula_font));
   stop_if_interrupted();
-  if (wants("data")) write_data(data_of(work, outputs, reveal, formula_font), folder);
+  if (planned.wants("data")) write_data(data_of(work, outputs, reveal, formula_font), folder);
   documents.commit(contents);
   media.forget_the_rest();
   for (const std::string& file : files)
     result.summary += one_line((folder / file).string()) + "\n";
-  if (wants("data")) result.summary += one_line((folder / "data/manifest.json").string()) + "\n";
+  if (planned.wants("data"))
+    result.summary += one_line((folder / "data/manifest.json").string()) + "\n";
   result.summary += fmt::format("{} pictures, {} made now\n", work.tasks.size(), media.made());
   result.problems = std::move(work.deck.problems);
   return result;
+}
+
+DividedWork divided_lecture(const LectureJob& job) {
+  DividedWork divided;
+  divided.start_s = seconds_of([&] { PlannedLecture{job}; });
+  PlannedLecture planned(job);
+  LectureWork& work = planned.work;
+  if (!work.deck.problems.empty()) throw work.deck.problems.front();
+  if (work.tasks.empty()) throw input_error("has no picture to be made").at({job.deck, 0, {}});
+  const std::vector<std::string> files = planned.files();
+  refuse_same_files(planned.folder, files, {job.deck});
+  divided.words = planned.words();
+  divided.output = planned.folder;
+  divided.proof = files;
+  if (planned.wants("data")) divided.proof.emplace_back("data/manifest.json");
+  divided.things = "pictures";
+  divided.pieces = static_cast<long>(work.tasks.size());
+  double films = 0.0, rest = 0.0, longest = 0.0;
+  const DeckPicture* picture = nullptr;
+  for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
+    if (work.deck.pictures[i].kind != PictureKind::film) continue;
+    const double cost = work.tasks.at(work.stems[i]).cost_s;
+    if (cost > longest) picture = &work.deck.pictures[i];
+    longest = std::max(longest, cost);
+  }
+  for (const auto& [stem, task] : work.tasks)
+    (task.product.name.ends_with("-film") ? films : rest) += task.cost_s;
+  // what films really cost here is measured on the longest
+  if (picture != nullptr) {
+    const ScratchFolder scratch;
+    const DividedWork film = divided_film(film_job(
+        *picture, scene_of(work, picture->scenes.front()), job.settings, scratch / "film.mp4"));
+    films *= film.piece_s * static_cast<double>(film.pieces) / longest;
+    divided.start_s += film.start_s;
+  }
+  divided.piece_s = (films + rest) / static_cast<double>(divided.pieces);
+  return divided;
 }
 
 std::vector<ExternalNeed> lecture_needs() {

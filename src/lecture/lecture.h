@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/commands/doctor.h"
+#include "app/divided_work.h"
+#include "app/piecewise.h"
 #include "base/system/progress.h"
 #include "lecture/products.h"
 
@@ -33,6 +35,7 @@ struct LectureJob {
   // Products made at the same time; 0: one per processor. Charts and stability maps are made one by
   // one after the others, because they measure times or use all processors themselves.
   int jobs = 2;
+  PartOptions part;
   ProgressKind progress = ProgressKind::automatic;
 };
 
@@ -50,7 +53,15 @@ struct LectureResult {
 // document, naming --output for a folder that cannot be written, and as AtomicFile
 // (base/system/atomic_file.h) does; (environment) naming --to for an output that this machine
 // cannot make, without pandoc, and if a program fails or the disk is full; (interrupted).
+//
+// With job.part.shard it only makes a part of the products, in DIR/media, and needs nothing but
+// pandoc; the run without it finds them. Then the problems are those of these products. It also
+// throws Error (input) as part_of_work() (app/piecewise.h) and pieces_of() (film/output/shard.h)
+// do.
 LectureResult lecture(const LectureJob& job);
+
+// The same work before it is begun; its pieces are the products. Throws Error as lecture() does.
+DividedWork divided_lecture(const LectureJob& job);
 
 // The state of the programs and the font that the outputs need, for the command `doctor`. Throws
 // Error (interrupted), and (input) if a file of reveal.js cannot be read.

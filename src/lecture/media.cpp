@@ -22,6 +22,7 @@ std::string text_at(const Json& json, const char* key) {
   return there ? json[key].get<std::string>() : "";
 }
 
+const std::string kWork = ".work-";      // begins the names of the folders of runs
 constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a deck
 
 }  // namespace
@@ -29,7 +30,7 @@ constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a d
 Media::Media(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
-  std::string name = (folder_ / ".work-XXXXXX").string();
+  std::string name = (folder_ / (kWork + "XXXXXX")).string();
   if (failed || mkdtemp(name.data()) == nullptr) {
     throw input_error("cannot write into the folder '{}'", folder_.string())
         .at({{}, 0, "--output"});
@@ -94,6 +95,8 @@ Json Media::obtain(const Product& product) {
 void Media::forget_the_rest() {
   std::error_code failed;
   for (const std::filesystem::path& card : entries_of(folder_, Fault::environment)) {
+    if (card.filename().string().starts_with(kWork) && card.filename() != work_.filename())
+      std::filesystem::remove_all(card, failed);
     // only what a card of ours lists
     if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
     if (!std::filesystem::is_regular_file(card, failed)) continue;

@@ -47,8 +47,9 @@ class Media {
   nlohmann::ordered_json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }
-  // Deletes the products of earlier runs that have not been obtained from this object. A file that
-  // cannot be deleted stays. Throws Error (input) as read_file does.
+  // Deletes the products of earlier runs that have not been obtained from this object, and what
+  // killed runs have left. A file that cannot be deleted stays. Throws Error (input) as read_file
+  // does.
   void forget_the_rest();
 
  private:

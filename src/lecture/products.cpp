@@ -189,9 +189,7 @@ Json make_film_files(const DeckPicture& picture,
                      const std::string& stem) {
   const Overrides overrides = overrides_of(picture, settings);
   const fs::path film = folder / (stem + ".mp4"), report_file = folder / (stem + ".report");
-  RenderJob job = render_job(scene, overrides, settings, film);
-  job.from = number_in(picture, "from");
-  job.to = number_in(picture, "to");
+  RenderJob job = film_job(picture, scene, settings, film);
   job.report = report_file.string();
   render_film(job);
   const Json report = Json::parse(read_file(report_file));
@@ -261,6 +259,16 @@ Json take_pictures(const fs::path& made,
 }
 
 }  // namespace
+
+RenderJob film_job(const DeckPicture& picture,
+                   const DeckScene& scene,
+                   const LectureSettings& settings,
+                   const fs::path& output) {
+  RenderJob job = render_job(scene, overrides_of(picture, settings), settings, output);
+  job.from = number_in(picture, "from");
+  job.to = number_in(picture, "to");
+  return job;
+}
 
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/overrides.h"
+#include "film/render_plan.h"
 #include "lecture/deck.h"
 #include "lecture/media.h"
 
@@ -36,6 +37,12 @@ struct DeckScene {
 // write_csv (app/commands/) or solve (film/solved_scene.h) does, and Error (input) if the scene has
 // changed since it was loaded. Facts that name files contain their names in media/; all facts have
 // "kind": "film" (also of a loop), "still", "chart", "stability", "inspect" or "motion".
+
+// What renders the film of a picture, also of a loop, into `output`.
+RenderJob film_job(const DeckPicture& picture,
+                   const DeckScene& scene,
+                   const LectureSettings& settings,
+                   const std::filesystem::path& output);
 
 // A film, also a loop. Facts: "film", "poster", "paper" (the poster
 // in the colours of paper: the theme print, unless the picture or the settings ask for one),

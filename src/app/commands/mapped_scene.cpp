@@ -21,8 +21,15 @@ namespace {
 constexpr const char* kSpinKey = "spin";
 constexpr double kMostStepsOfCell = 1e6;
 
-// the scene with these values of the two keys, as a problem
-StabilitySetup make_setup(const MappedScene& place, double x, double y, const StabilityJob& job) {
+// The scene with these values of the two keys, before anything is integrated.
+struct Begun {
+  BodyModel model;
+  State start;
+  double duration = 0.0;  // s
+  double step = 0.0;      // s
+};
+
+Begun begin_cell(const MappedScene& place, double x, double y, const StabilityJob& job) {
   Replacements numbers;
   double spin = 1.0;
   std::optional<double> step;
@@ -46,21 +53,25 @@ StabilitySetup make_setup(const MappedScene& place, double x, double y, const St
     if (rate <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
     const double duration = job.turns * 2.0 * kPi / rate;
-    StabilitySetup setup;
-    setup.step = step.value_or(scene.numerics.step.value_or(0.1 / rate));
-    if (const double steps = duration / setup.step; !(steps <= kMostStepsOfCell)) {
+    const double h = step.value_or(scene.numerics.step.value_or(0.1 / rate));
+    if (const double steps = duration / h; !(steps <= kMostStepsOfCell)) {
       throw input_error(
           "a run would take {:.3g} steps of {:.3g} s, and a map has to do with {:.0e}; ask for "
           "fewer "
           "turns or longer steps",
           steps,
-          setup.step,
+          h,
           kMostStepsOfCell)
           .at({{}, 0, "--turns"});
     }
-    setup.problem = std::make_unique<StabilityProblem>(model, start, duration);
-    return setup;
+    return Begun{model, start, duration, h};
   });
+}
+
+// that of an axis, if one gives it
+double step_of_cell(const MappedScene& place, int column, int row, double otherwise) {
+  if (place.y.key == kStepKey) return place.y.at(row);
+  return place.x.key == kStepKey ? place.x.at(column) : otherwise;
 }
 
 // the axis with its key; its range, unless given, a factor of ten to both sides of the scene's own
@@ -109,34 +120,56 @@ MappedScene make_place(const std::filesystem::path& file,
   return place;
 }
 
-void prepare_place(MappedScene& place, const StabilityJob& job) {
+void prepare_rows(MappedScene& place, const StabilityJob& job, const std::set<int>& rows) {
   const int columns = place.setup_per_cell() ? place.x.cells : 1;
   place.setups.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(place.y.cells));
-  parallel_for(static_cast<long>(place.setups.size()), job.jobs, [&](long i) {
-    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    place.setups[static_cast<std::size_t>(i)] =
-        make_setup(place, place.x.at(column), place.y.at(row), job);
+  const std::vector<int> wanted(rows.begin(), rows.end());
+  parallel_for(columns * static_cast<long>(wanted.size()), job.jobs, [&](long i) {
+    const int column = static_cast<int>(i % columns);
+    const int row = wanted[static_cast<std::size_t>(i / columns)];
+    const Begun begun = begin_cell(place, place.x.at(column), place.y.at(row), job);
+    StabilitySetup& setup = place.setups[static_cast<std::size_t>(row * columns + column)];
+    setup.problem = std::make_unique<StabilityProblem>(begun.model, begun.start, begun.duration);
+    setup.step = begun.step;
   });
 }
 
 StabilityCell try_cell(
     const MappedScene& place, const StepperInfo& method, int column, int row, double allowed_rad) {
   const StabilitySetup& setup = place.setup(column, row);
-  double h = setup.step;
-  if (place.x.key == kStepKey) h = place.x.at(column);
-  if (place.y.key == kStepKey) h = place.y.at(row);
-  return try_method(method, *setup.problem, h, allowed_rad);
+  return try_method(
+      method, *setup.problem, step_of_cell(place, column, row, setup.step), allowed_rad);
 }
 
-std::vector<LimitPoint> limit_curve(const MappedScene& place, const StepperInfo& method) {
-  std::vector<LimitPoint> curve;
-  if (place.x.key != kStepKey) return curve;
-  for (int row = 0; row < place.y.cells; ++row) {
-    const StabilityProblem& problem = *place.setup(0, row).problem;
-    const double h = step_limit(method, problem.model, problem.start);
-    if (std::isfinite(h)) curve.push_back({h, place.y.at(row)});
+StabilityCell try_cell_alone(const MappedScene& place,
+                             const StepperInfo& method,
+                             int column,
+                             int row,
+                             const StabilityJob& job) {
+  const Begun begun = begin_cell(place, place.x.at(column), place.y.at(row), job);
+  const StabilityProblem problem(begun.model, begun.start, begun.duration);
+  return try_method(method, problem, step_of_cell(place, column, row, begun.step), job.allowed_rad);
+}
+
+void check_corners(const MappedScene& place, const StabilityJob& job) {
+  for (const double x : {place.x.from, place.x.to}) {
+    for (const double y : {place.y.from, place.y.to})
+      begin_cell(place, x, y, job);
   }
-  return curve;
+}
+
+std::vector<std::vector<LimitPoint>> limit_curves(const MappedScene& place,
+                                                  const StabilityJob& job) {
+  std::vector<std::vector<LimitPoint>> curves(place.methods.size());
+  if (place.x.key != kStepKey) return curves;
+  for (int row = 0; row < place.y.cells; ++row) {
+    const Begun begun = begin_cell(place, place.x.at(0), place.y.at(row), job);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const double h = step_limit(*place.methods[i], begun.model, begun.start);
+      if (std::isfinite(h)) curves[i].push_back({h, place.y.at(row)});
+    }
+  }
+  return curves;
 }
 
 }  // namespace polhode

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/render.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include <sys/resource.h>
 
+#include "app/piecewise.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
 #include "base/system/overwriting.h"
+#include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
 #include "film/output/open_output.h"
 #include "film/output/resumed_film.h"
+#include "film/output/segments.h"
 #include "film/report/film_report.h"
 #include "video/captions.h"
 #include "video/frame_sink.h"
+#include "video/pipeline.h"
 #include "video/plain_sinks.h"
 #include "video/png_sink.h"
+#include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {
@@ -80,7 +87,9 @@ Made render_film(const RenderJob& job) {
   // load and check everything that can be checked before work begins
   const RenderPlan plan = plan_render(job);
   refuse_overwriting(job, plan);
-  const bool reported = !job.report.empty();
+  refuse_other_work(job.submitted, words_of_film(plan));
+  const bool is_part = plan.resume && plan.shard;
+  const bool reported = !job.report.empty() && !is_part;
   std::unique_ptr<AtomicFile> report_file;
   if (reported && job.report != "-") report_file = std::make_unique<AtomicFile>(job.report);
   const std::unique_ptr<RenderOutput> output = open_output(plan, reported);
@@ -99,7 +108,7 @@ Made render_film(const RenderJob& job) {
 
   // report
   Made made;
-  made.output = plan.sink.output;
+  made.output = is_part ? folder_of_pieces(plan.sink.output) : plan.sink.output;
   made.frames = output->range().count;
   made.every = output->sink().keeps_every();
   made.from_earlier = output->already_there();
@@ -123,6 +132,77 @@ Made render_film(const RenderJob& job) {
     }
   }
   return made;
+}
+
+namespace {
+
+// Draws and encodes a few stretches of the film; returns the seconds of one processor per frame.
+double cost_of_frame(const RenderPlan& plan, const PreparedFilm& film, FrameRenderer& renderer) {
+  constexpr int kStretches = 4, kMostOfStretch = 30;
+  constexpr double kEnough = 2.0;  // s
+  const int frames = film.frames().count;
+  Image image;
+  renderer.render(frames / 2, image);  // what is done once is done
+  const double drawn = seconds_of([&] { renderer.render(frames / 3, image); });
+  const int length =
+      std::clamp(static_cast<int>(kEnough / kStretches / std::max(drawn, 1e-4)), 1, kMostOfStretch);
+  const ScratchFolder scratch;
+  SinkJob job = plan.sink;
+  job.output = scratch / ("sample" + std::filesystem::path(job.output).extension().string());
+  job.segment = true;
+  const std::unique_ptr<FrameSink> sink = make_sink(job);
+  const auto number = [&](int i) {
+    return static_cast<int>((static_cast<long>(i / length) * frames / kStretches + i % length) %
+                            frames);
+  };
+  const double before = process_cpu_seconds();
+  run_pipeline(
+      kStretches * length,
+      [&](int i, Image& into) { renderer.render(number(i), into); },
+      *sink,
+      [](const PipelineStep&) {});
+  return (process_cpu_seconds() - before) / (kStretches * length);
+}
+
+// Pieces of about ten seconds of work, but of one to five seconds of film, which is what key frames
+// and lost work allow.
+int suitable_pieces(const RenderPlan& plan, int frames, double of_frame) {
+  constexpr double kWork = 10.0, kLongest = 5.0;  // s
+  const double film = frames / plan.sink.fps.value();
+  const double wanted = std::clamp(frames * of_frame / kWork, film / kLongest, std::max(film, 1.0));
+  return std::clamp(static_cast<int>(std::ceil(wanted)), 1, frames);
+}
+
+}  // namespace
+
+DividedWork divided_film(RenderJob job) {
+  job.resume = true;
+  job.jobs = 1;
+  const RenderPlan plan = plan_render(job);
+  refuse_overwriting(job, plan);
+  if (job.report == "-")
+    throw input_error("goes into the log of the collecting job; name a file")
+        .at({{}, 0, "--report"});
+  DividedWork work;
+  work.words = words_of_film(plan);
+  work.output = plan.sink.output;
+  work.things = "pieces";
+  std::unique_ptr<PreparedFilm> film;
+  std::unique_ptr<FrameRenderer> renderer;
+  work.start_s = seconds_of([&] {
+    film = std::make_unique<PreparedFilm>(plan);
+    renderer = open_frame_renderer(*film, plan.setup, {});
+  });
+  film->warn();
+  const int frames = film->frames().count;
+  const double of_frame = cost_of_frame(plan, *film, *renderer);
+  work.pieces = job.pieces ? plan.pieces : suitable_pieces(plan, frames, of_frame);
+  work.piece_s = of_frame * frames / static_cast<double>(work.pieces);
+  work.options = {"--resume", fmt::format("--pieces={}", work.pieces)};
+  RenderPlan whole = plan;
+  whole.pieces = static_cast<int>(work.pieces);
+  open_output(whole, false);  // what is in its way is told now
+  return work;
 }
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 // The command `render`: makes a film or a picture from a scene file.
 #pragma once
 
+#include "app/divided_work.h"
 #include "app/made.h"
 #include "film/render_plan.h"
 
@@ -17,6 +18,14 @@ namespace polhode {
 // film, and without a place for an output or report that would overwrite the scene or each other;
 // (environment) if a program, library, memory or disk space is missing; (check_failed) as simulate
 // (motion/simulate.h) does; (interrupted).
+//
+// With job.resume and job.shard it only makes a part of the pieces, and no report: the run without
+// job.shard joins them and writes it. It also throws Error (input) as refuse_other_work()
+// (app/piecewise.h) does.
 Made render_film(const RenderJob& job);
+
+// The same work in pieces before it is begun, whatever job.resume says; job.pieces, if absent, are
+// chosen by the measured cost. Throws Error as render_film() does.
+DividedWork divided_film(RenderJob job);
 
 }  // namespace polhode

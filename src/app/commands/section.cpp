@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "app/commands/section_map.h"
+#include "app/piecewise.h"
 #include "base/error.h"
-#include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
-#include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_section.h"
 #include "film/error_places.h"
@@ -23,6 +20,9 @@
 
 namespace polhode {
 namespace {
+
+const std::vector<std::string> kSectionFiles = {"section.csv", "section.png"};
+constexpr const char* kKeptMotions = "section.resume";  // until all are there
 
 // a finished motion as a line of text
 std::string line_of_orbit(long index, const SectionOrbit& orbit) {
@@ -60,39 +60,26 @@ void check_range(int value, int most, const char* option) {
   throw input_error("must be a whole number from 1 to {}, got {}", most, value).at({{}, 0, option});
 }
 
-// the motions, on every processor; those of an earlier run are taken up
-std::vector<SectionOrbit> trace_all(const SectionSurface& surface,
-                                    const std::vector<State>& starts,
-                                    const SectionJob& job,
-                                    KeptRows& kept) {
-  std::vector<SectionOrbit> orbits(starts.size());
-  std::set<long> done;
-  kept.load([&](const std::string& line) {
-    const std::optional<long> index = take_up_orbit(line, orbits);
-    if (index) done.insert(*index);
-    return index.has_value();
-  });
-  std::vector<std::size_t> left;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    if (!done.contains(static_cast<long>(i))) left.push_back(i);
-  Progress progress(
-      job.progress, static_cast<int>(starts.size()), "motions", static_cast<int>(done.size()));
-  std::mutex lock;
-  int count = 0;
-  try {
-    parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
-      const std::size_t index = left[static_cast<std::size_t>(i)];
-      SectionOrbit orbit = trace_section(surface, starts[index], job.crossings);
-      const std::lock_guard guard(lock);
-      kept.add(line_of_orbit(static_cast<long>(index), orbit));
-      orbits[index] = std::move(orbit);
-      progress.show(++count);
-    });
-  } catch (...) {
-    kept.save();
-    throw;
-  }
-  return orbits;
+// the motions, each by itself
+Piecewise motions_of(const SectionSurface& surface,
+                     const std::vector<State>& starts,
+                     int crossings,
+                     std::vector<SectionOrbit>& orbits) {
+  orbits.resize(starts.size());
+  Piecewise work;
+  work.pieces = static_cast<long>(starts.size());
+  work.things = "motions";
+  work.take_up = [&orbits](const std::string& line) {
+    return take_up_orbit(line, orbits);
+  };
+  work.make = [&surface, &starts, crossings, &orbits](long i) {
+    const auto index = static_cast<std::size_t>(i);
+    orbits[index] = trace_section(surface, starts[index], crossings);
+  };
+  work.line_of = [&orbits](long i) {
+    return line_of_orbit(i, orbits[static_cast<std::size_t>(i)]);
+  };
+  return work;
 }
 
 // what became of the motions, and how well their energy was kept
@@ -122,47 +109,96 @@ std::string summary_of(const SectionSurface& surface, const std::vector<SectionO
   return text + fmt::format("energy kept within {:.2g} of its scale\n", drift);
 }
 
+// What is to be done, checked. Its address is part of its motions.
+struct PlannedSection {
+  explicit PlannedSection(const SectionJob& job)
+      : scene(scene_of(job)),
+        surface(std::make_from_tuple<SectionSurface>(
+            with_place(scene, [&] { return start_of_section(scene); }))),
+        where(folder_or_default(job.output, job.scene, "section")),
+        words(fmt::format("polhode {} {} {} {}",
+                          program_version(),
+                          scene_hash(scene),
+                          job.starts,
+                          job.crossings)) {
+    starts = {with_place(scene, [&] { return start_of_section(scene); }).second};
+    for (const Vec2& at : surface.spread(job.starts))
+      starts.push_back(surface.state_at(at.x(), at.y()).value());
+    refuse_same_files(where, kSectionFiles, input_files(scene));
+    refuse_same_files(where, {kKeptMotions}, input_files(scene));
+    chart.title = scene.title.empty() ? job.scene.stem().string() : scene.title;
+    motions = motions_of(surface, starts, job.crossings, chart.orbits);
+  }
+  PlannedSection(const PlannedSection&) = delete;
+  PlannedSection& operator=(const PlannedSection&) = delete;
+
+  static Scene scene_of(const SectionJob& job) {
+    constexpr double kMostOfAll = 1e7;
+    if (static_cast<double>(job.starts) * job.crossings > kMostOfAll) {
+      throw input_error("{} starts with {} crossings each are more than {:g} in all",
+                        job.starts,
+                        job.crossings,
+                        kMostOfAll)
+          .at({{}, 0, "--crossings"});
+    }
+    Overrides overrides;
+    overrides.settings = job.settings;
+    return load_single(job.scene, overrides);
+  }
+
+  Scene scene;
+  SectionSurface surface;
+  std::filesystem::path where;
+  std::string words;
+  std::vector<State> starts;
+  SectionChart chart;
+  Piecewise motions;
+};
+
+void check_counts(const SectionJob& job) {
+  constexpr int kMostStarts = 10000, kMostCrossings = 100000;
+  check_range(job.starts, kMostStarts, "--starts");
+  check_range(job.crossings, kMostCrossings, "--crossings");
+}
+
 }  // namespace
 
 std::string section(const SectionJob& job) {
-  constexpr int kMostStarts = 10000, kMostCrossings = 100000;
-  constexpr double kMostOfAll = 1e7;
-  check_range(job.starts, kMostStarts, "--starts");
-  check_range(job.crossings, kMostCrossings, "--crossings");
+  check_counts(job);
   if (job.map) return section_map(job);
-  if (static_cast<double>(job.starts) * job.crossings > kMostOfAll) {
-    throw input_error("{} starts with {} crossings each are more than {:g} in all",
-                      job.starts,
-                      job.crossings,
-                      kMostOfAll)
-        .at({{}, 0, "--crossings"});
-  }
-  Overrides overrides;
-  overrides.settings = job.settings;
-  const Scene scene = load_single(job.scene, overrides);
-  const auto [model, start] = with_place(scene, [&] { return start_of_section(scene); });
-  require_gnuplot();
-  const SectionSurface surface(model, start);
-  std::vector<State> starts = {start};
-  for (const Vec2& at : surface.spread(job.starts))
-    starts.push_back(surface.state_at(at.x(), at.y()).value());
+  PlannedSection plan(job);
+  const std::filesystem::path file = plan.where / kKeptMotions;
+  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
+  if (shard) return make_part(plan.motions, file, plan.words, *shard, job.jobs, job.progress);
 
-  const std::filesystem::path where = folder_or_default(job.output, job.scene, "section");
-  const std::vector<std::string> names = {"section.csv", "section.png"};
-  refuse_same_files(where, names, input_files(scene));
-  refuse_same_files(where, {"section.resume"}, input_files(scene));
-  OutputFolder folder(where, names);
-  KeptRows kept(
-      where / "section.resume",
-      fmt::format(
-          "polhode {} {} {} {}", program_version(), scene_hash(scene), job.starts, job.crossings));
-  SectionChart chart;
-  chart.title = scene.title.empty() ? job.scene.stem().string() : scene.title;
-  chart.borders = borders_of(surface);
-  chart.orbits = trace_all(surface, starts, job, kept);
-  folder.commit({section_csv(chart), plot_section(chart, PlotFormat::png)});
+  require_gnuplot();
+  OutputFolder folder(plan.where, kSectionFiles);
+  KeptRows kept(file, plan.words);
+  plan.chart.borders = borders_of(plan.surface);
+  make_pieces(plan.motions, kept, {}, job.jobs, job.progress);
+  folder.commit({section_csv(plan.chart), plot_section(plan.chart, PlotFormat::png)});
   kept.remove();
-  return summary_of(surface, chart.orbits);
+  return summary_of(plan.surface, plan.chart.orbits);
+}
+
+DividedWork divided_section(const SectionJob& job) {
+  check_counts(job);
+  if (job.map) return divided_section_map(job);
+  require_gnuplot();
+  DividedWork work;
+  work.start_s = seconds_of([&] { PlannedSection{job}; });
+  const PlannedSection plan(job);
+  work.words = plan.words;
+  work.output = plan.where;
+  work.proof = kSectionFiles;
+  work.things = plan.motions.things;
+  work.pieces = plan.motions.pieces;
+  const int few = std::min(job.crossings, kSampledCrossings);
+  work.piece_s = job.crossings / static_cast<double>(few) * mean_seconds([&](int k) {
+                   const long start = spread_over(k, plan.motions.pieces);
+                   trace_section(plan.surface, plan.starts[static_cast<std::size_t>(start)], few);
+                 });
+  return work;
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands/section_job.h"
+#include "app/divided_work.h"
 
 namespace polhode {
 
@@ -15,6 +16,11 @@ namespace polhode {
 // number out of range, and without a key if the scene has no section; (check_failed) as
 // trace_section (chart/section.h) does; (environment) without gnuplot or if a file cannot be
 // written; (interrupted).
+//
+// With job.part.shard it only makes a part, as stability() (app/commands/stability.h) does.
 std::string section(const SectionJob& job);
+
+// The same work before it is begun. Throws Error as section() does.
+DividedWork divided_section(const SectionJob& job);
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/piecewise.h"
 #include "base/system/progress.h"
 #include "model/body_model.h"
 #include "scene/scene.h"
@@ -31,8 +32,12 @@ struct SectionJob {
   int crossings = 500;                // of each motion, 1 to 100,000; at most 1e7 of all
   std::optional<SectionMapAxes> map;  // set: a map instead of a section (section_map())
   int jobs = 0;                       // threads; 0: one per processor
+  PartOptions part;
   ProgressKind progress = ProgressKind::automatic;
 };
+
+// The cost of a motion goes with its crossings, and is measured on so many of them.
+inline constexpr int kSampledCrossings = 40;
 
 // The body and the start of a scene. Throws Error (input) as make_model and start_state do, and
 // with the key that keeps the scene from having a section.

@@ -2,18 +2,15 @@
 #include "app/commands/section_map.h"
 
 #include <algorithm>
-#include <mutex>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "app/commands/map_options.h"
+#include "app/piecewise.h"
 #include "base/error.h"
-#include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
-#include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_exponents.h"
 #include "film/error_places.h"
@@ -23,6 +20,9 @@
 
 namespace polhode {
 namespace {
+
+const std::vector<std::string> kMapFiles = {"section_map.csv", "section_map.png"};
+constexpr const char* kKeptCells = "section_map.resume";  // until all are there
 
 // a row of cells as a line of text
 std::string line_of_cells(int row, const ExponentMap& map) {
@@ -72,34 +72,22 @@ ExponentCell cell_of(const SectionJob& job, const ExponentMap& map, int column, 
   return {orbit.verdict, orbit.exponent(), static_cast<int>(orbit.points.size())};
 }
 
-// a row at a time on every processor; rows of an earlier run are taken up
-void fill(const SectionJob& job, ExponentMap& map, KeptRows& kept) {
-  std::set<int> done;
-  kept.load([&](const std::string& line) {
-    const std::optional<int> row = take_up_cells(line, map);
-    if (row) done.insert(*row);
-    return row.has_value();
-  });
-  std::vector<int> left;
-  for (int row = 0; row < map.y.cells; ++row)
-    if (!done.contains(row)) left.push_back(row);
-  Progress progress(job.progress, map.y.cells, "rows", static_cast<int>(done.size()));
-  std::mutex lock;
-  int count = 0;
-  try {
-    parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
-      const int row = left[static_cast<std::size_t>(i)];
-      for (int column = 0; column < map.x.cells; ++column) {
-        map.at(column, row) = cell_of(job, map, column, row);
-      }
-      const std::lock_guard guard(lock);
-      kept.add(line_of_cells(row, map));
-      progress.show(++count);
-    });
-  } catch (...) {
-    kept.save();
-    throw;
-  }
+Piecewise rows_of_map(const SectionJob& job, ExponentMap& map) {
+  Piecewise work;
+  work.pieces = map.y.cells;
+  work.things = "rows";
+  work.take_up = [&map](const std::string& line) -> std::optional<long> {
+    return take_up_cells(line, map);
+  };
+  work.make = [&job, &map](long row) {
+    for (int column = 0; column < map.x.cells; ++column) {
+      map.at(column, static_cast<int>(row)) = cell_of(job, map, column, static_cast<int>(row));
+    }
+  };
+  work.line_of = [&map](long row) {
+    return line_of_cells(static_cast<int>(row), map);
+  };
+  return work;
 }
 
 // a section depends on body and motion alone, and not on how long the motion is shown
@@ -110,15 +98,9 @@ void refuse_other_axis(const std::string& key, const char* option) {
       .at({{}, 0, option});
 }
 
-}  // namespace
-
-std::string section_map(const SectionJob& job) {
+// the map, empty, of axes that suit the scene
+ExponentMap empty_map(const SectionJob& job, const Scene& scene) {
   const SectionMapAxes& asked = job.map.value();
-  if (asked.x == asked.y) throw input_error("is the key of --x; give another").at({{}, 0, "--y"});
-  Overrides overrides;
-  overrides.settings = job.settings;
-  const Scene scene = load_single(job.scene, overrides);
-  with_place(scene, [&] { return start_of_section(scene); });
   const CellCount count = parse_cells(asked.cells);
   constexpr double kMostOfAll = 1e7;
   if (static_cast<double>(count.columns) * count.rows * job.crossings > kMostOfAll) {
@@ -137,37 +119,96 @@ std::string section_map(const SectionJob& job) {
   map.x.cells = count.columns;
   map.y.cells = count.rows;
   map.cells.resize(static_cast<std::size_t>(count.columns) * static_cast<std::size_t>(count.rows));
-  // what the scene cannot be at a corner is told before anything is written
-  for (const int column : {0, count.columns - 1}) {
-    for (const int row : {0, count.rows - 1})
-      start_of_cell(job, map, column, row);
-  }
-  require_gnuplot();
+  return map;
+}
 
-  const std::filesystem::path where = folder_or_default(job.output, job.scene, "section");
-  const std::vector<std::string> names = {"section_map.csv", "section_map.png"};
-  refuse_same_files(where, names, input_files(scene));
-  refuse_same_files(where, {"section_map.resume"}, input_files(scene));
-  OutputFolder folder(where, names);
+// everything that a cell depends on
+std::string words_of_map(const SectionJob& job, const Scene& scene, const ExponentMap& map) {
   std::string words =
       fmt::format("polhode {} {} {}", program_version(), scene_hash(scene), job.crossings);
   for (const MapAxis& axis : {map.x, map.y})
     words += fmt::format(" {} {:.17g} {:.17g} {}", axis.key, axis.from, axis.to, axis.cells);
-  KeptRows kept(where / "section_map.resume", words);
-  fill(job, map, kept);
-  folder.commit({exponents_csv(map), plot_exponents(map, PlotFormat::png)});
+  return words;
+}
+
+// What is to be done, checked. Its address is part of its rows.
+struct PlannedExponents {
+  explicit PlannedExponents(const SectionJob& job)
+      : where(folder_or_default(job.output, job.scene, "section")) {
+    const SectionMapAxes& asked = job.map.value();
+    if (asked.x == asked.y) throw input_error("is the key of --x; give another").at({{}, 0, "--y"});
+    Overrides overrides;
+    overrides.settings = job.settings;
+    const Scene scene = load_single(job.scene, overrides);
+    with_place(scene, [&] { return start_of_section(scene); });
+    map = empty_map(job, scene);
+    // what the scene cannot be at a corner is told before anything is written
+    for (const int column : {0, map.x.cells - 1}) {
+      for (const int row : {0, map.y.cells - 1})
+        start_of_cell(job, map, column, row);
+    }
+    refuse_same_files(where, kMapFiles, input_files(scene));
+    refuse_same_files(where, {kKeptCells}, input_files(scene));
+    words = words_of_map(job, scene, map);
+    rows = rows_of_map(job, map);
+  }
+  PlannedExponents(const PlannedExponents&) = delete;
+  PlannedExponents& operator=(const PlannedExponents&) = delete;
+
+  std::filesystem::path where;
+  ExponentMap map;
+  std::string words;
+  Piecewise rows;
+};
+
+}  // namespace
+
+std::string section_map(const SectionJob& job) {
+  PlannedExponents plan(job);
+  const std::filesystem::path file = plan.where / kKeptCells;
+  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
+  if (shard) return make_part(plan.rows, file, plan.words, *shard, job.jobs, job.progress);
+
+  require_gnuplot();
+  OutputFolder folder(plan.where, kMapFiles);
+  KeptRows kept(file, plan.words);
+  make_pieces(plan.rows, kept, {}, job.jobs, job.progress);
+  folder.commit({exponents_csv(plan.map), plot_exponents(plan.map, PlotFormat::png)});
   kept.remove();
 
+  const std::vector<ExponentCell>& cells = plan.map.cells;
   const auto with = [&](SectionVerdict verdict) {
-    return std::count_if(map.cells.begin(), map.cells.end(), [&](const ExponentCell& cell) {
+    return std::count_if(cells.begin(), cells.end(), [&](const ExponentCell& cell) {
       return cell.verdict == verdict;
     });
   };
   return fmt::format("{} motions: {} regular, {} chaotic, {} undecided\n",
-                     map.cells.size(),
+                     cells.size(),
                      with(SectionVerdict::regular),
                      with(SectionVerdict::chaotic),
                      with(SectionVerdict::undecided));
+}
+
+DividedWork divided_section_map(const SectionJob& job) {
+  require_gnuplot();
+  DividedWork work;
+  work.start_s = seconds_of([&] { PlannedExponents{job}; });
+  const PlannedExponents plan(job);
+  work.words = plan.words;
+  work.output = plan.where;
+  work.proof = kMapFiles;
+  work.things = plan.rows.things;
+  work.pieces = plan.rows.pieces;
+  SectionJob few = job;
+  few.crossings = std::min(job.crossings, kSampledCrossings);
+  const double of_cell = mean_seconds([&](int k) {
+    cell_of(few,
+            plan.map,
+            static_cast<int>(spread_over(k, plan.map.x.cells)),
+            static_cast<int>(spread_over(3 * k + 1, plan.map.y.cells)));
+  });
+  work.piece_s = of_cell * plan.map.x.cells * job.crossings / few.crossings;
+  return work;
 }
 
 }  // namespace polhode

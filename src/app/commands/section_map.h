@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands/section_job.h"
+#include "app/divided_work.h"
 
 namespace polhode {
 
@@ -14,5 +15,8 @@ namespace polhode {
 // --y-range or --cells as key as axis_of_key and parse_cells (app/commands/map_options.h) do, and
 // as load_scene does for values that the scene cannot have.
 std::string section_map(const SectionJob& job);
+
+// The same work before it is begun. Throws Error as section_map() does.
+DividedWork divided_section_map(const SectionJob& job);
 
 }  // namespace polhode

@@ -3,15 +3,15 @@
 
 #include <array>
 #include <functional>
-#include <mutex>
+#include <map>
 #include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "app/commands/mapped_scene.h"
+#include "app/piecewise.h"
 #include "base/error.h"
-#include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
 #include "base/system/parallel.h"
@@ -21,6 +21,8 @@
 
 namespace polhode {
 namespace {
+
+constexpr const char* kKept = "stability.resume";  // finished rows, until all are there
 
 // All maps of a job, and the files that come of them.
 struct StabilityMaps {
@@ -147,59 +149,65 @@ std::string summary(const std::vector<StabilityMap>& maps) {
   return text;
 }
 
-// the cells, a row at a time on every processor; rows of an earlier run are taken up
-void fill(StabilityMaps& all,
-          std::vector<MappedScene>& places,
-          const StabilityJob& job,
-          KeptRows& kept) {
+// the rows of all maps, one map after the other; the cells of each are made one by one
+Piecewise rows_of(StabilityMaps& all, std::vector<MappedScene>& places, const StabilityJob& job) {
   const int columns = places[0].x.cells, rows = places[0].y.cells;
-  std::set<RowOfMap> done;
-  kept.load([&](const std::string& line) {
+  const auto at = [rows](long piece) {
+    return RowOfMap(piece / rows, piece % rows);
+  };
+  Piecewise work;
+  work.pieces = static_cast<long>(all.maps.size()) * rows;
+  work.things = "rows";
+  // the methods have the motions of a row in common
+  std::vector<long> scene_of_map;
+  for (const auto& [place, method] : all.owners)
+    scene_of_map.push_back(place - places.data());
+  work.groups = static_cast<long>(places.size()) * rows;
+  work.group_of = [scene_of_map, rows](long piece) {
+    return scene_of_map[static_cast<std::size_t>(piece / rows)] * rows + piece % rows;
+  };
+  work.take_up = [&all, columns, rows](const std::string& line) -> std::optional<long> {
     const std::optional<RowOfMap> row = take_up(line, all.maps, columns);
-    if (row) done.insert(*row);
-    return row.has_value();
-  });
-  std::vector<RowOfMap> left;
-  for (long map = 0; map < static_cast<long>(all.maps.size()); ++map) {
-    for (long row = 0; row < rows; ++row) {
-      if (!done.contains({map, row})) left.emplace_back(map, row);
+    if (!row) return {};
+    return row->first * rows + row->second;
+  };
+  work.prepare = [&all, &places, &job, at](const std::vector<long>& pieces) {
+    std::map<const MappedScene*, std::set<int>> needed;
+    for (const long piece : pieces) {
+      const auto [map, row] = at(piece);
+      needed[all.owners[static_cast<std::size_t>(map)].first].insert(static_cast<int>(row));
     }
-  }
-  for (MappedScene& place : places)
-    prepare_place(place, job);
-  const int there = static_cast<int>(done.size());
-  Progress progress(job.progress, static_cast<int>(all.maps.size()) * rows, "rows", there);
-  std::mutex lock;
-  int count = 0;
-  try {
-    parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
-      const auto [map, row] = left[static_cast<std::size_t>(i)];
-      const auto& [place, method] = all.owners[static_cast<std::size_t>(map)];
-      std::vector<StabilityCell>& cells = all.maps[static_cast<std::size_t>(map)].cells;
-      for (int column = 0; column < columns; ++column) {
-        cells[static_cast<std::size_t>(row * columns + column)] =
-            try_cell(*place, *method, column, static_cast<int>(row), job.allowed_rad);
-      }
-      const std::lock_guard guard(lock);
-      kept.add(line_of({map, row}, cells, columns));
-      progress.show(++count);
-    });
-  } catch (...) {
-    kept.save();
-    throw;
-  }
+    for (MappedScene& place : places) {
+      const auto found = needed.find(&place);
+      if (found != needed.end()) prepare_rows(place, job, found->second);
+    }
+  };
+  work.make = [&all, &job, at, columns](long piece) {
+    const auto [map, row] = at(piece);
+    const auto& [place, method] = all.owners[static_cast<std::size_t>(map)];
+    std::vector<StabilityCell>& cells = all.maps[static_cast<std::size_t>(map)].cells;
+    for (int column = 0; column < columns; ++column) {
+      cells[static_cast<std::size_t>(row * columns + column)] =
+          try_cell(*place, *method, column, static_cast<int>(row), job.allowed_rad);
+    }
+  };
+  work.line_of = [&all, at, columns](long piece) {
+    const RowOfMap which = at(piece);
+    return line_of(which, all.maps[static_cast<std::size_t>(which.first)].cells, columns);
+  };
+  return work;
 }
 
 // of all files; pictures: per scene the overview twice, then its maps
 std::vector<std::string> contents_of(StabilityMaps& all,
                                      const std::vector<MappedScene>& places,
-                                     int jobs) {
+                                     const StabilityJob& job) {
   std::vector<std::function<std::string()>> drawings;
   std::size_t map = 0;
   for (const MappedScene& place : places) {
     std::vector<const StabilityMap*> of_scene;
-    for (const StepperInfo* method : place.methods) {
-      all.maps[map].limit = limit_curve(place, *method);
+    for (std::vector<LimitPoint>& curve : limit_curves(place, job)) {
+      all.maps[map].limit = std::move(curve);
       of_scene.push_back(&all.maps[map++]);
     }
     for (const PlotFormat format : {PlotFormat::png, PlotFormat::svg}) {
@@ -212,7 +220,7 @@ std::vector<std::string> contents_of(StabilityMaps& all,
     }
   }
   std::vector<std::string> contents(all.files.size());
-  parallel_for(static_cast<long>(drawings.size()), jobs, [&](long i) {
+  parallel_for(static_cast<long>(drawings.size()), job.jobs, [&](long i) {
     contents[static_cast<std::size_t>(i) + 1] = drawings[static_cast<std::size_t>(i)]();
   });
   for (std::size_t i = 0; i < all.maps.size(); ++i) {
@@ -224,22 +232,69 @@ std::vector<std::string> contents_of(StabilityMaps& all,
   return contents;
 }
 
+// What is to be done, checked. Its address is part of its rows.
+struct PlannedMaps {
+  explicit PlannedMaps(const StabilityJob& job)
+      : places(make_places(job)),
+        all(empty_maps(places)),
+        words(words_of(places, job)),
+        where(folder_or_default(job.output, job.scenes.front(), "stability")),
+        rows(rows_of(all, places, job)) {
+    refuse_same_files(where, all.files, {job.scenes.begin(), job.scenes.end()});
+    refuse_same_files(where, {kKept}, {job.scenes.begin(), job.scenes.end()});
+  }
+  PlannedMaps(const PlannedMaps&) = delete;
+  PlannedMaps& operator=(const PlannedMaps&) = delete;
+
+  std::vector<MappedScene> places;
+  StabilityMaps all;
+  std::string words;
+  std::filesystem::path where;
+  Piecewise rows;
+};
+
 }  // namespace
 
 std::string stability(const StabilityJob& job) {
-  std::vector<MappedScene> places = make_places(job);
-  StabilityMaps all = empty_maps(places);
+  PlannedMaps plan(job);
+  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
+  if (shard)
+    return make_part(plan.rows, plan.where / kKept, plan.words, *shard, job.jobs, job.progress);
+
   require_gnuplot();
-  const std::filesystem::path where =
-      folder_or_default(job.output, job.scenes.front(), "stability");
-  refuse_same_files(where, all.files, {job.scenes.begin(), job.scenes.end()});
-  refuse_same_files(where, {"stability.resume"}, {job.scenes.begin(), job.scenes.end()});
-  OutputFolder folder(where, all.files);
-  KeptRows kept(where / "stability.resume", words_of(places, job));
-  fill(all, places, job, kept);
-  folder.commit(contents_of(all, places, job.jobs));
+  OutputFolder folder(plan.where, plan.all.files);
+  KeptRows kept(plan.where / kKept, plan.words);
+  make_pieces(plan.rows, kept, {}, job.jobs, job.progress);
+  folder.commit(contents_of(plan.all, plan.places, job));
   kept.remove();
-  return summary(all.maps);
+  return summary(plan.all.maps);
+}
+
+DividedWork divided_stability(const StabilityJob& job) {
+  DividedWork work;
+  work.start_s = seconds_of([&] { PlannedMaps{job}; });
+  const PlannedMaps plan(job);
+  require_gnuplot();
+  for (const MappedScene& place : plan.places)
+    check_corners(place, job);
+  work.words = plan.words;
+  work.output = plan.where;
+  work.proof = plan.all.files;
+  work.things = plan.rows.things;
+  work.pieces = plan.rows.groups;
+  const int columns = plan.places[0].x.cells, rows = plan.places[0].y.cells;
+  const auto maps = static_cast<long>(plan.all.maps.size());
+  const double of_cell = mean_seconds([&](int k) {
+    const auto& [place, method] = plan.all.owners[static_cast<std::size_t>(spread_over(k, maps))];
+    try_cell_alone(*place,
+                   *method,
+                   static_cast<int>(spread_over(5 * k + 1, columns)),
+                   static_cast<int>(spread_over(3 * k + 2, rows)),
+                   job);
+  });
+  work.piece_s =
+      of_cell * columns * static_cast<double>(maps) / static_cast<double>(plan.places.size());
+  return work;
 }
 
 }  // namespace polhode

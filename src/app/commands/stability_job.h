@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/piecewise.h"
 #include "base/system/progress.h"
 #include "scene/scene.h"
 #include "scene/setting.h"
@@ -33,6 +34,7 @@ struct StabilityJob {
   double turns = 100.0;         // length of a run: this many times 2 pi / typical_rate(); positive
   double allowed_rad = 0.1;     // allowed attitude error, rad; positive
   int jobs = 0;                 // threads; 0: one per processor
+  PartOptions part;
   ProgressKind progress = ProgressKind::automatic;
 };
 

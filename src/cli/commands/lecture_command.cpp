@@ -10,10 +10,28 @@
 
 namespace polhode {
 
-Action define_lecture(CLI::App& command) {
-  auto job = std::make_shared<LectureJob>();
-  auto progress = std::make_shared<ProgressOptions>();
-  auto jobs = std::make_shared<std::optional<int>>();
+namespace {
+
+// the options of the command, which are parsed into the job and beside it
+struct LectureOptions {
+  LectureJob job;
+  ProgressOptions progress;
+  std::optional<int> jobs;
+
+  LectureJob checked() const {
+    if (jobs && *jobs < 1) {
+      throw input_error("must be greater than 0, got {}", *jobs).at({{}, 0, "--jobs"});
+    }
+    LectureJob checked = job;
+    checked.jobs = jobs.value_or(job.jobs);
+    checked.progress = progress_of(progress);
+    return checked;
+  }
+};
+
+std::shared_ptr<LectureOptions> add_lecture_options(CLI::App& command) {
+  auto options = std::make_shared<LectureOptions>();
+  LectureJob* job = &options->job;
   command.add_option("deck", job->deck, "Markdown file whose pictures name scenes")
       ->required()
       ->type_name("DECK");
@@ -44,16 +62,19 @@ Action define_lecture(CLI::App& command) {
       ->type_name("THEME");
   add_text(command, "--quality", job->settings.quality, "draft, lecture or archive")
       ->type_name("QUALITY");
-  add_whole_number(command, "--jobs", *jobs, "films rendered at the same time (default: 2)")
+  add_whole_number(command, "--jobs", options->jobs, "films rendered at the same time (default: 2)")
       ->type_name("N");
-  add_progress(command, *progress);
-  return [=] {
-    if (*jobs && **jobs < 1) {
-      throw input_error("must be greater than 0, got {}", **jobs).at({{}, 0, "--jobs"});
-    }
-    job->jobs = jobs->value_or(job->jobs);
-    job->progress = progress_of(*progress);
-    const LectureResult result = lecture(*job);
+  add_part(command, job->part);
+  add_progress(command, options->progress);
+  return options;
+}
+
+}  // namespace
+
+Action define_lecture(CLI::App& command) {
+  const std::shared_ptr<LectureOptions> options = add_lecture_options(command);
+  return [options] {
+    const LectureResult result = lecture(options->checked());
     int code = 0;
     for (const Error& problem : result.problems) {
       print_err(fmt::format("polhode: {}\n", problem.what()));
@@ -61,6 +82,13 @@ Action define_lecture(CLI::App& command) {
     }
     print_out(result.summary);
     return code;
+  };
+}
+
+Divide divide_lecture(CLI::App& command) {
+  const std::shared_ptr<LectureOptions> options = add_lecture_options(command);
+  return [options] {
+    return divided_lecture(options->checked());
   };
 }
 

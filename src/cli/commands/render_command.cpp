@@ -8,10 +8,25 @@
 
 namespace polhode {
 
-Action define_render(CLI::App& command) {
-  auto job = std::make_shared<RenderJob>();
-  auto progress = std::make_shared<ProgressOptions>();
-  auto jobs = std::make_shared<std::optional<int>>();
+namespace {
+
+// the options of the command, which are parsed into the job and beside it
+struct RenderOptions {
+  RenderJob job;
+  ProgressOptions progress;
+  std::optional<int> jobs;
+
+  RenderJob checked() const {
+    RenderJob checked = job;
+    checked.jobs = jobs.value_or(job.jobs);
+    checked.progress = progress_of(progress);
+    return checked;
+  }
+};
+
+std::shared_ptr<RenderOptions> add_render_options(CLI::App& command) {
+  auto options = std::make_shared<RenderOptions>();
+  RenderJob* job = &options->job;
   add_scene(command, job->scene);
   add_text(command,
            "-o,--output",
@@ -39,12 +54,22 @@ Action define_render(CLI::App& command) {
   add_text(command, "--backend", job->backend, "OpenGL from osmesa, egl or auto")
       ->type_name("BACKEND");
   command.add_flag("--transparent", job->transparent, "no background, where the format has alpha");
-  add_whole_number(command, "--jobs", *jobs, "processes that draw (default 1)")->type_name("N");
+  add_whole_number(command, "--jobs", options->jobs, "processes that draw (default 1)")
+      ->type_name("N");
   command.add_flag("--resume",
                    job->resume,
                    "make the film in pieces; after a crash, continue from the complete ones");
-  add_text(command, "--shard", job->shard, "only the K-th of N pieces, for `polhode join`")
+  add_whole_number(command,
+                   "--pieces",
+                   job->pieces,
+                   "number of pieces of --resume (default: one for each five seconds)")
+      ->type_name("N");
+  add_text(command,
+           "--shard",
+           job->shard,
+           "only the K-th of N parts, for `polhode join` or, with --resume, for the run without it")
       ->type_name("K/N");
+  add_submitted(command, job->submitted);
   command.add_flag_callback(
       "--no-text", [job] { job->text = false; }, "no labels, clock, title or caption");
   add_text(command,
@@ -52,11 +77,23 @@ Action define_render(CLI::App& command) {
            job->report,
            "write settings, accuracy and speed as JSON; - for standard output")
       ->type_name("FILE.json");
-  add_progress(command, *progress);
-  return [job, progress, jobs] {
-    if (*jobs) job->jobs = **jobs;
-    job->progress = progress_of(*progress);
-    return make_and_tell(*progress, [&] { return render_film(*job); });
+  add_progress(command, options->progress);
+  return options;
+}
+
+}  // namespace
+
+Action define_render(CLI::App& command) {
+  const std::shared_ptr<RenderOptions> options = add_render_options(command);
+  return [options] {
+    return make_and_tell(options->progress, [&] { return render_film(options->checked()); });
+  };
+}
+
+Divide divide_render(CLI::App& command) {
+  const std::shared_ptr<RenderOptions> options = add_render_options(command);
+  return [options] {
+    return divided_film(options->checked());
   };
 }
 

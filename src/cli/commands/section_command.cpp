@@ -9,25 +9,59 @@
 
 namespace polhode {
 
-Action define_section(CLI::App& command) {
-  auto job = std::make_shared<SectionJob>();
-  auto progress = std::make_shared<ProgressOptions>();
-  auto starts = std::make_shared<std::optional<int>>();
-  auto crossings = std::make_shared<std::optional<int>>();
-  auto jobs = std::make_shared<std::optional<int>>();
+namespace {
+
+// the options of the command, which are parsed into the job and beside it
+struct SectionOptions {
+  SectionJob job;
+  SectionMapAxes axes;
+  ProgressOptions progress;
+  std::optional<int> starts, crossings, jobs;
+
+  SectionJob checked() const {
+    if (jobs && *jobs < 1)
+      throw input_error("must be greater than 0, got {}", *jobs).at({{}, 0, "--jobs"});
+    if (axes.x.empty() != axes.y.empty()) {
+      throw input_error("a map needs two keys, --x and --y")
+          .at({{}, 0, axes.x.empty() ? "--x" : "--y"});
+    }
+    const bool is_map = !axes.x.empty();
+    if (is_map && starts) {
+      throw input_error("a map has a start for each cell, that of the scene")
+          .at({{}, 0, "--starts"});
+    }
+    if (!is_map && (axes.x_range || axes.y_range)) {
+      throw input_error("is for maps; give --x and --y")
+          .at({{}, 0, axes.x_range ? "--x-range" : "--y-range"});
+    }
+    SectionJob checked = job;
+    if (is_map) checked.map = axes;
+    checked.starts = starts.value_or(job.starts);
+    checked.crossings = crossings.value_or(job.crossings);
+    checked.jobs = jobs.value_or(job.jobs);
+    checked.progress = progress_of(progress);
+    return checked;
+  }
+};
+
+std::shared_ptr<SectionOptions> add_section_options(CLI::App& command) {
+  auto options = std::make_shared<SectionOptions>();
+  SectionJob* job = &options->job;
+  SectionMapAxes* axes = &options->axes;
   add_scene(command, job->scene);
   add_text(command,
            "-o,--output",
            job->output,
            "folder for section.csv and section.png (default: output/SCENE_section)")
       ->type_name("DIR");
-  add_whole_number(command, "--starts", *starts, "motions beside that of the scene (default: 60)")
+  add_whole_number(
+      command, "--starts", options->starts, "motions beside that of the scene (default: 60)")
       ->type_name("N");
-  add_whole_number(command, "--crossings", *crossings, "crossings of each motion (default: 500)")
+  add_whole_number(
+      command, "--crossings", options->crossings, "crossings of each motion (default: 500)")
       ->type_name("N");
-  add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
+  add_whole_number(command, "--jobs", options->jobs, "threads (default: one per processor)")
       ->type_name("N");
-  auto axes = std::make_shared<SectionMapAxes>();
   add_text(command, "--x", axes->x, "a map instead: scene key on the horizontal axis")
       ->type_name("KEY");
   add_text(command, "--y", axes->y, "scene key on the vertical axis of the map")->type_name("KEY");
@@ -40,30 +74,25 @@ Action define_section(CLI::App& command) {
   add_text(command, "--cells", axes->cells, "number of cells of the map, horizontal x vertical")
       ->type_name("NxM");
   add_settings(command, job->settings);
-  add_progress(command, *progress);
-  return [=] {
-    if (*jobs && **jobs < 1)
-      throw input_error("must be greater than 0, got {}", **jobs).at({{}, 0, "--jobs"});
-    if (axes->x.empty() != axes->y.empty()) {
-      throw input_error("a map needs two keys, --x and --y")
-          .at({{}, 0, axes->x.empty() ? "--x" : "--y"});
-    }
-    const bool is_map = !axes->x.empty();
-    if (is_map && *starts) {
-      throw input_error("a map has a start for each cell, that of the scene")
-          .at({{}, 0, "--starts"});
-    }
-    if (!is_map && (axes->x_range || axes->y_range)) {
-      throw input_error("is for maps; give --x and --y")
-          .at({{}, 0, axes->x_range ? "--x-range" : "--y-range"});
-    }
-    if (is_map) job->map = *axes;
-    job->starts = starts->value_or(job->starts);
-    job->crossings = crossings->value_or(job->crossings);
-    job->jobs = jobs->value_or(job->jobs);
-    job->progress = progress_of(*progress);
-    print_out(section(*job));
+  add_part(command, job->part);
+  add_progress(command, options->progress);
+  return options;
+}
+
+}  // namespace
+
+Action define_section(CLI::App& command) {
+  const std::shared_ptr<SectionOptions> options = add_section_options(command);
+  return [options] {
+    print_out(section(options->checked()));
     return 0;
+  };
+}
+
+Divide divide_section(CLI::App& command) {
+  const std::shared_ptr<SectionOptions> options = add_section_options(command);
+  return [options] {
+    return divided_section(options->checked());
   };
 }
 

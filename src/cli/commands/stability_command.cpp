@@ -9,12 +9,36 @@
 
 namespace polhode {
 
-Action define_stability(CLI::App& command) {
-  auto job = std::make_shared<StabilityJob>();
-  auto progress = std::make_shared<ProgressOptions>();
-  auto turns = std::make_shared<std::optional<double>>();
-  auto allowed = std::make_shared<std::optional<double>>();
-  auto jobs = std::make_shared<std::optional<int>>();
+namespace {
+
+// the options of the command, which are parsed into the job and beside it
+struct StabilityOptions {
+  StabilityJob job;
+  ProgressOptions progress;
+  std::optional<double> turns, allowed;
+  std::optional<int> jobs;
+
+  StabilityJob checked() const {
+    const auto positive = [](const auto& value, const char* option) {
+      if (value && !(*value > 0)) {
+        throw input_error("must be greater than 0, got {}", *value).at({{}, 0, option});
+      }
+    };
+    positive(turns, "--turns");
+    positive(allowed, "--allowed");
+    positive(jobs, "--jobs");
+    StabilityJob checked = job;
+    checked.turns = turns.value_or(job.turns);
+    checked.allowed_rad = allowed.value_or(job.allowed_rad);
+    checked.jobs = jobs.value_or(job.jobs);
+    checked.progress = progress_of(progress);
+    return checked;
+  }
+};
+
+std::shared_ptr<StabilityOptions> add_stability_options(CLI::App& command) {
+  auto options = std::make_shared<StabilityOptions>();
+  StabilityJob* job = &options->job;
   add_scenes(command, job->scenes);
   add_text(command,
            "-o,--output",
@@ -34,29 +58,32 @@ Action define_stability(CLI::App& command) {
       ->type_name("A:B");
   add_text(command, "--cells", job->cells, "number of cells, horizontal x vertical")
       ->type_name("NxM");
-  add_number(command, "--turns", *turns, "turns of the body in each run (default: 100)")
+  add_number(command, "--turns", options->turns, "turns of the body in each run (default: 100)")
       ->type_name("N");
-  add_number(command, "--allowed", *allowed, "allowed attitude error, rad (default: 0.1)")
+  add_number(command, "--allowed", options->allowed, "allowed attitude error, rad (default: 0.1)")
       ->type_name("RAD");
-  add_whole_number(command, "--jobs", *jobs, "threads (default: one per processor)")
+  add_whole_number(command, "--jobs", options->jobs, "threads (default: one per processor)")
       ->type_name("N");
   add_settings(command, job->settings);
-  add_progress(command, *progress);
-  return [=] {
-    const auto positive = [](const auto& value, const char* option) {
-      if (value && !(*value > 0)) {
-        throw input_error("must be greater than 0, got {}", *value).at({{}, 0, option});
-      }
-    };
-    positive(*turns, "--turns");
-    positive(*allowed, "--allowed");
-    positive(*jobs, "--jobs");
-    job->turns = turns->value_or(job->turns);
-    job->allowed_rad = allowed->value_or(job->allowed_rad);
-    job->jobs = jobs->value_or(job->jobs);
-    job->progress = progress_of(*progress);
-    print_out(stability(*job));
+  add_part(command, job->part);
+  add_progress(command, options->progress);
+  return options;
+}
+
+}  // namespace
+
+Action define_stability(CLI::App& command) {
+  const std::shared_ptr<StabilityOptions> options = add_stability_options(command);
+  return [options] {
+    print_out(stability(options->checked()));
     return 0;
+  };
+}
+
+Divide divide_stability(CLI::App& command) {
+  const std::shared_ptr<StabilityOptions> options = add_stability_options(command);
+  return [options] {
+    return divided_stability(options->checked());
   };
 }
 

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSegmentSeconds = 5.0;  // of film: at most so much is lost
+const std::string kScratch = "work-";    // begins the names of the folders of runs
 
 StageTime sum(const StageTime& a, const StageTime& b) {
   return {a.wall_s + b.wall_s, a.cpu_s + b.cpu_s};
@@ -43,14 +44,15 @@ std::string folder_of_pieces(const std::string& output) {
 ResumedFilm::ResumedFilm(const RenderPlan& plan)
     : plan_(plan),
       folder_(folder_of_pieces(plan.sink.output)),
-      ending_(fs::path(plan.sink.output).extension().string()),
-      joiner_(examined(plan)) {}
+      ending_(fs::path(plan.sink.output).extension().string()) {
+  if (!plan.shard) joiner_ = std::make_unique<FilmJoiner>(examined(plan));
+}
 
-// an empty folder is no use to the next run; a link to one stays
+// an empty folder is no use to the next run; a link to one stays, and what other runs work in
 ResumedFilm::~ResumedFilm() {
   segment_.reset();
   std::error_code ignored;
-  if (!fs::is_symlink(folder_, ignored)) fs::remove(folder_, ignored);
+  if (joiner_ && !fs::is_symlink(folder_, ignored)) fs::remove(folder_, ignored);
 }
 
 std::string ResumedFilm::file_of(int number) const {
@@ -59,72 +61,76 @@ std::string ResumedFilm::file_of(int number) const {
 
 void ResumedFilm::begin(const PreparedFilm& film) {
   metadata_ = film_metadata(film.solved().scene, plan_.story, film.frames());
-  range_ = {0, metadata_.frames};
-  const double frames = std::max(1.0, std::round(kSegmentSeconds * plan_.sink.fps.value()));
-  segments_ = static_cast<int>(std::ceil(metadata_.frames / frames));
+  segments_ = plan_.pieces;
+  if (segments_ == 0) {
+    const double frames = std::max(1.0, std::round(kSegmentSeconds * plan_.sink.fps.value()));
+    segments_ = static_cast<int>(std::ceil(metadata_.frames / frames));
+  } else if (segments_ > metadata_.frames) {
+    throw input_error("the film has only {} frames; make at most that many pieces, not {}",
+                      metadata_.frames,
+                      segments_)
+        .at({{}, 0, "--pieces"});
+  }
   record_ = record_of(plan_, film, metadata_, {1, segments_});
-  look_at_old_segments();
+  for (const long piece : pieces_of(plan_.shard, segments_, "pieces"))
+    numbers_.push_back(static_cast<int>(piece) + 1);
+  for (const int number : numbers_)
+    look_at_old_segment(number);
+  const std::size_t whole = seals_.size();
   std::error_code failed;
   fs::create_directory(folder_, failed);
   if (failed) {
     throw system_error(failed.value(), fmt::format("cannot make the folder '{}'", folder_))
         .at({{}, 0, "--resume"});
   }
-  for (int number = 1; number <= segments_; ++number) {
-    if (is_whole(number)) {
-      ++whole_;
-      continue;
-    }
+  range_ = {};
+  for (const int number : numbers_) {
     const FrameRange range = range_of({number, segments_}, metadata_.frames);
-    for (int i = 0; i < range.count; ++i) {
+    range_.count += range.count;
+    for (int i = 0; i < range.count && !seals_.contains(number); ++i)
       frames_.push_back(range.first + i);
-    }
   }
-  if (whole_ > 0) {
+  if (!joiner_ && !frames_.empty())
+    scratch_ = std::make_unique<ScratchFolder>(fs::path(folder_) / (kScratch + "XXXXXX"));
+  if (whole > 0) {
     print_err(fmt::format("polhode: {}: {} of {} pieces are already complete\n",
                           one_line(plan_.sink.output),
-                          whole_,
-                          segments_));
+                          whole,
+                          numbers_.size()));
   }
 }
 
-// one that cannot be read or is not as it was sealed is made again
-bool ResumedFilm::is_whole(int number) const {
+// One that cannot be read or is not as it was sealed is made again. Hours of work on another film
+// are not thrown away for a slip of the keyboard.
+void ResumedFilm::look_at_old_segment(int number) {
   const std::string file = file_of(number);
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) return false;
+  if (!fs::exists(file, ignored)) return;
   if (!fs::is_regular_file(file, ignored)) {
     throw input_error("is no piece of a film; remove it").at({file, 0, {}});
   }
+  std::string difference;
   try {
-    if (sealed_text(file) && record_in(file).shard.number == number) return true;
+    if (const std::optional<std::string> text = sealed_text(file)) {
+      const SegmentRecord record = record_in(file);
+      difference = difference_between(record_, record);
+      if (difference.empty() && record.shard.number == number) {
+        seals_.emplace(number, *text);
+        return;
+      }
+    }
   } catch (const Error& error) {
     if (error.fault() == Fault::interrupted) throw;
   }
-  spdlog::warn("{}: is damaged and made again", file);
-  return false;
-}
-
-// hours of work are not thrown away for a slip of the keyboard
-void ResumedFilm::look_at_old_segments() {
-  if (!is_there(folder_)) return;
-  for (const fs::path& file : entries_of(folder_)) {
-    if (file.extension() != ending_) continue;
-    std::string difference;
-    try {
-      if (!sealed_text(file)) continue;
-      difference = difference_between(record_, record_in(file.string()));
-    } catch (const Error& error) {
-      if (error.fault() == Fault::interrupted) throw;
-      continue;
-    }
-    if (difference.empty()) continue;
-    throw input_error(
-        "'{}' holds pieces of another film: {}; delete it to start again, or choose another output",
-        folder_,
-        difference)
-        .at({{}, 0, "--resume"});
+  if (difference.empty()) {
+    spdlog::warn("{}: is damaged and made again", file);
+    return;
   }
+  throw input_error(
+      "'{}' holds pieces of another film: {}; delete it to start again, or choose another output",
+      folder_,
+      difference)
+      .at({{}, 0, "--resume"});
 }
 
 void ResumedFilm::open_segment(int frame) {
@@ -134,8 +140,9 @@ void ResumedFilm::open_segment(int frame) {
     range = range_of({++number, segments_}, metadata_.frames);
   }
   CHECK(frame == range.first);
+  number_ = number;
   SinkJob job = plan_.sink;
-  job.output = file_of(number);
+  job.output = scratch_ ? *scratch_ / fs::path(file_of(number)).filename() : file_of(number);
   job.segment = true;
   segment_ = make_sink(job);
   SegmentRecord record = record_;
@@ -155,7 +162,11 @@ void ResumedFilm::push(const Image& frame) {
   segment_->finish();
   times_ = times();
   segment_.reset();
-  ++whole_;
+  const std::string file = file_of(number_);
+  if (scratch_) move_file(*scratch_ / fs::path(file).filename(), file);
+  const std::optional<std::string> text = sealed_text(file);
+  if (!text) throw environment_error("{}: changed while the film was being made", file);
+  seals_.emplace(number_, *text);
 }
 
 SinkTimes ResumedFilm::times() const {
@@ -165,11 +176,8 @@ SinkTimes ResumedFilm::times() const {
 }
 
 void ResumedFilm::collect_hashes() {
-  for (int number = 1; number <= segments_; ++number) {
-    const std::optional<std::string> text = sealed_text(file_of(number));
-    if (!text)
-      throw environment_error("{}: changed while the film was being made", file_of(number));
-    std::istringstream lines(*text);
+  for (const int number : numbers_) {
+    std::istringstream lines(seals_.at(number));
     for (std::string line; std::getline(lines, line);) {
       hashes_.push_back(line);
     }
@@ -178,14 +186,18 @@ void ResumedFilm::collect_hashes() {
 
 void ResumedFilm::finish() {
   collect_hashes();
+  if (!joiner_) return;
   std::vector<FilmJoiner::Part> parts;
-  for (int number = 1; number <= segments_; ++number) {
+  for (const int number : numbers_) {
     parts.push_back({file_of(number), range_of({number, segments_}, metadata_.frames).count});
   }
-  joiner_.join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
+  joiner_->join(parts, plan_.sink.fps, plan_.sink.title, plan_.sink.comment, metadata_);
   // what else somebody keeps in the folder is not ours
-  for (int number = 1; number <= segments_; ++number) {
+  for (const int number : numbers_) {
     remove_file(file_of(number));
+  }
+  for (const fs::path& entry : entries_of(folder_)) {
+    if (entry.filename().string().starts_with(kScratch)) remove_file(entry);
   }
 }
 
@@ -198,11 +210,11 @@ Error ResumedFilm::explained(const Error& error) const {
 }
 
 std::string ResumedFilm::kept() const {
-  if (whole_ == 0) return "no piece was whole yet, so nothing is kept";
+  if (seals_.empty()) return "no piece was whole yet, so nothing is kept";
   return fmt::format("kept in {}: {} of {} pieces; the same command goes on from there",
                      folder_,
-                     whole_,
-                     segments_);
+                     seals_.size(),
+                     numbers_.size());
 }
 
 }  // namespace polhode

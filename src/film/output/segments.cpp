@@ -18,8 +18,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBegin = "; piece ";
 
-std::map<std::string, std::string> settings_of(const RenderPlan& plan, const PreparedFilm& film) {
-  const SinkJob& sink = plan.sink;
+std::map<std::string, std::string> settings_of(const SinkJob& sink,
+                                               const std::string& from,
+                                               const std::string& to) {
   return {{"codec", sink.encoder.codec},
           {"preset", sink.encoder.preset},
           {"crf", fmt::format("{}", sink.encoder.crf)},
@@ -27,8 +28,8 @@ std::map<std::string, std::string> settings_of(const RenderPlan& plan, const Pre
           {"threads", fmt::format("{}", sink.encoder.threads)},
           {"size", fmt::format("{}x{}", sink.width, sink.height)},
           {"fps", fmt::format("{}/{}", sink.fps.numerator, sink.fps.denominator)},
-          {"from", fmt::format("{}", film.frames().from)},
-          {"to", fmt::format("{}", film.frames().to)},
+          {"from", from},
+          {"to", to},
           {"transparent", fmt::format("{}", sink.transparent)}};
 }
 
@@ -103,18 +104,34 @@ bool consistent(const SegmentRecord& record) {
 
 }  // namespace
 
+std::string words_of_film(const RenderPlan& plan) {
+  const auto time = [](const std::optional<double>& t) {
+    return t ? fmt::format("{}", *t) : "";
+  };
+  return fmt::format(
+      "polhode {} {} {} {} {} {}",
+      program_version(),
+      libav_version(),
+      scene_hash(plan.scene),
+      Json(settings_of(plan.sink, time(plan.range.from), time(plan.range.to))).dump(),
+      plan.setup.backend,
+      Json(plan.sink.title).dump());
+}
+
 SegmentRecord record_of(const RenderPlan& plan,
                         const PreparedFilm& film,
                         const FilmMetadata& metadata,
                         const Shard& shard) {
-  return {program_version(),
-          libav_version(),
-          scene_hash(film.solved().scene),
-          plan.sink.title,
-          settings_of(plan, film),
-          shard,
-          range_of(shard, metadata.frames),
-          metadata};
+  return {
+      program_version(),
+      libav_version(),
+      scene_hash(film.solved().scene),
+      plan.sink.title,
+      settings_of(
+          plan.sink, fmt::format("{}", film.frames().from), fmt::format("{}", film.frames().to)),
+      shard,
+      range_of(shard, metadata.frames),
+      metadata};
 }
 
 std::string comment_with(const SegmentRecord& record) {

@@ -23,6 +23,10 @@ struct SegmentRecord {
   FrameRange range;                             // its frames, numbered as in the whole film
   FilmMetadata film;  // of the whole film: frames, chapters, captions; key frames are not stored
 };
+// Everything that the frames and their encoding depend on, as one text; not into how many parts the
+// film is divided.
+std::string words_of_film(const RenderPlan& plan);
+
 // The record of one shard of a film; `metadata` is that of the whole film. Throws Error (input) as
 // range_of does.
 SegmentRecord record_of(const RenderPlan& plan,

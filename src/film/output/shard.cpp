@@ -44,4 +44,19 @@ FrameRange range_of(const Shard& shard, int frames) {
   return {first, begin(shard.number) - first};
 }
 
+std::vector<long> pieces_of(const std::optional<Shard>& shard,
+                            long pieces,
+                            const std::string& things) {
+  const Shard part = shard.value_or(Shard{});
+  if (part.of > pieces) {
+    throw input_error(
+        "there are only {} {}; make at most that many parts, not {}", pieces, things, part.of)
+        .at({{}, 0, "--shard"});
+  }
+  std::vector<long> mine;
+  for (long i = part.number - 1; i < pieces; i += part.of)
+    mine.push_back(i);
+  return mine;
+}
+
 }  // namespace polhode

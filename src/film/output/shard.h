@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Shards of a film (--shard K/N), which are rendered separately and joined by `join`, and ranges of
-// frames.
+// Shards of work (--shard K/N), which are made separately: ranges of the frames of a film, which
+// `join` joins, and pieces that are dealt out.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace polhode {
 
-// Part `number` of `of` parts of a film, 1 <= number <= of.
+// Part `number` of `of` parts, 1 <= number <= of.
 struct Shard {
   int number = 1;
   int of = 1;
@@ -29,5 +31,13 @@ struct FrameRange {
 // lengths differ by at most one frame. Throws Error (input), with --shard as key, if there are more
 // shards than frames.
 FrameRange range_of(const Shard& shard, int frames);
+
+// The pieces of a shard of work that consists of `pieces` pieces, numbered from 0. They are dealt
+// out in turn, so that shards take about as long where the cost changes slowly from piece to piece.
+// Without a shard they are all. Throws Error (input), with --shard as key, if there are more shards
+// than pieces; `things` names these in the message ("rows").
+std::vector<long> pieces_of(const std::optional<Shard>& shard,
+                            long pieces,
+                            const std::string& things);
 
 }  // namespace polhode

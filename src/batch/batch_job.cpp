@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "batch/batch_job.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/system/atomic_file.h"
+#include "base/system/files.h"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kJobFile = "job.json";
+
+Json json_of(const BatchJob& job) {
+  Json submissions = Json::array();
+  for (const Submission& one : job.submissions) {
+    submissions.push_back(
+        {{"array", one.array}, {"collecting", one.collecting}, {"tasks", ranges_of(one.tasks)}});
+  }
+  return {{"hash", job.hash},
+          {"command", job.command},
+          {"options", job.options},
+          {"arguments", job.arguments},
+          {"program", job.program},
+          {"working_folder", job.working_folder},
+          {"output", job.output},
+          {"proof", job.proof},
+          {"has_jobs", job.has_jobs},
+          {"alone", job.alone},
+          {"things", job.things},
+          {"pieces", job.pieces},
+          {"tasks", job.tasks},
+          {"longest_s", job.longest_s},
+          {"submissions", submissions}};
+}
+
+BatchJob job_from(const Json& json) {
+  BatchJob job;
+  json.at("hash").get_to(job.hash);
+  json.at("command").get_to(job.command);
+  json.at("options").get_to(job.options);
+  json.at("arguments").get_to(job.arguments);
+  json.at("program").get_to(job.program);
+  json.at("working_folder").get_to(job.working_folder);
+  json.at("output").get_to(job.output);
+  json.at("proof").get_to(job.proof);
+  json.at("has_jobs").get_to(job.has_jobs);
+  json.at("alone").get_to(job.alone);
+  json.at("things").get_to(job.things);
+  json.at("pieces").get_to(job.pieces);
+  json.at("tasks").get_to(job.tasks);
+  json.at("longest_s").get_to(job.longest_s);
+  for (const Json& one : json.at("submissions")) {
+    job.submissions.push_back(
+        {one.at("array"), one.at("collecting"), numbers_in(one.at("tasks").get<std::string>())});
+  }
+  return job;
+}
+
+}  // namespace
+
+fs::path job_folder_of(const fs::path& output) {
+  fs::path whole = fs::absolute(output).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();  // "maps/"
+  whole += ".job";
+  return whole;
+}
+
+BatchJob read_job(const fs::path& folder) {
+  const fs::path file = folder / kJobFile;
+  try {
+    return job_from(Json::parse(read_file(file)));
+  } catch (const Json::exception&) {
+    throw input_error("was not written by `polhode submit`; delete the folder to start again")
+        .at({file.string(), 0, {}});
+  }
+}
+
+void write_job(const fs::path& folder, const BatchJob& job) {
+  std::string text;
+  try {
+    text = json_of(job).dump(1) + "\n";
+  } catch (const Json::exception&) {
+    throw input_error("names of files and folders must be UTF-8 to be submitted");
+  }
+  write_file(folder / kJobFile, text);
+}
+
+fs::path find_job(const fs::path& named) {
+  for (const fs::path& folder : {fs::absolute(named), job_folder_of(named)}) {
+    if (is_there(folder / kJobFile)) return folder;
+  }
+  throw input_error("is not the folder of a job of `polhode submit`, which is called OUTPUT.job")
+      .at({named.string(), 0, {}});
+}
+
+bool is_made(const fs::path& folder, const BatchJob& job) {
+  if (!is_there(folder / "state/collected") || !is_there(job.output)) return false;
+  return std::all_of(job.proof.begin(), job.proof.end(), [&](const std::string& name) {
+    return is_there(fs::path(job.output) / name);
+  });
+}
+
+fs::path mark_of_task(const fs::path& folder, int task, const char* what) {
+  return folder / "state" / fmt::format("{}.{}", task, what);
+}
+
+fs::path log_of_task(const fs::path& folder, int task) {
+  return folder / "logs" / fmt::format("task-{}.log", task);
+}
+
+std::vector<int> missing_tasks(const fs::path& folder, const BatchJob& job) {
+  std::vector<int> missing;
+  for (int task = 1; task <= job.tasks; ++task) {
+    if (!is_there(mark_of_task(folder, task, "done"))) missing.push_back(task);
+  }
+  return missing;
+}
+
+std::string ranges_of(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1)
+      ++last;
+    if (!text.empty()) text += ',';
+    text += std::to_string(numbers[i]);
+    if (last > i) text += fmt::format("-{}", numbers[last]);
+    i = last + 1;
+  }
+  return text;
+}
+
+std::vector<int> numbers_in(const std::string& ranges) {
+  std::vector<int> numbers;
+  std::istringstream in(ranges.substr(0, ranges.find('%')));
+  for (std::string range; std::getline(in, range, ',');) {
+    const std::size_t dash = range.find('-');
+    const std::optional<int> first = parse_integer(range.substr(0, dash));
+    const std::optional<int> last =
+        dash == std::string::npos ? first : parse_integer(range.substr(dash + 1));
+    if (!first || !last) continue;
+    for (int number = *first; number <= *last; ++number)
+      numbers.push_back(number);
+  }
+  return numbers;
+}
+
+}  // namespace polhode

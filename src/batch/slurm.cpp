@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "batch/slurm.h"
+
+#include <array>
+#include <sstream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/one_line.h"
+#include "base/system/child_process.h"
+#include "batch/batch_job.h"
+
+namespace polhode {
+namespace {
+
+constexpr std::array<std::string_view, 4> kWaiting = {
+    "PENDING", "REQUEUED", "REQUEUE_HOLD", "SPECIAL_EXIT"};
+constexpr std::array<std::string_view, 5> kRunning = {
+    "RUNNING", "COMPLETING", "CONFIGURING", "SUSPENDED", "STAGE_OUT"};
+
+template <class Names>
+bool is_in(const Names& names, std::string_view word) {
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+SlurmState state_of(const std::string& word) {
+  using Kind = SlurmState::Kind;
+  if (is_in(kWaiting, word)) return {Kind::waiting, word};
+  if (is_in(kRunning, word)) return {Kind::running, word};
+  return {word == "COMPLETED" ? Kind::ended_well : Kind::ended_badly, word};
+}
+
+// the value of NAME=value in a line of scontrol; empty: it is not there
+std::string value_in(const std::string& line, const std::string& name) {
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    if (word.starts_with(name + "=")) return word.substr(name.size() + 1);
+  }
+  return "";
+}
+
+}  // namespace
+
+bool has_slurm() {
+  return find_program("scontrol").installed;
+}
+
+void require_slurm() {
+  if (find_program("sbatch").installed) return;
+  throw environment_error(
+      "sbatch is not installed: this is no machine of a Slurm cluster (Debian: slurm-client); "
+      "--dry-run shows the scripts, and docs/cluster.md how to do the same without Slurm");
+}
+
+std::string submit_to_slurm(const std::vector<std::string>& call) {
+  const ChildResult result = run_child(call, "", {120.0});
+  if (!ended_well(result)) throw environment_error("sbatch {}", how_it_ended(result));
+  // "123" or "123;cluster"
+  std::string number = result.out.substr(0, result.out.find_first_of(";\n"));
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
+    throw environment_error("sbatch answered '{}' instead of the number of a job",
+                            one_line(result.out.substr(0, 80)));
+  }
+  return number;
+}
+
+std::map<int, SlurmState> states_in_slurm(const std::string& job) {
+  std::map<int, SlurmState> states;
+  if (job.empty() || !has_slurm()) return states;
+  const ChildResult result = run_child({"scontrol", "--oneliner", "show", "job", job}, "", {60.0});
+  if (!ended_well(result)) return states;
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string word = value_in(line, "JobState");
+    if (word.empty()) continue;
+    const std::string tasks = value_in(line, "ArrayTaskId");
+    for (const int task : tasks.empty() ? std::vector<int>{0} : numbers_in(tasks))
+      states[task] = state_of(word);
+  }
+  return states;
+}
+
+std::optional<std::string> cancel_in_slurm(const std::vector<std::string>& jobs) {
+  if (jobs.empty()) return {};
+  std::vector<std::string> call = {"scancel"};
+  call.insert(call.end(), jobs.begin(), jobs.end());
+  const ChildResult result = run_child(call, "", {60.0});
+  if (ended_well(result)) return {};
+  return "scancel " + how_it_ended(result);
+}
+
+}  // namespace polhode
