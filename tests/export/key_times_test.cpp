@@ -58,8 +58,9 @@ TEST(KeyTimes, AJumpTakesAMomentAndIsNoError) {
   EXPECT_LT(keys.times.size(), 64u);
   EXPECT_EQ(keys.error, 0.0);
   for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
-    if (keys.poses[i].at.x() != keys.poses[i + 1].at.x())
+    if (keys.poses[i].at.x() != keys.poses[i + 1].at.x()) {
       EXPECT_LT(keys.times[i + 1] - keys.times[i], 2e-5);
+    }
   }
 }
 
