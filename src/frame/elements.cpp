@@ -12,6 +12,9 @@ namespace {
 bool always(const Scenery&) {
   return true;
 }
+bool on_table(const Scenery& scenery) {
+  return scenery.motion.model().table.has_value();
+}
 bool never(const Scenery&) {
   return false;
 }
@@ -160,6 +163,7 @@ const std::vector<Element>& elements() {
       {"floor",
        "a floor, with the shadow of the body and its stand",
        [](const Scenery& scenery) {
+         if (on_table(scenery)) return true;
          // on dark ground the shadow would hardly be seen, and a floor costs a fifth of a frame
          if (!on_pivot(scenery)) return hovers(scenery) && is_light(scenery.theme.background);
          return needs_weight(scenery).empty() &&
@@ -167,6 +171,21 @@ const std::vector<Element>& elements() {
        },
        nothing_against,
        add_floor},
+      {"contact",
+       "the point where the body touches the table, with normal force and friction (table)",
+       on_table,
+       needs_table,
+       add_contact},
+      {"slip",
+       "the velocity at which the body slips on the table (table)",
+       never,
+       needs_table,
+       add_slip},
+      {"contact_trail",
+       "the path of the contact on the table and on the body (table)",
+       on_table,
+       needs_table,
+       add_contact_trail},
       {"forces",
        "the forces of motion.torque at their points of action, springs as coils",
        has_forces,

@@ -62,7 +62,7 @@ double weight_length(double lowest, double stand_height) {
 // the longest vector of the film has the full length; a body at rest has none to scale
 Scale make_scale(const Scenery& scenery, double radius) {
   const BodyModel& model = scenery.motion.model();
-  double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0, turned_by = 0.0;
+  double turning = 0.0, momentum = 0.0, speed = 0.0, force = 0.0, turned_by = 0.0, slip = 0.0;
   double lowest = std::numeric_limits<double>::infinity();  // centre of mass above the pivot
   for (const double t : framing_times(scenery.motion)) {
     const Sample sample = scenery.motion.at(t);
@@ -71,6 +71,12 @@ Scale make_scale(const Scenery& scenery, double radius) {
       force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
     }
     turned_by = std::max(turned_by, torque(model, t, scenery.motion.state_at(t)).norm());
+    if (const std::optional<Reaction> found = reaction_at(scenery.motion, t)) {
+      // what the table bears for an instant would make all other forces short
+      const double weight = model.body.mass * model.gravity_S.norm();
+      force = std::max(force, std::min(found->normal, 3.0 * weight));
+      slip = std::max(slip, found->slip_S.norm());
+    }
     lowest = std::min(lowest, (sample.center_S - sample.reference_S).dot(model.up_S));
     turning = std::max(turning, sample.w_S.norm());
     momentum = std::max(momentum, sample.L_S.norm());
@@ -93,7 +99,22 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(kForceLength, force),
           per(kForceLength, turned_by),
           (model.on_pivot ? weight_length(lowest / radius, scenery.stand_height) : kOrbitLength) *
-              radius};
+              radius,
+          per(kVelocityLength, slip)};
+}
+
+// the box around all places that a body goes to on its table
+void measure_table(Scenery& scenery) {
+  if (!scenery.motion.model().table) return;
+  Vec3 low = scenery.motion.at(0.0).center_S, high = low;
+  for (const double t : framing_times(scenery.motion)) {
+    const Vec3 center = scenery.motion.at(t).center_S;
+    low = low.cwiseMin(center);
+    high = high.cwiseMax(center);
+  }
+  scenery.table_middle = 0.5 * (low + high);
+  scenery.table_middle.z() = 0.0;
+  scenery.table_reach = 0.5 * (high - low).head<2>().norm();
 }
 
 // high enough for a body of this radius (m) to swing clear of the floor, in units of it
@@ -186,6 +207,7 @@ Scenery make_scenery(const Motion& motion,
   scenery.scale = scale ? *scale : make_scale(scenery, radius);
   scenery.stand = shared(stand_mesh(scenery.stand_height, segments));
   scenery.rough_stand = shared(stand_mesh(scenery.stand_height, kRoughSegments));
+  measure_table(scenery);
   scenery.paths = make_paths(scenery);
   return scenery;
 }
@@ -205,8 +227,12 @@ Scale common_scale(const std::vector<Scale>& scales) {
     }
     common.*member = found;
   };
-  for (const auto member :
-       {&Scale::omega, &Scale::momentum, &Scale::velocity, &Scale::force, &Scale::torque})
+  for (const auto member : {&Scale::slip,
+                            &Scale::omega,
+                            &Scale::momentum,
+                            &Scale::velocity,
+                            &Scale::force,
+                            &Scale::torque})
     least(member);
   return common;
 }

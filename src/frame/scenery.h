@@ -24,6 +24,7 @@ struct Scale {
   double force = 1.0;     // metres per N
   double torque = 1.0;    // metres per N m
   double weight = 1.0;    // the length of the weight, m
+  double slip = 0.0;      // metres per m/s of slip on a table
 };
 
 // The curves of a film that the scene asks for, made once; those that it does not ask for, and
@@ -31,6 +32,8 @@ struct Scale {
 struct Paths {
   Trail axis;                      // of the body's axis
   std::vector<Trail> points;       // of the points in ShowSpec::trail_points
+  Trail contact;                   // of the lowest point of a body on a table
+  Trail contact_on_body;           // the same on the body, in B
   Trail omega_tip, momentum_tip;   // of the vectors in ShowSpec::trail_tips
   Trail herpolhode;                // of the tip of omega, in space
   double herpolhode_radius = 0.0;  // how far it goes from the line of L, m
@@ -61,6 +64,8 @@ struct Scenery {
   std::vector<LookPart> look = {};
   Scale scale = {};
   double stand_height = kStandHeight;     // in units of the body's radius
+  Vec3 table_middle = Vec3::Zero();       // of where a body goes on its table, S, m
+  double table_reach = 0.0;               // how far it goes from there, m
   std::vector<Vec3> hull_B = {};          // hull_of(look), m
   MeshPtr ball = {};                      // unit sphere, coarse, for points
   MeshPtr sphere = {};                    // unit sphere, fine

@@ -367,6 +367,7 @@ bool keeps_energy(const BodyModel& m) {
   const auto& turning = m.loads.turning;
   const auto& pushes = m.loads.pushes;
   if (m.loads.gimbals && !m.loads.gimbals->friction.isZero(0.0)) return false;
+  if (m.table && !m.table->friction.keeps_energy()) return false;
   return std::all_of(
              turning.begin(), turning.end(), [](const Load& l) { return l.conservative(); }) &&
          (!m.with_translation ||
@@ -374,7 +375,7 @@ bool keeps_energy(const BodyModel& m) {
 }
 
 bool keeps_momentum(const BodyModel& m) {
-  return !m.loads.turn_body();
+  return !m.loads.turn_body() && !m.table;
 }
 
 bool center_on_symmetry_axis(const BodyModel& model) {

@@ -11,6 +11,7 @@
 #include "model/body_spec.h"
 #include "model/loads.h"
 #include "model/mass_properties.h"
+#include "model/table.h"
 
 namespace polhode {
 
@@ -46,6 +47,7 @@ struct BodyModel {
   Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity; +Z without gravity
   Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
   Loads loads;                    // torques and forces besides gravity
+  std::optional<Table> table;     // what the body moves on; absent: it is free or on a pivot
   bool with_translation = false;  // six degrees of freedom, not three; make_model() leaves it
                                   // unset, see with_needed_degrees() in motion/solution_method.h
 

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "math/elliptic.h"
 #include "math/so3.h"
+#include "motion/contact/contact_quantities.h"
 #include "motion/exact/exact.h"
 
 namespace polhode {
@@ -24,11 +25,15 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
   const Vec3 w_P = angular_velocity(model, start.y);
   const double turning = 0.5 * start.y.dot(w_P);
   const Vec3 arm_P = model.R_BP.transpose() * (model.body.center - model.reference_B());
-  const Vec3 v = model.on_pivot ? Vec3(w_P.cross(arm_P)) : spec.velocity;
+  // on a table, place and velocity follow from the attitude and the spin
+  const Vec3 place_S = model.table ? start.place_S : spec.position;
+  const Vec3 v = model.on_pivot ? Vec3(w_P.cross(arm_P))
+                 : model.table  ? Vec3(start.linear_momentum_S / model.body.mass)
+                                : spec.velocity;
   const double travel = 0.5 * model.body.mass * v.squaredNorm();
-  double potential = potential_of(model.loads.turning, start.q, spec.position);
+  double potential = potential_of(model.loads.turning, start.q, place_S);
   potential += model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
-                              : potential_of_place(model, spec.position);
+                              : potential_of_place(model, place_S);
   double kinetic = model.on_pivot ? turning : turning + travel;
   const double turning_about_center = kinetic - travel;
   if (model.loads.gimbals) {
@@ -204,6 +209,11 @@ std::vector<Quantity> derived_quantities(const BodyModel& model, const MotionSpe
   const State start = start_state(model, spec);
   List list;
   add_energies(list, model, spec, start);
+  if (model.table) {
+    const List more = contact_quantities(model, start);
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  }
   if (model.loads.turn_body()) return list;
   if (model.chi_P.squaredNorm() > 0.0) {
     Vec3 aside = model.chi_P;

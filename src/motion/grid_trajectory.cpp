@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "motion/contact/contact_trajectory.h"
 #include "motion/scales.h"
 #include "motion/stepper_table.h"
 #include "motion/walk.h"
@@ -125,7 +126,7 @@ Integration integrate_fixed(const StepperInfo& method,
   const State end = grid->at(duration);
   refuse_nan(end, method, duration);
   drift.look_at(end);
-  return {grid, {walk.steps, 0, walk.work.evaluations, drift.worst()}};
+  return {grid, {walk.steps, 0, walk.work.evaluations, drift.worst(), {}}};
 }
 
 Integration integrate_adaptive(const StepperInfo& method,
@@ -140,6 +141,7 @@ Integration integrate_adaptive(const StepperInfo& method,
                       tolerance,
                       kLeastTolerance);
   }
+  if (model.table) return integrate_on_table(method, model, start, duration, tolerance, effort);
   const long most = std::min(effort.most_steps, kMostSteps / 8);
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   DriftWatch drift(model, start);
@@ -164,7 +166,7 @@ Integration integrate_adaptive(const StepperInfo& method,
         throw too_many_steps(method, duration, static_cast<double>(steps) * duration / t, most);
       });
   grid->last = static_cast<long>(grid->times.size()) - 1;
-  return {grid, {walk.steps, walk.rejected, walk.work.evaluations, drift.worst()}};
+  return {grid, {walk.steps, walk.rejected, walk.work.evaluations, drift.worst(), {}}};
 }
 
 }  // namespace polhode

@@ -13,12 +13,22 @@
 
 namespace polhode {
 
+// Something that changed how a body touches its table.
+struct ContactRecord {
+  double t = 0.0;     // s
+  std::string event;  // a name, such as "slip_ends"
+  std::string words;  // a phrase
+};
+// At most so many are recorded.
+inline constexpr std::size_t kEventsReported = 1000;
+
 // What an integration cost, and how well it kept the conserved quantities.
 struct IntegrationRecord {
   long steps = 0;
   long rejected = 0;     // steps of an adaptive method that were repeated with a shorter step
   long evaluations = 0;  // as Work counts them
   Drift drift;           // the largest over the grid times
+  std::vector<ContactRecord> events = {};  // on a table, in order
 };
 
 // A trajectory (never null) and its record.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/error.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -25,6 +26,31 @@ Gimbals make_gimbals(const GimbalsSpec& spec, const BodyModel& model, const Vec3
   }
   gimbals.frame_S = frame;
   return gimbals;
+}
+
+void put_on_table(const BodySpec& body, const MotionSpec& motion, BodyModel& model) {
+  if (!(model.gravity_S.z() < 0.0)) {
+    throw input_error("must point down, to the table z = 0: its z must be negative")
+        .at({{}, 0, "motion.gravity"});
+  }
+  if (!model.loads.switches.empty()) {
+    throw input_error(
+        "loads that are switched are not for a body on a table; leave out from, "
+        "until and ramp")
+        .at({{}, 0, "motion.torque"});
+  }
+  if (model.kind.rotator) {
+    throw input_error(
+        "a body with all its mass on a line has no place on a table: it cannot take "
+        "up a torque about that line; give it a width")
+        .at({{}, 0, "motion.hold"});
+  }
+  Table table;
+  table.surface = make_contact_surface(body, model.body, model.R_BP);
+  FrictionSpec none;
+  none.kind = "none";
+  table.friction = make_friction(motion.friction.value_or(none));
+  model.table = table;
 }
 
 }  // namespace
@@ -77,7 +103,20 @@ Sample Motion::at(double t) const {
 }
 
 Drift drift_at(const Motion& motion, double t) {
-  return DriftWatch(motion.model(), motion.state_at(0.0)).of(motion.state_at(t));
+  return DriftWatch(motion.model(), motion.state_at(0.0))
+      .of(motion.state_at(t), motion.contact_at(t).value_or(ContactState{}));
+}
+
+std::optional<Reaction> reaction_at(const Motion& motion, double t) {
+  const std::optional<ContactState> contact = motion.contact_at(t);
+  if (!contact || contact->touch.phase == Touch::Phase::flying) return {};
+  const State s = motion.state_at(t);
+  const double mass = motion.model().body.mass;
+  Reaction found = reaction_of(
+      motion.model(), contact->touch, t, {s.q, s.y, s.place_S, s.linear_momentum_S / mass});
+  if (contact->touch.phase == Touch::Phase::lying)
+    found.normal = -mass * motion.model().gravity_S.z();
+  return found;
 }
 
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B) {
@@ -91,7 +130,7 @@ Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_
 
 Vec3 gravity_of(const MotionSpec& spec) {
   if (spec.gravity) return *spec.gravity;
-  return spec.hold == "pivot" ? Vec3(0, 0, -kStandardGravity) : Vec3(Vec3::Zero());
+  return spec.hold == "free" ? Vec3(Vec3::Zero()) : Vec3(0, 0, -kStandardGravity);
 }
 
 BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
@@ -113,6 +152,12 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
     refuse_free("motion.gimbals");
     const Gimbals gimbals = make_gimbals(*motion.gimbals, model, frame);
     if (!gimbals.idle()) model.loads.gimbals = gimbals;
+  }
+  if (motion.hold == "table") {
+    put_on_table(body, motion, model);
+  } else if (motion.friction) {
+    throw input_error("is for a body on a table; set motion.hold = \"table\"")
+        .at({{}, 0, "motion.friction"});
   }
   return model;
 }

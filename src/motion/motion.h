@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "motion/motion_spec.h"
 #include "motion/trajectory.h"
@@ -40,6 +41,8 @@ class Motion {
   // The state of the rotation at that time; its place and linear momentum are those of the motion
   // with six degrees of freedom only. Throws Error likewise.
   State state_at(double t) const { return trajectory_->at(t); }
+  // How the body touches the table at that time, if there is one. Throws Error likewise.
+  std::optional<ContactState> contact_at(double t) const { return trajectory_->contact_at(t); }
   // A reference to a member.
   const BodyModel& model() const { return model_; }
   // In seconds; the motion begins at t = 0.
@@ -57,6 +60,10 @@ class Motion {
 // The drift of the conserved quantities between the start and t (s), 0 <= t <= duration(), as
 // DriftWatch::of() gives it. Throws Error (check_failed) as Motion::at does.
 Drift drift_at(const Motion& motion, double t);
+
+// What the table does to the body at t (s), 0 <= t <= duration(); absent without a table or
+// contact. Throws Error (check_failed) as Motion::at does.
+std::optional<Reaction> reaction_at(const Motion& motion, double t);
 
 // Position in S (m) of the point r_B of the body (m, from the body origin).
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);

@@ -8,6 +8,7 @@
 
 #include "base/fields.h"
 #include "math/notation.h"
+#include "model/friction_spec.h"
 #include "model/gimbals_spec.h"
 #include "model/load_spec.h"
 
@@ -47,21 +48,26 @@ struct EnsembleSpec {
 
 // The [motion] table.
 struct MotionSpec {
-  // "free", or "pivot": one point of the body is fixed, at the origin of S
+  // "free"; "pivot": one point of the body is fixed, at the origin of S; or "table": the body is
+  // on or above the plane z = 0 of S
   std::string hold = "free";
-  // m/s^2 in S; absent: zero for a free body; standard gravity (9.80665) along -Z on a pivot
+  // m/s^2 in S; absent: zero for a free body; standard gravity (9.80665) along -Z on a pivot or a
+  // table
   std::optional<Vec3> gravity;
   double duration = 10.0;  // s
   AttitudeSpec attitude;
   SpinSpec spin;
-  Vec3 position = Vec3::Zero();  // of the centre of mass at t = 0, in S, m; free bodies only
-  Vec3 velocity = Vec3::Zero();  // of the centre of mass at t = 0, in S, m/s; free bodies only
+  // Of the centre of mass at t = 0, in S, m and m/s; not on a pivot. On a table, a body that is not
+  // above it is put on it, so that z and its velocity follow.
+  Vec3 position = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero();
   std::vector<LoadSpec> torque;  // torques and forces besides gravity
   // Angular velocity of space, such as that of the Earth or of a turntable, rad/s in S; absent:
   // space does not turn. Pivot only; all rates and momenta are relative to S.
   std::optional<Vec3> frame_rotation;
   std::optional<GimbalsSpec>
       gimbals;  // rings that carry the body; absent: nothing does. Pivot only
+  std::optional<FrictionSpec> friction;  // of a table; absent: it has none
   std::optional<EnsembleSpec> ensemble;
 };
 
@@ -151,24 +157,25 @@ template <class Visitor>
 void fields(Visitor& v, MotionSpec& s) {
   v.field("hold",
           s.hold,
-          Doc{"whether the body is free or one of its points is fixed (body.pivot)",
+          Doc{"whether the body is free, one of its points is fixed (body.pivot), or it moves on "
+              "a table, the plane z = 0",
               Unit::none,
               kAny,
-              {"free", "pivot"}});
+              {"free", "pivot", "table"}});
   v.field("gravity",
           s.gravity,
           Doc{"acceleration of gravity in space axes; absent: none for a free body, standard on a "
-              "pivot",
+              "pivot or a table",
               Unit::acceleration});
   v.field("duration", s.duration, Doc{"length of the motion", Unit::time, kPositive});
   v.field("attitude", s.attitude, Doc{"attitude at the start; absent: body axes along space axes"});
   v.field("spin", s.spin, Doc{"angular velocity or momentum at the start; absent: at rest"});
   v.field("position",
           s.position,
-          Doc{"position of the centre of mass at the start; free bodies only", Unit::length});
+          Doc{"position of the centre of mass at the start; not on a pivot", Unit::length});
   v.field("velocity",
           s.velocity,
-          Doc{"velocity of the centre of mass at the start; free bodies only", Unit::velocity});
+          Doc{"velocity of the centre of mass at the start; not on a pivot", Unit::velocity});
   v.field("torque", s.torque, Doc{"torques and forces that act besides gravity"});
   v.field("frame_rotation",
           s.frame_rotation,
@@ -176,6 +183,7 @@ void fields(Visitor& v, MotionSpec& s) {
               "turntable, in space axes; pivot only",
               Unit::angular_velocity});
   v.field("gimbals", s.gimbals, Doc{"inertia and friction of the rings that carry the body"});
+  v.field("friction", s.friction, Doc{"friction of the table; absent: none"});
   v.field("ensemble", s.ensemble, Doc{"motions that begin near this one"});
 }
 

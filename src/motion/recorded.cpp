@@ -119,6 +119,33 @@ const std::vector<Recorded>& recorded_quantities() {
          const Drift drift = drift_at(motion, now.t);
          return std::vector<double>{drift.energy.value_or(NAN), drift.momentum.value_or(NAN)};
        }},
+      {"contact_force",
+       "forces of the table",
+       "N",
+       {"N", "F"},
+       [](const Motion& motion, const Sample& now) {
+         const std::optional<Reaction> found = reaction_at(motion, now.t);
+         if (!found) return std::vector<double>{0.0, 0.0};
+         return std::vector<double>{found->normal, found->friction_S.norm()};
+       }},
+      {"slip",
+       "slip on the table",
+       "m/s",
+       {"v"},
+       [](const Motion& motion, const Sample& now) {
+         const std::optional<Reaction> found = reaction_at(motion, now.t);
+         return std::vector<double>{found ? found->slip_S.norm() : NAN};
+       }},
+      {"jellett",
+       "Jellett's constant −L·r",
+       "kg m³/s",
+       {"λ"},
+       [](const Motion& motion, const Sample& now) {
+         const std::optional<Reaction> found = reaction_at(motion, now.t);
+         if (!found) return std::vector<double>{NAN};
+         const Vec3 L_P = (now.q_SB * Quat(motion.model().R_BP)).conjugate() * now.L_S;
+         return std::vector<double>{-L_P.dot(found->point.arm_P)};
+       }},
       {"position",
        "centre of mass",
        "m",

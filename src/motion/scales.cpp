@@ -44,6 +44,7 @@ double typical_rate(const BodyModel& model, const State& start) {
   for (const Load& load : model.loads.turning)
     rate += rate_of(model, load);
   if (model.loads.gimbals) rate += model.loads.gimbals->friction.maxCoeff() / least;
+  if (model.table) return rate + std::sqrt(model.gravity_S.norm() / model.table->surface->reach());
   if (!model.with_translation) return rate;
   // forces through the centre of mass turn nothing, but move it
   const double size = std::sqrt(model.moments.maxCoeff() / model.body.mass);
@@ -78,6 +79,8 @@ double momentum_scale(const BodyModel& model, const State& start) {
   double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
   for (const Load& load : model.loads.turning)
     scale = std::max(scale, most * driven_rate(model, load));
+  if (model.table)
+    scale = std::max(scale, most * std::sqrt(model.gravity_S.norm() / model.table->surface->reach()));
   return scale > 0.0 ? scale : 1.0;
 }
 

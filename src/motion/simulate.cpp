@@ -11,6 +11,7 @@
 #include "base/nearest.h"
 #include "base/numbers.h"
 #include "motion/conditioning.h"
+#include "motion/deviation.h"
 #include "motion/method_costs.h"
 #include "motion/refinement.h"
 #include "motion/scales.h"

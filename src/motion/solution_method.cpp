@@ -14,6 +14,7 @@ namespace {
 
 // what keeps every closed form of a free body from answering; damping -c L does not
 std::string against_free(const BodyModel& model) {
+  if (model.table) return "the body is on a table";
   if (model.chi_P.squaredNorm() > 0.0) return "gravity turns the body about its pivot";
   if (!model.loads.only_damp_momentum()) return "torques act that have no closed form here";
   return {};
@@ -38,6 +39,7 @@ std::string why_not_asymmetric(const BodyModel& model) {
 }
 
 std::string why_not_heavy_symmetric(const BodyModel& model) {
+  if (model.table) return "the body is on a table";
   if (model.chi_P.squaredNorm() == 0.0) return "no gravity turns the body";
   if (model.loads.turn_body()) return "other torques than that of gravity act";
   if (model.kind.shape == TopKind::Shape::spherical) return {};
@@ -53,13 +55,23 @@ std::string why_not_splitting(const BodyModel& model) {
 }
 
 std::string why_not_ode(const BodyModel& model) {
+  if (model.table) return "the body is on a table";
   if (!model.loads.need_place) return {};
   return "the force on the centre of mass depends on where the body is or how it stands";
 }
 
 std::string why_not_ode6(const BodyModel& model) {
+  if (model.table) return "the body is on a table";
   if (!model.on_pivot) return {};
   return "the body turns about a fixed point, so it has three degrees of freedom only";
+}
+
+// the models of a table, one for each law of friction
+template <Friction::Kind kind>
+std::string why_not_table(const BodyModel& model) {
+  if (!model.table) return "the body is not on a table";
+  if (model.table->friction.kind == kind) return {};
+  return "the table has another law of friction";
 }
 
 // the closed form, or with damping the same in rescaled time
@@ -107,6 +119,7 @@ std::string reason_for(const SolutionMethod& row, const BodyModel& model) {
     return "no closed form in this version for this body with gravity on a pivot; kicks and free "
            "motion are both known exactly";
   }
+  if (row.on_table) return row.doc;
   if (row.with_translation) return why_not_ode(model) + ": six degrees of freedom";
   const bool vowel = kind.front() == 'a' || kind.front() == 'o';
   const bool loaded = model.loads.turn_body();
@@ -156,6 +169,34 @@ const std::vector<SolutionMethod>& solution_methods() {
        .doc = "any free body, equations of motion integrated, six degrees of freedom",
        .with_translation = true,
        .why_not = why_not_ode6,
+       .make = nullptr},
+      {.name = "table_frictionless",
+       .doc = "body on a table without friction: only a vertical force acts, five degrees of "
+              "freedom",
+       .with_translation = true,
+       .on_table = true,
+       .why_not = why_not_table<Friction::Kind::none>,
+       .make = nullptr},
+      {.name = "table_rolling",
+       .doc = "body that rolls on a table without slipping: three degrees of freedom, the velocity "
+              "follows from the rotation",
+       .with_translation = true,
+       .on_table = true,
+       .why_not = why_not_table<Friction::Kind::rolling>,
+       .make = nullptr},
+      {.name = "table_viscous",
+       .doc = "body that slides on a table with friction in proportion to the slip: five degrees "
+              "of freedom",
+       .with_translation = true,
+       .on_table = true,
+       .why_not = why_not_table<Friction::Kind::viscous>,
+       .make = nullptr},
+      {.name = "table_coulomb",
+       .doc = "body on a table with dry friction: slides or sticks, and the equations change at "
+              "the events between",
+       .with_translation = true,
+       .on_table = true,
+       .why_not = why_not_table<Friction::Kind::coulomb>,
        .make = nullptr},
   };
   return models;

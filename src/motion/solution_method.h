@@ -19,6 +19,7 @@ struct SolutionMethod {
   std::string doc;   // one phrase, for help
   bool closed_form = false;
   bool with_translation = false;  // integrates the centre of mass too (six degrees of freedom)
+  bool on_table = false;          // of a body on a table, with events (motion/contact/)
   bool splits = false;            // splits into exact flows; takes symplectic steppers only
   // "" if it can handle the model, else the reason why not.
   std::string (*why_not)(const BodyModel& model);

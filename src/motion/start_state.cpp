@@ -31,6 +31,37 @@ void refuse_flight_on_pivot(const BodyModel& model, const MotionSpec& spec) {
   refuse(spec.velocity, "motion.velocity");
 }
 
+// On a table, height and velocity follow from attitude and spin, unless the body begins above it.
+void put_on_table(const BodyModel& model, const MotionSpec& spec, State& start) {
+  if (!model.table) return;
+  const Vec3 down_P = -(start.q.conjugate() * Vec3::UnitZ());
+  const ContactSurface& surface = *model.table->surface;
+  Touch touch;
+  touch.piece = surface.lowest(down_P);
+  const double height = surface.height(down_P, touch.piece);
+  if (surface.tilt_of_face(down_P, touch.piece) < 1e-9 ||
+      surface.clearance(down_P, touch.piece) < 1e-9 * surface.reach()) {
+    throw input_error(
+        "puts more than one point of the body on the table (a face or an edge); tilt it")
+        .at({{}, 0, "motion.attitude"});
+  }
+  constexpr double kAbove = 1e-9;  // of the reach: nearer it is on the table
+  if (spec.position.z() > height + kAbove * surface.reach()) return;
+  const bool rolls = model.table->friction.kind == Friction::Kind::rolling;
+  if (spec.velocity.z() != 0.0 || (rolls && spec.velocity != Vec3::Zero())) {
+    throw input_error("{} follows from the spin for a body that is on the table{}; leave it out",
+                      rolls ? "the velocity" : "the vertical velocity",
+                      rolls ? " and rolls" : "")
+        .at({{}, 0, "motion.velocity"});
+  }
+  // on the table, and not held otherwise: that is found when it is known what holds it
+  touch.sticks = touch.keeps_from_boring = touch.keeps_from_rolling = false;
+  Moving now{start.q, start.y, start.place_S, spec.velocity};
+  hold_to_table(model, touch, now);
+  start.place_S = now.place_S;
+  start.linear_momentum_S = model.body.mass * now.velocity_S;
+}
+
 // A symmetric top under gravity on a pivot, as steady precession is defined for.
 struct LagrangeTop {
   Vec3 axis_P;          // from the pivot to the centre of mass, unit
@@ -183,6 +214,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
     start.y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, start.y);
     set_ring(model, spec, start);
+    put_on_table(model, spec, start);
     return start;
   }
 
@@ -200,6 +232,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
   refuse_spin_about_line(model, w_P);
   start.y = model.moments.cwiseProduct(w_P);
   set_ring(model, spec, start);
+  put_on_table(model, spec, start);
   return start;
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 // "" or what the method cannot do with the model
 std::string obstacle(const StepperInfo& method, const BodyModel& model) {
+  if (model.table && !method.takes_table)
+    return method.name + " does not find the events of a body on a table";
   if (!method.takes_loads && (model.with_translation || model.loads.turn_body()))
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
@@ -79,7 +81,7 @@ const std::vector<StepperInfo>& stepper_table() {
       {.name = "dopri5", .title = "Dormand-Prince 5(4)", .family = MethodFamily::runge_kutta, .order = 5, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
        .cost = "7 evaluations", .limit = "h |Omega| < 0.997", .limit_of = StepLimit::oscillation, .limit_turn = 0.997,
        .source = "Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19", .make = make_dopri5},
-      {.name = "dop853", .title = "Dormand-Prince 8(5,3)", .family = MethodFamily::runge_kutta, .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_rotator = true,
+      {.name = "dop853", .title = "Dormand-Prince 8(5,3)", .family = MethodFamily::runge_kutta, .order = 8, .adaptive = true, .takes_heavy = true, .takes_loads = true, .takes_table = true, .takes_rotator = true,
        .cost = "12 evaluations", .limit = "h |Omega| < 5.9", .limit_of = StepLimit::oscillation, .limit_turn = 5.9,
        .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.10", .make = make_dop853},
       {.name = "taylor10", .title = "Taylor series of order 10", .family = MethodFamily::taylor, .order = 10, .adaptive = true, .takes_heavy = true, .takes_rotator = true,

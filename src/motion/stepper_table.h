@@ -45,6 +45,7 @@ struct StepperInfo {
   bool stiff = false;                 // L-stable: strong damping does not limit its step
   bool takes_heavy = false;           // gravity on a pivot
   bool takes_loads = false;           // other torques and forces, and six degrees of freedom
+  bool takes_table = false;           // bodies on a table, with events
   bool takes_rotator = false;         // bodies with all mass on a line
   std::string cost = {};              // of a step, as text
   std::string limit = {};             // of the step, as text; empty: theory gives none

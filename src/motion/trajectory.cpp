@@ -21,6 +21,10 @@ double energy_of_place(const BodyModel& model, const State& s) {
          std::abs(potential_of_place(model, s.place_S));
 }
 
+Moving moving_of(const BodyModel& model, const State& s) {
+  return {s.q, s.y, s.place_S, s.linear_momentum_S / model.body.mass};
+}
+
 double or_one(double scale) {
   return scale > 0.0 ? scale : 1.0;
 }
@@ -37,12 +41,25 @@ DriftWatch::DriftWatch(const BodyModel& model, const State& start)
                            potential_scale(model.loads.turning, start.q, start.place_S))),
       momentum_scale_(or_one(
           std::max(start.y.norm(), std::sqrt(model.moments.maxCoeff() * model.chi_P.norm())))) {
-  if (keeps_energy(model)) worst_.energy = 0.0;
   if (keeps_momentum(model)) worst_.momentum = 0.0;
+  if (!model.table) {
+    if (keeps_energy(model)) worst_.energy = 0.0;
+    return;
+  }
+  worst_.energy = 0.0;
+  // a height is as good as another: what a fall from there gives is a scale too
+  energy_scale_ += model.body.mass * model.gravity_S.norm() * model.table->surface->reach();
+  const Moving begins = moving_of(model, start);
+  for (const ContactInvariant& law : contact_invariants()) {
+    if (!law.holds(model)) continue;
+    const Vec3 value = law.value(model, begins);
+    watched_.push_back({&law, value, or_one(std::max(value.norm(), law.scale(model, begins)))});
+    worst_.momentum = 0.0;
+  }
 }
 
-void DriftWatch::look_at(const State& s) {
-  const Drift now = of(s);
+void DriftWatch::look_at(const State& s, const ContactState& contact) {
+  const Drift now = of(s, contact);
   // a NaN, once seen, is kept: nothing is greater than it
   const auto keep = [](std::optional<double>& worst, const std::optional<double>& drift) {
     if (!worst || !drift) return;
@@ -52,9 +69,19 @@ void DriftWatch::look_at(const State& s) {
   keep(worst_.momentum, now.momentum);
 }
 
-Drift DriftWatch::of(const State& s) const {
+Drift DriftWatch::of(const State& s, const ContactState& contact) const {
   Drift drift;
-  if (worst_.energy) drift.energy = (energy(model_, s) - energy_) / energy_scale_;
+  if (worst_.energy)
+    drift.energy = (energy(model_, s) - contact.work - energy_) / energy_scale_;
+  if (model_.table) {
+    const Moving now = moving_of(model_, s);
+    for (const Watched& one : watched_) {
+      const double apart = (one.law->value(model_, now) - one.value).norm() / one.scale;
+      if (!(apart <= drift.momentum.value_or(0.0))) drift.momentum = apart;
+    }
+    if (worst_.momentum && !drift.momentum) drift.momentum = 0.0;
+    return drift;
+  }
   if (worst_.momentum) {
     drift.momentum = (conserved_momentum(model_, s) - momentum_).norm() / momentum_scale_;
   }

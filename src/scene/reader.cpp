@@ -73,7 +73,9 @@ struct OtherWord {
   const char *written, *instead;
 };
 constexpr OtherWord kOtherWords[] = {
-    {"friction", "motion.torque = [{ kind = \"damping\", c = ... }]"},
+    {"friction",
+     "motion.friction = { kind = \"coulomb\", mu = ... } of a table, or motion.torque = [{ kind = "
+     "\"damping\", c = ... }]"},
     {"damping", "motion.torque = [{ kind = \"damping\", c = ... }]"},
     {"drag", "motion.torque = [{ kind = \"damping\", c = ... }]"},
     {"spring", "motion.torque = [{ kind = \"spring\", k = ... }]"},

@@ -78,6 +78,17 @@ MotionSpec pulled() {
   return spec;
 }
 
+// on a table, with friction that slows it all the time
+MotionSpec sliding() {
+  MotionSpec spec = wobbling();
+  spec.hold = "table";
+  spec.friction = FrictionSpec{};
+  spec.friction->kind = "viscous";
+  spec.friction->c = 0.2;
+  spec.duration = 1.0;
+  return spec;
+}
+
 TEST(Elements, EachNameAddsItsOwnGlyphs) {
   struct Count {
     std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
@@ -98,6 +109,9 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"frame_rotation", {.arrows = 1}},
                                                {"ensemble", {.meshes = 2, .ghosts = 2}},
                                                {"forces", {.arrows = 3, .meshes = 1}},
+                                               {"contact", {.arrows = 2, .meshes = 1}},
+                                               {"contact_trail", {.meshes = 2}},
+                                               {"slip", {.arrows = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
                                                {"angles", {.arcs = 3}},
@@ -123,7 +137,11 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     const bool heavy = name == "precession_cone" || name == "pivot" || name == "gimbals" ||
                        name == "gravity" || name == "torque" || name == "ghosts" ||
                        name == "frame_rotation";
-    MotionSpec motion = heavy ? spinning_on_pivot() : name == "forces" ? pulled() : wobbling();
+    const bool on_table = name == "contact" || name == "contact_trail" || name == "slip";
+    MotionSpec motion = heavy              ? spinning_on_pivot()
+                        : name == "forces" ? pulled()
+                        : on_table         ? sliding()
+                                           : wobbling();
     if (name == "frame_rotation") motion.frame_rotation = Vec3(0.0, 0.1, 0.2);
     const BodySpec body = heavy ? cone_body() : prolate_body();
     Shared shared;

@@ -202,7 +202,7 @@ TEST(ParseAccuracy, RadiansAndPixels) {
 TEST(Names, StartWithAutoAndCoverTheTables) {
   EXPECT_EQ(model_names().size(), solution_methods().size() + 1);
   EXPECT_EQ(model_names().front(), "auto");
-  EXPECT_EQ(model_names().back(), "ode6");
+  EXPECT_EQ(model_names().back(), "table_coulomb");
   EXPECT_EQ(method_names().size(), stepper_table().size() + 2);
   EXPECT_EQ(method_names().front(), "auto");
 }

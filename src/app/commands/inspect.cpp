@@ -28,6 +28,7 @@ Json list_of(const Vec3& v) {
 Json evaluations_of_ode(const Solved& solved) {
   const SimulationReport& report = solved.simulation.report;
   if (report.model == "ode" || report.model == "ode6") return report.record.evaluations;
+  if (solved.model.table) return report.record.evaluations;
   NumericsSpec numerics;
   numerics.model = "ode";
   MotionSpec beginning = solved.scene.motion;
@@ -71,6 +72,26 @@ std::string as_text(const Json& facts) {
     text += fmt::format("{:<42} {}{}\n", key, one_line(shown(value)), degrees);
   };
   for (const auto& [key, value] : facts.items()) {
+    if (key == "conserved") {
+      for (const auto& [name, law] : value.items())
+        text += fmt::format("{:<42} {} {} ({})\n",
+                            "conserved_" + name,
+                            one_line(shown(law["value"])),
+                            law["unit"].get<std::string>(),
+                            law["what"].get<std::string>());
+      continue;
+    }
+    if (key == "events") {
+      constexpr std::size_t kShown = 20;
+      for (std::size_t i = 0; i < std::min(kShown, value.size()); ++i)
+        text += fmt::format("{:<42} {:.9g}  {}\n",
+                            "event_s",
+                            value[i]["t_s"].get<double>(),
+                            value[i]["what"].get<std::string>());
+      if (value.size() > kShown)
+        text += fmt::format("{:<42} {} more\n", "events", value.size() - kShown);
+      continue;
+    }
     if (!value.is_object()) {
       line(key, value);
       continue;
@@ -79,6 +100,33 @@ std::string as_text(const Json& facts) {
       line(name, number);
   }
   return text;
+}
+
+// what a body on a table conserves, and the events of its motion
+void add_contact(Json& facts, const Solved& solved) {
+  const Motion& motion = solved.simulation.motion;
+  const State start = motion.state_at(0.0);
+  const Moving now = {
+      start.q, start.y, start.place_S, start.linear_momentum_S / solved.model.body.mass};
+  facts["conserved"] = Json::object();
+  for (const ContactInvariant& law : contact_invariants()) {
+    if (!law.holds(solved.model)) continue;
+    const Vec3 value = law.value(solved.model, now);
+    const bool is_vector = value.tail<2>() != Eigen::Vector2d::Zero();
+    facts["conserved"][law.name] = {{"what", law.doc},
+                                    {"value", is_vector ? list_of(value) : Json(value[0])},
+                                    {"unit", law.unit}};
+  }
+  if (solved.model.table->friction.keeps_energy()) {
+    facts["conserved"]["energy"] = {
+        {"what", "kinetic and potential energy"}, {"value", motion.at(0.0).energy}, {"unit", "J"}};
+  }
+  const Drift& drift = solved.simulation.report.record.drift;
+  facts["drift_of_energy_and_work"] = drift.energy ? Json(*drift.energy) : Json();
+  facts["drift_of_invariants"] = drift.momentum ? Json(*drift.momentum) : Json();
+  facts["events"] = Json::array();
+  for (const ContactRecord& event : solved.simulation.report.record.events)
+    facts["events"].push_back({{"t_s", event.t}, {"event", event.event}, {"what", event.words}});
 }
 
 }  // namespace
@@ -123,6 +171,7 @@ nlohmann::ordered_json inspection(const Solved& solved) {
     facts["derived"][key_of(q)] =
         q.unit == QuantityUnit::verdict ? Json(q.value != 0.0) : Json(q.value + 0.0);
   }
+  if (model.table) add_contact(facts, solved);
   return facts;
 }
 

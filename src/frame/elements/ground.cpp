@@ -17,6 +17,17 @@ constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewis
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
 constexpr float kGhostAlpha = 0.16f;
 
+// the table is seen all over where the body goes
+void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const double radius = kFreeFloorRadius * scenery.scale.body + scenery.table_reach;
+  Material material = plain(scenery.theme.floor, 0.0f);
+  material.flat = material.soft = true;
+  const Placement place = disc_placement(scenery.table_middle, Vec3::UnitZ(), radius);
+  glyphs.floors.push_back({{scenery.floor, place, material}, kShadowDepth});
+  const Vec3 below(sample.center_S.x(), sample.center_S.y(), 0.0);
+  add_rim_reach(disc_placement(below, Vec3::UnitZ(), 0.9 * scenery.scale.body), 16, glyphs);
+}
+
 // wider where the body is higher above it
 double floor_radius(const Scenery& scenery) {
   return (scenery.motion.model().on_pivot ? kFloorRadius : kFreeFloorRadius) * scenery.scale.body;
@@ -138,7 +149,11 @@ void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 }
 
 // a disc that fades outwards, with the shadow of the body and its stand
-void add_floor(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
+void add_floor(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  if (scenery.motion.model().table) {
+    add_table(scenery, sample, glyphs);
+    return;
+  }
   const Vec3& up = scenery.motion.model().up_S;
   const Vec3 center = scenery.motion.at(0.0).reference_S - floor_depth(scenery) * up;
   Material material = plain(scenery.theme.floor, 0.0f);

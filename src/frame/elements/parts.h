@@ -98,6 +98,7 @@ std::string needs_cones(const Scenery& scenery);
 std::string needs_pivot(const Scenery& scenery);
 std::string needs_free(const Scenery& scenery);
 std::string needs_forces(const Scenery& scenery);
+std::string needs_table(const Scenery& scenery);
 bool has_cones(const Scenery& scenery);
 bool has_forces(const Scenery& scenery);
 bool stays_above_stand(const Scenery& scenery);
@@ -117,6 +118,10 @@ Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
 Add add_stand, add_gimbals, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
+Add add_contact, add_slip, add_contact_trail;
+
+// The lowest point of a body on a table, from the centre of mass, in P, m.
+Vec3 lowest_point(const Motion& motion, const Sample& sample);
 
 // Adds the part of a path in S between two times (s of motion). color: sRGB-encoded, 0..1.
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);

@@ -125,6 +125,20 @@ void make_trails(const Scenery& scenery, Paths& paths) {
     paths.axis = trail(kRimRadius,
                        [&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }
+  const auto contact_trail = scenery.options.asked.find("contact_trail");
+  const bool shows_contact =
+      contact_trail == scenery.options.asked.end() || contact_trail->second.value_or(true);
+  if (motion.model().table && shows_contact) {
+    const Mat3& R_BP = motion.model().R_BP;
+    const auto on_body = [&](const Sample& now) {
+      return Vec3(motion.model().body.center + R_BP * lowest_point(motion, now));
+    };
+    paths.contact = trail(kRimRadius, [&](const Sample& now) {
+      const Vec3 at = point_position(motion.model(), now, on_body(now));
+      return Vec3(at.x(), at.y(), 0.0);
+    });
+    paths.contact_on_body = trail(kRimRadius, on_body);
+  }
   for (const Vec3& point_B : scenery.options.trail_points) {
     paths.points.push_back(trail(kRimRadius, [&](const Sample& now) {
       return point_position(motion.model(), now, point_B);

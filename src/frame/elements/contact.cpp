@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// A body on a table: where it touches, what the table does to it, and the paths of the contact.
+#include <algorithm>
+
+#include "frame/elements/parts.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kContactRadius = 0.03;  // of the point of contact, in units of the body's radius
+
+// the lowest point of the body at this moment, S, m
+Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
+  return sample.center_S +
+         sample.q_SB * (scenery.motion.model().R_BP * lowest_point(scenery.motion, sample));
+}
+
+}  // namespace
+
+std::string needs_table(const Scenery& scenery) {
+  return scenery.motion.model().table ? "" : "needs a body on a table (motion.hold = \"table\")";
+}
+
+Vec3 lowest_point(const Motion& motion, const Sample& sample) {
+  const BodyModel& model = motion.model();
+  const Quat q_SP = sample.q_SB * Quat(model.R_BP);
+  const Vec3 down_P = -(q_SP.conjugate() * Vec3::UnitZ());
+  const ContactSurface& surface = *model.table->surface;
+  return surface.at(down_P, Vec3::Zero(), surface.lowest(down_P)).arm_P;
+}
+
+// normal force upwards and friction along the table, from a dot
+void add_contact(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const std::optional<Reaction> found = reaction_at(scenery.motion, sample.t);
+  if (!found) return;
+  const Vec3 at = contact_S(scenery, sample);
+  const Material material = plain(scenery.theme.force, 0.25f);
+  Placement place = Placement::Identity();
+  place.translation() = at;
+  place.linear() *= kContactRadius * scenery.scale.body;
+  glyphs.meshes.push_back({scenery.ball, place, drawn_through(scenery, material)});
+  glyphs.marks.push_back({at, kContactRadius * scenery.scale.body});
+  glyphs.reach.push_back(at);
+  const Vec3 normal = scenery.scale.force * found->normal * Vec3::UnitZ();
+  add_vector(scenery, at, at + normal, kForceShape, material, glyphs, "<b>N</b>");
+  const Vec3 friction = scenery.scale.force * found->friction_S;
+  if (friction.norm() > 0.0)
+    add_vector(scenery, at, at + friction, kForceShape, material, glyphs, "<b>F</b>");
+}
+
+void add_slip(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const std::optional<Reaction> found = reaction_at(scenery.motion, sample.t);
+  if (!found || scenery.scale.slip == 0.0) return;
+  const Vec3 at = contact_S(scenery, sample);
+  add_vector(scenery,
+             at,
+             at + scenery.scale.slip * found->slip_S,
+             kComponentShape,
+             plain(scenery.theme.velocity, 0.25f),
+             glyphs,
+             "<b>v</b><sub>P</sub>");
+}
+
+// on the table in space, and on the body as the body stands now
+void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
+  const double begins = std::max(0.0, from);
+  add_path(scenery.paths.contact, begins, sample.t, scenery.theme.trail, glyphs);
+  const Trail& on_body = scenery.paths.contact_on_body;
+  if (on_body.empty()) return;
+  const Placement space_from_body = body_placement(scenery, sample);
+  for (const MeshPtr& mesh : on_body.part(begins, sample.t)) {
+    glyphs.meshes.push_back(
+        {mesh, space_from_body * on_body.place(), plain(scenery.theme.force, 0.1f)});
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "model/contact_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "math/so3.h"
+#include "model/solids.h"
+
+namespace polhode {
+namespace {
+
+// a point of an outline: a circle about z, or on the axis a tip
+SurfacePiece circle(double radius, double z) {
+  SurfacePiece piece;
+  piece.ring = radius;
+  piece.center_P = Vec3(0, 0, z);
+  return piece;
+}
+
+// the corners of the convex hull of an outline and of its mirror image (Andrew, Inf. Process. Lett.
+// 9 (1979) 216), from the lowest on the axis to the highest
+std::vector<Vec2> hull_of_outline(std::vector<Vec2> outline) {
+  std::sort(outline.begin(), outline.end(), [](const Vec2& a, const Vec2& b) {
+    return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
+  });
+  // flat ends reach to the axis: of the lowest and the highest points the outermost counts
+  std::vector<Vec2> hull = {Vec2(0.0, outline.front().y())};
+  outline.emplace_back(0.0, outline.back().y());
+  for (const Vec2& p : outline) {
+    while (hull.size() > 1) {
+      const Vec2 edge = hull.back() - hull[hull.size() - 2], next = p - hull.back();
+      if (edge.x() * next.y() - edge.y() * next.x() > 0.0) break;
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  }
+  return hull;
+}
+
+// the corners of a solid of revolution as circles and tips
+std::vector<SurfacePiece> edges_of(const std::vector<Vec2>& outline) {
+  const std::vector<Vec2> hull = hull_of_outline(outline);
+  std::vector<SurfacePiece> pieces;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    // the middle of a flat end is no corner
+    const bool on_axis = hull[i].x() == 0.0;
+    if (on_axis && ((i == 0 && hull.size() > 1 && hull[1].y() == hull[0].y()) ||
+                    (i + 1 == hull.size() && i > 0 && hull[i - 1].y() == hull[i].y())))
+      continue;
+    SurfacePiece piece = circle(hull[i].x(), hull[i].y());
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+SurfacePiece ball(double radius) {
+  SurfacePiece piece;
+  piece.ball = radius;
+  return piece;
+}
+
+std::vector<SurfacePiece> cylinder_edges(double radius, double height) {
+  if (height == 0.0) return {circle(radius, 0.0)};
+  return {circle(radius, -0.5 * height), circle(radius, 0.5 * height)};
+}
+
+// in the solid's own frame; empty for solids with flat facets
+std::vector<SurfacePiece> pieces_of(const SolidSpec& s) {
+  if (s.kind == "sphere") return {ball(*s.radius)};
+  if (s.kind == "ellipsoid") {
+    SurfacePiece piece;
+    piece.semi_axes = *s.semi_axes;
+    return {piece};
+  }
+  if (s.kind == "disc") return cylinder_edges(*s.radius, s.thickness.value_or(0.0));
+  if (s.kind == "cylinder") return cylinder_edges(*s.radius, *s.height);
+  if (s.kind == "rod") return cylinder_edges(s.radius.value_or(0.0), *s.length);
+  if (s.kind == "cone") return {circle(0.0, 0.0), circle(*s.radius, *s.height)};
+  if (s.kind == "ring") {
+    SurfacePiece torus = circle(*s.radius, 0.0);
+    torus.ball = s.tube.value_or(0.0);
+    return {torus};
+  }
+  if (s.kind == "lathe") return edges_of(lathe_outline(s));
+  return {};
+}
+
+}  // namespace
+
+ContactSurface::ContactSurface(std::vector<SurfacePiece> pieces) : pieces_(std::move(pieces)) {
+  CHECK(!pieces_.empty());
+  for (const SurfacePiece& piece : pieces_) {
+    const double size = piece.semi_axes.maxCoeff() + piece.ring + piece.ball;
+    reach_ = std::max(reach_, piece.center_P.norm() + size);
+  }
+}
+
+double ContactSurface::support(const Vec3& down_P, const SurfacePiece& piece) const {
+  double sum = down_P.dot(piece.center_P) + piece.ball;
+  if (piece.ring == 0.0 && piece.semi_axes.x() == 0.0) return sum;
+  const Vec3 d = piece.R_PD.transpose() * down_P;
+  if (piece.ring > 0.0) sum += piece.ring * std::hypot(d.x(), d.y());
+  return sum + piece.semi_axes.cwiseProduct(d).norm();
+}
+
+int ContactSurface::lowest(const Vec3& down_P) const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < pieces_.size(); ++i) {
+    if (support(down_P, pieces_[i]) > support(down_P, pieces_[best])) best = i;
+  }
+  return static_cast<int>(best);
+}
+
+SurfacePoint ContactSurface::at(const Vec3& down_P, const Vec3& down_rate_P, int piece) const {
+  const SurfacePiece& p = pieces_[static_cast<std::size_t>(piece)];
+  SurfacePoint point;
+  point.arm_P = p.center_P + p.ball * down_P;
+  point.arm_rate_P = p.ball * down_rate_P;
+  point.height = down_P.dot(p.center_P) + p.ball;
+  const bool is_ellipsoid = p.semi_axes.x() > 0.0;
+  if (p.ring == 0.0 && !is_ellipsoid) return point;
+
+  const Vec3 d = p.R_PD.transpose() * down_P;
+  const Vec3 rate = p.R_PD.transpose() * down_rate_P;
+  if (p.ring > 0.0) {
+    const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
+    const Vec3 out = across > 0.0 ? Vec3(d.x() / across, d.y() / across, 0.0) : Vec3(1, 0, 0);
+    const Vec3 along(-out.y(), out.x(), 0.0);
+    point.arm_P += p.R_PD * (p.ring * out);
+    if (across > 0.0) point.arm_rate_P += p.R_PD * (p.ring / across * along.dot(rate) * along);
+    point.height += p.ring * across;
+  }
+  if (is_ellipsoid) {
+    const Vec3 squares = p.semi_axes.cwiseProduct(p.semi_axes);
+    const Vec3 scaled = squares.cwiseProduct(d);
+    const double size = std::sqrt(scaled.dot(d));
+    point.arm_P += p.R_PD * (scaled / size);
+    point.arm_rate_P += p.R_PD * (squares.cwiseProduct(rate) / size -
+                                  scaled.dot(rate) / (size * size * size) * scaled);
+    point.height += size;
+  }
+  return point;
+}
+
+double ContactSurface::height(const Vec3& down_P, int piece) const {
+  return support(down_P, pieces_[static_cast<std::size_t>(piece)]);
+}
+
+double ContactSurface::clearance(const Vec3& down_P, int piece) const {
+  const double here = height(down_P, piece);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (static_cast<int>(i) == piece) continue;
+    least = std::min(least, here - support(down_P, pieces_[i]));
+  }
+  return least;
+}
+
+double ContactSurface::tilt_of_face(const Vec3& down_P, int piece) const {
+  const SurfacePiece& p = pieces_[static_cast<std::size_t>(piece)];
+  if (p.ring == 0.0) return 1.0;
+  return down_P.cross(p.R_PD.col(2)).norm();
+}
+
+const SurfacePiece* ContactSurface::as_sphere() const {
+  const SurfacePiece& p = pieces_.front();
+  const bool round = pieces_.size() == 1 && p.ring == 0.0 && p.semi_axes.isZero(0.0);
+  return round ? &p : nullptr;
+}
+
+std::shared_ptr<const ContactSurface> make_contact_surface(const BodySpec& spec,
+                                                           const MassProperties& body,
+                                                           const Mat3& R_BP) {
+  std::vector<SurfacePiece> all;
+  int solids = 0;
+  const auto add = [&](const SolidSpec& solid, const std::string& path) {
+    check_dimensions(solid, path);
+    const std::vector<SurfacePiece> own = pieces_of(solid);
+    if (own.empty()) {
+      throw input_error(
+          "a {} has facets, on which no body rolls: it lies on them; on a table take a solid "
+          "without them, such as sphere, ellipsoid, disc, ring or lathe (body.look gives the "
+          "surface, where the mass is given otherwise)",
+          solid.kind)
+          .at({{}, 0, path + ".kind"});
+    }
+    const Mat3 R_BD = from_xyz_turns(solid.turn);
+    for (SurfacePiece piece : own) {
+      piece.name = solid.kind;
+      piece.solid = solids;
+      piece.center_P = R_BP.transpose() * (R_BD * piece.center_P + solid.at - body.center);
+      piece.R_PD = R_BP.transpose() * R_BD;
+      all.push_back(std::move(piece));
+    }
+    ++solids;
+  };
+  if (spec.look) {
+    add(*spec.look, "body.look");
+  } else if (spec.solid) {
+    add(*spec.solid, "body.solid");
+  } else if (!spec.parts.empty()) {
+    for (std::size_t i = 0; i < spec.parts.size(); ++i)
+      add(spec.parts[i], fmt::format("body.parts[{}]", i));
+  } else {
+    throw input_error(
+        "moments, a tensor or points say nothing of the surface that touches the table; give it "
+        "with body.look, such as look = {{ kind = \"sphere\", radius = 0.02 }}")
+        .at({{}, 0, "motion.hold"});
+  }
+  return std::make_shared<const ContactSurface>(std::move(all));
+}
+
+}  // namespace polhode

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#include "model/table.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "base/error.h"
+#include "model/body_model.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kMostUnknowns = 6;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
+using System =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnknowns, kMostUnknowns>;
+
+// accelerations of the centre of mass and of the rotation, in P
+struct Accelerations {
+  Vec3 linear = Vec3::Zero();   // m/s^2
+  Vec3 angular = Vec3::Zero();  // rad/s^2
+};
+
+// a force at the contact and a moment, in P, per unit of one unknown
+struct Effort {
+  Vec3 force = Vec3::Zero();
+  Vec3 moment = Vec3::Zero();
+};
+
+Accelerations of_effort(const BodyModel& m, const Vec3& arm, const Effort& effort) {
+  return {effort.force / m.body.mass,
+          m.inverse_moments.cwiseProduct(arm.cross(effort.force) + effort.moment)};
+}
+
+// What the table may do to the body: each unknown with its direction, and the acceleration that it
+// keeps at a given value. For bodies that are also kept from rolling or boring.
+class Contact {
+ public:
+  Contact(const BodyModel& m, const Vec3& arm) : m_(m), arm_(arm) {}
+
+  // the contact point is not accelerated along `direction` but for `wanted`
+  void hold_point(const Vec3& direction, const Effort& effort, double wanted) {
+    add(effort, {direction, arm_.cross(direction)}, wanted);
+  }
+  // nor is the rotation about it
+  void hold_turn(const Vec3& direction, double wanted) {
+    add({Vec3::Zero(), direction}, {Vec3::Zero(), direction}, wanted);
+  }
+
+  // force and moment that do so
+  Effort solve() const {
+    System A(count_, count_);
+    Unknowns b(count_);
+    for (int i = 0; i < count_; ++i) {
+      const Accelerations& row = rows_[static_cast<std::size_t>(i)];
+      b[i] = wanted_[static_cast<std::size_t>(i)];
+      for (int j = 0; j < count_; ++j) {
+        const Accelerations& column = columns_[static_cast<std::size_t>(j)];
+        A(i, j) = row.linear.dot(column.linear) + row.angular.dot(column.angular);
+      }
+    }
+    const Unknowns x = A.partialPivLu().solve(b);
+    Effort total;
+    for (int i = 0; i < count_; ++i) {
+      total.force += x[i] * efforts_[static_cast<std::size_t>(i)].force;
+      total.moment += x[i] * efforts_[static_cast<std::size_t>(i)].moment;
+    }
+    return total;
+  }
+
+ private:
+  void add(const Effort& effort, const Accelerations& row, double wanted) {
+    const auto i = static_cast<std::size_t>(count_++);
+    efforts_[i] = effort;
+    rows_[i] = row;
+    columns_[i] = of_effort(m_, arm_, effort);
+    wanted_[i] = wanted;
+  }
+
+  const BodyModel& m_;
+  Vec3 arm_;
+  int count_ = 0;
+  std::array<Effort, kMostUnknowns> efforts_;
+  std::array<Accelerations, kMostUnknowns> rows_, columns_;
+  std::array<double, kMostUnknowns> wanted_{};
+};
+
+// The velocity of the contact point that a unit impulse there gives, in P, 1/kg.
+Mat3 mobility(const BodyModel& m, const Vec3& arm) {
+  const Vec3& w = m.inverse_moments;
+  const Vec3 q = arm.cwiseProduct(arm);
+  const double inverse = 1.0 / m.body.mass;
+  Mat3 K;
+  K(0, 0) = inverse + w.y() * q.z() + w.z() * q.y();
+  K(1, 1) = inverse + w.z() * q.x() + w.x() * q.z();
+  K(2, 2) = inverse + w.x() * q.y() + w.y() * q.x();
+  K(0, 1) = K(1, 0) = -w.z() * arm.x() * arm.y();
+  K(1, 2) = K(2, 1) = -w.x() * arm.y() * arm.z();
+  K(2, 0) = K(0, 2) = -w.y() * arm.z() * arm.x();
+  return K;
+}
+
+// The normal force with what is in proportion to it, so that the contact point is accelerated by
+// `missing` along `up`.
+Effort slide(const BodyModel& m,
+             const Vec3& arm,
+             const Vec3& up,
+             const Effort& per_newton,
+             const Vec3& missing) {
+  const Accelerations gain = of_effort(m, arm, per_newton);
+  const double along = up.dot(gain.linear + gain.angular.cross(arm));
+  // a force that pushes the contact point into the table is no answer
+  const double normal = along > 0.0 ? up.dot(missing) / along : NAN;
+  return {normal * per_newton.force, normal * per_newton.moment};
+}
+
+// The force that accelerates the contact point by `missing`, and a moment per newton of its part
+// along `up`.
+Effort stick(const BodyModel& m,
+             const Vec3& arm,
+             const Vec3& up,
+             const Vec3& moment_per_newton,
+             const Vec3& missing) {
+  Mat3 K = mobility(m, arm);
+  const bool resisted = !moment_per_newton.isZero(0.0);
+  if (resisted) K += m.inverse_moments.cwiseProduct(moment_per_newton).cross(arm) * up.transpose();
+  const Vec3 force = K.inverse() * missing;
+  if (!resisted) return {force, Vec3::Zero()};
+  return {force, force.dot(up) * moment_per_newton};
+}
+
+// v / |v|, but on the side of `reference`, which stands for it where it is zero
+Vec3 direction_near(const Vec3& v, const Vec3& reference) {
+  const double size = v.norm();
+  if (!(size > 0.0)) return reference;
+  return v.dot(reference) < 0.0 ? Vec3(-v / size) : Vec3(v / size);
+}
+
+Vec3 horizontal(const Vec3& v) {
+  return {v.x(), v.y(), 0.0};
+}
+
+// the force and moment of the laws of friction per newton of normal force, in S, where nothing is
+// held
+Effort friction_per_newton(const Friction& law,
+                           const Touch& touch,
+                           const Vec3& slip_S,
+                           const Vec3& slip_way_S,
+                           const Vec3& w_S) {
+  Effort effort;
+  if (law.kind == Friction::Kind::viscous) effort.force = -law.c * horizontal(slip_S);
+  if (law.kind == Friction::Kind::coulomb && !touch.sticks) effort.force = -law.mu * slip_way_S;
+  if (law.rolling > 0.0 && !touch.keeps_from_rolling)
+    effort.moment = -law.rolling * direction_near(horizontal(w_S), touch.roll_S);
+  if (law.boring > 0.0 && !touch.keeps_from_boring)
+    effort.moment -= law.boring * touch.bore * Vec3::UnitZ();
+  return effort;
+}
+
+// The impulse of viscous friction: per newton second of vertical impulse the point at the contact
+// gains K (z - c v), until its vertical velocity has gone from `before` to `after`. Classical
+// Runge-Kutta steps in that velocity.
+Vec3 viscous_impulse(const Mat3& K, double c, const Vec3& before, double after) {
+  constexpr int kSteps = 200;
+  const auto per_newton = [&](const Vec3& v) -> Vec3 {
+    return Vec3::UnitZ() - c * horizontal(v);
+  };
+  const auto slope = [&](const Vec3& v) -> Vec3 {
+    const Vec3 gain = K * per_newton(v);
+    return gain / gain.z();
+  };
+  const double h = (after - before.z()) / kSteps;
+  Vec3 v = before;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec3 k1 = slope(v), k2 = slope(v + 0.5 * h * k1);
+    const Vec3 k3 = slope(v + 0.5 * h * k2), k4 = slope(v + h * k3);
+    v += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  return K.partialPivLu().solve(Vec3(v - before));
+}
+
+// beyond this many times Touch::creep, the direction of slip is that of the slip alone
+constexpr double kCreepReach = 6.0;
+
+// The direction along which the slip changes if friction acts against it: rate(u) is along u, up or
+// down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2.
+template <class Rate>
+Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
+  constexpr int kMost = 12;
+  Vec3 way = start;
+  for (int i = 0; i < kMost; ++i) {
+    Vec3 next = friction * way + rate(way);
+    next.z() = 0.0;
+    const double size = next.norm();
+    if (!(size > 0.0)) break;
+    next /= size;
+    const double apart = (next - way).norm();
+    way = next;
+    if (apart < 1e-14) break;
+  }
+  return way;
+}
+
+}  // namespace
+
+Friction make_friction(const FrictionSpec& spec) {
+  const auto refuse = [&](const char* key, const char* kind) {
+    throw input_error("is for kind = \"{}\", and this is \"{}\"", kind, spec.kind)
+        .at({{}, 0, fmt::format("motion.friction.{}", key)});
+  };
+  const auto need = [&](const char* key) {
+    throw input_error("kind = \"{}\" needs {}", spec.kind, key).at({{}, 0, "motion.friction"});
+  };
+  Friction law;
+  if (spec.kind == "rolling") law.kind = Friction::Kind::rolling;
+  if (spec.kind == "viscous") law.kind = Friction::Kind::viscous;
+  if (spec.kind == "coulomb") law.kind = Friction::Kind::coulomb;
+  if (spec.mu && law.kind != Friction::Kind::coulomb) refuse("mu", "coulomb");
+  if (spec.c && law.kind != Friction::Kind::viscous) refuse("c", "viscous");
+  if (!spec.mu && law.kind == Friction::Kind::coulomb) need("mu");
+  if (!spec.c && law.kind == Friction::Kind::viscous) need("c");
+  if (law.kind == Friction::Kind::none) {
+    const auto refuse_on_ice = [](const std::optional<double>& value, const char* key) {
+      if (!value) return;
+      throw input_error("is for a table with friction; kind = \"none\" has none")
+          .at({{}, 0, fmt::format("motion.friction.{}", key)});
+    };
+    refuse_on_ice(spec.rolling, "rolling");
+    refuse_on_ice(spec.boring, "boring");
+    refuse_on_ice(spec.turntable, "turntable");
+  }
+  law.mu = spec.mu.value_or(0.0);
+  law.c = spec.c.value_or(0.0);
+  law.rolling = spec.rolling.value_or(0.0);
+  law.boring = spec.boring.value_or(0.0);
+  law.restitution = spec.restitution.value_or(0.0);
+  law.turntable = spec.turntable.value_or(0.0);
+  return law;
+}
+
+Posed posed(const BodyModel& model, const Touch& touch, const Moving& now) {
+  Posed pose;
+  pose.R_SP = now.q.toRotationMatrix();
+  pose.up_P = pose.R_SP.row(2);
+  pose.w_P = angular_velocity(model, now.y);
+  pose.point = model.table->surface->at(-pose.up_P, pose.w_P.cross(pose.up_P), touch.piece);
+  return pose;
+}
+
+Vec3 slip_of(const BodyModel& model, const Touch& touch, const Moving& now) {
+  const Posed pose = posed(model, touch, now);
+  const Vec3& arm_P = pose.point.arm_P;
+  const Vec3 turntable(0.0, 0.0, model.table->friction.turntable);
+  return now.velocity_S + pose.R_SP * pose.w_P.cross(arm_P) -
+         turntable.cross(now.place_S + pose.R_SP * arm_P);
+}
+
+double gap_of(const BodyModel& model, const Touch& touch, const Moving& now) {
+  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  return now.place_S.z() - model.table->surface->height(down_P, touch.piece);
+}
+
+double energy_of(const BodyModel& model, const Moving& now) {
+  State s;
+  s.q = now.q;
+  s.y = now.y;
+  s.place_S = now.place_S;
+  s.linear_momentum_S = model.body.mass * now.velocity_S;
+  return energy(model, s);
+}
+
+Reaction reaction_of(const BodyModel& model, const Touch& touch, double t, const Moving& now) {
+  return reaction_of(model, touch, t, now, posed(model, touch, now));
+}
+
+Reaction reaction_of(
+    const BodyModel& model, const Touch& touch, double t, const Moving& now, const Posed& pose) {
+  const Friction& law = model.table->friction;
+  const double mass = model.body.mass;
+  const Mat3& R_SP = pose.R_SP;
+  const Vec3 &up_P = pose.up_P, &w_P = pose.w_P;
+  Reaction found;
+  found.point = pose.point;
+  if (touch.phase == Touch::Phase::lying) return found;
+
+  // gravity and loads
+  found.acceleration_S = model.gravity_S;
+  found.momentum_rate_P = now.y.cross(w_P);
+  if (!model.loads.empty()) {
+    State s;
+    s.q = now.q;
+    s.y = now.y;
+    s.place_S = now.place_S;
+    found.momentum_rate_P += torque_of_loads(model, t, s);
+    found.acceleration_S = force(model, t, s) / mass;
+  }
+
+  // the contact moves over the body: d down / dt = w x up. The material point that touches keeps
+  // its slip while another one takes its place
+  const Vec3& arm = found.point.arm_P;
+  const Vec3 turntable_P = law.turntable * up_P;
+  const Vec3 velocity_P = R_SP.transpose() * now.velocity_S;
+  const Vec3 turning_P = w_P.cross(arm);
+  const Vec3& arm_rate = found.point.arm_rate_P;
+  found.slip_S = R_SP * (velocity_P + turning_P);
+  Vec3 wanted_P = -w_P.cross(turning_P + arm_rate);
+  if (law.turntable != 0.0) {
+    found.slip_S -= Vec3(0, 0, law.turntable).cross(now.place_S + R_SP * arm);
+    wanted_P += turntable_P.cross(velocity_P + turning_P + arm_rate);
+  }
+  found.slip_S.z() = 0.0;
+  const Vec3 missing_P = wanted_P - R_SP.transpose() * found.acceleration_S -
+                         Vec3(model.inverse_moments.cwiseProduct(found.momentum_rate_P)).cross(arm);
+  if (touch.phase == Touch::Phase::flying) {
+    found.slip_rate_S = R_SP * -missing_P;
+    return found;
+  }
+
+  // what the laws say per newton of normal force, and what is held
+  const Vec3 w_S = R_SP * (w_P - turntable_P);
+  const auto per_newton_along = [&](const Vec3& way_S) -> Effort {
+    const Effort law_S = friction_per_newton(law, touch, found.slip_S, way_S, w_S);
+    return {R_SP.transpose() * Vec3(law_S.force + Vec3::UnitZ()), R_SP.transpose() * law_S.moment};
+  };
+  found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
+  if (law.kind == Friction::Kind::coulomb && !touch.sticks &&
+      found.slip_S.norm() < kCreepReach * touch.creep) {
+    const Vec3 own =
+        creep_direction(touch.slip_S, law.mu * model.gravity_S.norm(), [&](const Vec3& way) {
+          const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
+          const Accelerations gain = of_effort(model, arm, exerted);
+          return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
+        });
+    const double part = found.slip_S.norm() / touch.creep;
+    found.slip_direction_S =
+        (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();
+  }
+  const Effort per_newton = per_newton_along(found.slip_direction_S);
+  const bool held =
+      law.kind == Friction::Kind::rolling || (law.kind == Friction::Kind::coulomb && touch.sticks);
+  const bool no_roll = law.rolling > 0.0 && touch.keeps_from_rolling;
+  const bool no_bore = law.boring > 0.0 && touch.keeps_from_boring;
+  Effort total;
+  if (no_roll || no_bore) {
+    const Vec3 x_P = R_SP.row(0), y_P = R_SP.row(1);
+    Contact contact(model, arm);
+    contact.hold_point(up_P, per_newton, up_P.dot(missing_P));
+    if (held) {
+      contact.hold_point(x_P, {x_P, Vec3::Zero()}, x_P.dot(missing_P));
+      contact.hold_point(y_P, {y_P, Vec3::Zero()}, y_P.dot(missing_P));
+    }
+    const Vec3 turning = model.inverse_moments.cwiseProduct(found.momentum_rate_P);
+    if (no_roll) {
+      contact.hold_turn(x_P, -x_P.dot(turning));
+      contact.hold_turn(y_P, -y_P.dot(turning));
+    }
+    if (no_bore) contact.hold_turn(up_P, -up_P.dot(turning));
+    total = contact.solve();
+  } else {
+    total = held ? stick(model, arm, up_P, per_newton.moment, missing_P)
+                 : slide(model, arm, up_P, per_newton, missing_P);
+  }
+  if (!total.force.allFinite()) {
+    throw Error(Fault::check_failed,
+                "the equations of friction have no solution here (the body jams: Painleve's "
+                "paradox); take less friction");
+  }
+  const Vec3 force_S = R_SP * total.force;
+  found.normal = force_S.z();
+  found.friction_S = Vec3(force_S.x(), force_S.y(), 0.0);
+  found.moment_S = R_SP * total.moment;
+  const Vec3 moment_P = arm.cross(total.force) + total.moment;
+  found.momentum_rate_P += moment_P;
+  found.acceleration_S += force_S / mass;
+  found.slip_rate_S =
+      R_SP * Vec3(total.force / mass +
+                  Vec3(model.inverse_moments.cwiseProduct(moment_P)).cross(arm) - missing_P);
+  if (!law.keeps_energy())
+    found.power = total.force.dot(velocity_P + turning_P) + total.moment.dot(w_P);
+  return found;
+}
+
+void hold_to_table(const BodyModel& model, const Touch& touch, Moving& now) {
+  Posed pose = posed(model, touch, now);
+  hold_to_table(model, touch, pose, now);
+}
+
+void hold_to_table(const BodyModel& model, const Touch& touch, Posed& pose, Moving& now) {
+  if (touch.phase == Touch::Phase::flying) return;
+  if (touch.phase == Touch::Phase::lying) {
+    now.y = now.velocity_S = pose.w_P = Vec3::Zero();
+    return;
+  }
+  const Friction& law = model.table->friction;
+  // what is kept from turning
+  const bool no_roll = law.rolling > 0.0 && touch.keeps_from_rolling;
+  const bool no_bore = law.boring > 0.0 && touch.keeps_from_boring;
+  if (no_roll || no_bore) {
+    const Vec3& up_P = pose.up_P;
+    const Vec3 w_P = pose.w_P;
+    const Vec3 upright = no_bore ? Vec3(law.turntable * up_P) : Vec3(w_P.dot(up_P) * up_P);
+    const Vec3 level = no_roll ? Vec3(Vec3::Zero()) : Vec3(w_P - w_P.dot(up_P) * up_P);
+    pose.w_P = upright + level;
+    now.y = model.moments.cwiseProduct(pose.w_P);
+    pose.point = model.table->surface->at(-up_P, pose.w_P.cross(up_P), touch.piece);
+  }
+  const Vec3& arm = pose.point.arm_P;
+  now.place_S.z() = pose.point.height;
+  const Vec3 point_speed_S = pose.R_SP * pose.w_P.cross(arm);
+  now.velocity_S.z() = -point_speed_S.z();
+  const bool held =
+      law.kind == Friction::Kind::rolling || (law.kind == Friction::Kind::coulomb && touch.sticks);
+  if (!held) return;
+  now.velocity_S.head<2>() = -point_speed_S.head<2>();
+  if (law.turntable == 0.0) return;
+  const Vec3 table_speed_S = Vec3(0.0, 0.0, law.turntable).cross(now.place_S + pose.R_SP * arm);
+  now.velocity_S.head<2>() += table_speed_S.head<2>();
+}
+
+void fall_on_table(const BodyModel& model, const Touch& touch, double restitution, Moving& now) {
+  const Friction& law = model.table->friction;
+  const Posed pose = posed(model, touch, now);
+  const Vec3& arm_P = pose.point.arm_P;
+  const Mat3& R_SP = pose.R_SP;
+  // velocity of the contact point per impulse there, in S
+  const Mat3 K = R_SP * mobility(model, arm_P) * R_SP.transpose();
+  const Vec3 before = slip_of(model, touch, now);
+  const double rebound = -(1.0 + restitution) * before.z();
+  Vec3 impulse(0.0, 0.0, rebound / K(2, 2));
+  if (law.kind == Friction::Kind::viscous)
+    impulse = viscous_impulse(K, law.c, before, before.z() + rebound);
+  if (law.kind == Friction::Kind::rolling || law.kind == Friction::Kind::coulomb) {
+    impulse = K.partialPivLu().solve(Vec3(-before.x(), -before.y(), rebound));
+    if (law.kind == Friction::Kind::coulomb && horizontal(impulse).norm() > law.mu * impulse.z()) {
+      const Vec3 level = horizontal(before);
+      const Vec3 way =
+          level.norm() > 0.0 ? Vec3(-level.normalized()) : Vec3(horizontal(impulse).normalized());
+      const Vec3 per_newton = Vec3::UnitZ() + law.mu * way;
+      const double change = K.row(2).dot(per_newton);
+      impulse =
+          change > 0.0 ? Vec3(rebound / change * per_newton) : Vec3(0.0, 0.0, rebound / K(2, 2));
+    }
+  }
+  now.velocity_S += impulse / model.body.mass;
+  now.y += arm_P.cross(R_SP.transpose() * impulse);
+}
+
+}  // namespace polhode

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A body on a table, the plane z = 0 of space: the law of friction, how the body touches, and the
+// forces that follow from that. docs/theory.md, "Bodies on a table".
+#pragma once
+
+#include <memory>
+
+#include "model/contact_surface.h"
+#include "model/friction_spec.h"
+
+namespace polhode {
+
+struct BodyModel;
+
+// The law of friction in the form that the equations of motion use.
+struct Friction {
+  enum class Kind { none, rolling, viscous, coulomb };
+  Kind kind = Kind::none;
+  double mu = 0.0;           // coulomb
+  double c = 0.0;            // viscous, s/m
+  double rolling = 0.0;      // moment against rolling over the normal force, m
+  double boring = 0.0;       // moment against turning about the vertical over it, m
+  double restitution = 0.0;  // 0..1
+  double turntable = 0.0;    // angular velocity of the table about Z, rad/s
+
+  // Whether the table takes no energy from a body that stays on it, and gives it none.
+  bool keeps_energy() const {
+    return (kind == Kind::none || kind == Kind::rolling) && rolling == 0.0 && boring == 0.0 &&
+           turntable == 0.0;
+  }
+};
+
+// What holds a body on a table; a part of BodyModel.
+struct Table {
+  std::shared_ptr<const ContactSurface> surface;
+  Friction friction;
+};
+
+// Makes the table of a [motion] table. Throws Error (input) naming motion.friction.KEY for a key
+// that the kind needs or does not take.
+Friction make_friction(const FrictionSpec& spec);
+
+// How the body touches the table. Between events it stays the same; where a law has a direction
+// that its velocity gives, the reference directions say how the law goes on beyond a zero of that
+// velocity, so that the zero is an ordinary root (motion/contact/).
+struct Touch {
+  enum class Phase { flying, touching, lying };  // lying: at rest for good, on a face
+  Phase phase = Phase::touching;
+  int piece = 0;                   // of the surface
+  bool sticks = true;              // the contact does not slip
+  bool keeps_from_rolling = true;  // the horizontal part of the angular velocity stays zero
+  bool keeps_from_boring = true;   // that about the vertical stays that of the table
+  Vec3 slip_S = Vec3::Zero();      // direction of slip, where it is or begins, unit
+  Vec3 roll_S = Vec3::Zero();      // likewise of the horizontal part of the angular velocity
+  // Speed of slip, m/s, below which its direction is that in which it grows or falls by itself.
+  // Near zero it turns there at once, far faster than anything else moves.
+  double creep = 0.0;
+  double bore = 1.0;  // likewise the sign of that about the vertical
+};
+
+// The motion of a body on a table: attitude (P to S), angular momentum (P), centre of mass and its
+// velocity (S).
+struct Moving {
+  Quat q = Quat::Identity();
+  Vec3 y = Vec3::Zero();           // kg m^2/s
+  Vec3 place_S = Vec3::Zero();     // m
+  Vec3 velocity_S = Vec3::Zero();  // m/s
+};
+
+// What the table does to the body, and the accelerations that follow.
+struct Reaction {
+  SurfacePoint point;              // where it touches
+  double normal = 0.0;             // N; negative: the body would have to be held down
+  Vec3 friction_S = Vec3::Zero();  // horizontal, N
+  Vec3 moment_S = Vec3::Zero();    // against rolling and boring, N m
+  Vec3 slip_S = Vec3::Zero();      // velocity of the body's lowest point against the table, m/s
+  Vec3 slip_direction_S = Vec3::Zero();  // against which dry friction acts, unit; where it slips
+  Vec3 slip_rate_S = Vec3::Zero();       // its rate, m/s^2; in flight with the vertical part
+  Vec3 momentum_rate_P = Vec3::Zero();   // dy/dt, N m
+  Vec3 acceleration_S = Vec3::Zero();    // of the centre of mass, m/s^2
+  double power = 0.0;                    // of normal force, friction and moments on the body, W
+};
+
+// Throws Error (check_failed) if no normal force solves the equations (Painleve's paradox: friction
+// jams the body). t in s. In flight and lying nothing is exerted, and lying nothing accelerates.
+Reaction reaction_of(const BodyModel& model, const Touch& touch, double t, const Moving& now);
+
+// The velocity of the body's lowest point against the table, S, m/s; its vertical part is that of
+// the gap.
+Vec3 slip_of(const BodyModel& model, const Touch& touch, const Moving& now);
+
+// The height of the lowest point above the table, m.
+double gap_of(const BodyModel& model, const Touch& touch, const Moving& now);
+
+// A motion as forces see it.
+struct Posed {
+  Mat3 R_SP = Mat3::Identity();
+  Vec3 up_P = Vec3::UnitZ();
+  Vec3 w_P = Vec3::Zero();  // rad/s
+  SurfacePoint point;
+};
+Posed posed(const BodyModel& model, const Touch& touch, const Moving& now);
+// reaction_of() and hold_to_table() of a motion that is posed: in the loops of integration.
+Reaction reaction_of(
+    const BodyModel& model, const Touch& touch, double t, const Moving& now, const Posed& pose);
+void hold_to_table(const BodyModel& model, const Touch& touch, Posed& pose, Moving& now);
+
+// Sets what the contact determines: height and vertical velocity from the attitude, the rest of the
+// velocity too where it sticks, and no angular velocity that is kept at zero.
+void hold_to_table(const BodyModel& model, const Touch& touch, Moving& now);
+
+// Kinetic plus potential energy, J.
+double energy_of(const BodyModel& model, const Moving& now);
+
+// The velocities after a fall on the table at `now`, with touch.piece lowest: the normal velocity
+// is reversed and multiplied by `restitution`. Without friction the impulse is vertical; rolling
+// ends all slip; viscous friction damps it while the impulse builds up (Routh's equations of
+// impact); Coulomb's law ends it if the impulse stays within the cone of friction, else the
+// horizontal impulse is mu times the vertical one against the slip.
+void fall_on_table(const BodyModel& model, const Touch& touch, double restitution, Moving& now);
+
+}  // namespace polhode

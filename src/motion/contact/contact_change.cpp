@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "motion/contact/contact_change.h"
+
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace polhode {
+namespace {
+
+// forces may exceed a limit by this part before what they hold gives way
+constexpr double kSlack = 0.0;
+// a rebound slower than this, in units of the speed of a fall, is the end of endless bounces
+constexpr double kLastRebound = 1e-5;
+// what a body may still have when a face comes down, in units of weight times reach
+constexpr double kStillTurns = 0.02;
+
+struct EventWords {
+  const char* name;
+  const char* words;
+};
+constexpr std::array<EventWords, kContactEvents> kWords = {{
+    {"lift_off", "the body lifts off"},
+    {"landing", "the body comes down on the table"},
+    {"slip_ends", "the contact stops slipping"},
+    {"slip_begins", "the contact begins to slip"},
+    {"rolling_ends", "the body stops rolling"},
+    {"rolling_begins", "the body begins to roll"},
+    {"boring_ends", "the body stops turning about the vertical"},
+    {"boring_begins", "the body begins to turn about the vertical"},
+    {"second_contact", "a second point comes down on the table"},
+    {"lies_flat", "a face lies on the table"},
+}};
+
+Vec3 level(const Vec3& v) {
+  return {v.x(), v.y(), 0.0};
+}
+
+// what moves is let go on in its direction; what is at rest is held, if a law can hold it
+Touch by_velocities(const ContactStepper& stepper, Touch touch, const Moving& now) {
+  const BodyModel& model = stepper.model();
+  const TableScales& scales = stepper.scales();
+  const Friction& law = model.table->friction;
+  const Vec3 slip = level(slip_of(model, touch, now));
+  const Vec3 w_S = now.q * angular_velocity(model, now.y) - Vec3(0, 0, law.turntable);
+  touch.creep = scales.stopped * scales.speed;
+  touch.sticks = slip.norm() <= touch.creep;
+  if (!touch.sticks) touch.slip_S = slip.normalized();
+  touch.keeps_from_rolling = level(w_S).norm() <= scales.stopped * scales.rate;
+  if (!touch.keeps_from_rolling) touch.roll_S = level(w_S).normalized();
+  touch.keeps_from_boring = std::abs(w_S.z()) <= scales.stopped * scales.rate;
+  if (!touch.keeps_from_boring) touch.bore = std::copysign(1.0, w_S.z());
+  return touch;
+}
+
+// Lets go what the laws cannot hold. `given_way`: what an event has just found at its limit.
+Touch let_go(const ContactStepper& stepper,
+             Touch touch,
+             double t,
+             const OnTable& now,
+             const ContactEvent* given_way) {
+  const BodyModel& model = stepper.model();
+  const Friction& law = model.table->friction;
+  const auto is = [&](ContactEvent event) {
+    return given_way != nullptr && *given_way == event;
+  };
+  for (int i = 0; i < 4; ++i) {
+    const Reaction r = reaction_of(model, touch, t, now.moving);
+    const double limit = r.normal * (1.0 + kSlack);
+    bool changed = false;
+    if (law.kind == Friction::Kind::coulomb && touch.sticks &&
+        (r.friction_S.norm() > law.mu * limit || is(ContactEvent::slip_begins))) {
+      touch.sticks = false;
+      touch.slip_S = -r.friction_S.normalized();
+      touch.slip_S = reaction_of(model, touch, t, now.moving).slip_direction_S;
+      changed = true;
+    }
+    if (law.rolling > 0.0 && touch.keeps_from_rolling &&
+        (level(r.moment_S).norm() > law.rolling * limit || is(ContactEvent::rolling_begins))) {
+      touch.keeps_from_rolling = false;
+      touch.roll_S = -level(r.moment_S).normalized();
+      changed = true;
+    }
+    if (law.boring > 0.0 && touch.keeps_from_boring &&
+        (std::abs(r.moment_S.z()) > law.boring * limit || is(ContactEvent::boring_begins))) {
+      touch.keeps_from_boring = false;
+      touch.bore = -std::copysign(1.0, r.moment_S.z());
+      changed = true;
+    }
+    given_way = nullptr;
+    if (!changed) break;
+  }
+  return touch;
+}
+
+// how the body touches at these velocities, or that it lifts off
+Touch touch_now(const ContactStepper& stepper,
+                const Touch& before,
+                double t,
+                OnTable& now,
+                const ContactEvent* given_way = nullptr) {
+  Touch touch = before;
+  touch.phase = Touch::Phase::touching;
+  touch = by_velocities(stepper, touch, now.moving);
+  // what is snapped to zero counts as work
+  const double had = energy_of(stepper.model(), now.moving);
+  hold_to_table(stepper.model(), touch, now.moving);
+  now.work += energy_of(stepper.model(), now.moving) - had;
+  touch = let_go(stepper, touch, t, now, given_way);
+  const Reaction reaction = reaction_of(stepper.model(), touch, t, now.moving);
+  if (reaction.normal < 0.0) touch.phase = Touch::Phase::flying;
+  return touch;
+}
+
+// kinetic energy, J
+double kinetic(const BodyModel& model, const Moving& now) {
+  return 0.5 * now.y.dot(angular_velocity(model, now.y)) +
+         0.5 * model.body.mass * now.velocity_S.squaredNorm();
+}
+
+Error two_contacts(double t) {
+  return {Fault::check_failed,
+          fmt::format("at {:.6g} s a second point of the body comes down on the table; how it goes "
+                      "on along an edge or on two points is not computed: end the motion before, "
+                      "or round the body",
+                      t)};
+}
+
+ContactChange land(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
+  const BodyModel& model = stepper.model();
+  const TableScales& scales = stepper.scales();
+  ContactChange change{before};
+  Touch& touch = change.touch;
+  touch.piece = model.table->surface->lowest(-(now.moving.q.conjugate() * Vec3::UnitZ()));
+  constexpr double kTogether = 1e-3;  // of the reach: as good as together
+  if (model.table->surface->clearance(-(now.moving.q.conjugate() * Vec3::UnitZ()), touch.piece) <
+      kTogether * scales.length)
+    throw two_contacts(t);
+  const double restitution = model.table->friction.restitution;
+  const double speed = -slip_of(model, touch, now.moving).z();
+  const double had = energy_of(model, now.moving);
+  if (speed > 0.0) fall_on_table(model, touch, restitution, now.moving);
+  const double rebound = restitution * speed;
+  if (rebound > kLastRebound * scales.speed) {
+    now.work += energy_of(model, now.moving) - had;
+    return change;
+  }
+  // each bounce takes `restitution` times as long as the one before
+  touch.phase = Touch::Phase::flying;
+  const double pull = -reaction_of(model, touch, t, now.moving).slip_rate_S.z();
+  if (restitution > 0.0 && restitution < 1.0 && pull > 0.0)
+    change.bounced_until = t + 2.0 * rebound / (pull * (1.0 - restitution));
+  touch.phase = Touch::Phase::touching;
+  touch.sticks = touch.keeps_from_boring = touch.keeps_from_rolling = false;
+  hold_to_table(model, touch, now.moving);
+  now.work += energy_of(model, now.moving) - had;
+  touch = touch_now(stepper, touch, t, now);
+  return change;
+}
+
+ContactChange lie_down(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
+  const BodyModel& model = stepper.model();
+  const TableScales& scales = stepper.scales();
+  const double left = kinetic(model, now.moving);
+  if (left > kStillTurns * scales.weight * scales.length) {
+    throw Error(Fault::check_failed,
+                fmt::format("at {:.6g} s a flat face comes down on the table while the body still "
+                            "turns ({:.2g} J); how it slides on a face is not computed: end the "
+                            "motion before, or round the body",
+                            t,
+                            left));
+  }
+  ContactChange change{before};
+  change.touch.phase = Touch::Phase::lying;
+  now.moving.y = now.moving.velocity_S = Vec3::Zero();
+  now.work -= left;
+  return change;
+}
+
+}  // namespace
+
+std::string words_for(ContactEvent event) {
+  return kWords[static_cast<std::size_t>(event)].words;
+}
+
+std::string name_of(ContactEvent event) {
+  return kWords[static_cast<std::size_t>(event)].name;
+}
+
+Touch first_touch(const ContactStepper& stepper, double t, OnTable& now) {
+  const BodyModel& model = stepper.model();
+  Touch touch;
+  touch.piece = model.table->surface->lowest(-(now.moving.q.conjugate() * Vec3::UnitZ()));
+  constexpr double kAbove = 1e-9;
+  const double gap = gap_of(model, touch, now.moving) / stepper.scales().length;
+  if (gap > kAbove || slip_of(model, touch, now.moving).z() > kAbove * stepper.scales().speed) {
+    touch.phase = Touch::Phase::flying;
+    return touch;
+  }
+  touch.sticks = touch.keeps_from_boring = touch.keeps_from_rolling = false;
+  hold_to_table(model, touch, now.moving);
+  return touch_now(stepper, touch, t, now);
+}
+
+ContactChange change_at(const ContactStepper& stepper,
+                        ContactEvent event,
+                        const Touch& before,
+                        double t,
+                        OnTable& now) {
+  switch (event) {
+    case ContactEvent::landing:
+      return land(stepper, before, t, now);
+    case ContactEvent::lies_flat:
+      return lie_down(stepper, before, t, now);
+    case ContactEvent::second_contact:
+      throw two_contacts(t);
+    case ContactEvent::lift_off: {
+      ContactChange change{before};
+      change.touch.phase = Touch::Phase::flying;
+      return change;
+    }
+    default:
+      return {touch_now(stepper, before, t, now, &event)};
+  }
+}
+
+}  // namespace polhode

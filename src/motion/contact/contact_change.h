@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What happens at an event: how the body touches from then on, and with which velocities.
+#pragma once
+
+#include <string>
+
+#include "motion/contact/contact_step.h"
+
+namespace polhode {
+
+// How the body touches at the start of a motion: by the laws of friction at its velocities.
+Touch first_touch(const ContactStepper& stepper, double t, OnTable& now);
+
+// The result of an event.
+struct ContactChange {
+  Touch touch;
+  // when a bouncing body comes to rest on the table after bounces without end, s; else 0
+  double bounced_until = 0.0;
+};
+
+// Changes `now` at the event at t (s). Throws Error (check_failed) for a second contact, for a body
+// that still turns when a face comes down on the table, and as reaction_of does.
+ContactChange change_at(
+    const ContactStepper& stepper, ContactEvent event, const Touch& before, double t, OnTable& now);
+
+// The event as a phrase, such as "the contact stops slipping".
+std::string words_for(ContactEvent event);
+// Its name in reports, such as "slip_ends".
+std::string name_of(ContactEvent event);
+
+}  // namespace polhode

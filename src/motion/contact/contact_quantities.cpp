@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "motion/contact/contact_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/units.h"
+#include "math/so3.h"
+
+namespace polhode {
+namespace {
+
+using Q = QuantityUnit;
+using List = std::vector<Quantity>;
+
+// up and angular velocity, and velocity of the centre of mass, all in P
+constexpr int kMostNumbers = 9;
+using Reduced = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostNumbers, 1>;
+using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostNumbers, kMostNumbers>;
+
+double along_up(const BodyModel& model) {
+  return -model.gravity_S.z();
+}
+
+// Equations of motion that do not depend on place and azimuth.
+class ReducedMotion {
+ public:
+  explicit ReducedMotion(const BodyModel& model) : model_(model) {
+    Friction& law = model_.table->friction;
+    // small slip: dry friction holds; moments would stop the spin
+    if (law.kind == Friction::Kind::coulomb) law.kind = Friction::Kind::rolling;
+    law.rolling = law.boring = law.turntable = 0.0;
+    slides_ = law.kind == Friction::Kind::viscous;
+    touch_.sticks = touch_.keeps_from_boring = touch_.keeps_from_rolling = false;
+  }
+  int size() const { return slides_ ? 9 : 6; }
+
+  Reduced slope(const Reduced& x) {
+    const Vec3 up = Vec3(x.head<3>()).normalized(), w = x.segment<3>(3);
+    Moving now;
+    now.q = turn_between(up, Vec3::UnitZ());
+    now.y = model_.moments.cwiseProduct(w);
+    if (slides_) now.velocity_S = now.q * Vec3(x.segment<3>(6));
+    touch_.piece = model_.table->surface->lowest(-up);
+    hold_to_table(model_, touch_, now);
+    const Reaction reaction = reaction_of(model_, touch_, 0.0, now);
+    Reduced slope(size());
+    slope.head<3>() = up.cross(w);
+    slope.segment<3>(3) = model_.inverse_moments.cwiseProduct(reaction.momentum_rate_P);
+    if (slides_) {
+      const Vec3 velocity = now.q.conjugate() * now.velocity_S;
+      slope.segment<3>(6) = now.q.conjugate() * reaction.acceleration_S - w.cross(velocity);
+    }
+    return slope;
+  }
+
+  Jacobian jacobian(const Reduced& x, double rate, double speed) {
+    constexpr double kApart = 1e-5;
+    Jacobian J(size(), size());
+    for (int i = 0; i < size(); ++i) {
+      const double step = kApart * (i < 3 ? 1.0 : i < 6 ? rate : speed);
+      Reduced plus = x, minus = x;
+      plus[i] += step;
+      minus[i] -= step;
+      J.col(i) = (slope(plus) - slope(minus)) / (2.0 * step);
+    }
+    return J;
+  }
+
+ private:
+  BodyModel model_;
+  Touch touch_;
+  bool slides_;
+};
+
+// The principal axis that is nearest to the vertical at the start, upwards; null unless the body
+// can spin about it on the table: its lowest point is then right below the centre of mass.
+bool spin_axis(const BodyModel& model, const State& start, Vec3& up_P) {
+  constexpr double kNearAxis = 0.5;  // rad
+  const Vec3 up = up_in_body(model, start.q);
+  const ContactSurface& surface = *model.table->surface;
+  // bodies of revolution have principal axes in all directions across
+  Vec3 axis_P;
+  if (is_of_revolution(model, axis_P)) {
+    const Vec3 across = up - up.dot(axis_P) * axis_P;
+    const bool along = std::abs(up.dot(axis_P)) > across.norm();
+    up_P = along ? Vec3(std::copysign(1.0, up.dot(axis_P)) * axis_P) : Vec3(across.normalized());
+  } else {
+    Eigen::Index i = 0;
+    up.cwiseAbs().maxCoeff(&i);
+    up_P = std::copysign(1.0, up[i]) * Vec3::Unit(i);
+  }
+  if (angle_between(up, up_P) > kNearAxis) return false;
+  const int piece = surface.lowest(-up_P);
+  if (surface.tilt_of_face(-up_P, piece) < 1e-9) return false;
+  if (surface.clearance(-up_P, piece) < 1e-9 * surface.reach()) return false;
+  const Vec3 arm = surface.at(-up_P, Vec3::Zero(), piece).arm_P;
+  return arm.cross(up_P).norm() < 1e-9 * surface.reach();
+}
+
+// The spin at which the largest growth rate becomes 0 or ceases to be it; 0: at none below the spin
+// that is far above what gravity does.
+double limit_of_spin(const BodyModel& model, const Vec3& up_P) {
+  const double gravity = std::sqrt(model.gravity_S.norm() / model.table->surface->reach());
+  const auto grows = [&](double spin) {
+    return growth_rate_of_spin(model, up_P, spin) > 0.0;
+  };
+  // from slow to fast
+  constexpr double kFactor = 1.2;
+  double low = 0.1 * gravity;
+  const bool at_first = grows(low);
+  while (low < 100.0 * gravity && grows(kFactor * low) == at_first)
+    low *= kFactor;
+  if (low >= 100.0 * gravity) return 0.0;
+  double high = kFactor * low;
+  while (high - low > 1e-9 * high) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) == at_first ? low : high) = middle;
+  }
+  return high;
+}
+
+void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
+  Vec3 up_P;
+  if (!model.loads.empty() || !spin_axis(model, start, up_P)) return;
+  const Vec3 w_P = angular_velocity(model, start.y);
+  const double spin = w_P.dot(up_P);
+  if (std::abs(spin) <= 0.5 * w_P.norm()) return;
+  list.push_back({"vertical_spin", Q::rate, spin});
+  list.push_back(
+      {"growth_rate_of_vertical_spin", Q::growth, growth_rate_of_spin(model, up_P, spin)});
+  list.push_back({"growth_rate_of_vertical_spin_reversed",
+                  Q::growth,
+                  growth_rate_of_spin(model, up_P, -spin)});
+  if (const double limit = limit_of_spin(model, up_P); limit > 0.0)
+    list.push_back({"vertical_spin_limit", Q::rate, limit});
+}
+
+// Jellett's constant fixed, the energy of spinning at tilt theta without slip is
+// lambda^2 / (2 R^2 D) - m g R e cos(theta), D = I1 sin^2 + I3 (cos - e)^2: its minima are where
+// friction of any kind ends. Ebenfeld and Scheck, Ann. Phys. 243 (1995) 195; derived anew.
+void add_eccentric_sphere(List& list, const BodyModel& model, const State& start) {
+  EccentricSphere s;
+  // a centre of mass outside the sphere is that of a peg top
+  if (!is_eccentric_sphere(model, s) || s.offset >= 1.0) return;
+  const double e = s.offset, ratio = s.across / s.along;
+  list.push_back({"eccentricity", Q::none, e});
+  list.push_back({"inertia_ratio_across_to_along", Q::none, ratio});
+  if (e == 0.0) return;
+  const bool condition = 1.0 - e < ratio && ratio < 1.0 + e;
+  list.push_back({"tippe_top_condition", Q::verdict, condition ? 1.0 : 0.0});
+  const double lever = model.body.mass * along_up(model) * s.radius * e;
+  const double low = s.across - s.along * (1.0 - e), high = s.along * (1.0 + e) - s.across;
+  const double spin = std::abs(angular_velocity(model, start.y).dot(s.axis_P));
+  if (low > 0.0)
+    list.push_back({"upright_spin_limit", Q::rate, (1.0 - e) * std::sqrt(lever / low)});
+  if (high > 0.0) {
+    // the spin before that leaves enough of it after the inversion
+    list.push_back({"inverted_spin_limit", Q::rate, (1.0 + e) * std::sqrt(lever / high)});
+    list.push_back({"upright_spin_for_inversion",
+                    Q::rate,
+                    (1.0 + e) * (1.0 + e) / (1.0 - e) * std::sqrt(lever / high)});
+  }
+  list.push_back({"spin_after_inversion", Q::rate, spin * (1.0 - e) / (1.0 + e)});
+}
+
+// a thin edge or a torus that rolls: its plane upright, or its centre at rest
+void add_disc(List& list, const BodyModel& model, const State& start) {
+  Vec3 axis_P;
+  const std::vector<SurfacePiece>& pieces = model.table->surface->pieces();
+  if (pieces.size() != 1 || pieces.front().ring == 0.0 || !is_of_revolution(model, axis_P)) return;
+  if (pieces.front().center_P.norm() > 1e-9 * pieces.front().ring) return;
+  const SurfacePiece& edge = pieces.front();
+  const int axis = model.kind.axis;
+  const double mass = model.body.mass, g = along_up(model);
+  const double along = model.moments[axis], across = model.moments[(axis + 1) % 3];
+  const double a = edge.ring + edge.ball, tube = edge.ball;
+  // Upright rolling, linearised: w^2 I3 (I3 + m a^2) = m g (a - tube) I1 for a thin edge. For a
+  // tube the contact moves aside too; the growth of the general equations would be needed.
+  if (tube == 0.0) {
+    list.push_back({"upright_rolling_limit",
+                    Q::rate,
+                    std::sqrt(mass * g * a * across / (along * (along + mass * a * a)))});
+  }
+  if (tube > 0.0) return;
+  const Vec3 up_P = up_in_body(model, start.q);
+  const double sine = up_P.cross(axis_P).norm();
+  if (sine < 1e-6 || sine > 1.0 - 1e-9) return;
+  // L = I1 W sin along the radius to the contact turns at W: I1 W^2 sin = m g a
+  const double precession = std::sqrt(mass * g * a / (across * sine));
+  list.push_back({"face_tilt", Q::angle, std::asin(sine)});
+  list.push_back({"precession_with_center_at_rest", Q::rate, precession});
+  list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
+  const double rolling = model.table->friction.rolling;
+  if (rolling == 0.0) return;
+  // d/dt (3/2 a sin) = -rolling W sin cos, so that the time is (3 a / 2 rolling) sqrt(I1 / m g a)
+  // times the integral of d(tilt) / sqrt(sin(tilt)); with tilt = u^2 nothing is singular
+  constexpr int kPartsOfTime = 2000;
+  const double top = std::sqrt(std::asin(sine));
+  double sum = 0.0;
+  for (int i = 0; i < kPartsOfTime; ++i) {
+    const double u = top * (i + 0.5) / kPartsOfTime;
+    sum += 2.0 * u / std::sqrt(std::sin(u * u)) * top / kPartsOfTime;
+  }
+  list.push_back(
+      {"end_time", Q::time, 1.5 * a / rolling * std::sqrt(across / (mass * g * a)) * sum});
+}
+
+// a ball that slides until it rolls: uniform friction on a body whose spin does not change it
+void add_ball(List& list, const BodyModel& model, const State& start) {
+  const SurfacePiece* ball = model.table->surface->as_sphere();
+  if (ball == nullptr || model.kind.shape != TopKind::Shape::spherical) return;
+  if (ball->center_P.norm() > 1e-12 * ball->ball) return;
+  const Friction& law = model.table->friction;
+  const double mR2 = model.body.mass * ball->ball * ball->ball, I = model.moments[0];
+  if (law.turntable != 0.0 && law.kind == Friction::Kind::rolling) {
+    list.push_back({"circling_rate", Q::rate, law.turntable * I / (I + mR2)});
+    return;
+  }
+  if (law.kind != Friction::Kind::coulomb || law.turntable != 0.0) return;
+  const Moving now = {start.q, start.y, start.place_S, start.linear_momentum_S / model.body.mass};
+  Vec3 slip = slip_of(model, Touch{}, now);
+  slip.z() = 0.0;
+  // friction mu m g slows the slip by mu g (1 + m R^2 / I)
+  const double slows = law.mu * along_up(model) * (1.0 + mR2 / I);
+  list.push_back({"sliding_time", Q::time, slip.norm() / slows});
+}
+
+}  // namespace
+
+double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin) {
+  ReducedMotion motion(model);
+  Reduced x = Reduced::Zero(motion.size());
+  x.head<3>() = up_P;
+  x.segment<3>(3) = spin * up_P;
+  const double reach = model.table->surface->reach();
+  const double rate = std::abs(spin) + std::sqrt(model.gravity_S.norm() / reach);
+  const Jacobian J = motion.jacobian(x, rate, rate * reach);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(J), false);
+  // neutral directions (another spin, another azimuth) have zeros that rounding splits
+  constexpr double kNeutralRate = 1e-4;
+  const double most = solver.eigenvalues().real().maxCoeff();
+  return most > kNeutralRate * rate ? most : 0.0;
+}
+
+std::vector<Quantity> contact_quantities(const BodyModel& model, const State& start) {
+  List list;
+  add_eccentric_sphere(list, model, start);
+  add_ball(list, model, start);
+  add_disc(list, model, start);
+  add_vertical_spin(list, model, start);
+  return list;
+}
+
+}  // namespace polhode

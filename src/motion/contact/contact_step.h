@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// One step of a body on a table between two events, and the margins whose zeros are events.
+#pragma once
+
+#include <array>
+
+#include "model/body_model.h"
+#include "model/table.h"
+
+namespace polhode {
+
+// What is stepped: the motion and the work that the table has done on the body since the start, J.
+struct OnTable {
+  Moving moving;
+  double work = 0.0;
+};
+
+// What can end a way of touching. The margin of each is positive while it goes on.
+enum class ContactEvent {
+  lift_off,      // the normal force is about to pull
+  landing,       // the body comes down on the table
+  slip_ends,     // the contact stops slipping
+  slip_begins,   // sticking needs more friction than there is
+  rolling_ends,  // the horizontal part of the angular velocity comes to zero
+  rolling_begins,
+  boring_ends,  // likewise that about the vertical
+  boring_begins,
+  second_contact,  // another edge or part comes down on the table
+  lies_flat,       // a face does
+};
+inline constexpr int kContactEvents = 10;
+
+// Margins in units of weight, reach of the surface, and the velocities that go with them; a margin
+// that does not apply is 1.
+using Margins = std::array<double, kContactEvents>;
+
+// Typical sizes on the table, to scale errors and margins.
+struct TableScales {
+  double length = 1.0;    // reach of the surface, m
+  double weight = 1.0;    // N
+  double speed = 1.0;     // of a fall from there, m/s
+  double rate = 1.0;      // that over the length, rad/s
+  double momentum = 1.0;  // kg m^2/s
+  // Velocities below this part of `speed` and `rate` are zero at an event. So small a slip moves
+  // nothing within the error of the steps: what it does is as its power 3/2.
+  double stopped = 0.0;
+};
+// tolerance: the local error of a step, relative.
+TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance);
+
+// Faces closer to the table than this (rad) lie on it.
+inline constexpr double kFlat = 1e-4;
+
+Margins margins_of(const BodyModel& model,
+                   const TableScales& scales,
+                   const Touch& touch,
+                   const Moving& now,
+                   const Reaction& reaction);
+double least_of(const Margins& margins);
+
+// The touch with the directions of slip and rolling as they are now.
+Touch refreshed(const BodyModel& model, const Touch& touch, const Moving& now);
+
+// Steps a body that touches in one way. The contact holds by construction: the equations are those
+// of attitude, angular momentum and, where they are free, horizontal place and velocity; the rest
+// follows. Dormand and Prince's order 8. Immutable.
+class ContactStepper {
+ public:
+  ContactStepper(const BodyModel& model, const TableScales& scales)
+      : model_(model), scales_(scales) {}
+
+  struct Result {
+    OnTable end;
+    double error = 0.0;   // estimate of the local error, relative to the scales
+    double margin = 1.0;  // the least at the inner stages of the step
+  };
+  // From t by h (s). Throws Error (check_failed) as reaction_of does.
+  Result step(const Touch& touch, double t, double h, const OnTable& from) const;
+  // All margins of a state.
+  Margins margins(const Touch& touch, double t, const OnTable& now) const;
+
+  const BodyModel& model() const { return model_; }
+  const TableScales& scales() const { return scales_; }
+
+ private:
+  BodyModel model_;
+  TableScales scales_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "motion/contact/contact_trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "base/system/interrupt.h"
+#include "motion/contact/contact_change.h"
+#include "motion/walk.h"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t kMostKeptSteps = 200'000;
+constexpr long kStepsBetweenCalls = 4096;
+// margins may be below zero by this much for their round-off
+constexpr double kNoise = 1e-12;
+// margins at inner stages, which are less exact, by this much
+constexpr double kNoiseOfStages = 1e-4;
+constexpr int kMostHalvings = 60;
+constexpr int kMostAtOneTime = 200;
+
+State state_of(const BodyModel& model, const Moving& now) {
+  State s;
+  s.q = now.q;
+  s.y = now.y;
+  s.place_S = now.place_S;
+  s.linear_momentum_S = model.body.mass * now.velocity_S;
+  return s;
+}
+
+// The grid of times, and at some of them what is known there: after events always, else of every
+// second, fourth ... step, so that memory is bounded.
+class ContactTrajectory final : public Trajectory {
+ public:
+  ContactTrajectory(const BodyModel& model, const TableScales& scales) : stepper(model, scales) {}
+
+  State at(double t) const override { return state_of(stepper.model(), now(t).second.moving); }
+  std::optional<ContactState> contact_at(double t) const override {
+    const auto [touch, here] = now(t);
+    return ContactState{touch, here.work};
+  }
+
+  // what is kept at the grid time with that index
+  struct Kept {
+    std::size_t index;
+    Touch touch;
+    OnTable state;
+    bool after_event;
+  };
+
+  void keep(const Touch& touch, const OnTable& state, bool after_event) {
+    kept.push_back({times.size() - 1, touch, state, after_event});
+    if (kept.size() < kMostKeptSteps) return;
+    bool odd = false;
+    std::erase_if(kept, [&](const Kept& one) {
+      odd = !odd;
+      return one.index > 0 && !one.after_event && odd;
+    });
+  }
+
+  ContactStepper stepper;
+  std::vector<double> times;
+  std::vector<Kept> kept;
+
+ private:
+  std::pair<Touch, OnTable> now(double t) const {
+    const auto above = std::upper_bound(times.begin(), times.end(), t);
+    const auto index =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, above - times.begin() - 1));
+    auto from = std::upper_bound(
+        kept.begin(), kept.end(), index, [](std::size_t i, const Kept& k) { return i < k.index; });
+    --from;
+    // walk the grid as it was walked before, then take the partial step
+    OnTable state = from->state;
+    Touch touch = from->touch;
+    for (std::size_t i = from->index; i < index; ++i) {
+      state = stepper.step(touch, times[i], times[i + 1] - times[i], state).end;
+      touch = refreshed(stepper.model(), touch, state.moving);
+    }
+    const double rest = t - times[index];
+    if (rest != 0.0) state = stepper.step(touch, times[index], rest, state).end;
+    return {touch, state};
+  }
+};
+
+// Where a step first makes a margin zero.
+struct Crossing {
+  double h;  // from the beginning of the step, s
+  ContactEvent event;
+};
+
+// The zero within a step of length h (s), at whose end a margin is negative: Illinois's variant of
+// the rule of false position (Dowell and Jarratt, BIT 11 (1971) 168), on steps of the method.
+Crossing crossing_in(
+    const ContactStepper& stepper, const Touch& touch, double t, double h, const OnTable& from) {
+  const auto margins_after = [&](double part) {
+    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from).end : from;
+    return stepper.margins(touch, t + part, end);
+  };
+  Margins beyond = margins_after(h);
+  // a margin that begins at zero, such as the gap after lift-off, grows first
+  double low = 0.0, at_low = least_of(margins_after(0.0));
+  for (int i = 1; at_low <= kNoise && i <= kMostHalvings; ++i) {
+    low = std::ldexp(h, -i);
+    at_low = least_of(margins_after(low));
+  }
+  double high = h, at_high = least_of(beyond);
+  if (at_low <= 0.0) {
+    // it never grew: the event is now
+    low = high = 0.0;
+  }
+  int side = 0;
+  for (int i = 0; i < 100 && high - low > 1e-16 * std::max(h, std::abs(t)); ++i) {
+    const double middle = (low * at_high - high * at_low) / (at_high - at_low);
+    if (!(middle > low && middle < high)) break;
+    const Margins found = margins_after(middle);
+    const double least = least_of(found);
+    if (least > 0.0) {
+      low = middle;
+      at_low = least;
+      if (side == 1) at_high *= 0.5;
+      side = 1;
+    } else {
+      high = middle;
+      at_high = least;
+      beyond = found;
+      if (side == -1) at_low *= 0.5;
+      side = -1;
+      if (least == 0.0) break;
+    }
+  }
+  const auto which = std::min_element(beyond.begin(), beyond.end()) - beyond.begin();
+  return {high, static_cast<ContactEvent>(which)};
+}
+
+// The walk from event to event.
+class Walk {
+ public:
+  Walk(const StepperInfo& method,
+       std::shared_ptr<ContactTrajectory> path,
+       const State& start,
+       double duration,
+       double tolerance,
+       const Effort& effort)
+      : method_(method),
+        path_(std::move(path)),
+        duration_(duration),
+        tolerance_(tolerance),
+        effort_(effort) {
+    const BodyModel& model = path_->stepper.model();
+    now_.moving = {start.q, start.y, start.place_S, start.linear_momentum_S / model.body.mass};
+    touch_ = first_touch(path_->stepper, 0.0, now_);
+    path_->times.push_back(0.0);
+    path_->keep(touch_, now_, true);
+    look();
+  }
+
+  IntegrationRecord run() {
+    const TableScales& scales = path_->stepper.scales();
+    const double rate =
+        scales.rate + angular_velocity(path_->stepper.model(), now_.moving.y).norm();
+    double h = std::min(duration_, 0.5 * std::pow(tolerance_, 1.0 / method_.order) / rate);
+    while (t_ < duration_) {
+      const double next = t_ + h < duration_ ? t_ + h : duration_;
+      const ContactStepper::Result trial = path_->stepper.step(touch_, t_, next - t_, now_);
+      record_.evaluations += 12;
+      const double ratio =
+          std::pow(tolerance_ / std::max(trial.error, 1e-300), 1.0 / method_.order);
+      if (!(trial.error <= tolerance_)) {
+        h = shorter(next, std::clamp(0.9 * ratio, 0.1, 0.9), trial);
+        continue;
+      }
+      const double margin = least_of(path_->stepper.margins(touch_, next, trial.end));
+      // an event came and went within the step
+      if (margin > -kNoise && trial.margin < -kNoiseOfStages && next - t_ > 1e-6 / scales.rate) {
+        h = shorter(next, 0.5, trial);
+        continue;
+      }
+      if (margin < -kNoise) {
+        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_));
+        h = std::min(h, std::max(duration_ - t_, 1e-300));
+        continue;
+      }
+      const double proposed = (next - t_) * std::clamp(0.9 * ratio, 0.2, 5.0);
+      h = next == duration_ ? std::max(h, proposed) : proposed;
+      now_ = trial.end;
+      touch_ = refreshed(path_->stepper.model(), touch_, now_.moving);
+      arrive(next, false);
+    }
+    if (path_->times.back() < duration_) path_->times.push_back(duration_);
+    record_.drift = drift_.value().worst();
+    return record_;
+  }
+
+ private:
+  double shorter(double next, double factor, const ContactStepper::Result& trial) {
+    ++record_.rejected;
+    const double h = (next - t_) * factor;
+    if (!std::isfinite(h) || t_ + h == t_ || t_ + h >= next) {
+      refuse_nan(state_of(path_->stepper.model(), trial.end.moving), method_, next);
+      refuse_tolerance(method_, tolerance_, t_);
+    }
+    return h;
+  }
+
+  void pass_event(const Crossing& crossing) {
+    if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_).end;
+    at_one_time_ = crossing.h > 1e-13 * std::max(t_, 1e-6) ? 0 : at_one_time_ + 1;
+    const double t = t_ + crossing.h;
+    const ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
+    const bool changed = crossing.event == ContactEvent::landing ||
+                         change.touch.phase != touch_.phase ||
+                         change.touch.sticks != touch_.sticks ||
+                         change.touch.keeps_from_rolling != touch_.keeps_from_rolling ||
+                         change.touch.keeps_from_boring != touch_.keeps_from_boring;
+    touch_ = change.touch;
+    if (changed && record_.events.size() < kEventsReported)
+      record_.events.push_back({t, name_of(crossing.event), words_for(crossing.event)});
+    if (change.bounced_until > 0.0 && record_.events.size() < kEventsReported) {
+      record_.events.push_back(
+          {change.bounced_until, "bounces_end", "the last of the bounces without end"});
+    }
+    if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime) {
+      throw Error(Fault::check_failed,
+                  fmt::format("at {:.6g} s {} again and again ({} events); end the motion before, "
+                              "or change friction or restitution",
+                              t,
+                              words_for(crossing.event),
+                              events_));
+    }
+    arrive(t, true);
+  }
+
+  void arrive(double t, bool after_event) {
+    const long most = std::min(effort_.most_steps, kMostSteps / 8);
+    if (after_event && t == t_) {
+      // nothing can have been kept for this time but the state before
+      while (!path_->kept.empty() && path_->kept.back().index + 1 == path_->times.size())
+        path_->kept.pop_back();
+    } else {
+      path_->times.push_back(t);
+    }
+    t_ = t;
+    path_->keep(touch_, now_, after_event);
+    look();
+    if (++record_.steps % kStepsBetweenCalls == 0) {
+      stop_if_interrupted();
+      if (effort_.watch) effort_.watch(t / duration_);
+    }
+    if (record_.steps > most) {
+      throw too_many_steps(
+          method_, duration_, static_cast<double>(record_.steps) * duration_ / t, most);
+    }
+  }
+
+  void look() {
+    const BodyModel& model = path_->stepper.model();
+    const State s = state_of(model, now_.moving);
+    if (!drift_) drift_.emplace(model, s);
+    drift_->look_at(s, ContactState{touch_, now_.work});
+  }
+
+  const StepperInfo& method_;
+  std::shared_ptr<ContactTrajectory> path_;
+  double duration_, tolerance_;
+  const Effort& effort_;
+  std::optional<DriftWatch> drift_;
+  Touch touch_;
+  OnTable now_;
+  double t_ = 0.0;
+  int events_ = 0, at_one_time_ = 0;
+  IntegrationRecord record_;
+};
+
+}  // namespace
+
+Integration integrate_on_table(const StepperInfo& method,
+                               const BodyModel& model,
+                               const State& start,
+                               double duration,
+                               double tolerance,
+                               const Effort& effort) {
+  const Moving begins = {
+      start.q, start.y, start.place_S, start.linear_momentum_S / model.body.mass};
+  auto path = std::make_shared<ContactTrajectory>(model, table_scales(model, begins, tolerance));
+  Walk walk(method, path, start, duration, tolerance, effort);
+  const IntegrationRecord record = walk.run();
+  return {path, record};
+}
+
+}  // namespace polhode

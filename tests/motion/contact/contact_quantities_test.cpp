@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Thresholds of theory against motions on either side of them.
+#include "motion/contact/contact_quantities.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "math/so3.h"
+#include "support/on_table.h"
+
+namespace polhode::test {
+namespace {
+
+double quantity(const BodySpec& body, const MotionSpec& spec, const std::string& key) {
+  const std::optional<double> found =
+      value_of(derived_quantities(make_model(body, spec), spec), key);
+  EXPECT_TRUE(found) << key;
+  return found.value_or(NAN);
+}
+
+double tilt_at(const Integration& found, double t) {
+  return angle_between(found.trajectory->at(t).q * Vec3::UnitZ(), Vec3::UnitZ());
+}
+
+MotionSpec spinning_top(double spin, double tilt, double seconds) {
+  MotionSpec spec = on_table(seconds, viscous(2.0));
+  spec.attitude.tilt = tilt;
+  spec.spin.body = Vec3(0, 0, spin);
+  return spec;
+}
+
+// it turns over, and the spin falls as Jellett's constant says
+TEST(TippeTop, TurnsOver) {
+  const BodySpec top = tippe_top_body(0.2, 1.08);
+  const MotionSpec spec = spinning_top(160, 0.05, 12.0);
+  const Integration found = integrated(top, spec, 1e-9);
+  EXPECT_GT(tilt_at(found, 12.0), 3.05);
+  const BodyModel model = make_model(top, spec);
+  const double spin = angular_velocity(model, found.trajectory->at(12.0).y).z();
+  // for an upright start; the start leans by 0.05 rad: 0.5 percent
+  EXPECT_NEAR(-spin, quantity(top, spec, "spin_after_inversion_rad_per_s"), 0.005 * 107);
+}
+
+TEST(TippeTop, DoesNotWhereInertiaForbidsIt) {
+  for (const auto& [ratio, turns] : {std::pair{0.75, 0.0}, {1.08, 1.0}, {1.25, 0.0}}) {
+    const BodySpec top = tippe_top_body(0.2, ratio);
+    const MotionSpec spec = spinning_top(160, 0.05, 12.0);
+    EXPECT_EQ(quantity(top, spec, "tippe_top_condition"), turns) << ratio;
+    const Integration found = integrated(top, spec, 1e-8);
+    EXPECT_EQ(tilt_at(found, 12.0) > 3.0, turns == 1.0) << ratio;
+  }
+  // and on ice
+  MotionSpec ice = spinning_top(160, 0.05, 12.0);
+  ice.friction.reset();
+  EXPECT_LT(tilt_at(integrated(tippe_top_body(0.2, 1.08), ice, 1e-9), 12.0), 0.06);
+}
+
+// the eigenvalues of the general equations change sign at the spin that the energy at fixed lambda
+// gives, from either side within 1e-3, and so does the motion
+TEST(TippeTop, LeavesTheUprightPlaceAboveItsLimit) {
+  const BodySpec top = tippe_top_body(0.2, 1.08);
+  const double limit = quantity(top, spinning_top(160, 0.0, 1.0), "upright_spin_limit_rad_per_s");
+  const BodyModel model = with_needed_degrees(make_model(top, spinning_top(160, 0.0, 1.0)));
+  EXPECT_EQ(growth_rate_of_spin(model, Vec3::UnitZ(), 0.97 * limit), 0.0);
+  EXPECT_GT(growth_rate_of_spin(model, Vec3::UnitZ(), 1.03 * limit), 0.0);
+  const auto grows = [&](double part) {
+    const Integration found = integrated(top, spinning_top(part * limit, 1e-3, 200.0), 1e-10);
+    return tilt_at(found, 200.0) > tilt_at(found, 100.0);
+  };
+  EXPECT_FALSE(grows(0.999));
+  EXPECT_TRUE(grows(1.001));
+}
+
+// small deviations grow at the rates of the eigenvalues, which differ for the two senses
+TEST(Rattleback, HasTwoGrowthRates) {
+  const BodySpec celt = rattleback_body(0.05);
+  for (const double spin : {4.0, -4.0}) {
+    MotionSpec spec = on_table(6.0, rolling());
+    spec.spin.body = Vec3(1e-7, 1e-7, spin);
+    const double rate = quantity(celt, spec, "growth_rate_of_vertical_spin_per_s");
+    const Integration found = integrated(celt, spec, 1e-13);
+    // the largest horizontal rate in a second each, where the faster mode has taken over
+    const auto size = [&](double from) {
+      double most = 0.0;
+      for (int i = 0; i < 400; ++i)
+        most = std::max(most, found.trajectory->at(from + 0.0025 * i).y.head<2>().norm());
+      return most;
+    };
+    const double measured = std::log(size(5.0) / size(3.0)) / 2.0;
+    EXPECT_NEAR(measured, rate, 0.1 * rate + 0.02) << spin;
+  }
+  // the spin of one sense reverses, that of the other does not
+  for (const double sense : {1.0, -1.0}) {
+    MotionSpec spec = on_table(8.0, rolling());
+    spec.spin.body = Vec3(0.02, 0.02, 4.0 * sense);
+    const Integration found = integrated(celt, spec, 1e-9);
+    const double end = found.trajectory->at(8.0).y.z();
+    EXPECT_EQ(end * sense < 0.0, sense < 0.0);
+  }
+}
+
+// tilt as (t0 - t)^2 and precession as 1 / (t0 - t), fitted over two decades of the tilt
+TEST(EulersDisc, SettlesByItsPowerLaws) {
+  MotionSpec spec = on_table(30.0, rolling());
+  spec.friction->rolling = 1e-4;
+  spec.attitude.tilt = 0.1;
+  const double rate = std::sqrt(4.0 * kG / 0.0375 / std::sin(0.1));
+  spec.spin.rates = Vec3(rate, 0.0, -rate * std::cos(0.1));
+  const double predicted = quantity(disc_body(), spec, "end_time_s");
+  const Integration found = integrated(disc_body(), spec, 1e-9);
+  ASSERT_FALSE(found.record.events.empty());
+  EXPECT_EQ(found.record.events.back().event, "lies_flat");
+  // it lies at 1e-4 rad, a part sqrt(1e-3) before the end
+  const double end = found.record.events.back().t / (1.0 - std::sqrt(1e-4 / 0.1));
+  EXPECT_NEAR(end, predicted, 0.02 * predicted);
+  const auto tilt_before = [&](double before) {
+    // the disc wobbles about the mean
+    double sum = 0.0;
+    for (int i = 0; i < 64; ++i)
+      sum += tilt_at(found, end - before * (1.0 + 0.02 * (i - 31.5) / 64));
+    return sum / 64;
+  };
+  const double power = std::log(tilt_before(0.9 * end) / tilt_before(0.09 * end)) / std::log(10.0);
+  EXPECT_NEAR(power, 2.0, 0.03);
+}
+
+}  // namespace
+}  // namespace polhode::test

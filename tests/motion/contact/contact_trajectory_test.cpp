@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Bodies on a table against closed forms and a second formulation.
+#include "motion/contact/contact_trajectory.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "math/so3.h"
+#include "support/contact_oracle.h"
+#include "support/expect_error.h"
+#include "support/on_table.h"
+
+namespace polhode::test {
+namespace {
+
+std::vector<double> times_of(const Integration& found, const std::string& event) {
+  std::vector<double> times;
+  for (const ContactRecord& one : found.record.events)
+    if (one.event == event) times.push_back(one.t);
+  return times;
+}
+
+double angle_of(const State& s, const Vec3& axis_P) {
+  return angle_between(s.q * axis_P, Vec3::UnitZ());
+}
+
+// a ball that slides from rest of rotation rolls after 2 v / (7 mu g), with 5/7 of its speed
+TEST(OnTable, ABilliardBallRollsAfterItHasSlid) {
+  MotionSpec spec = on_table(1.0, coulomb(0.2));
+  spec.velocity = Vec3(2.0, 0.0, 0.0);
+  const Integration found = integrated(ball_body(), spec, 1e-10);
+  const std::vector<double> ends = times_of(found, "slip_ends");
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_NEAR(ends[0], 2.0 * 2.0 / (7.0 * 0.2 * kG), 1e-12);
+  const State end = found.trajectory->at(1.0);
+  EXPECT_NEAR(end.linear_momentum_S.x() / 0.17, 10.0 / 7.0, 1e-12);
+  EXPECT_NEAR(end.place_S.z(), 0.028, 1e-16);
+}
+
+// side spin bends the path of the sliding ball to a parabola, as the slip keeps its direction; it
+// leaves on a straight line with the velocity that friction at the contact cannot change: the
+// momentum about it
+TEST(OnTable, ASideSpinBendsAPathToAParabola) {
+  MotionSpec spec = on_table(1.0, coulomb(0.2));
+  spec.velocity = Vec3(2.0, 0.0, 0.0);
+  spec.spin.space = Vec3(30.0, 10.0, 50.0);
+  const Integration found = integrated(ball_body(), spec, 1e-12);
+  const double R = 0.028;
+  const Vec3 slip(2.0 - R * 10.0, R * 30.0, 0.0);  // v + w x (-R z)
+  const double ends = slip.norm() / (3.5 * 0.2 * kG);
+  ASSERT_EQ(times_of(found, "slip_ends").size(), 1u);
+  EXPECT_NEAR(times_of(found, "slip_ends")[0], ends, 1e-8);
+  const Vec3 pull = -0.2 * kG * slip.normalized();
+  for (const double t : {0.05, 0.1, 0.2}) {
+    const Vec3 expected = spec.velocity * t + 0.5 * t * t * pull;
+    EXPECT_LT((found.trajectory->at(t).place_S - expected).head<2>().norm(), 1e-12);
+  }
+  const Vec3 last = 5.0 / 7.0 * spec.velocity + 2.0 / 7.0 * R * Vec3(10.0, -30.0, 0.0);
+  EXPECT_LT((found.trajectory->at(0.9).linear_momentum_S / 0.17 - last).norm(), 1e-8);
+}
+
+// a ball on a turning table circles at 2/7 of its rate
+TEST(OnTable, ABallOnATurningTableCircles) {
+  MotionSpec spec = on_table(6.0, rolling());
+  spec.friction->turntable = 3.5;
+  spec.position = Vec3(0.2, 0.0, 0.0);
+  spec.spin.space = Vec3(3.0, 0.0, 1.0);
+  const Integration found = integrated(ball_body(), spec, 1e-12);
+  const double rate = 2.0 / 7.0 * 3.5;
+  // velocity turns uniformly
+  const Vec3 v0 = found.trajectory->at(0.0).linear_momentum_S / 0.17;
+  for (const double t : {1.0, 3.3, 6.0}) {
+    const Vec3 v = Eigen::AngleAxisd(rate * t, Vec3::UnitZ()) * v0;
+    EXPECT_LT((found.trajectory->at(t).linear_momentum_S / 0.17 - v).norm(), 1e-9);
+  }
+}
+
+// each bounce takes e times as long as the one before, and all of them a finite time
+TEST(OnTable, ABouncingBallEndsItsBounces) {
+  MotionSpec spec = on_table(6.0, coulomb(0.2));
+  spec.friction->restitution = 0.8;
+  spec.position = Vec3(0, 0, 1.028);
+  const Integration found = integrated(ball_body(), spec, 1e-12);
+  const double fall = std::sqrt(2.0 / kG);
+  const std::vector<double> lands = times_of(found, "landing");
+  ASSERT_GT(lands.size(), 40u);
+  double expected = fall, way = 2.0 * fall * 0.8;
+  for (std::size_t i = 0; i < 20; ++i, expected += way, way *= 0.8)
+    EXPECT_NEAR(lands[i], expected, 1e-12) << i;
+  ASSERT_EQ(times_of(found, "bounces_end").size(), 1u);
+  // the height of the last bounces is rounded: 1e-11 s is four times the error
+  EXPECT_NEAR(times_of(found, "bounces_end")[0], fall * (1.0 + 1.6 / 0.2), 1e-11);
+  EXPECT_NEAR(found.trajectory->at(5.0).place_S.z(), 0.028, 1e-15);
+  EXPECT_EQ(found.trajectory->contact_at(5.0)->touch.phase, Touch::Phase::touching);
+}
+
+// rolling friction stops a ball after a way v^2 (7/5) R / (2 g rho), in a uniform deceleration
+TEST(OnTable, RollingFrictionStopsABall) {
+  MotionSpec spec = on_table(8.0, rolling());
+  spec.friction->rolling = 5e-4;
+  spec.spin.space = Vec3(0, 20, 0);
+  const Integration found = integrated(ball_body(), spec, 1e-12);
+  const double slows = 5e-4 * kG / 0.028 / 1.4, v = 20 * 0.028;
+  ASSERT_EQ(times_of(found, "rolling_ends").size(), 1u);
+  EXPECT_NEAR(times_of(found, "rolling_ends")[0], v / slows, 1e-9);
+  EXPECT_NEAR(found.trajectory->at(8.0).place_S.x(), 0.5 * v * v / slows, 1e-10);
+}
+
+struct OracleCase {
+  const char* name;
+  BodySpec body;
+  FrictionSpec friction;
+  OracleBody::Law law;
+  Real coefficient;
+  double duration;
+  int steps;
+};
+
+class AgainstOracle : public testing::TestWithParam<int> {};
+
+std::vector<OracleCase> oracle_cases() {
+  FrictionSpec ice;
+  ice.kind = "none";
+  using Law = OracleBody::Law;
+  return {{"tippe top slides", tippe_top_body(), coulomb(0.1), Law::sliding, 0.1L, 0.2, 4000},
+          {"tippe top, viscous", tippe_top_body(), viscous(2.0), Law::viscous, 2.0L, 0.4, 8000},
+          {"tippe top rolls", tippe_top_body(), rolling(), Law::rolling, 0.0L, 0.4, 8000},
+          {"tippe top on ice", tippe_top_body(), ice, Law::frictionless, 0.0L, 0.4, 8000},
+          {"rattleback rolls", rattleback_body(0.2), rolling(), Law::rolling, 0.0L, 2.0, 8000},
+          {"rattleback on ice", rattleback_body(0.2), ice, Law::frictionless, 0.0L, 2.0, 8000}};
+}
+
+// the same motion by multipliers in long double, within 1e-9 rad and 1e-9 m
+TEST_P(AgainstOracle, GivesTheSameMotion) {
+  const OracleCase one = oracle_cases()[static_cast<std::size_t>(GetParam())];
+  SCOPED_TRACE(one.name);
+  const bool top = one.body.moments.has_value();
+  MotionSpec spec = on_table(one.duration, one.friction);
+  spec.attitude.zxz = top ? Vec3(0.3, 0.5, 0.2) : Vec3(0.3, 0.1, 0.2);
+  spec.spin.body = top ? Vec3(2.0, -1.0, 100.0) : Vec3(0.5, 0.2, -4.0);
+  if (one.law != OracleBody::Law::rolling) spec.velocity = Vec3(0.3, -0.1, 0.0);
+  const Integration found = integrated(one.body, spec, 1e-14);
+  const BodyModel model = with_needed_degrees(make_model(one.body, spec));
+
+  OracleBody oracle;
+  oracle.mass = model.body.mass;
+  oracle.law = one.law;
+  oracle.coefficient = one.coefficient;
+  const SolidSpec& look = *one.body.look;
+  const Vec3 axes = look.semi_axes.value_or(Vec3::Constant(look.radius.value_or(0.0)));
+  const Vec3 middle = look.at - model.body.center;
+  for (int i = 0; i < 3; ++i) {
+    oracle.semi_axes[static_cast<std::size_t>(i)] = axes[i];
+    oracle.middle[static_cast<std::size_t>(i)] = middle[i];
+    for (int j = 0; j < 3; ++j)
+      oracle.tensor[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          model.body.tensor(i, j);
+  }
+  const State start = found.trajectory->at(0.0);
+  const Mat3 R_SB = start.q.toRotationMatrix() * model.R_BP.transpose();
+  const Vec3 w_S = start.q * angular_velocity(model, start.y);
+  const ContactOracle solver(oracle);
+  OracleState s;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    s.x[k] = start.place_S[i];
+    s.v[k] = start.linear_momentum_S[i] / model.body.mass;
+    s.w[k] = w_S[i];
+    for (int j = 0; j < 3; ++j)
+      s.R[k][static_cast<std::size_t>(j)] = R_SB(i, j);
+  }
+  s.contact = solver.lowest(s.R);
+  const OracleState end = solver.after(s, one.duration, one.steps);
+
+  const State here = found.trajectory->at(one.duration);
+  const Mat3 R = here.q.toRotationMatrix() * model.R_BP.transpose();
+  double turned = 0.0, moved = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    moved = std::max(moved, std::abs(here.place_S[i] - static_cast<double>(end.x[k])));
+    for (int j = 0; j < 3; ++j)
+      turned = std::max(
+          turned, std::abs(R(i, j) - static_cast<double>(end.R[k][static_cast<std::size_t>(j)])));
+  }
+  EXPECT_LT(turned, 1e-9);
+  EXPECT_LT(moved, 1e-9);
+}
+INSTANTIATE_TEST_SUITE_P(All, AgainstOracle, testing::Range(0, 6));
+
+// energy with the work of the table, and what contact_invariants() lists, over 1000 turns
+TEST(OnTable, KeepsItsInvariants) {
+  struct Case {
+    const char* name;
+    BodySpec body;
+    FrictionSpec friction;
+    Vec3 spin;
+    double seconds;
+  };
+  FrictionSpec ice;
+  ice.kind = "none";
+  BodySpec chaplygin = ball_body();
+  chaplygin.look = chaplygin.solid;
+  chaplygin.look->mass.reset();
+  chaplygin.solid.reset();
+  chaplygin.moments = Vec3(4e-5, 5e-5, 6e-5);
+  const double turns = 2000.0 * kPi;
+  for (const Case& one :
+       {Case{"jellett, sliding", tippe_top_body(), viscous(0.5), Vec3(5, 0, 200), turns / 200},
+        Case{"routh", tippe_top_body(), rolling(), Vec3(5, 0, 100), turns / 100},
+        Case{"ice", tippe_top_body(), ice, Vec3(5, 0, 100), turns / 100},
+        Case{"chaplygin", chaplygin, rolling(), Vec3(20, 30, 40), turns / 54}}) {
+    SCOPED_TRACE(one.name);
+    MotionSpec spec = on_table(one.seconds, one.friction);
+    spec.attitude.tilt = 0.3;
+    spec.spin.body = one.spin;
+    const Integration found = integrated(one.body, spec, 1e-13);
+    ASSERT_TRUE(found.record.drift.momentum);
+    EXPECT_LT(*found.record.drift.energy, 1e-10);
+    EXPECT_LT(*found.record.drift.momentum, 1e-10);
+  }
+}
+
+// The steady disc with its centre at rest: the precession goes round at sqrt(4 g / (a sin)).
+TEST(OnTable, ADiscWithItsCentreAtRestStaysThere) {
+  MotionSpec spec = on_table(5.0, rolling());
+  spec.attitude.tilt = 0.4;
+  const double rate = std::sqrt(4.0 * kG / 0.0375 / std::sin(0.4));
+  spec.spin.rates = Vec3(rate, 0.0, -rate * std::cos(0.4));
+  const Integration found = integrated(disc_body(), spec, 1e-12);
+  for (const double t : {1.0, 5.0}) {
+    const State s = found.trajectory->at(t);
+    EXPECT_NEAR(angle_of(s, Vec3::UnitZ()), 0.4, 1e-9);
+    EXPECT_LT(s.place_S.head<2>().norm(), 1e-9);
+    const Vec3 axis = s.q * Vec3::UnitZ();
+    const double azimuth = std::atan2(axis.x(), -axis.y());
+    EXPECT_NEAR(std::remainder(azimuth - rate * t, 2.0 * kPi), 0.0, 1e-7);
+  }
+}
+
+// a disc that rolls upright falls below w^2 = g / (3 a) and not above: near the limit a lean of
+// 1e-7 rad swings up to 1000 times as far
+TEST(OnTable, ARollingDiscStaysUprightAboveItsLimit) {
+  const double limit = std::sqrt(kG / (3.0 * 0.0375));
+  const auto leans = [&](double part) {
+    MotionSpec spec = on_table(60.0, rolling());
+    spec.attitude.tilt = 0.5 * kPi + 1e-7;
+    spec.spin.body = Vec3(0, 0, part * limit);
+    const Integration found = integrated(disc_body(), spec, 1e-11);
+    double most = 0.0;
+    for (int i = 0; i <= 600; ++i) {
+      const double tilt = angle_of(found.trajectory->at(0.1 * i), Vec3::UnitZ());
+      most = std::max(most, std::abs(tilt - 0.5 * kPi));
+    }
+    return most;
+  };
+  EXPECT_LT(leans(1.001), 2e-4);
+  EXPECT_GT(leans(0.999), 0.1);
+}
+
+// the same trajectory may be asked from many threads, in any order, and gives the same bits
+TEST(OnTable, IsAPureFunctionOfTime) {
+  MotionSpec spec = on_table(3.0, coulomb(0.02));
+  spec.attitude.tilt = 0.1;
+  spec.spin.body = Vec3(0, 0, 200);
+  const Integration found = integrated(tippe_top_body(), spec, 1e-9);
+  std::vector<Vec3> forwards(300), backwards(300);
+  std::thread other([&] {
+    for (std::size_t i = 300; i-- > 0;)
+      backwards[i] = found.trajectory->at(0.01 * static_cast<double>(i)).y;
+  });
+  for (std::size_t i = 0; i < 300; ++i)
+    forwards[i] = found.trajectory->at(0.01 * static_cast<double>(i)).y;
+  other.join();
+  for (std::size_t i = 0; i < 300; ++i)
+    EXPECT_EQ(forwards[i], backwards[i]) << i;
+}
+
+// where friction would jam, or two points touch, the program says so
+TEST(OnTable, RefusesWhatItCannotFollow) {
+  BodySpec cone = ball_body();
+  cone.solid->kind = "cone";
+  cone.solid->height = 0.06;
+  MotionSpec spec = on_table(5.0, rolling());
+  spec.attitude.tilt = 0.3;
+  expect_error([&] { integrated(cone, spec, 1e-9); }, Fault::check_failed, "", "second point");
+}
+
+}  // namespace
+}  // namespace polhode::test
