@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
+#include <glm/common.hpp>
+
 #include "frame/elements/parts.h"
 #include "frame/stand.h"
 
@@ -9,9 +11,14 @@ namespace {
 constexpr double kFloorRadius = 1.4;
 constexpr double kFreeFloorRadius = 1.8;   // under a free body
 constexpr double kFramedFloor = 0.65;      // the part of it that a picture has to show
-constexpr double kFramedFreeFloor = 0.35;  // of that under a free body
+constexpr double kFramedFreeFloor = 0.45;  // of that under a free body
 constexpr double kThin = 2.8 * kOmegaShape.shaft_radius;  // rods, beside which vectors are no lines
-constexpr float kShadowDepth = 0.5f;                      // how dark a full shadow is
+constexpr double kDialRadius = 1.05;                      // in units of the body's radius
+constexpr double kFreeDialRadius = 0.8;                   // under a free body
+constexpr float kDialAlpha = 0.3f;
+// how dark a full shadow of the lamp is, and where no light of the sky comes
+constexpr float kShadowDepth = 0.42f;
+constexpr float kShadeDepth = 0.5f;
 constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
@@ -137,16 +144,27 @@ void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   add_stand_under(scenery, pivot - outer * up, glyphs);
 }
 
-// a disc that fades outwards, with the shadow of the body and its stand
+// a disc that fades outwards, a dial on it, and the shadow of the body and its stand
 void add_floor(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   const Vec3& up = scenery.motion.model().up_S;
+  const bool on_pivot = scenery.motion.model().on_pivot;
   const Vec3 center = scenery.motion.at(0.0).reference_S - floor_depth(scenery) * up;
-  Material material = plain(scenery.theme.floor, 0.0f);
-  material.flat = material.soft = true;
   const double radius = floor_radius(scenery);
-  glyphs.floors.push_back(
-      {{scenery.floor, disc_placement(center, up, radius), material}, kShadowDepth});
-  const double framed = scenery.motion.model().on_pivot ? kFramedFloor : kFramedFreeFloor;
+  const double of_dial = (on_pivot ? kDialRadius : kFreeDialRadius) * scenery.scale.body;
+  Material floor = plain(scenery.theme.floor, 0.0f);
+  floor.flat = floor.soft = true;
+  Material shadow = floor;
+  shadow.color = scenery.theme.shadow;
+  shadow.alpha = kShadowDepth;
+  Material lines = floor;
+  lines.color = scenery.theme.space_axes;
+  lines.alpha = kDialAlpha;
+  floor.mark_color = glm::mix(floor.color, scenery.theme.shadow, kShadeDepth);
+  glyphs.floors.push_back({disc_placement(center, up, radius),
+                           floor,
+                           shadow,
+                           {scenery.dial, disc_placement(center, up, of_dial), lines}});
+  const double framed = on_pivot ? kFramedFloor : kFramedFreeFloor;
   add_rim_reach(disc_placement(center, up, framed * radius), 16, glyphs);
 }
 
