@@ -2,8 +2,8 @@
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
-// alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha times the z of its normals), MARKED (a strip and a darker
-// half), SHELL (alpha under 1), FADING (fade under 1), DASHED (with gaps along z), FACES (those
+// alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha times the z of its normals, their x of the colour of the mark), MARKED (a strip and a darker
+// half), SHELL (alpha under 1), LIGHT_GROUND (behind it), FADING (fade under 1), DASHED (with gaps along z), FACES (those
 // that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 out vec4 o_color;            // premultiplied
@@ -19,12 +19,15 @@ void main() {
 #else
 
 noperspective in vec3 v_normal;
-noperspective in vec3 v_halfway;
+noperspective in vec4 v_along;
+#if FINISH == 2
 in vec3 v_to_eye;
-noperspective in vec2 v_along;
+#elif FINISH == 3
+noperspective in vec2 v_window;
+#endif
 in vec3 v_mesh;
 #if SOFT
-noperspective in float v_density;
+noperspective in vec2 v_density;  // alpha, and how much of the mark's colour
 #endif
 #if FINISH == 2
 in float v_lengthways;
@@ -99,9 +102,11 @@ float stretch(vec3 v) {
 
 void main() {
 #if FLAT
-  o_color = vec4(f_color.rgb, 1.0) * (f_alpha.x * f_alpha.y);
 #if SOFT
-  o_color *= v_density;
+  vec3 color = mix(f_color.rgb, f_mark.rgb, v_density.y);
+  o_color = vec4(color, 1.0) * (f_alpha.x * f_alpha.y * v_density.x);
+#else
+  o_color = vec4(f_color.rgb, 1.0) * (f_alpha.x * f_alpha.y);
 #endif
 #else
   float to_unit = stretch(v_normal);
@@ -111,40 +116,42 @@ void main() {
   if (!gl_FrontFacing) to_unit = -to_unit;
 #endif
   vec3 normal = to_unit * v_normal;
-#if SHELL || FINISH >= 2
-  vec3 to_eye = stretch(v_to_eye) * v_to_eye;
-  float facing = abs(dot(normal, to_eye));
-#endif
+  vec4 parts = to_unit * v_along;
+  float facing = abs(parts.w);
   vec3 color = worn(painted());
-  float light = light_on(to_unit * v_along, normal.z);
+  vec3 light = light_on(parts.xy, normal.z, facing);
 #if VIVID
-  light = 0.5 + 0.5 * light;
+#if LIGHT_GROUND
+  light = 0.62 + 0.5 * light;
+#else
+  light = 0.54 + 0.48 * light;
+#endif
 #endif
   vec3 lit = color * color * light;
 
-  // a highlight: cosine to the 32nd
-  float cosine = max(dot(normal, v_halfway) * stretch(v_halfway), 0.0);
-  float c2 = cosine * cosine;
-  float c4 = c2 * c2;
-  float c8 = c4 * c4;
-  float c16 = c8 * c8;
 #if FINISH < 2
-  lit += vec3(f_color.a * 0.55 * c16 * c16);
+  // the key light is a round lamp behind a cloth
+  lit += vec3(f_color.a * 0.85 * eased(12.0 * parts.z - 11.0));
 #elif FINISH == 2
   // metal mirrors a bright sky and a dark ground
-  vec3 mirrored = 2.0 * dot(normal, to_eye) * normal - to_eye;
+  vec3 to_eye = stretch(v_to_eye) * v_to_eye;
+  vec3 mirrored = 2.0 * parts.w * normal - to_eye;
   float horizon = clamp(4.0 * mirrored.z + 0.5, 0.0, 1.0);
-  lit = lit * 0.55 + color * color * (0.08 + 0.42 * horizon) + vec3(0.30 * c8 + 0.25 * c16 * c16);
+  float c2 = max(parts.z, 0.0) * max(parts.z, 0.0);
+  float c8 = c2 * c2 * c2 * c2;
+  lit = lit * 0.55 + color * color * (0.08 + 0.42 * horizon) +
+        vec3(0.30 * c8 + 0.25 * c8 * c8 * c8 * c8);
 #else
-  // glaze has a sharp light and a pale rim
+  // glaze mirrors a square lamp, a strip of light at the other side, and more at its limbs
+  vec2 window = to_unit * v_window;
+  float lamp = eased(9.0 - 60.0 * abs(window.x)) * eased(9.0 - 60.0 * abs(window.y));
   float rim = (1.0 - facing) * (1.0 - facing);
-  float c64 = c16 * c16 * c16 * c16;
-  lit += vec3(0.85 * c64 * c64 + 0.22 * rim * rim);
+  lit += vec3(0.9 * lamp * step(0.0, parts.z) + 0.22 * rim * rim);
 #endif
 #if DASHED
   vec3 shown = color;  // a drawn line, not a row of rings
 #else
-  vec3 shown = sqrt(min(lit, vec3(1.0)));
+  vec3 shown = toned(lit);
 #endif
 #if SHELL
   o_color = shell(color, shown, f_alpha.x, facing);

@@ -26,12 +26,16 @@ noperspective out vec4 v_color;    // premultiplied
 #else
 // unit at the corners; what bends gently needs no perspective between them
 noperspective out vec3 v_normal;
-noperspective out vec3 v_halfway;  // between the key light and the eye
+// the normal's parts along key light, fill light, halfway from the key light to the eye, and the eye
+noperspective out vec4 v_along;
+#if FINISH == 2
 out vec3 v_to_eye;
-noperspective out vec2 v_along;    // the normal's parts along the lights
+#elif FINISH == 3
+noperspective out vec2 v_window;   // the normal's parts across that halfway direction
+#endif
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 #if SOFT
-noperspective out float v_density;
+noperspective out vec2 v_density;
 #endif
 #if FINISH == 2
 out float v_lengthways;  // 0 on faces across x
@@ -52,16 +56,21 @@ void main() {
 #endif
   vec2 along = vec2(dot(normal, u_key_light), dot(normal, u_fill_light));
 #if LIT_AT_CORNERS
-  vec3 lit = sqrt(min(u_color * u_color * light_on(along, normal.z), vec3(1.0)));
+  vec3 lit = toned(u_color * u_color * light_on(along, normal.z, abs(facing)));
   v_color = shell(u_color, lit, u_alpha, abs(facing)) * u_fade;
 #else
+  vec3 halfway = unit(u_key_light + to_eye);
   v_normal = normal;
-  v_halfway = unit(u_key_light + to_eye);
+  v_along = vec4(along, dot(normal, halfway), dot(normal, to_eye));
+#if FINISH == 2
   v_to_eye = to_eye;
-  v_along = along;
+#elif FINISH == 3
+  vec3 across = unit(cross(halfway, to_eye));
+  v_window = vec2(dot(normal, across), dot(normal, cross(across, halfway)));
+#endif
   v_mesh = a_position;
 #if SOFT
-  v_density = a_normal.z;
+  v_density = a_normal.zx;
 #endif
 #if FINISH == 2
   v_lengthways = 1.0 - a_normal.x * a_normal.x;

@@ -151,7 +151,7 @@ std::vector<TextRoom> marks_of(const Glyphs& glyphs, const Camera& camera) {
   return marks;
 }
 
-// rims of cones and arcs, in straight pieces
+// rims of cones, arcs and curves, in straight pieces
 std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
   constexpr int kPiecesOfRim = 24, kPiecesOfArc = 8;
   std::vector<TextShaft> curves;
@@ -171,6 +171,8 @@ std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
   }
   for (const ArcGlyph& arc : glyphs.arcs)
     add(kPiecesOfArc, [&](double part) { return point_of(arc, part); });
+  for (const LineGlyph& line : glyphs.lines)
+    add(1, [&](double part) -> Vec3 { return line.from + part * (line.to - line.from); });
   return curves;
 }
 
@@ -218,7 +220,7 @@ Composer::Composer(const Motion& motion,
   const int most = circle_segments(0.5 * size.height);
   // finer than edges need: a limb bends in two directions, and the eye sees its corners
   scenery_.body_segments = std::min(most, circle_segments(largest.body));
-  make_look(scenery_, body, 3 * scenery_.body_segments / 2);
+  make_look(scenery_, body, 5 * scenery_.body_segments / 4);
   meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)), largest.cones);
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);
@@ -281,6 +283,7 @@ CameraView Composer::camera_view(double film, double end) const {
   const Camera camera = camera_at(film);
   seen_now.list.view = camera.view(drawing_);
   seen_now.list.background = scenery_.theme.background;
+  seen_now.list.view.light_ground = is_light(scenery_.theme.background);
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
   seen_now.names = labels_of(glyphs, camera);
   return seen_now;

@@ -30,7 +30,8 @@ struct Material {
   bool turned = false;  // the strokes of metal go round z; else they are along x
   bool flat = false;    // unlit: the same colour and alpha from every direction
   bool vivid = false;   // half lit, half as if flat: a line whose colour is to be recognised
-  bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha
+  bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha,
+                        // and their x mixes the colour with mark_color
   float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears
   bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
   bool thin = false;    // hides no items with `hidden`, which are drawn over it
@@ -58,6 +59,7 @@ struct View {
   glm::vec3 eye{0.0f};              // world coordinates
   glm::vec3 key_light{0.0f};        // unit vector towards the main light
   glm::vec3 fill_light{0.0f};       // unit vector towards the weaker light
+  bool light_ground = false;        // the studio is pale, and lights bodies as such a one does
 };
 
 // What is drawn from one camera.

@@ -51,14 +51,20 @@ void add_floors(const Glyphs& glyphs,
                 const DrawingFrame& frame,
                 DrawList& list) {
   for (const FloorGlyph& floor : glyphs.floors) {
-    list.translucent.push_back(item_of(floor.disc, frame, Faces::front));
-    const Placement floor_from_space = floor.disc.space_from_mesh.inverse();
+    const Placement floor_from_space = floor.place.inverse();
+    const auto add_layer = [&](const MeshPtr& mesh, const Material& material) {
+      if (mesh == nullptr) return;
+      list.translucent.push_back(item_of({mesh, floor.place, material}, frame, Faces::front));
+    };
     std::vector<ShadowCaster> casters;
     for (const MeshGlyph& glyph : glyphs.meshes) {
       if (glyph.rough == nullptr) continue;
       const float density = std::min(glyph.material.alpha, 1.0f) * glyph.material.fade;
       casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
     }
+    // thin lines hide no sky
+    add_layer(floor_mesh(casters), floor.material);
+    list.translucent.push_back(item_of(floor.dial, frame, Faces::front));
     for (const ArrowGlyph& arrow : glyphs.arrows) {
       const std::optional<ArrowPlaces> places = arrow_places(arrow.from, arrow.tip, arrow.shape);
       if (!places) continue;
@@ -68,12 +74,7 @@ void add_floors(const Glyphs& glyphs,
           {meshes.rough_arrows.head, floor_from_space * places->head, arrow.material.fade});
     }
     const Vec3 to_light = floor_from_space.linear() * to_eigen(list.view.key_light);
-    MeshGlyph shadow = floor.disc;
-    shadow.mesh = shadow_mesh(casters, to_light);
-    if (shadow.mesh == nullptr) continue;
-    shadow.material.color = glm::vec3(0.0f);
-    shadow.material.alpha = floor.shadow_alpha;
-    list.translucent.push_back(item_of(shadow, frame, Faces::front));
+    add_layer(shadow_mesh(casters, to_light), floor.shadow);
   }
 }
 
@@ -152,8 +153,11 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   materials(glyphs.shells, before.shells);
   for (std::size_t i = before.sheets; i < glyphs.sheets.size(); ++i)
     glyphs.sheets[i].mesh.material.fade *= fade;
-  for (std::size_t i = before.floors; i < glyphs.floors.size(); ++i)
-    glyphs.floors[i].disc.material.fade *= fade;
+  for (std::size_t i = before.floors; i < glyphs.floors.size(); ++i) {
+    for (Material* material :
+         {&glyphs.floors[i].material, &glyphs.floors[i].shadow, &glyphs.floors[i].dial.material})
+      material->fade *= fade;
+  }
   for (std::size_t i = before.labels; i < glyphs.labels.size(); ++i)
     glyphs.labels[i].fade *= fade;
 }

@@ -38,8 +38,10 @@ struct MeshGlyph {
 
 // A floor, with the shadows of the meshes that throw one.
 struct FloorGlyph {
-  MeshGlyph disc;          // a unit disc, see frame/shadow.h
-  float shadow_alpha = 0;  // how dark a full shadow is
+  Placement place;    // maps the coordinates of frame/shadow.h to S, m
+  Material material;  // of floor_mesh()
+  Material shadow;    // of shadow_mesh()
+  MeshGlyph dial;     // drawn on it
 };
 
 // A straight thin tube.
@@ -76,6 +78,11 @@ struct MarkGlyph {
   double radius;  // of what is drawn there, m
 };
 
+// A piece of a line that labels should not cover if there is another place.
+struct LineGlyph {
+  Vec3 from, to;  // in S, m
+};
+
 // A flat translucent mesh and the plane that it lies in.
 struct SheetGlyph {
   MeshGlyph mesh;
@@ -98,6 +105,7 @@ struct Glyphs {
                                // sheets reach, for framing
   std::vector<LabelGlyph> labels;
   std::vector<MarkGlyph> marks;
+  std::vector<LineGlyph> lines;  // pieces of curves that are drawn as meshes
 };
 
 // How many glyphs there were of each kind when this was made, for fade_new().

@@ -190,29 +190,37 @@ Mesh unit_disc(int segments) {
   return mesh;
 }
 
-Mesh fading_disc(int segments) {
-  constexpr int kRings = 12;  // from the inner half to the rim
+Mesh dial(int segments) {
+  constexpr double kHalfWidth = 0.007;
+  constexpr int kTicks = 12;
+  constexpr double kShort = 0.05, kLong = 0.11;
   Mesh mesh;
-  mesh.vertices.push_back({{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}});
-  const auto corner = [&](int ring, int k) {
-    return static_cast<std::uint32_t>(1 + ring * segments + k % segments);
-  };
-  for (int ring = 0; ring <= kRings; ++ring) {
-    const double part = static_cast<double>(ring) / kRings;
-    const double radius = 0.5 + 0.5 * part;
-    const auto density = static_cast<float>(1.0 - part * part * (3.0 - 2.0 * part));
-    for (int k = 0; k < segments; ++k) {
-      const double angle = 2.0 * kPi * k / segments;
-      mesh.vertices.push_back({glm::vec3(radius * std::cos(angle), radius * std::sin(angle), 0.0),
-                               {0.0f, 0.0f, density}});
-      const std::uint32_t a = corner(ring, k), b = corner(ring, k + 1);
-      if (ring == 0) {
-        mesh.indices.insert(mesh.indices.end(), {0u, a, b});
-      } else {
-        const std::uint32_t c = corner(ring - 1, k), d = corner(ring - 1, k + 1);
-        mesh.indices.insert(mesh.indices.end(), {c, a, b, c, b, d});
+  // a strip between corners that are dense on its middle and gone at its sides
+  const auto add_strip = [&](const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const std::array<Vec2, 3>* end : {&from, &to}) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2& p = (*end)[i];
+        mesh.vertices.push_back({glm::vec3(p.x(), p.y(), 0.0), {0.0f, 0.0f, i == 1 ? 1.0f : 0.0f}});
       }
     }
+    for (const std::uint32_t side : {first, first + 1})
+      mesh.indices.insert(mesh.indices.end(), {side, side + 1, side + 4, side, side + 4, side + 3});
+  };
+  const auto around = [](double angle) {
+    return Vec2(std::cos(angle), std::sin(angle));
+  };
+  for (int k = 0; k < segments; ++k) {
+    const Vec2 here = around(2.0 * kPi * k / segments),
+               next = around(2.0 * kPi * (k + 1) / segments);
+    const double in = 1.0 - kHalfWidth, out = 1.0 + kHalfWidth;
+    add_strip({in * here, here, out * here}, {in * next, next, out * next});
+  }
+  for (int k = 0; k < kTicks; ++k) {
+    const Vec2 along = around(2.0 * kPi * k / kTicks);
+    const Vec2 aside = kHalfWidth * Vec2(-along.y(), along.x());
+    const Vec2 from = (1.0 - (k % 3 == 0 ? kLong : kShort)) * along;
+    add_strip({from + aside, from, from - aside}, {along + aside, along, along - aside});
   }
   return mesh;
 }

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kFloorSegments = 64;       // its rim cannot be seen
+constexpr int kDialSegments = 72;
 constexpr double kLongestVector = 50.0;  // drawn, in units of the body's radius
 // lengths of the longest vectors of a film, in units of the body's radius
 constexpr double kOmegaLength = 1.3;
@@ -194,7 +194,7 @@ Scenery make_scenery(const Motion& motion,
   scenery.gimbal = shared(torus(1.0, kGimbalTube, large));
   scenery.rough_gimbal = shared(torus(1.0, kGimbalTube, kRoughSegments));
   scenery.disc = shared(unit_disc(large));
-  scenery.floor = shared(fading_disc(kFloorSegments));
+  scenery.dial = shared(dial(kDialSegments));
   scenery.ring = shared(torus(1.0, 0.006, large));
   scenery.hull_B = hull_of(scenery.look);
   scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);

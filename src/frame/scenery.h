@@ -75,7 +75,7 @@ struct Scenery {
   MeshPtr rough_stand = {};               // the same, for its shadow
   MeshPtr gimbal = {};                    // a round tube along the rim of the disc
   MeshPtr rough_gimbal = {};              // the same, for its shadow
-  MeshPtr floor = {};                     // unit disc about z that fades outwards
+  MeshPtr dial = {};                      // dial() (frame/mesh.h)
   ShowSpec options = {};                  // the [show] table
   int segments = 96;                      // pieces of a circle as large as the picture
   int body_segments = 96;                 // pieces of a circle as large as the body is ever drawn

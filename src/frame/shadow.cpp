@@ -16,20 +16,27 @@
 namespace polhode {
 namespace {
 
-constexpr int kSamples = 56;   // per radius of the floor
-constexpr int kLights = 12;    // points of the light
-constexpr int kBlurs = 2;      // means of three neighbours, in each direction
-constexpr int kCorners = 2;    // samples from one corner of the mesh to the next
-constexpr float kRim = 0.08f;  // the shadow fades so near the rim, in radii of the floor
+// How finely the floor is sampled.
+struct Grid {
+  int per_radius;  // samples per radius of the floor
+  int corners;     // samples from one corner of the mesh to the next
+  int blurs;       // means of three neighbours, in each direction
+};
+constexpr Grid kLampGrid{56, 2, 2};
+constexpr Grid kSkyGrid{16, 1, 4};
+constexpr float kRim = 0.08f;     // shadows fade so near the rim, in radii of the floor
+constexpr int kLights = 12;       // points of the light
+constexpr int kSkyPoints = 12;    // points of the sky
+constexpr double kSkyPart = 0.8;  // of the light of the sky: what comes lower falls far away
 
 // the vertices of a caster in samples, with their heights
-std::vector<glm::vec3> in_samples(const ShadowCaster& caster) {
+std::vector<glm::vec3> in_samples(const ShadowCaster& caster, int per_radius) {
   const glm::mat4 place = to_glm(caster.floor_from_mesh.matrix());
   std::vector<glm::vec3> points;
   points.reserve(caster.mesh->vertices.size());
   for (const Vertex& vertex : caster.mesh->vertices) {
     const glm::vec3 p(place * glm::vec4(vertex.position, 1.0f));
-    points.push_back(static_cast<float>(kSamples) * glm::vec3(p.x, p.y, std::max(p.z, 0.0f)));
+    points.push_back(static_cast<float>(per_radius) * glm::vec3(p.x, p.y, std::max(p.z, 0.0f)));
   }
   return points;
 }
@@ -37,13 +44,17 @@ std::vector<glm::vec3> in_samples(const ShadowCaster& caster) {
 // The samples of a rectangle of the floor, and how much light is kept from each.
 class Samples {
  public:
-  // low, high: corners of the rectangle, in samples from the middle of the floor
-  Samples(const glm::vec2& low, const glm::vec2& high) {
-    const auto whole = [](float at) {
-      const auto most = static_cast<float>(kSamples);
-      return static_cast<int>(std::floor(glm::clamp(at, -most, most) / kCorners)) * kCorners;
+  // low, high: corners of the rectangle, in samples from the middle of the floor; lights: how many
+  // points of light there are
+  Samples(const Grid& grid, int lights, const glm::vec2& low, const glm::vec2& high)
+      : grid_(grid), lights_(lights) {
+    const int step = grid.corners;
+    const auto whole = [&](float at) {
+      const auto most = static_cast<float>(grid.per_radius);
+      const float steps = glm::clamp(at, -most, most) / static_cast<float>(step);
+      return static_cast<int>(std::floor(steps)) * step;
     };
-    const float beyond = kBlurs + 2 * kCorners;
+    const auto beyond = static_cast<float>(grid.blurs + 2 * step);
     left_ = whole(low.x - beyond);
     bottom_ = whole(low.y - beyond);
     columns_ = whole(high.x + beyond) - left_ + 1;
@@ -55,8 +66,9 @@ class Samples {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   glm::vec2 place(int x, int y) const {
-    return glm::vec2(left_ + x, bottom_ + y) / static_cast<float>(kSamples);
+    return glm::vec2(left_ + x, bottom_ + y) / static_cast<float>(grid_.per_radius);
   }
+  int step() const { return grid_.corners; }
   float dark(int x, int y) const { return dark_[index(x, y)]; }
 
   // a triangle stops the light of one point; others may have done so before
@@ -81,13 +93,13 @@ class Samples {
         const std::size_t at = index(x, y);
         if (last_[at] == light + 1) continue;
         last_[at] = static_cast<std::uint8_t>(light + 1);
-        dark_[at] += 1.0f / kLights;
+        dark_[at] += 1.0f / static_cast<float>(lights_);
       }
     }
   }
 
   void blur() {
-    for (int k = 0; k < kBlurs; ++k) {
+    for (int k = 0; k < grid_.blurs; ++k) {
       for (int y = 0; y < rows_; ++y)
         mean_of_three(index(0, y), 1, columns_);
       for (int x = 0; x < columns_; ++x)
@@ -111,39 +123,48 @@ class Samples {
     }
   }
 
+  Grid grid_;
+  int lights_;
   int left_ = 0, bottom_ = 0, columns_ = 0, rows_ = 0;
   std::vector<std::uint8_t> last_;  // one more than the last point of the light that was stopped
   std::vector<float> dark_;
 };
 
-// squares of samples, where any of their corners is dark
-MeshPtr mesh_of(const Samples& samples) {
+// Squares of samples, where there is anything at any of their corners. normal(x, y) is that of a
+// corner; its z is how much there is.
+template <class Normal>
+MeshPtr mesh_of(const Samples& samples, const Normal& normal) {
   Mesh mesh;
-  const int columns = samples.columns() / kCorners + 1;
-  const int rows = samples.rows() / kCorners + 1;
-  const auto dark = [&](int x, int y) {
-    const int right = kCorners * x, up = kCorners * y;
-    if (right >= samples.columns() || up >= samples.rows()) return 0.0f;
-    const float in = 1.0f - glm::length(samples.place(right, up));
-    return samples.dark(right, up) * glm::clamp(in / kRim, 0.0f, 1.0f);
+  const int step = samples.step();
+  const int columns = (samples.columns() - 1) / step + 1;
+  const int rows = (samples.rows() - 1) / step + 1;
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(x);
   };
+  std::vector<glm::vec3> normals;
+  normals.reserve(index(0, rows));
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x)
+      normals.push_back(normal(step * x, step * y));
+  }
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> corners(
-      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), kNone);
+  std::vector<std::uint32_t> corners(normals.size(), kNone);
   const auto corner = [&](int x, int y) {
-    std::uint32_t& number =
-        corners[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
-                static_cast<std::size_t>(x)];
+    std::uint32_t& number = corners[index(x, y)];
     if (number == kNone) {
       number = static_cast<std::uint32_t>(mesh.vertices.size());
-      const glm::vec2 at = samples.place(kCorners * x, kCorners * y);
-      mesh.vertices.push_back({{at.x, at.y, 0.0f}, {0.0f, 0.0f, dark(x, y)}});
+      const glm::vec2 at = samples.place(step * x, step * y);
+      mesh.vertices.push_back({{at.x, at.y, 0.0f}, normals[index(x, y)]});
     }
     return number;
   };
   for (int y = 0; y + 1 < rows; ++y) {
     for (int x = 0; x + 1 < columns; ++x) {
-      if (dark(x, y) + dark(x + 1, y) + dark(x, y + 1) + dark(x + 1, y + 1) == 0.0f) continue;
+      const auto amount = [&](int right, int up) {
+        return normals[index(x + right, y + up)].z;
+      };
+      if (amount(0, 0) + amount(1, 0) + amount(0, 1) + amount(1, 1) == 0.0f) continue;
       const std::uint32_t a = corner(x, y), b = corner(x + 1, y);
       const std::uint32_t c = corner(x + 1, y + 1), d = corner(x, y + 1);
       mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
@@ -151,6 +172,46 @@ MeshPtr mesh_of(const Samples& samples) {
   }
   if (mesh.indices.empty()) return nullptr;
   return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+// The vertices of casters in samples, in their order.
+std::vector<std::vector<glm::vec3>> all_in_samples(const std::vector<ShadowCaster>& casters,
+                                                   int per_radius) {
+  std::vector<std::vector<glm::vec3>> points;
+  points.reserve(casters.size());
+  for (const ShadowCaster& caster : casters)
+    points.push_back(in_samples(caster, per_radius));
+  return points;
+}
+
+// the casters stop light from these slopes; `points` are their vertices
+void stop_light(const std::vector<ShadowCaster>& casters,
+                const std::vector<std::vector<glm::vec3>>& points,
+                const std::vector<Vec2>& slopes,
+                Samples& samples) {
+  const auto lights = static_cast<int>(slopes.size());
+  std::vector<glm::vec2> fallen;
+  for (int light = 0; light < lights; ++light) {
+    const Vec2& there = slopes[static_cast<std::size_t>(light)];
+    const glm::vec2 slope(there.x(), there.y());
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+      // what is half transparent stops the light of half of the points
+      if (light + 0.5 > casters[i].density * lights) continue;
+      fallen.clear();
+      for (const glm::vec3& p : points[i])
+        fallen.push_back(glm::vec2(p) - p.z * slope);
+      const std::vector<std::uint32_t>& indices = casters[i].mesh->indices;
+      for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
+        const std::uint32_t a = indices[k], b = indices[k + 1], c = indices[k + 2];
+        if (points[i][a].z + points[i][b].z + points[i][c].z <= 0.0f) continue;
+        // the sides that face the light are enough
+        const glm::vec2 ab = fallen[b] - fallen[a], ac = fallen[c] - fallen[a];
+        if (ab.x * ac.y <= ab.y * ac.x) continue;
+        samples.stop(light, fallen[a], fallen[b], fallen[c]);
+      }
+    }
+  }
+  samples.blur();
 }
 
 }  // namespace
@@ -178,13 +239,12 @@ std::vector<Vec2> light_slopes(const Vec3& to_light) {
 
 MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light) {
   const std::vector<Vec2> slopes = light_slopes(to_light);
+  const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, kLampGrid.per_radius);
   glm::vec2 low(std::numeric_limits<float>::infinity());
   glm::vec2 high(-low);
-  std::vector<std::vector<glm::vec3>> points;
-  for (const ShadowCaster& caster : casters) {
-    points.push_back(in_samples(caster));
+  for (const std::vector<glm::vec3>& of_caster : points) {
     for (const Vec2& slope : slopes) {
-      for (const glm::vec3& p : points.back()) {
+      for (const glm::vec3& p : of_caster) {
         const glm::vec2 falls = glm::vec2(p) - p.z * glm::vec2(slope.x(), slope.y());
         low = glm::min(low, falls);
         high = glm::max(high, falls);
@@ -192,31 +252,38 @@ MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_lig
     }
   }
   if (!(low.x <= high.x)) return nullptr;
+  Samples samples(kLampGrid, static_cast<int>(slopes.size()), low, high);
+  stop_light(casters, points, slopes, samples);
+  const auto normal = [&](int x, int y) {
+    const float in = 1.0f - glm::length(samples.place(x, y));
+    return glm::vec3(0.0f, 0.0f, samples.dark(x, y) * glm::clamp(in / kRim, 0.0f, 1.0f));
+  };
+  return mesh_of(samples, normal);
+}
 
-  Samples samples(low, high);
-  std::vector<glm::vec2> fallen;
-  for (int light = 0; light < kLights; ++light) {
-    const Vec2& there = slopes[static_cast<std::size_t>(light)];
-    const glm::vec2 slope(there.x(), there.y());
-    for (std::size_t i = 0; i < casters.size(); ++i) {
-      // what is half transparent stops the light of half of the points
-      if (light + 0.5 > casters[i].density * kLights) continue;
-      fallen.clear();
-      for (const glm::vec3& p : points[i])
-        fallen.push_back(glm::vec2(p) - p.z * slope);
-      const std::vector<std::uint32_t>& indices = casters[i].mesh->indices;
-      for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
-        const std::uint32_t a = indices[k], b = indices[k + 1], c = indices[k + 2];
-        if (points[i][a].z + points[i][b].z + points[i][c].z <= 0.0f) continue;
-        // the sides that face the light are enough
-        const glm::vec2 ab = fallen[b] - fallen[a], ac = fallen[c] - fallen[a];
-        if (ab.x * ac.y <= ab.y * ac.x) continue;
-        samples.stop(light, fallen[a], fallen[b], fallen[c]);
-      }
-    }
+std::vector<Vec2> sky_slopes() {
+  // as much light comes from each: points of a disc straight below those of the sky
+  std::vector<Vec2> slopes;
+  const double golden = kPi * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < kSkyPoints; ++k) {
+    const int seed = 5 * k % kSkyPoints;  // any first ones are spread evenly
+    const double square = kSkyPart * (seed + 0.5) / kSkyPoints;
+    const double slope = std::sqrt(square / (1.0 - square));
+    slopes.emplace_back(slope * std::cos(golden * seed), slope * std::sin(golden * seed));
   }
-  samples.blur();
-  return mesh_of(samples);
+  return slopes;
+}
+
+MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters) {
+  const std::vector<Vec2> slopes = sky_slopes();
+  const glm::vec2 corner(static_cast<float>(kSkyGrid.per_radius));
+  Samples samples(kSkyGrid, static_cast<int>(slopes.size()), -corner, corner);
+  stop_light(casters, all_in_samples(casters, kSkyGrid.per_radius), slopes, samples);
+  const auto normal = [&](int x, int y) {
+    const float out = glm::clamp(2.0f * glm::length(samples.place(x, y)) - 1.0f, 0.0f, 1.0f);
+    return glm::vec3(samples.dark(x, y), 0.0f, 1.0f - out * out * (3.0f - 2.0f * out));
+  };
+  return mesh_of(samples, normal);
 }
 
 }  // namespace polhode

@@ -29,8 +29,20 @@ struct ShadowCaster {
 std::vector<Vec2> light_slopes(const Vec3& to_light);
 
 // The shadow, as a flat mesh in the plane z = 0 of the floor. Its normals are not unit: their z is
-// the darkness (0..1), for a material that is `soft`. Parts below the floor throw no shadow, and
-// nothing falls beside the floor. Null if there is no shadow.
+// the darkness (0..1), for a material that is `soft`; their x is 0. Parts below the floor throw no
+// shadow, and nothing falls beside the floor. Null if there is no shadow.
 MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light);
+
+// Directions to points of the sky but for its lowest part, from which equal parts of its light come
+// to a floor (Lambert's cosine law), as slopes.
+std::vector<Vec2> sky_slopes();
+// How far beyond its penumbra the shade of the sky is smoothed, in radii of the floor.
+inline constexpr double kSkyBlur = 0.35;
+
+// The floor itself, as a mesh in the plane z = 0. Its normals are not unit, for a material that is
+// `soft`: their z falls smoothly from 1, in the inner half, to 0 at the rim, and their x (0..1) is
+// the part of the light of the sky that the casters keep: large where something stands on the
+// floor, small and wide below what hovers.
+MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters);
 
 }  // namespace polhode

@@ -76,7 +76,8 @@ const std::vector<Theme>& themes() {
        .polhodes = hex("#d9e6d4"),
        .herpolhode = hex("#ff7a5c"),
        .trail = hex("#35a983"),
-       .floor = hex("#262d39")},
+       .floor = hex("#2c3442"),
+       .shadow = hex("#05070b")},
       {.name = "light",
        .background = hex("#f6f4ef"),
        .body = hex("#e2d2b0"),
@@ -98,7 +99,8 @@ const std::vector<Theme>& themes() {
        .polhodes = hex("#3a5c48"),
        .herpolhode = hex("#b5301c"),
        .trail = hex("#057251"),
-       .floor = hex("#e2ddd2")},
+       .floor = hex("#e9e5db"),
+       .shadow = hex("#2c2a2e")},
       // for weak lamps and bright rooms: black on white, strong colours, no pale surface
       {.name = "projector",
        .background = hex("#ffffff"),
@@ -121,7 +123,8 @@ const std::vector<Theme>& themes() {
        .polhodes = hex("#1f4a3a"),
        .herpolhode = hex("#9e1e0a"),
        .trail = hex("#006046"),
-       .floor = hex("#d9d9d9")},
+       .floor = hex("#dedede"),
+       .shadow = hex("#1c1c26")},
       // for paper: white ground, and greys that stay apart without colour
       {.name = "print",
        .background = hex("#ffffff"),
@@ -144,7 +147,8 @@ const std::vector<Theme>& themes() {
        .polhodes = hex("#3f5a48"),
        .herpolhode = hex("#802010"),
        .trail = hex("#116f53"),
-       .floor = hex("#ececec")},
+       .floor = hex("#ececec"),
+       .shadow = hex("#202020")},
   };
   return table;
 }

@@ -38,6 +38,7 @@ struct Theme {
   glm::vec3 herpolhode;
   glm::vec3 trail;
   glm::vec3 floor;
+  glm::vec3 shadow;  // what a floor is darkened to
 };
 
 // All themes; the table exists until the program ends.

@@ -47,8 +47,8 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
     const std::string constants = fmt::format(
         "#define FINISH {}\n#define TURNED {:d}\n#define FLAT {:d}\n#define VIVID {:d}\n"
         "#define SOFT {:d}\n#define MARKED {:d}\n"
-        "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define FACES {}\n#define "
-        "LIT_AT_CORNERS {:d}\n",
+        "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define LIGHT_GROUND {:d}\n"
+        "#define FACES {}\n#define LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
         kind.turned,
         kind.flat,
@@ -58,6 +58,7 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
         kind.shell,
         kind.fading,
         kind.dashed,
+        kind.light_ground,
         static_cast<int>(kind.faces),
         kind.shell && !kind.flat && !kind.marked && kind.finish == Finish::plain);
     entry = std::make_unique<Made>(gl_, constants + shader_source("light.glsl"));
@@ -86,6 +87,7 @@ void SurfacePrograms::use(const Material& material,
                     material.alpha < 1.0f,
                     fade < 1.0f,
                     hidden && material.dashes > 0.0f,
+                    view_.light_ground && !material.flat,
                     faces});
   const Uniforms& u = now.u;
   if (used_ != &now) now.program.use();

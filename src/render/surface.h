@@ -38,9 +38,11 @@ class SurfacePrograms {
     bool turned = false;
     bool flat = false, vivid = false, soft = false, marked = false;
     bool shell = false, fading = false, dashed = false;
+    bool light_ground = false;
     Faces faces = Faces::front;
     auto all() const {
-      return std::tie(finish, turned, flat, vivid, soft, marked, shell, fading, dashed, faces);
+      return std::tie(
+          finish, turned, flat, vivid, soft, marked, shell, fading, dashed, light_ground, faces);
     }
     friend bool operator<(const Kind& a, const Kind& b) { return a.all() < b.all(); }
   };

@@ -119,7 +119,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"ghosts", {.ghosts = 5}},
                                                {"omega_components", {.arrows = 3}},
                                                {"euler_rates", {.arrows = 3}},
-                                               {"torque", {.arrows = 1}},
+                                               {"torque", {.arrows = 2}},
                                                {"gravity", {.arrows = 1}},
                                                {"axis_plane", {.meshes = 1, .sheets = 1}},
                                                {"ellipsoid", {.shells = 1}},

@@ -69,27 +69,28 @@ TEST(Mesh, ClusteringKeepsTheShape) {
   EXPECT_EQ(clustered(unit_cone(8), 64).indices.size(), unit_cone(8).indices.size());
 }
 
-// it covers the disc, opaque in the middle and gone at the rim
-TEST(Mesh, AFadingDiscCoversTheDisc) {
-  const Mesh disc = fading_disc(64);
+// seen from above, a circle and twelve ticks of lines that are gone at their sides
+TEST(Mesh, ADialIsACircleWithTicks) {
+  const Mesh lines = dial(72);
   double area = 0.0;
-  for (std::size_t i = 0; i < disc.indices.size(); i += 3) {
-    const glm::vec3& a = disc.vertices[disc.indices[i]].position;
-    const glm::vec3& b = disc.vertices[disc.indices[i + 1]].position;
-    const glm::vec3& c = disc.vertices[disc.indices[i + 2]].position;
+  for (std::size_t i = 0; i < lines.indices.size(); i += 3) {
+    const glm::vec3& a = lines.vertices[lines.indices[i]].position;
+    const glm::vec3& b = lines.vertices[lines.indices[i + 1]].position;
+    const glm::vec3& c = lines.vertices[lines.indices[i + 2]].position;
     const float piece = 0.5f * glm::cross(b - a, c - a).z;
     EXPECT_GT(piece, 0.0f);
     area += piece;
   }
-  EXPECT_NEAR(area, kPi, 0.01);
-  for (const Vertex& vertex : disc.vertices) {
+  const double width = 0.014, ticks = 8 * 0.05 + 4 * 0.11;
+  EXPECT_NEAR(area, width * (2.0 * kPi + ticks), 0.01 * area);
+  for (const Vertex& vertex : lines.vertices) {
     const float radius = glm::length(vertex.position);
-    if (radius < 0.501f) {
-      EXPECT_EQ(vertex.normal.z, 1.0f);
+    if (radius > 1.001f) {
+      EXPECT_EQ(vertex.normal.z, 0.0f);
     }
-    if (radius > 0.999f) {
-      EXPECT_NEAR(vertex.normal.z, 0.0f, 1e-6f);
-    }
+    EXPECT_GT(radius, 0.88f);
+    EXPECT_LT(radius, 1.008f);
+    EXPECT_EQ(vertex.normal.x, 0.0f);
   }
 }
 

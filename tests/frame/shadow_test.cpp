@@ -16,8 +16,9 @@ constexpr int kCells = 200;  // of the floor, from -1 to 1
 // The darkness at the middles of a grid of cells, by the triangles of the mesh.
 class Darkness {
  public:
-  explicit Darkness(const MeshPtr& shadow)
-      : at_(static_cast<std::size_t>(kCells * kCells), 0.0), shadow_(shadow) {
+  // part: the component of the normals that says it
+  explicit Darkness(const MeshPtr& shadow, int part = 2)
+      : at_(static_cast<std::size_t>(kCells * kCells), 0.0), shadow_(shadow), part_(part) {
     if (shadow == nullptr) return;
     for (std::size_t i = 0; i + 2 < shadow->indices.size(); i += 3)
       add(corner(i), corner(i + 1), corner(i + 2));
@@ -55,14 +56,15 @@ class Darkness {
         const double u = (p.x() * ac.y() - p.y() * ac.x()) / twice;
         const double v = (ab.x() * p.y() - ab.y() * p.x()) / twice;
         if (u < 0.0 || v < 0.0 || u + v > 1.0) continue;
-        at_[index(x, y)] =
-            a.normal.z + u * (b.normal.z - a.normal.z) + v * (c.normal.z - a.normal.z);
+        at_[index(x, y)] = a.normal[part_] + u * (b.normal[part_] - a.normal[part_]) +
+                           v * (c.normal[part_] - a.normal[part_]);
       }
     }
   }
 
   std::vector<double> at_;
   MeshPtr shadow_;
+  int part_;
 };
 
 // a box with edges along the axes
@@ -176,6 +178,76 @@ TEST(Shadow, OfALowLightStaysShort) {
       mean += slope / static_cast<double>(slopes.size());
     EXPECT_LT(mean.norm(), 1.8);
     EXPECT_NE(shadow_mesh({kBlock.caster()}, to_light), nullptr);
+  }
+}
+
+// rays to all points of the sky: the floor keeps what the body hides, but for the stated blur
+TEST(Floor, IsDarkWhereTheBodyHidesTheSky) {
+  const Darkness dark(floor_mesh({kBlock.caster()}), 0);
+  const std::vector<Vec2> slopes = sky_slopes();
+  const auto hidden = [&](const Vec2& at) {
+    double sum = 0.0;
+    for (const Vec2& slope : slopes)
+      sum += kBlock.stops(at, slope) ? 1.0 / static_cast<double>(slopes.size()) : 0.0;
+    return sum;
+  };
+  double area = 0.0, found = 0.0;
+  for (int y = 0; y < kCells; y += 2) {
+    for (int x = 0; x < kCells; x += 2) {
+      const Vec2 at = Darkness::middle(x, y);
+      if (at.norm() > 0.9) continue;
+      area += hidden(at);
+      found += dark(x, y);
+      double least = 1.0, most = 0.0;
+      for (int k = 0; k < 12; ++k) {
+        for (const double out : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+          const double turn = 2.0 * kPi * k / 12;
+          const double here = hidden(at + out * kSkyBlur * Vec2(std::cos(turn), std::sin(turn)));
+          least = std::min(least, here);
+          most = std::max(most, here);
+        }
+      }
+      EXPECT_GE(dark(x, y), least - 0.01) << at.transpose();
+      EXPECT_LE(dark(x, y), most + 0.01) << at.transpose();
+    }
+  }
+  EXPECT_NEAR(found, area, 0.06 * area);
+}
+
+// equal parts of the light of the sky, Lambert's law: as much within half of the radius of the disc
+// below it as its area says
+TEST(Floor, HasAnEvenSky) {
+  int inner = 0;
+  for (const Vec2& slope : sky_slopes())
+    inner += slope.norm() / std::sqrt(1.0 + slope.squaredNorm()) < 0.5 ? 1 : 0;
+  EXPECT_NEAR(inner, 0.25 / 0.8 * static_cast<double>(sky_slopes().size()), 0.8);
+}
+
+// what stands on it darkens it more than what hovers, and nothing does not
+TEST(Floor, IsDarkestWhereSomethingStands) {
+  const auto darkest = [](double height) {
+    float most = 0.0f;
+    for (const Vertex& vertex :
+         floor_mesh({Block{{0, 0, height}, {0.2, 0.2, 0.1}}.caster()})->vertices)
+      most = std::max(most, vertex.normal.x);
+    return most;
+  };
+  EXPECT_GT(darkest(0.1), 0.6f);
+  EXPECT_LT(darkest(0.8), 0.5f * darkest(0.1));
+  for (const Vertex& vertex : floor_mesh({})->vertices)
+    EXPECT_EQ(vertex.normal.x, 0.0f);
+}
+
+// opaque in the middle and gone at the rim
+TEST(Floor, FadesOutwards) {
+  for (const Vertex& vertex : floor_mesh({})->vertices) {
+    const float radius = glm::length(vertex.position);
+    if (radius < 0.5f) {
+      EXPECT_EQ(vertex.normal.z, 1.0f);
+    }
+    if (radius >= 1.0f) {
+      EXPECT_EQ(vertex.normal.z, 0.0f);
+    }
   }
 }
 

@@ -96,7 +96,7 @@ TEST_F(Surface, LitOnesDarkenWithTheAngleOfTheLight) {
   EXPECT_GT(before, 0) << "the fill light is left";
 }
 
-// half of the light of vivid ones comes from everywhere
+// more than half of the light of vivid ones comes from everywhere
 TEST_F(Surface, VividOnesKeepTheirColourInTheShade) {
   Material material;
   material.color = glm::vec3(0.8f, 0.4f, 0.1f);
@@ -105,10 +105,29 @@ TEST_F(Surface, VividOnesKeepTheirColourInTheShade) {
   const auto light = [&] {
     return std::pow(drawn(material).at(kSurfaceSide / 2, kSurfaceSide / 2)[0] / (255.0 * 0.8), 2);
   };
-  const double shade = light();
-  EXPECT_LT(shade, 0.6);
-  material.vivid = true;
-  EXPECT_NEAR(light(), 0.5 + 0.5 * shade, 0.01);
+  for (const bool light_ground : {false, true}) {
+    view_.light_ground = light_ground;
+    material.vivid = false;
+    EXPECT_LT(light(), 0.6);
+    material.vivid = true;
+    EXPECT_GT(light(), 0.68);
+  }
+}
+
+// what turns away from the eye parts from the ground: darker before a light one, lit from behind
+// before a dark one
+TEST_F(Surface, LimbsPartFromTheGround) {
+  Material material;
+  material.color = glm::vec3(0.5f);
+  material.gloss = 0.0f;
+  const auto seen_from = [&](const glm::vec3& eye, bool light_ground) {
+    view_.eye = eye;
+    view_.light_ground = light_ground;
+    return drawn(material).at(kSurfaceSide / 2, kSurfaceSide / 2)[0];
+  };
+  const glm::vec3 above(0, 0, 500), edge_on(500, 0, 20);
+  EXPECT_LT(seen_from(edge_on, true), seen_from(above, true) - 15);
+  EXPECT_GT(seen_from(edge_on, false), seen_from(above, false) + 4);
 }
 
 // a molecule and a planet are shaded alike, though the determinants of their matrices are out of

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
+#include <glm/common.hpp>
+
 #include "frame/elements/parts.h"
 #include "frame/stand.h"
 
@@ -9,23 +11,45 @@ namespace {
 constexpr double kFloorRadius = 1.4;
 constexpr double kFreeFloorRadius = 1.8;   // under a free body
 constexpr double kFramedFloor = 0.65;      // the part of it that a picture has to show
-constexpr double kFramedFreeFloor = 0.35;  // of that under a free body
+constexpr double kFramedFreeFloor = 0.45;  // of that under a free body
 constexpr double kThin = 2.8 * kOmegaShape.shaft_radius;  // rods, beside which vectors are no lines
-constexpr float kShadowDepth = 0.5f;                      // how dark a full shadow is
+constexpr double kDialRadius = 1.05;                      // in units of the body's radius
+constexpr double kFreeDialRadius = 0.8;                   // under a free body
+constexpr float kDialAlpha = 0.3f;
+// how dark a full shadow of the lamp is, and where no light of the sky comes
+constexpr float kShadowDepth = 0.42f;
+constexpr float kShadeDepth = 0.5f;
 constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
 constexpr float kGhostAlpha = 0.16f;
 
+// a disc that fades outwards, with a dial of the radius `of_dial` (m), and what lies on it
+FloorGlyph floor_at(
+    const Scenery& scenery, const Vec3& center, const Vec3& up, double radius, double of_dial) {
+  Material floor = plain(scenery.theme.floor, 0.0f);
+  floor.flat = floor.soft = true;
+  Material shadow = floor;
+  shadow.color = scenery.theme.shadow;
+  shadow.alpha = kShadowDepth;
+  Material lines = floor;
+  lines.color = scenery.theme.space_axes;
+  lines.alpha = kDialAlpha;
+  floor.mark_color = glm::mix(floor.color, scenery.theme.shadow, kShadeDepth);
+  return {disc_placement(center, up, radius),
+          floor,
+          shadow,
+          {scenery.dial, disc_placement(center, up, of_dial), lines}};
+}
+
 // the table is seen all over where the body goes
 void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const double radius = kFreeFloorRadius * scenery.scale.body + scenery.table_reach;
-  Material material = plain(scenery.theme.floor, 0.0f);
-  material.flat = material.soft = true;
-  const Placement place = disc_placement(scenery.table_middle, Vec3::UnitZ(), radius);
-  glyphs.floors.push_back({{scenery.floor, place, material}, kShadowDepth});
+  const double size = scenery.scale.body;
+  const double radius = kFreeFloorRadius * size + scenery.table_reach;
+  glyphs.floors.push_back(
+      floor_at(scenery, scenery.table_middle, Vec3::UnitZ(), radius, kFreeDialRadius * size));
   const Vec3 below(sample.center_S.x(), sample.center_S.y(), 0.0);
-  add_rim_reach(disc_placement(below, Vec3::UnitZ(), 0.9 * scenery.scale.body), 16, glyphs);
+  add_rim_reach(disc_placement(below, Vec3::UnitZ(), 0.9 * size), 16, glyphs);
 }
 
 // wider where the body is higher above it
@@ -148,20 +172,19 @@ void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   add_stand_under(scenery, pivot - outer * up, glyphs);
 }
 
-// a disc that fades outwards, with the shadow of the body and its stand
+// a disc that fades outwards, a dial on it, and the shadow of the body and its stand
 void add_floor(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   if (scenery.motion.model().table) {
     add_table(scenery, sample, glyphs);
     return;
   }
   const Vec3& up = scenery.motion.model().up_S;
+  const bool on_pivot = scenery.motion.model().on_pivot;
   const Vec3 center = scenery.motion.at(0.0).reference_S - floor_depth(scenery) * up;
-  Material material = plain(scenery.theme.floor, 0.0f);
-  material.flat = material.soft = true;
   const double radius = floor_radius(scenery);
-  glyphs.floors.push_back(
-      {{scenery.floor, disc_placement(center, up, radius), material}, kShadowDepth});
-  const double framed = scenery.motion.model().on_pivot ? kFramedFloor : kFramedFreeFloor;
+  const double of_dial = (on_pivot ? kDialRadius : kFreeDialRadius) * scenery.scale.body;
+  glyphs.floors.push_back(floor_at(scenery, center, up, radius, of_dial));
+  const double framed = on_pivot ? kFramedFloor : kFramedFreeFloor;
   add_rim_reach(disc_placement(center, up, framed * radius), 16, glyphs);
 }
 

@@ -115,6 +115,18 @@ void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs) {
   }
 }
 
+void add_line(const std::function<Vec3(std::size_t i)>& point,
+              std::size_t points,
+              std::size_t count,
+              Glyphs& glyphs) {
+  if (points < 2) return;
+  const std::size_t pieces = std::min(count, points - 1);
+  for (std::size_t k = 0; k < pieces; ++k) {
+    glyphs.lines.push_back(
+        {point(k * (points - 1) / pieces), point((k + 1) * (points - 1) / pieces)});
+  }
+}
+
 void add_ball_reach(const Placement& place, Glyphs& glyphs) {
   constexpr int kAround = 24;
   // as far out as the middles of the faces between the points lie inside

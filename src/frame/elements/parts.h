@@ -3,6 +3,7 @@
 // frame/elements/.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "frame/glyphs.h"
@@ -69,6 +70,13 @@ Placement principal_placement(const Scenery& scenery, const Sample& sample);
 Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);
 // Adds `count` points of the rim of a disc to glyphs.reach, for framing.
 void add_rim_reach(const Placement& disc, int count, Glyphs& glyphs);
+
+// Adds pieces between `count` + 1 points (S, m), evenly spaced among those of a curve, to
+// glyphs.lines. point(i): the i-th of `points`.
+void add_line(const std::function<Vec3(std::size_t i)>& point,
+              std::size_t points,
+              std::size_t count,
+              Glyphs& glyphs);
 
 // Adds points to glyphs.reach whose convex hull contains the image of the unit ball and is hardly
 // larger, for framing.

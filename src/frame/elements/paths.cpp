@@ -34,6 +34,15 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
        i < path.points.size() && path.parameters[i] <= to;
        i += 8)
     glyphs.reach.push_back(path.points[i]);
+  constexpr std::size_t kPieces = 40;
+  const auto last = std::upper_bound(first, path.parameters.end(), to);
+  add_line(
+      [&](std::size_t i) {
+        return path.points[static_cast<std::size_t>(first - path.parameters.begin()) + i];
+      },
+      static_cast<std::size_t>(last - first),
+      kPieces,
+      glyphs);
 }
 
 // the path of the axis, and the axis from the body to where it writes: else the path would hover

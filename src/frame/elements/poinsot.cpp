@@ -3,6 +3,7 @@
 // square to, and touches it at the tip of the angular velocity (Landau and Lifshitz, Mechanics,
 // section 37; Goldstein, 5.6). And Binet's: in the space of L, an ellipsoid and a sphere.
 #include <algorithm>
+#include <cmath>
 
 #include "frame/elements/parts.h"
 #include "math/so3.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kPlaneRadius = 1.9;
 constexpr double kAxisPlaneRadius = 1.45;
+constexpr std::size_t kPiecesOfLine = 32;
 constexpr double kContactRadius = 0.04;  // of the ball at the point of contact
 
 // {w : w.I w = twice the energy}, in metres of the picture
@@ -35,6 +37,12 @@ void add_body_curve(const Scenery& scenery,
   Placement place = principal_placement(scenery, sample);
   place.linear() *= scenery.scale.body;
   glyphs.meshes.push_back({mesh, place, plain(color, 0.1f)});
+  // corners of the tube are near enough to its middle
+  const std::vector<Vertex>& corners = mesh->vertices;
+  add_line([&](std::size_t i) { return Vec3(place * to_eigen(corners[i].position)); },
+           corners.size(),
+           kPiecesOfLine,
+           glyphs);
 }
 
 // a direction in the invariable plane, to the right in a camera that sees L vertical, and `nearer`
@@ -77,6 +85,14 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   glyphs.sheets.push_back({{scenery.disc, place, material}, center, up});
   glyphs.meshes.push_back({scenery.ring, place, plain(scenery.theme.plane, 0.1f)});
   add_rim_reach(place, 24, glyphs);
+  add_line(
+      [&](std::size_t i) {
+        const double angle = 2.0 * kPi * static_cast<double>(i) / kPiecesOfLine;
+        return Vec3(place * Vec3(std::cos(angle), std::sin(angle), 0.0));
+      },
+      kPiecesOfLine + 1,
+      kPiecesOfLine,
+      glyphs);
 
   Placement contact = Placement::Identity();
   contact.translation() = omega_tip(scenery, sample);
@@ -98,11 +114,13 @@ void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   if (!scenery.paths.polhode) return;
   add_body_curve(scenery, sample, scenery.paths.polhode, scenery.theme.polhode, glyphs);
   const BodyModel& model = scenery.motion.model();
-  const Vec3 opposite_P = opposite_on_polhode(model, principal_rate(model, sample));
-  const Vec3 away = principal_placement(scenery, sample).linear() * opposite_P;
+  const Vec3 w_P = principal_rate(model, sample);
+  const Vec3 opposite_P = opposite_on_polhode(model, w_P);
+  const Mat3 turn = principal_placement(scenery, sample).linear();
+  // off the curve: away from the axis around which it goes
   add_name(scenery,
-           sample.reference_S + scenery.scale.omega * away,
-           away,
+           sample.reference_S + scenery.scale.omega * (turn * opposite_P),
+           turn * Vec3(0.5 * (opposite_P - w_P)),
            "polhode",
            scenery.theme.polhode,
            1.0f,

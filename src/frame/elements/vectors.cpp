@@ -174,11 +174,13 @@ void add_euler_rates(const Scenery& scenery, const Sample& sample, Glyphs& glyph
   }
 }
 
-// what changes L, about the reference point
+// what changes L, about the reference point; with two heads, as engineers draw moments: the weight
+// has the same colour
 void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const BodyModel& model = scenery.motion.model();
   const State state = scenery.motion.state_at(sample.t);
   const Vec3 torque_S = state.q * torque(model, sample.t, state);
+  const std::size_t before = glyphs.arrows.size();
   add_at_reference(scenery,
                    sample,
                    scenery.scale.torque * torque_S,
@@ -186,6 +188,17 @@ void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
                    plain(scenery.theme.force, 0.25f),
                    glyphs,
                    name_of(scenery, &VectorNames::torque, "<b>τ</b>"));
+  if (glyphs.arrows.size() == before) return;
+  const ArrowGlyph& arrow = glyphs.arrows.back();
+  const Vec3 along = arrow.tip - arrow.from;
+  const double head = fitting(arrow.shape, along.norm()).head_length;
+  if (along.norm() < 3.0 * head) return;
+  // its neck is where the first head begins
+  const Vec3 back = along.normalized() * head;
+  ArrowGlyph second = arrow;
+  second.tip = arrow.tip - 0.75 * back;
+  second.from = second.tip - 1.5 * back;
+  glyphs.arrows.push_back(second);
 }
 
 // m g on the centre of mass, downwards or to where the Earth is

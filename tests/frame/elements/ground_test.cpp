@@ -61,7 +61,7 @@ TEST(Ground, TheStandReachesFromTheFloorToThePivot) {
   const Sample now = picture.scenery().motion.at(0.3);
   const std::vector<MeshGlyph> meshes = picture.glyphs_at(now).meshes;
   ASSERT_EQ(meshes.size(), 1u);
-  const Vec3 floor = picture.glyphs_at(now).floors.at(0).disc.space_from_mesh.translation();
+  const Vec3 floor = picture.glyphs_at(now).floors.at(0).place.translation();
   ASSERT_NE(meshes[0].rough, nullptr);
   for (const MeshPtr& mesh : {meshes[0].mesh, meshes[0].rough}) {
     Vec3 tip = floor;
@@ -102,7 +102,7 @@ TEST(Ground, GimbalsTurnByTheAnglesOfEuler) {
     EXPECT_LT(on_ring(inner, kInnerGimbal * size * axle), 1e-12);
     const Vec3 tip = stand.space_from_mesh.translation();
     EXPECT_LT((tip - now.reference_S + kOuterGimbal * size * up).norm(), 1e-12);
-    const Vec3 floor = glyphs.floors.at(0).disc.space_from_mesh.translation();
+    const Vec3 floor = glyphs.floors.at(0).place.translation();
     EXPECT_NEAR((tip - floor).z(), kStandHeight * size, 1e-12);
 
     ASSERT_EQ(glyphs.rods.size(), 3u);
@@ -125,10 +125,10 @@ TEST(Ground, TheShadowFollowsTheBody) {
   // the middle of the darkness, S
   const auto shade_at = [&](double t) {
     const Sample sample = picture.scenery().motion.at(t);
-    const Placement floor = picture.glyphs_at(sample).floors.at(0).disc.space_from_mesh;
+    const Placement floor = picture.glyphs_at(sample).floors.at(0).place;
     Vec3 sum = Vec3::Zero();
     double dark = 0.0;
-    const DrawItem shadow = picture.at(t).translucent.at(1);
+    const DrawItem shadow = picture.at(t).translucent.at(2);  // after the floor and its dial
     for (const Vertex& vertex : shadow.mesh->vertices) {
       sum += vertex.normal.z * (floor * to_eigen(vertex.position));
       dark += vertex.normal.z;
@@ -136,8 +136,8 @@ TEST(Ground, TheShadowFollowsTheBody) {
     return Vec3(sum / dark);
   };
   const Sample before = picture.scenery().motion.at(0.0), after = picture.scenery().motion.at(0.3);
-  EXPECT_EQ(picture.glyphs_at(before).floors.at(0).disc.space_from_mesh.matrix(),
-            picture.glyphs_at(after).floors.at(0).disc.space_from_mesh.matrix());
+  EXPECT_EQ(picture.glyphs_at(before).floors.at(0).place.matrix(),
+            picture.glyphs_at(after).floors.at(0).place.matrix());
   const Vec3 moved = shade_at(0.3) - shade_at(0.0);
   const Vec3 body = after.center_S - before.center_S;
   EXPECT_LT((moved - body).norm(), 0.2 * body.norm());
@@ -154,7 +154,7 @@ TEST(Ground, TheWeightEndsAboveTheFloor) {
     const Composer picture = picture_of(test::cone_body(), motion, show);
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.0));
     const ArrowGlyph& weight = glyphs.arrows.at(0);
-    const double floor = glyphs.floors.at(0).disc.space_from_mesh.translation().z();
+    const double floor = glyphs.floors.at(0).place.translation().z();
     const double length = (weight.tip - weight.from).norm() / picture.scenery().scale.body;
     if (tilt < 1.5) {
       EXPECT_GT(weight.tip.z(), floor);
@@ -224,8 +224,7 @@ TEST(Ground, TheStandIsAsHighAsTheBodyNeeds) {
   bool near = false;
   for (double t = 0.0; t <= motion.duration; t += 0.01) {
     const Sample sample = picture.scenery().motion.at(t);
-    const double floor =
-        picture.glyphs_at(sample).floors.at(0).disc.space_from_mesh.translation().z();
+    const double floor = picture.glyphs_at(sample).floors.at(0).place.translation().z();
     for (const Vec3& corner : picture.scenery().hull_B) {
       const double height = (body_placement(picture.scenery(), sample) * corner).z() - floor;
       EXPECT_GT(height, 0.0) << t;
@@ -243,7 +242,7 @@ TEST(Ground, VectorsThrowShadows) {
     const Composer picture = picture_of(test::prolate_body(), test::wobbling(), show);
     const DrawList list = picture.at(0.4);
     double dark = 0.0;
-    for (std::size_t i = 1; i < list.translucent.size(); ++i) {
+    for (std::size_t i = 2; i < list.translucent.size(); ++i) {  // after the floor and its dial
       for (const Vertex& vertex : list.translucent[i].mesh->vertices)
         dark += vertex.normal.z;
     }
