@@ -50,6 +50,14 @@ std::string what_it_is(const BatchJob& job) {
   return one_line(fmt::format("polhode {} {}", job.command, shell_line(job.arguments)));
 }
 
+// a file of the folder for --output, in which % begins a pattern
+std::string log_pattern(const std::filesystem::path& folder, const char* name) {
+  std::string pattern;
+  for (const char c : folder.string())
+    pattern += c == '%' ? std::string("%%") : std::string(1, c);
+  return pattern + "/logs/" + name;
+}
+
 }  // namespace
 
 std::string shell_line(const std::vector<std::string>& words) {
@@ -140,7 +148,7 @@ std::vector<std::string> call_for_tasks(const std::filesystem::path& folder,
           "--parsable",
           "--array=" + array,
           "--chdir=" + folder.string(),
-          "--output=logs/task-%a.log",
+          "--output=" + log_pattern(folder, "task-%a.log"),
           (folder / "tasks.sh").string()};
 }
 
@@ -150,7 +158,7 @@ std::vector<std::string> call_for_collecting(const std::filesystem::path& folder
   if (!after.empty()) words.push_back("--dependency=afterany:" + after);
   words.insert(words.end(),
                {"--chdir=" + folder.string(),
-                "--output=logs/collect.log",
+                "--output=" + log_pattern(folder, "collect.log"),
                 (folder / "collect.sh").string()});
   return words;
 }

@@ -193,14 +193,24 @@ int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, s
 
 SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   check_slurm_options(job.slurm);
-  if (job.most_tasks < 1)
-    throw input_error("must be greater than 0, got {}", job.most_tasks).at({{}, 0, "--max-tasks"});
   const fs::path folder = job_folder_of(work.output);
+  if (folder.string().find('\\') != std::string::npos)
+    throw input_error("Slurm takes no backslash in the name of a folder")
+        .at({folder.string(), 0, {}});
 
   // a run starts as a process before it starts to work
   DividedWork measured = work;
   measured.start_s += seconds_of([&] { run_child({own_program(), "--version"}, ""); });
-  const TaskSizes planned = sizes_of_tasks(measured, job.most_tasks);
+  if (job.tasks > std::min<long>(work.pieces, job.most_tasks)) {
+    throw input_error("there are {} {}, and at most {} tasks; got {}",
+                      work.pieces,
+                      work.things,
+                      job.most_tasks,
+                      job.tasks)
+        .at({{}, 0, "--tasks"});
+  }
+  const TaskSizes planned = job.tasks > 0 ? sizes_of_tasks(measured, measured.start_s, job.tasks)
+                                          : sizes_of_tasks(measured, job.most_tasks);
   BatchJob batch = batch_job_of(job, work, planned);
   bool is_active = false;
   if (job.dry_run) {

@@ -18,6 +18,7 @@ struct SubmitJob {
   std::vector<std::string> arguments;  // its words
   SlurmOptions slurm;
   int most_tasks = 1000;  // the usual MaxArraySize of Slurm allows that many
+  int tasks = 0;          // exactly so many; 0: by their cost
   bool dry_run = false;   // queue nothing, write nothing, return the scripts
   bool wait = false;      // until the product is there
   ProgressKind progress = ProgressKind::automatic;

@@ -101,7 +101,8 @@ class Composer {
   Camera camera() const { return camera_at(0.0); }
   // The camera at the time `film` (s of film).
   Camera camera_at(double film) const;
-  // The number of cameras: that of the scene and one for each shot, in the order in which they come.
+  // The number of cameras: that of the scene and one for each shot, in the order in which they
+  // come.
   std::size_t cameras() const { return rigs_.size(); }
   // One of them at the time `film` (s of film), whether or not the film is seen by it then.
   Camera camera_at(double film, std::size_t index) const;

@@ -191,7 +191,10 @@ TEST_F(Segments, WrongWishesAreOneLine) {
                {"a.png", "--shard 1/2", "cannot be made in pieces"},
                {"a.gif", "--resume", "cannot be resumed"},
                {"a.hash", "--resume", "cannot be resumed"},
-               {"a.mp4", "--resume --shard 1/2", "is for whole films"}};
+               {"a.mp4", "--resume --shard 1/2", "there are only 1 pieces; make at most"},
+               {"a.mp4", "--resume --pieces 26", "--pieces: the film has only 25 frames"},
+               {"a.mp4", "--resume --pieces 0", "--pieces: must be from 1"},
+               {"a.mp4", "--pieces 2", "--pieces: is the number of pieces of --resume"}};
   for (const auto& one : cases) {
     expect_one_line(render(one.output, one.options), 2, one.says);
   }

@@ -32,6 +32,8 @@ SMALLER = {
     "lecture": ["--size", "192x108", "--fps", "5"],
     "stability": ["--cells", "4x4", "--turns", "4"],
 }
+# What `submit` can divide.
+DIVISIBLE = {"render", "lecture", "chart", "stability", "section"}
 # Units that a key may carry.
 SUFFIXES = {"mm", "cm", "km", "g", "ms", "min", "h", "d", "deg", "deg_per_s", "rpm", "hz", "g_cm2", "g_per_cm3"}
 # Programs that would open a window.
@@ -96,8 +98,11 @@ def command_lines(text):
             words = shlex.split(call)
         except ValueError:
             words = call.split()
-        if words:
-            yield words[0], [word.split("=")[0] for word in words[1:] if re.match(r"--?[a-z]", word)]
+        # `submit` is followed by the command that it divides
+        inner = next((i for i, word in enumerate(words) if word in DIVISIBLE and words[0] == "submit"), len(words))
+        for part in (words[:inner], words[inner:]):
+            if part:
+                yield part[0], [word.split("=")[0] for word in part[1:] if re.match(r"--?[a-z]", word)]
 
 
 def check_options(page, program, complaints):

@@ -113,6 +113,7 @@ void KeptRows::add(const std::string& line) {
 }
 
 void KeptRows::save() const {
+  if (lines_.empty()) return;
   write_file(own_, words_ + '\n' + lines_);
 }
 

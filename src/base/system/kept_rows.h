@@ -37,7 +37,7 @@ class KeptRows {
   void load(const std::function<bool(const std::string& line)>& take_up);
   // Appends a line, given without its line break.
   void add(const std::string& line);
-  // Writes the file now.
+  // Writes the file now, unless there are no lines.
   void save() const;
   // Deletes the file and those of the parts of the job, after a complete run; failure is ignored.
   void remove() const;

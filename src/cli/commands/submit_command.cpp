@@ -58,7 +58,7 @@ std::optional<DividedWork> work_of(const std::vector<std::string>& words) {
 struct SubmitOptions {
   std::vector<std::string> words;
   SubmitJob job;
-  std::optional<int> most_tasks, at_once;
+  std::optional<int> most_tasks, tasks, at_once;
   ProgressOptions progress;
 };
 
@@ -82,6 +82,9 @@ Action define_submit(CLI::App& command) {
   add_whole_number(
       command, "--max-tasks", options->most_tasks, "at most so many tasks (default: 1000)")
       ->type_name("M");
+  add_whole_number(
+      command, "--tasks", options->tasks, "exactly so many tasks (default: by their measured cost)")
+      ->type_name("N");
   add_whole_number(command, "--at-once", options->at_once, "at most so many tasks at a time")
       ->type_name("M");
   command.add_flag("--dry-run",
@@ -91,10 +94,14 @@ Action define_submit(CLI::App& command) {
   add_progress(command, options->progress);
   return [options] {
     SubmitJob& job = options->job;
-    if (options->at_once && *options->at_once < 1) {
-      throw input_error("must be greater than 0, got {}", *options->at_once)
-          .at({{}, 0, "--at-once"});
-    }
+    const auto positive = [](const std::optional<int>& value, const char* option) {
+      if (value && *value < 1)
+        throw input_error("must be greater than 0, got {}", *value).at({{}, 0, option});
+    };
+    positive(options->most_tasks, "--max-tasks");
+    positive(options->tasks, "--tasks");
+    positive(options->at_once, "--at-once");
+    job.tasks = options->tasks.value_or(0);
     job.most_tasks = options->most_tasks.value_or(job.most_tasks);
     job.slurm.at_once = options->at_once.value_or(0);
     job.progress = progress_of(options->progress);

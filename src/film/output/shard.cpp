@@ -48,7 +48,7 @@ std::vector<long> pieces_of(const std::optional<Shard>& shard,
                             long pieces,
                             const std::string& things) {
   const Shard part = shard.value_or(Shard{});
-  if (part.of > pieces) {
+  if (shard && part.of > pieces) {
     throw input_error(
         "there are only {} {}; make at most that many parts, not {}", pieces, things, part.of)
         .at({{}, 0, "--shard"});
