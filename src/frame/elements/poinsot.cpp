@@ -14,7 +14,7 @@ namespace {
 constexpr double kPlaneRadius = 1.9;
 constexpr double kAxisPlaneRadius = 1.45;
 constexpr std::size_t kPiecesOfLine = 32;
-constexpr double kContactRadius = 0.04;  // of the ball at the point of contact
+constexpr double kPlaneContactRadius = 0.04;  // of the ball at the point of contact
 
 // {w : w.I w = twice the energy}, in metres of the picture
 Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
@@ -96,9 +96,9 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
   Placement contact = Placement::Identity();
   contact.translation() = omega_tip(scenery, sample);
-  contact.linear() *= kContactRadius * scenery.scale.body;
+  contact.linear() *= kPlaneContactRadius * scenery.scale.body;
   glyphs.meshes.push_back({scenery.ball, contact, plain(scenery.theme.position, 0.3f)});
-  glyphs.marks.push_back({contact.translation(), kContactRadius * scenery.scale.body});
+  glyphs.marks.push_back({contact.translation(), kPlaneContactRadius * scenery.scale.body});
 
   const Vec3 out = beside(up, 0.5);
   add_name(scenery,
