@@ -151,7 +151,7 @@ class Reader {
     }
     if (row == nullptr) {
       throw input_error(
-          "say what to make of '{}': .film, .loop, .still, .compare, .chart, "
+          "say what to make of '{}': .film, .loop, .turn, .still, .compare, .chart, "
           ".stability or .inspect, as in ![…]({}){{.film}}",
           picture.scenes[0],
           picture.scenes[0]);
@@ -334,6 +334,20 @@ const std::vector<PictureClass>& picture_classes() {
        "loop",
        "a film that closes and repeats",
        {at, stills, size, fps, theme, method, step, alt}},
+      {PictureKind::turn,
+       "turn",
+       "a film that becomes a model to turn by hand, in page and slides",
+       {{"clock", "a name: viewers with the same one play together (each by itself)"},
+        from,
+        to,
+        at,
+        stills,
+        size,
+        fps,
+        theme,
+        method,
+        step,
+        alt}},
       {PictureKind::still, "still", "one picture", {at, size, theme, method, step, alt}},
       {PictureKind::compare,
        "compare",

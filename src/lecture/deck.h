@@ -19,7 +19,7 @@ namespace polhode {
 using Json = nlohmann::ordered_json;
 
 // What is made of a scene.
-enum class PictureKind { film, loop, still, compare, chart, stability, inspect };
+enum class PictureKind { film, loop, turn, still, compare, chart, stability, inspect };
 
 // A setting that a picture may have in the deck: ![…](a.toml){.film NAME=VALUE}.
 struct PictureSetting {

@@ -23,6 +23,7 @@
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
+#include "lecture/turning.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -96,6 +97,11 @@ std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
       [[fallthrough]];
     case PictureKind::film:
       return add_task(work, film_product(picture, scene, settings));
+    case PictureKind::turn: {
+      refuse_panels(scene.scene);
+      const DeckWords words = words_of(work.deck);
+      return add_task(work, turn_product(picture, scene, settings, {words.author, words.licence}));
+    }
     case PictureKind::compare:
       return add_task(work, compare_product(picture, scenes, settings));
     case PictureKind::still:
@@ -234,6 +240,16 @@ void copy_images(LectureWork& work, const fs::path& folder) {
     for_each_node(picture.caption, rename);
 }
 
+constexpr const char* kNoThree =
+    "three.js is missing; install it (docs/install.md), or run tools/install-dependencies --for "
+    "lecture";
+
+// Scripts of others that documents contain.
+struct Scripts {
+  std::optional<Reveal> reveal;
+  std::optional<Three> three;  // only if something is to be turned
+};
+
 std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
                     const Printer& printer) {
@@ -282,13 +298,17 @@ std::vector<std::string> settle_outputs(const std::string& to,
 std::string make_document(const std::string& output,
                           const LectureWork& work,
                           const fs::path& folder,
-                          const std::optional<Reveal>& reveal,
+                          const Scripts& scripts,
                           const Printer& printer) {
   const FigureOf figures = [&](const DeckPicture& picture) {
     return figure_of(work, picture);
   };
-  if (output == "html") return make_page(work.deck, figures);
-  if (output == "slides") return make_slides(work.deck, figures, *reveal);
+  if (output == "html" || output == "slides") {
+    const std::string viewers =
+        scripts.three ? viewer_blocks(work.deck, figures, folder, *scripts.three) : "";
+    if (output == "html") return make_page(work.deck, figures, viewers);
+    return make_slides(work.deck, figures, *scripts.reveal, viewers);
+  }
   if (output == "pptx") return make_pptx(work.deck, figures, folder);
   if (output == "beamer") return make_beamer(work.deck, figures);
   // the page that is printed stands beside the media for as long as that takes
@@ -310,7 +330,7 @@ std::string make_document(const std::string& output,
 
 LectureData data_of(const LectureWork& work,
                     const std::vector<std::string>& outputs,
-                    const std::optional<Reveal>& reveal,
+                    const Scripts& scripts,
                     bool formula_font) {
   LectureData data;
   data.deck = &work.deck;
@@ -318,7 +338,8 @@ LectureData data_of(const LectureWork& work,
   data.licence = words_of(work.deck).licence;
   data.outputs = outputs;
   data.settings = work.job->settings;
-  data.reveal_version = reveal ? reveal->version : "";
+  data.reveal_version = scripts.reveal ? scripts.reveal->version : "";
+  data.three_version = scripts.three ? scripts.three->version : "";
   data.formula_font = formula_font;
   for (const auto& [stem, task] : work.tasks) {
     if (!task.failure) data.products.emplace_back(stem, task.facts);
@@ -360,7 +381,9 @@ LectureResult lecture(const LectureJob& job) {
   const auto may_want = [&](const char* name) {
     return job.to.empty() || job.to.find(name) != std::string::npos;
   };
-  const std::optional<Reveal> reveal = may_want("slides") ? find_reveal() : std::nullopt;
+  Scripts scripts;
+  if (may_want("slides")) scripts.reveal = find_reveal();
+  const std::optional<Reveal>& reveal = scripts.reveal;
   const Printer printer = may_want("handout") ? find_printer() : Printer{};
   LectureResult result;
   const std::vector<std::string> outputs = settle_outputs(job.to, reveal, printer, result.summary);
@@ -373,6 +396,13 @@ LectureResult lecture(const LectureJob& job) {
   work.job = &job;
   work.deck_text = read_file(job.deck);
   work.deck = read_deck(job.deck, job.allow_outside);
+  if (has_viewers(work.deck) && (wants("html") || wants("slides"))) {
+    scripts.three = find_three();
+    if (!scripts.three) {
+      result.summary +=
+          fmt::format("left out: turning by hand ({}); its films are shown\n", kNoThree);
+    }
+  }
   plan(work, wants("data"));
   const fs::path folder = folder_or_default(job.output, job.deck, "lecture");
   std::vector<std::string> files;
@@ -395,12 +425,12 @@ LectureResult lecture(const LectureJob& job) {
   copy_images(work, folder);
   std::vector<std::string> contents;
   for (const std::string& output : outputs) {
-    if (output != "data") contents.push_back(make_document(output, work, folder, reveal, printer));
+    if (output != "data") contents.push_back(make_document(output, work, folder, scripts, printer));
   }
   const bool formula_font = pages && !formula_font_css().empty();
-  if (pages) contents.push_back(notices(outputs, reveal, formula_font));
+  if (pages) contents.push_back(notices(outputs, reveal, formula_font, scripts.three));
   stop_if_interrupted();
-  if (wants("data")) write_data(data_of(work, outputs, reveal, formula_font), folder);
+  if (wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
   documents.commit(contents);
   media.forget_the_rest();
   for (const std::string& file : files)
@@ -418,10 +448,14 @@ std::vector<ExternalNeed> lecture_needs() {
   };
   const Printer printer = find_printer();
   const std::optional<Reveal> reveal = find_reveal();
+  const std::optional<Three> three = find_three();
   return {{"lectures", state_of_program(find_pandoc(), install("pandoc"))},
           {"slides of lectures",
            reveal ? "ok, reveal.js " + reveal->version
                   : "missing: " + install("reveal.js (docs/install.md)")},
+          {"turning in lectures",
+           three ? "ok, three.js " + three->version
+                 : "missing: " + install("three.js (docs/install.md)")},
           {"handouts of lectures",
            printer.program.empty() ? state_of_program(printer.found, install("chromium"))
                                    : "ok, " + printer.program},
