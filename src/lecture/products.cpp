@@ -302,10 +302,10 @@ Product turn_product(const DeckPicture& picture,
             const Scene shown = load_single(scene.file, job.overrides);
             write_file(folder / (stem + ".glb"), glb_of_scene(shown, job).bytes);
             const Json data = viewer_data(solve_alone(shown), *job.from, *job.to);
-            write_file(folder / (stem + ".json"), data.dump());
+            write_file(folder / (stem + "-viewer.json"), data.dump());
             check_unchanged(scene);
             facts["glb"] = stem + ".glb";
-            facts["viewer"] = stem + ".json";
+            facts["viewer"] = stem + "-viewer.json";
             return facts;
           }};
 }

@@ -125,7 +125,7 @@ TEST(GltfScene, HostileTextsStayTexts) {
   bool seen = false;
   for (const auto& node : read.at("nodes")) {
     if (node.value("name", "") != "omega.label") continue;
-    EXPECT_EQ(node.at("extras").at("label"), "<b>&lt;img onerror=x&gt;\"</b>");
+    EXPECT_EQ(node.at("extras").at("label"), "<b>&lt;img onerror=x&gt;&quot;</b>");
     seen = true;
   }
   EXPECT_TRUE(seen);

@@ -458,7 +458,6 @@
         else if (this.figure.requestFullscreen) this.figure.requestFullscreen().catch(() => {});
       });
       const back = press("Film", "Back to the film", () => this.close());
-      this.where = make("span", { class: "where" });
       const stops = data.pauses.map((pause, i) => press(`❚❚ ${i + 1}`, `Pause point ${i + 1}, ${short(pause.at)} s${pause.caption ? ": " + pause.caption : ""}`, () => {
         this.clock.pause();
         this.clock.set((pause.at - data.from) / data.scale);
@@ -475,7 +474,7 @@
       this.said = make("p", { class: "said", "aria-live": "polite" });
       this.cursors = [];
       this.bar = make("div", { class: "controls", role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
-        this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back, this.where,
+        this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
         make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
         this.said, make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot))));
@@ -727,7 +726,6 @@
       numbers["θ"].textContent = `${((Math.acos(Math.max(-1, Math.min(1, axis.y))) * 180) / Math.PI).toFixed(1)}°`;
       this.range.value = String(clock.time);
       this.range.setAttribute("aria-valuetext", `${short(this.t)} s`);
-      this.where.textContent = `${this.t.toPrecision(4)} s`;
       this.play.textContent = clock.playing ? "❚❚" : "▶";
       this.play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
       this.play.title = clock.playing ? "Pause (space)" : "Play (space)";
