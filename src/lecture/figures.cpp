@@ -5,6 +5,7 @@
 
 #include "base/base64.h"
 #include "html/escape.h"
+#include "lecture/qr_code.h"
 #include "lecture/quotes.h"
 
 namespace polhode {
@@ -154,8 +155,7 @@ Json document_blocks(const Figure& figure, bool links) {
   if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", "fig:");
   const Json& facts = figure.facts;
   std::string link = links && facts.contains("film") ? media(facts, "film") : "";
-  if (links && picture.kind == PictureKind::turn)
-    link = "index.html#turn=" + percent_encoded(picture.name);
+  if (links && picture.kind == PictureKind::turn) link = viewer_link(picture);
   return picture_blocks(picture, shown_in(facts, links), link, "fig:");
 }
 
@@ -173,6 +173,10 @@ Json table_row(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::string viewer_link(const DeckPicture& picture) {
+  return "index.html#turn=" + percent_encoded(picture.name);
+}
 
 Json number_table(const Json& inspection, const std::string& scene, const std::string& keys) {
   std::vector<std::string> asked;
@@ -264,9 +268,16 @@ Json handout_blocks(const Figure& figure) {
                         caption.empty() ? "" : ": ",
                         escaped(caption));
   }
-  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>",
+  std::string code;
+  if (!figure.address.empty()) {
+    code = fmt::format("<div class=\"code\">{}<p>Turn it: {}</p></div>",
+                       qr_code_svg(figure.address),
+                       escaped(figure.address));
+  }
+  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>{}",
                             std::min(stills.size(), std::size_t{4}),
-                            text),
+                            text,
+                            code),
                 picture);
 }
 

@@ -50,6 +50,7 @@ struct LectureWork {
   std::map<std::string, std::string> inspections, motions;  // scene -> stem
   std::vector<std::string> stems;                           // of each picture; empty: it failed
   std::vector<std::string> failures;                        // of each picture; empty: none
+  std::string address;  // of the documents on the web; empty: unknown
 };
 
 // Throws what is wrong with the scene, each time the same.
@@ -207,6 +208,8 @@ Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
   Figure figure{&picture, {}, work.failures[i]};
   if (!figure.failure.empty()) return figure;
   figure.facts = work.tasks.at(work.stems[i]).facts;
+  if (picture.kind == PictureKind::turn && !work.address.empty())
+    figure.address = work.address + viewer_link(picture);
   if (picture.kind == PictureKind::inspect) {
     figure.facts["table"] = Json::array({table_of(picture, figure.facts)});
   }
@@ -396,6 +399,7 @@ LectureResult lecture(const LectureJob& job) {
   work.job = &job;
   work.deck_text = read_file(job.deck);
   work.deck = read_deck(job.deck, job.allow_outside);
+  work.address = words_of(work.deck).address;
   if (has_viewers(work.deck) && (wants("html") || wants("slides"))) {
     scripts.three = find_three();
     if (!scripts.three) {

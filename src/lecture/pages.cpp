@@ -87,6 +87,8 @@ DeckWords words_of(const Deck& deck) {
   set("description", words.description);
   set("licence", words.licence);
   set("lang", words.lang);
+  set("address", words.address);
+  if (!words.address.empty() && !words.address.ends_with('/')) words.address += '/';
   if (words.title.empty()) words.title = fs::path(deck.file).stem().string();
   return words;
 }

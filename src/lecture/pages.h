@@ -29,6 +29,7 @@ std::string formula_font_css();
 // The texts at the head of a deck, plain text. Empty: not given.
 struct DeckWords {
   std::string title, subtitle, author, date, description, licence, lang = "en";
+  std::string address;  // of the folder of the documents on the web, with a slash at its end
 };
 // From the deck's metadata; without a title, the file name of the deck is the title.
 DeckWords words_of(const Deck& deck);

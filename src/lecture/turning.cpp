@@ -81,7 +81,8 @@ Json viewer_data(const Solved& solved, double from, double to) {
   for (const StoryStep& step : timeline.steps()) {
     if (step.caption) data["captions"].push_back({{"at", step.at}, {"caption", *step.caption}});
   }
-  const int steps = std::clamp(steps_to_show(motion, to, kFewestReadings), kFewestReadings, kMostReadings);
+  const int steps =
+      std::clamp(steps_to_show(motion, to, kFewestReadings), kFewestReadings, kMostReadings);
   Json omega = Json::array(), momentum = Json::array(), energy = Json::array();
   for (int i = 0; i <= steps; ++i) {
     const Sample now = motion.at(std::min(from + (to - from) * i / steps, motion.duration()));

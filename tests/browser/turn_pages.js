@@ -35,6 +35,8 @@ const makeLecture = () => {
 title: "Turn it ${hostile.replaceAll('"', "'")}"
 ---
 
+# Tops
+
 ## The free top
 
 ![The free top](free_symmetric_top.toml){ .turn ${small} clock=both }

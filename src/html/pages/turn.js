@@ -3,6 +3,7 @@
 "use strict";
 {
   const ownNonce = document.currentScript.nonce;
+  const barClass = document.querySelector(".reveal") ? "turn-bar" : "controls"; // slides have controls of their own
   const still = matchMedia("(prefers-reduced-motion: reduce)");
 
   // ---- what the page brings -------------------------------------------------------------------------------------
@@ -473,12 +474,12 @@
       const words = { t: "Time", "|Ω|": "Angular velocity", "|L|": "Angular momentum", E: "Energy", θ: "Tilt of the axis" };
       this.said = make("p", { class: "said", "aria-live": "polite" });
       this.cursors = [];
-      this.bar = make("div", { class: "controls", role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
+      this.bar = make("div", { class: barClass, role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
         this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
         make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
         this.said, make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot))));
-      this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls")];
+      this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls, .turn-bar")];
       for (const part of this.hiddenParts) part.hidden = true;
       for (const part of this.hiddenParts) part.style.display = "none";
       this.figure.classList.add("turn-figure");
@@ -813,7 +814,7 @@
       figure.opener.classList.add("turn-start");
       const controls = figure.querySelector(".controls");
       if (controls) controls.append(figure.opener);
-      else figure.querySelector(".screen").after(make("div", { class: "controls" }, figure.opener));
+      else figure.querySelector(".screen").after(make("div", { class: barClass }, figure.opener));
     }
     // #turn=NAME&t=2.5&view=along_momentum
     const followTurn = () => {
