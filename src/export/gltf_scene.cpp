@@ -251,7 +251,7 @@ class Export {
   // the root, space, the body axes, and directions to look along
   void add_frames() {
     GltfNode root;
-    root.name = "polhode";
+    root.name = "world";
     root.rotation = Quat(Eigen::AngleAxisd(-0.5 * kPi, Vec3::UnitX()));  // Z up becomes Y up
     root_ = add_node(root);
     GltfNode space;
@@ -340,10 +340,12 @@ class Export {
         const double t = clock_.motion_time(first_.front());
         keys = {{first_.front()}, {seen_from(body_frame(t), in_space(t))}, 0.0, true};
       }
-      const int group =
-          group_of(thing.element,
-                   in_body,
-                   thing.kind == ThingKind::label ? thing.label.color : thing.material.color);
+      const bool is_label = thing.kind == ThingKind::label;
+      const glm::vec3& color = is_label ? thing.label.color : thing.material.color;
+      const int group = group_of(thing.element, in_body, color);
+      // an element is known by the colour of its surface
+      if (thing.both_sides)
+        document_.nodes[static_cast<std::size_t>(group)].extras["color"] = hex(color);
       add_thing(thing, keys, group, in_body ? Vec3::Zero() : origin_);
     }
   }

@@ -15,6 +15,8 @@ const std::string& report_js();
 // For the command `lecture`: the page, the slides with reveal.js, the printed handout.
 const std::string& lecture_css();
 const std::string& lecture_js();
+const std::string& turn_css();  // for viewers in page and slides
+const std::string& turn_js();
 const std::string& slides_css();
 const std::string& slides_js();
 const std::string& handout_css();

@@ -131,6 +131,12 @@ Json licences(const LectureData& data) {
                   {"licence", data.licence.empty() ? "not told by the deck" : data.licence}});
   list.push_back({{"what", "styles and scripts of index.html, slides.html and handout.pdf"},
                   {"licence", "MIT (Polhode)"}});
+  if (!data.three_version.empty()) {
+    list.push_back(
+        {{"what",
+          fmt::format("three.js {}, inside index.html and slides.html", data.three_version)},
+         {"licence", "MIT"}});
+  }
   if (!data.reveal_version.empty()) {
     list.push_back({{"what", fmt::format("reveal.js {}, inside slides.html", data.reveal_version)},
                     {"licence", "MIT"}});

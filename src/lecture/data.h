@@ -26,6 +26,7 @@ struct LectureData {
   std::vector<std::string> outputs;
   LectureSettings settings;    // likewise
   std::string reveal_version;  // empty: no slides
+  std::string three_version;   // empty: nothing is to be turned
   bool formula_font = false;   // the pages contain Latin Modern Math
   std::vector<SceneData> scenes;
   // Media::stem_of() of each product that was made, and its facts as Media::obtain() returns them

@@ -151,7 +151,7 @@ class Reader {
     }
     if (row == nullptr) {
       throw input_error(
-          "say what to make of '{}': .film, .loop, .still, .compare, .chart, "
+          "say what to make of '{}': .film, .loop, .turn, .still, .compare, .chart, "
           ".stability or .inspect, as in ![…]({}){{.film}}",
           picture.scenes[0],
           picture.scenes[0]);
@@ -271,10 +271,34 @@ class Reader {
   std::vector<std::pair<std::string, int>> links_;  // place, line
 };
 
+std::string words_of_meta(const Json& value) {
+  if (value["t"] == "MetaInlines") return plain_text(value["c"]);
+  return value["t"] == "MetaString" ? value["c"].get<std::string>() : "";
+}
+
+// where the lecture is on the web; a QR code leads there
+void check_address(Deck& deck, LineFinder& lines) {
+  constexpr std::size_t kLongest = 300;
+  if (!deck.meta.contains("address")) return;
+  const std::string address = words_of_meta(deck.meta["address"]);
+  const bool good = (address.starts_with("https://") || address.starts_with("http://")) &&
+                    address.size() <= kLongest &&
+                    std::all_of(address.begin(), address.end(), [](char c) {
+                      return c > ' ' && c < 0x7f && c != '#' && c != '?';
+                    });
+  if (good) return;
+  deck.problems.push_back(
+      input_error("address is where the folder of the lecture will be, such as "
+                  "https://example.org/tops/, without # and ?, at most {} characters",
+                  kLongest)
+          .at({deck.file, lines.next("address"), {}}));
+  deck.meta.erase("address");
+}
+
 // of what a deck may say of itself
 void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
   static const std::vector<std::string> known = {
-      "title", "subtitle", "author", "date", "lang", "description", "licence"};
+      "title", "subtitle", "author", "date", "lang", "description", "licence", "address"};
   for (const auto& [key, value] : meta.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) {
       deck.meta[key] = value;
@@ -284,11 +308,9 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
     deck.problems.push_back(
         input_error("a deck has no '{}'{}", key, suggestion(key, known)).at({deck.file, line, {}}));
   }
+  check_address(deck, lines);
   if (!deck.meta.contains("lang")) return;
-  const Json& lang = deck.meta["lang"];
-  const std::string name = lang["t"] == "MetaInlines"  ? plain_text(lang["c"])
-                           : lang["t"] == "MetaString" ? lang["c"].get<std::string>()
-                                                       : "";
+  const std::string name = words_of_meta(deck.meta["lang"]);
   const bool good =
       name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
@@ -334,6 +356,20 @@ const std::vector<PictureClass>& picture_classes() {
        "loop",
        "a film that closes and repeats",
        {at, stills, size, fps, theme, method, step, alt}},
+      {PictureKind::turn,
+       "turn",
+       "a film that becomes a model to turn by hand, in page and slides",
+       {{"clock", "a name: viewers with the same one play together (each by itself)"},
+        from,
+        to,
+        at,
+        stills,
+        size,
+        fps,
+        theme,
+        method,
+        step,
+        alt}},
       {PictureKind::still, "still", "one picture", {at, size, theme, method, step, alt}},
       {PictureKind::compare,
        "compare",

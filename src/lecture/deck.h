@@ -19,7 +19,7 @@ namespace polhode {
 using Json = nlohmann::ordered_json;
 
 // What is made of a scene.
-enum class PictureKind { film, loop, still, compare, chart, stability, inspect };
+enum class PictureKind { film, loop, turn, still, compare, chart, stability, inspect };
 
 // A setting that a picture may have in the deck: ![…](a.toml){.film NAME=VALUE}.
 struct PictureSetting {
@@ -57,7 +57,8 @@ struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
   Json api_version = {1, 22};   // pandoc's version of the tree format
-  Json meta = Json::object();   // only title, subtitle, author, date, lang, description, licence
+  Json meta = Json::object();   // only title, subtitle, author, date, lang, description,
+                                // licence, address
   Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder

@@ -213,7 +213,7 @@ void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
     for_each_node(picture.caption, drop);
 }
 
-std::string make_page(const Deck& deck, const FigureOf& figure_of) {
+std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers) {
   const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, page_blocks)));
   const std::string body = sections_html(tree);
   // the contents come from pandoc's own template, which has nothing else here
@@ -231,13 +231,16 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of) {
                                                "--metadata=title:-"},
                                               false)
                                    .text;
-  return lecture_page(words_of(deck), with_brackets(body), contents);
+  return lecture_page(words_of(deck), with_brackets(body), contents, viewers);
 }
 
-std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal) {
+std::string make_slides(const Deck& deck,
+                        const FigureOf& figure_of,
+                        const Reveal& reveal,
+                        const std::string& viewers) {
   const Json tree = without_meta(deck, filled(deck, figure_of, slide_blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
-  return slides_page(words_of(deck), with_brackets(body), reveal);
+  return slides_page(words_of(deck), with_brackets(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {

@@ -19,10 +19,14 @@ void drop_bad_formulas(Deck& deck, const std::string& deck_text);
 using FigureOf = std::function<Figure(const DeckPicture&)>;
 
 // Each returns the contents of one document: index.html, slides.html, the HTML that is printed as
-// handout.pdf, slides.tex. All, and make_pptx(), throw what `figure_of` throws, Error as
-// write_document does, and (environment) if the temporary folder cannot be written.
-std::string make_page(const Deck& deck, const FigureOf& figure_of);
-std::string make_slides(const Deck& deck, const FigureOf& figure_of, const Reveal& reveal);
+// handout.pdf, slides.tex. viewers: what viewer_blocks() (lecture/turning.h) returns. All, and
+// make_pptx(), throw what `figure_of` throws, Error as write_document does, and (environment) if
+// the temporary folder cannot be written.
+std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers = "");
+std::string make_slides(const Deck& deck,
+                        const FigureOf& figure_of,
+                        const Reveal& reveal,
+                        const std::string& viewers = "");
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of);
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of);
 // The bytes of slides.pptx. pandoc reads the posters and other pictures in `folder`/media.

@@ -5,6 +5,7 @@
 
 #include "base/base64.h"
 #include "html/escape.h"
+#include "lecture/qr_code.h"
 #include "lecture/quotes.h"
 
 namespace polhode {
@@ -89,8 +90,16 @@ std::string img_element(const std::string& file,
 
 std::string film(const Figure& figure, bool slides) {
   const DeckPicture& picture = *figure.picture;
-  return fmt::format("<figure class=\"film\" id=\"film-{}\"><div class=\"screen\">{}</div>",
+  std::string turn;
+  if (picture.kind == PictureKind::turn) {
+    const auto clock = picture.settings.find("clock");
+    turn = fmt::format(" data-turn=\"{}\" data-clock=\"{}\"",
+                       escaped(picture.name),
+                       clock == picture.settings.end() ? "" : escaped(clock->second));
+  }
+  return fmt::format("<figure class=\"film\" id=\"film-{}\"{}><div class=\"screen\">{}</div>",
                      escaped(picture.name),
+                     turn,
                      video_element(figure.facts, picture, slides));
 }
 
@@ -145,7 +154,8 @@ Json document_blocks(const Figure& figure, bool links) {
   if (picture.kind == PictureKind::inspect) return figure.facts.at("table");
   if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", "fig:");
   const Json& facts = figure.facts;
-  const std::string link = links && facts.contains("film") ? media(facts, "film") : "";
+  std::string link = links && facts.contains("film") ? media(facts, "film") : "";
+  if (links && picture.kind == PictureKind::turn) link = viewer_link(picture);
   return picture_blocks(picture, shown_in(facts, links), link, "fig:");
 }
 
@@ -163,6 +173,10 @@ Json table_row(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::string viewer_link(const DeckPicture& picture) {
+  return "index.html#turn=" + percent_encoded(picture.name);
+}
 
 Json number_table(const Json& inspection, const std::string& scene, const std::string& keys) {
   std::vector<std::string> asked;
@@ -221,8 +235,8 @@ Json page_blocks(const Figure& figure) {
 
 Json slide_blocks(const Figure& figure) {
   const PictureKind kind = figure.picture->kind;
-  const bool films_here =
-      kind == PictureKind::film || kind == PictureKind::loop || kind == PictureKind::compare;
+  const bool films_here = kind == PictureKind::film || kind == PictureKind::loop ||
+                          kind == PictureKind::compare || kind == PictureKind::turn;
   if (kind == PictureKind::still && !figure.facts.empty()) {
     return still_blocks(*figure.picture,
                         img_element(media(figure.facts, "poster"), alt_of(*figure.picture)));
@@ -254,9 +268,16 @@ Json handout_blocks(const Figure& figure) {
                         caption.empty() ? "" : ": ",
                         escaped(caption));
   }
-  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>",
+  std::string code;
+  if (!figure.address.empty()) {
+    code = fmt::format("<div class=\"code\">{}<p>Turn it: {}</p></div>",
+                       qr_code_svg(figure.address),
+                       escaped(figure.address));
+  }
+  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>{}",
                             std::min(stills.size(), std::size_t{4}),
-                            text),
+                            text,
+                            code),
                 picture);
 }
 

@@ -15,7 +15,8 @@ struct Figure {
   // Of its product (lecture/products.h); null if it failed. Those of an inspect picture also have
   // "table", an array with its number_table().
   Json facts;
-  std::string failure;  // why there are no facts
+  std::string failure;       // why there are no facts
+  std::string address = {};  // of its viewer on the web, for the handout; empty: none
 };
 
 // Lists of blocks of pandoc's tree, a function for each document; for a figure without facts, a
@@ -26,6 +27,9 @@ Json slide_blocks(const Figure& figure);    // slides.html
 Json handout_blocks(const Figure& figure);  // handout.pdf
 Json office_blocks(const Figure& figure);   // .pptx: a poster with a link to its film
 Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
+
+// Where the viewer of a picture of the kind `turn` is, relative to the folder of the documents.
+std::string viewer_link(const DeckPicture& picture);
 
 // A table (a block) of values of `inspection`, the result of inspection() (app/commands/inspect.h)
 // of the scene that the deck calls `scene`: those in `keys` (as in Quote::key in lecture/quotes.h,

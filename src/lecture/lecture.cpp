@@ -25,6 +25,7 @@
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
+#include "lecture/turning.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -52,6 +53,7 @@ struct LectureWork {
   std::map<std::string, std::string> inspections, motions;  // scene -> stem
   std::vector<std::string> stems;                           // of each picture; empty: it failed
   std::vector<std::string> failures;                        // of each picture; empty: none
+  std::string address;  // of the documents on the web; empty: unknown
 };
 
 // Throws what is wrong with the scene, each time the same.
@@ -116,6 +118,13 @@ std::string plan_picture(LectureWork& work, const DeckPicture& picture) {
     case PictureKind::film:
       return add_task(
           work, film_product(picture, scene, settings), cost_of_film(picture, scenes, settings));
+    case PictureKind::turn: {
+      refuse_panels(scene.scene);
+      const DeckWords words = words_of(work.deck);
+      return add_task(work,
+                      turn_product(picture, scene, settings, {words.author, words.licence}),
+                      cost_of_film(picture, scenes, settings));
+    }
     case PictureKind::compare:
       return add_task(work,
                       compare_product(picture, scenes, settings),
@@ -235,6 +244,8 @@ Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
   Figure figure{&picture, {}, work.failures[i]};
   if (!figure.failure.empty()) return figure;
   figure.facts = work.tasks.at(work.stems[i]).facts;
+  if (picture.kind == PictureKind::turn && !work.address.empty())
+    figure.address = work.address + viewer_link(picture);
   if (picture.kind == PictureKind::inspect) {
     figure.facts["table"] = Json::array({table_of(picture, figure.facts)});
   }
@@ -267,6 +278,16 @@ void copy_images(LectureWork& work, const fs::path& folder) {
   for (DeckPicture& picture : work.deck.pictures)
     for_each_node(picture.caption, rename);
 }
+
+constexpr const char* kNoThree =
+    "three.js is missing; install it (docs/install.md), or run tools/install-dependencies --for "
+    "lecture";
+
+// Scripts of others that documents contain.
+struct Scripts {
+  std::optional<Reveal> reveal;
+  std::optional<Three> three;  // only if something is to be turned
+};
 
 std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
@@ -316,13 +337,17 @@ std::vector<std::string> settle_outputs(const std::string& to,
 std::string make_document(const std::string& output,
                           const LectureWork& work,
                           const fs::path& folder,
-                          const std::optional<Reveal>& reveal,
+                          const Scripts& scripts,
                           const Printer& printer) {
   const FigureOf figures = [&](const DeckPicture& picture) {
     return figure_of(work, picture);
   };
-  if (output == "html") return make_page(work.deck, figures);
-  if (output == "slides") return make_slides(work.deck, figures, *reveal);
+  if (output == "html" || output == "slides") {
+    const std::string viewers =
+        scripts.three ? viewer_blocks(work.deck, figures, folder, *scripts.three) : "";
+    if (output == "html") return make_page(work.deck, figures, viewers);
+    return make_slides(work.deck, figures, *scripts.reveal, viewers);
+  }
   if (output == "pptx") return make_pptx(work.deck, figures, folder);
   if (output == "beamer") return make_beamer(work.deck, figures);
   // the page that is printed stands beside the media for as long as that takes
@@ -344,7 +369,7 @@ std::string make_document(const std::string& output,
 
 LectureData data_of(const LectureWork& work,
                     const std::vector<std::string>& outputs,
-                    const std::optional<Reveal>& reveal,
+                    const Scripts& scripts,
                     bool formula_font) {
   LectureData data;
   data.deck = &work.deck;
@@ -352,7 +377,8 @@ LectureData data_of(const LectureWork& work,
   data.licence = words_of(work.deck).licence;
   data.outputs = outputs;
   data.settings = work.job->settings;
-  data.reveal_version = reveal ? reveal->version : "";
+  data.reveal_version = scripts.reveal ? scripts.reveal->version : "";
+  data.three_version = scripts.three ? scripts.three->version : "";
   data.formula_font = formula_font;
   for (const auto& [stem, task] : work.tasks) {
     if (!task.failure) data.products.emplace_back(stem, task.facts);
@@ -404,9 +430,9 @@ struct PlannedLecture {
     };
     // a part makes no documents
     if (!job.part.shard) {
-      if (may_want("slides")) reveal = find_reveal();
+      if (may_want("slides")) scripts.reveal = find_reveal();
       if (may_want("handout")) printer = find_printer();
-      outputs = settle_outputs(job.to, reveal, printer, left_out);
+      outputs = settle_outputs(job.to, scripts.reveal, printer, left_out);
     } else {
       parse_outputs(job.to);
     }
@@ -414,6 +440,12 @@ struct PlannedLecture {
     work.deck_text = read_file(job.deck);
     work.deck = read_deck(job.deck, job.allow_outside);
     const bool data = job.part.shard ? job.to.empty() || may_want("data") : wants("data");
+    work.address = words_of(work.deck).address;
+    if (has_viewers(work.deck) && has_pages(outputs)) {
+      scripts.three = find_three();
+      if (!scripts.three)
+        left_out += fmt::format("left out: turning by hand ({}); its films are shown\n", kNoThree);
+    }
     plan(work, data);
   }
 
@@ -438,7 +470,7 @@ struct PlannedLecture {
   }
 
   fs::path folder;
-  std::optional<Reveal> reveal;
+  Scripts scripts;
   Printer printer;
   std::string left_out;  // documents that this machine cannot make
   std::vector<std::string> outputs;
@@ -480,7 +512,7 @@ LectureResult lecture(const LectureJob& job) {
   LectureResult result;
   result.summary = planned.left_out;
   const std::vector<std::string>& outputs = planned.outputs;
-  const std::optional<Reveal>& reveal = planned.reveal;
+  const Scripts& scripts = planned.scripts;
   const fs::path& folder = planned.folder;
   const std::vector<std::string> files = planned.files();
   const bool pages = has_pages(outputs);
@@ -499,12 +531,12 @@ LectureResult lecture(const LectureJob& job) {
   std::vector<std::string> contents;
   for (const std::string& output : outputs) {
     if (output != "data")
-      contents.push_back(make_document(output, work, folder, reveal, planned.printer));
+      contents.push_back(make_document(output, work, folder, scripts, planned.printer));
   }
   const bool formula_font = pages && !formula_font_css().empty();
-  if (pages) contents.push_back(notices(outputs, reveal, formula_font));
+  if (pages) contents.push_back(notices(outputs, scripts.reveal, formula_font, scripts.three));
   stop_if_interrupted();
-  if (planned.wants("data")) write_data(data_of(work, outputs, reveal, formula_font), folder);
+  if (planned.wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
   documents.commit(contents);
   media.forget_the_rest();
   for (const std::string& file : files)
@@ -534,13 +566,16 @@ DividedWork divided_lecture(const LectureJob& job) {
   double films = 0.0, rest = 0.0, longest = 0.0;
   const DeckPicture* picture = nullptr;
   for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
-    if (work.deck.pictures[i].kind != PictureKind::film) continue;
+    const PictureKind kind = work.deck.pictures[i].kind;
+    if (kind != PictureKind::film && kind != PictureKind::turn) continue;
     const double cost = work.tasks.at(work.stems[i]).cost_s;
     if (cost > longest) picture = &work.deck.pictures[i];
     longest = std::max(longest, cost);
   }
-  for (const auto& [stem, task] : work.tasks)
-    (task.product.name.ends_with("-film") ? films : rest) += task.cost_s;
+  for (const auto& [stem, task] : work.tasks) {
+    const std::string& name = task.product.name;
+    (name.ends_with("-film") || name.ends_with("-turn") ? films : rest) += task.cost_s;
+  }
   // what films really cost here is measured on the longest
   if (picture != nullptr) {
     const ScratchFolder scratch;
@@ -560,10 +595,14 @@ std::vector<ExternalNeed> lecture_needs() {
   };
   const Printer printer = find_printer();
   const std::optional<Reveal> reveal = find_reveal();
+  const std::optional<Three> three = find_three();
   return {{"lectures", state_of_program(find_pandoc(), install("pandoc"))},
           {"slides of lectures",
            reveal ? "ok, reveal.js " + reveal->version
                   : "missing: " + install("reveal.js (docs/install.md)")},
+          {"turning in lectures",
+           three ? "ok, three.js " + three->version
+                 : "missing: " + install("three.js (docs/install.md)")},
           {"handouts of lectures",
            printer.program.empty() ? state_of_program(printer.found, install("chromium"))
                                    : "ok, " + printer.program},

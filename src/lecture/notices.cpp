@@ -44,7 +44,8 @@ bool has_pages(const std::vector<std::string>& outputs) {
 
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
-                    bool formula_font) {
+                    bool formula_font,
+                    const std::optional<Three>& three) {
   std::string text = "Beside the lecture itself, its pages contain:\n";
   text += heading(fmt::format("Polhode {}: styles and scripts of the pages", program_version()));
   text += "Copyright (c) 2026 the Polhode authors\n\n" + std::string(kMit);
@@ -54,6 +55,12 @@ std::string notices(const std::vector<std::string>& outputs,
                                       "reveal.js contributors\n\n" +
                                           std::string(kMit)
                                     : reveal->licence;
+  }
+  if (three && (has(outputs, "html") || has(outputs, "slides"))) {
+    text += heading(fmt::format("three.js {}, inside index.html and slides.html", three->version));
+    text += three->licence.empty()
+                ? "Copyright (C) 2010-2024 three.js authors\n\n" + std::string(kMit)
+                : three->licence;
   }
   if (formula_font) {
     text += heading("Latin Modern Math, the font of formulas") +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lecture/pages.h"
+#include "lecture/turning.h"
 
 namespace polhode {
 
@@ -19,10 +20,12 @@ inline constexpr const char* kNoticesFile = "LICENCES.txt";
 bool has_pages(const std::vector<std::string>& outputs);
 
 // The notices for these outputs, as plain text; to be called only if has_pages(outputs). reveal:
-// what the slides contain, not used without slides; formula_font: whether the pages contain the
+// what the slides contain, not used without slides; three: what page and slides contain, if
+// anything; formula_font: whether the pages contain the
 // font for formulas.
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
-                    bool formula_font);
+                    bool formula_font,
+                    const std::optional<Three>& three = {});
 
 }  // namespace polhode

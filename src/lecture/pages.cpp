@@ -11,6 +11,7 @@
 #include "base/version.h"
 #include "html/escape.h"
 #include "html/page_parts.h"
+#include "lecture/script_folder.h"
 
 namespace polhode {
 namespace {
@@ -86,44 +87,20 @@ DeckWords words_of(const Deck& deck) {
   set("description", words.description);
   set("licence", words.licence);
   set("lang", words.lang);
+  set("address", words.address);
+  if (!words.address.empty() && !words.address.ends_with('/')) words.address += '/';
   if (words.title.empty()) words.title = fs::path(deck.file).stem().string();
   return words;
 }
 
 std::optional<Reveal> find_reveal() {
-  std::vector<fs::path> places;
-  if (const std::string own = environment("POLHODE_REVEAL"); !own.empty()) places.emplace_back(own);
-  if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
-    places.push_back(fs::path(data) / "polhode/reveal.js");
-  if (const std::string home = environment("HOME"); !home.empty())
-    places.push_back(fs::path(home) / ".local/share/polhode/reveal.js");
-  places.emplace_back("/usr/local/share/polhode/reveal.js");
-  places.emplace_back("/usr/share/polhode/reveal.js");
-  for (const fs::path& place : places) {
-    std::error_code missing;
-    if (!fs::is_regular_file(place / "dist/reveal.js", missing) ||
-        !fs::is_regular_file(place / "dist/reveal.css", missing))
-      continue;
-    Reveal reveal;
-    reveal.css = read_file(place / "dist/reveal.css");
-    reveal.js = read_file(place / "dist/reveal.js");
-    if (fs::is_regular_file(place / "LICENSE", missing))
-      reveal.licence = read_file(place / "LICENSE");
-    const Json package = Json::parse(fs::is_regular_file(place / "package.json", missing)
-                                         ? read_file(place / "package.json")
-                                         : "{}",
-                                     nullptr,
-                                     false);
-    const bool told =
-        package.is_object() && package.contains("version") && package["version"].is_string();
-    reveal.version = told ? package["version"].get<std::string>() : "of unknown version";
-    // the end of a script is not the end of the page's script
-    for (std::size_t at = reveal.js.find("</script"); at != std::string::npos;
-         at = reveal.js.find("</script", at))
-      reveal.js.replace(at, 2, "<\\/");
-    return reveal;
-  }
-  return {};
+  const std::optional<fs::path> place =
+      find_script_folder("POLHODE_REVEAL", "reveal.js", {"dist/reveal.js", "dist/reveal.css"});
+  if (!place) return {};
+  return Reveal{version_of_scripts(*place),
+                read_file(*place / "dist/reveal.css"),
+                safe_in_script(read_file(*place / "dist/reveal.js")),
+                licence_of_scripts(*place)};
 }
 
 std::string formula_font_css() {
@@ -144,7 +121,8 @@ std::string formula_font_css() {
 
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
-                         const std::string& contents) {
+                         const std::string& contents,
+                         const std::string& viewers) {
   std::string inside =
       "<a class=\"skip\" href=\"#main\">To the text</a>\n<header class=\"top\">\n" +
       title_block(words) +
@@ -156,20 +134,27 @@ std::string lecture_page(const DeckWords& words,
       contents + "</details></nav>\n";
   inside += "<main id=\"main\">\n" + body + "</main>\n<footer>";
   if (!words.licence.empty()) inside += fmt::format("{} · ", escaped(words.licence));
-  inside += fmt::format("polhode {}</footer>\n", escaped(program_version()));
+  inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;
   const std::string nonce = content_hash(inside);
-  return head(words, formula_font_css() + lecture_css(), nonce) + "<body>\n" + inside +
-         script(nonce, lecture_js()) + "</body>\n</html>\n";
+  const std::string css = lecture_css() + (viewers.empty() ? "" : turn_css());
+  const std::string js = viewers.empty() ? "" : script(nonce, turn_js());
+  return head(words, formula_font_css() + css, nonce) + "<body>\n" + inside +
+         script(nonce, lecture_js()) + js + "</body>\n</html>\n";
 }
 
-std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal) {
+std::string slides_page(const DeckWords& words,
+                        const std::string& body,
+                        const Reveal& reveal,
+                        const std::string& viewers) {
   const std::string inside =
       "<div class=\"reveal\"><div class=\"slides\">\n<section class=\"slide first\">\n" +
       title_block(words) + "</section>\n" + body +
-      "</div></div>\n<p class=\"hint\" aria-live=\"polite\"></p>\n";
+      "</div></div>\n<p class=\"hint\" aria-live=\"polite\"></p>\n" + viewers;
   const std::string nonce = content_hash(inside);
-  return head(words, formula_font_css() + reveal.css + slides_css(), nonce) + "<body>\n" + inside +
-         script(nonce, reveal.js) + script(nonce, slides_js()) + "</body>\n</html>\n";
+  const std::string css = reveal.css + slides_css() + (viewers.empty() ? "" : turn_css());
+  const std::string js = viewers.empty() ? "" : script(nonce, turn_js());
+  return head(words, formula_font_css() + css, nonce) + "<body>\n" + inside +
+         script(nonce, reveal.js) + script(nonce, slides_js()) + js + "</body>\n</html>\n";
 }
 
 std::string handout_page(const DeckWords& words, const std::string& body) {

@@ -17,10 +17,9 @@ struct Reveal {
   std::string js;       // contents of dist/reveal.js, safe inside a <script> element
   std::string licence;  // its LICENSE file with the copyright notice; empty if missing
 };
-// Looks for reveal.js in the folder named by POLHODE_REVEAL, then in polhode/reveal.js in the data
-// folders of the user (XDG_DATA_HOME, ~/.local/share) and of the system (/usr/local/share,
-// /usr/share). The first folder that has dist/reveal.js and dist/reveal.css is used; absent if
-// there is none. Throws Error (input) if one of its files cannot be read.
+// The first folder of find_script_folder() (lecture/script_folder.h), with POLHODE_REVEAL and the
+// name reveal.js, that has dist/reveal.js and dist/reveal.css; absent if there is none. Throws
+// Error (input) if one of its files cannot be read.
 std::optional<Reveal> find_reveal();
 
 // A style sheet that contains the font for formulas (Latin Modern Math, found by fc-match); empty
@@ -30,17 +29,22 @@ std::string formula_font_css();
 // The texts at the head of a deck, plain text. Empty: not given.
 struct DeckWords {
   std::string title, subtitle, author, date, description, licence, lang = "en";
+  std::string address;  // of the folder of the documents on the web, with a slash at its end
 };
 // From the deck's metadata; without a title, the file name of the deck is the title.
 DeckWords words_of(const Deck& deck);
 
 // Complete HTML pages. `body` is pandoc's HTML of the text, `contents` that of its table of
-// contents. The pages load nothing from the network and run only their own scripts. Throw
-// Error (interrupted).
+// contents; `viewers` what viewer_blocks() (lecture/turning.h) returns. The pages load nothing from
+// the network and run only their own scripts. Throw Error (interrupted).
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
-                         const std::string& contents);
-std::string slides_page(const DeckWords& words, const std::string& body, const Reveal& reveal);
+                         const std::string& contents,
+                         const std::string& viewers = "");
+std::string slides_page(const DeckWords& words,
+                        const std::string& body,
+                        const Reveal& reveal,
+                        const std::string& viewers = "");
 std::string handout_page(const DeckWords& words, const std::string& body);
 
 // The program that prints the handout.

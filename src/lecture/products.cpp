@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/commands/chart.h"
+#include "app/commands/export.h"
 #include "app/commands/inspect.h"
 #include "app/commands/render.h"
 #include "app/commands/simulate.h"
@@ -14,6 +15,7 @@
 #include "base/system/files.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
+#include "lecture/turning.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -98,7 +100,8 @@ std::vector<std::string> words_of(const DeckPicture& picture, const LectureSetti
                                     settings.backend};
   for (const auto& [key, value] : picture.settings) {
     // words that change no pixel
-    if (key != "alt" && key != "with") words.push_back(fmt::format("{}={}", key, value));
+    if (key != "alt" && key != "with" && key != "clock")
+      words.push_back(fmt::format("{}={}", key, value));
   }
   return words;
 }
@@ -283,6 +286,34 @@ Product film_product(const DeckPicture& picture,
           [=](const fs::path& folder, const std::string& stem) {
             Json facts = make_film_files(picture, scene, settings, folder, stem);
             check_unchanged(scene);
+            return facts;
+          }};
+}
+
+Product turn_product(const DeckPicture& picture,
+                     const DeckScene& scene,
+                     const LectureSettings& settings,
+                     const Rights& rights) {
+  const Product film = film_product(picture, scene, settings);
+  std::vector<std::string> words = words_of(picture, settings);
+  words.insert(words.end(), {rights.author, rights.licence});
+  return {name_of_product(scene, "turn"),
+          key_of_product("turn", scene, words),
+          [=](const fs::path& folder, const std::string& stem) {
+            Json facts = film.make(folder, stem);
+            ExportJob job;
+            job.overrides = overrides_of(picture, settings);
+            job.from = facts.at("from_s").get<double>();
+            job.to = facts.at("to_s").get<double>();
+            job.author = rights.author;
+            job.licence = rights.licence;
+            const Scene shown = load_single(scene.file, job.overrides);
+            write_file(folder / (stem + ".glb"), glb_of_scene(shown, job).bytes);
+            const Json data = viewer_data(solve_alone(shown), *job.from, *job.to);
+            write_file(folder / (stem + "-viewer.json"), data.dump());
+            check_unchanged(scene);
+            facts["glb"] = stem + ".glb";
+            facts["viewer"] = stem + "-viewer.json";
             return facts;
           }};
 }

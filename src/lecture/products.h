@@ -53,6 +53,17 @@ RenderJob film_job(const DeckPicture& picture,
 Product film_product(const DeckPicture& picture,
                      const DeckScene& scene,
                      const LectureSettings& settings);
+// A film, and what it shows as a model to turn by hand, over the same part of the motion. Facts:
+// those of a film, "glb" (glTF, app/commands/export.h), "viewer" (viewer_data() in
+// lecture/turning.h, as JSON). `rights`: author and licence of the deck, for the notices of the
+// model.
+struct Rights {
+  std::string author, licence;  // empty: none
+};
+Product turn_product(const DeckPicture& picture,
+                     const DeckScene& scene,
+                     const LectureSettings& settings,
+                     const Rights& rights);
 // One film of the picture's scenes, a panel each, with the same facts. There are at least two.
 Product compare_product(const DeckPicture& picture,
                         const std::vector<DeckScene>& scenes,

@@ -45,7 +45,8 @@ TEST(KeyTimes, AreAsDenseAsTheAccelerationAsks) {
   EXPECT_LE(keys.error, tolerance);
   const double needed = std::sqrt(a / (8.0 * tolerance));  // intervals, if they were all as long
   EXPECT_GE(keys.times.size(), needed);
-  EXPECT_LE(keys.times.size(), 3.0 * needed);  // halving wastes up to a factor of two, and the safety
+  EXPECT_LE(keys.times.size(),
+            3.0 * needed);  // halving wastes up to a factor of two, and the safety
   for (const double t : keys.times)
     EXPECT_EQ(t, static_cast<double>(static_cast<float>(t)));
 }
@@ -65,7 +66,9 @@ TEST(KeyTimes, AJumpTakesAMomentAndIsNoError) {
 }
 
 TEST(KeyTimes, WhatIsStillHasOnePose) {
-  const auto pose_at = [](double) { return Pose{Vec3(1, 2, 3), Quat::Identity(), Vec3::Ones()}; };
+  const auto pose_at = [](double) {
+    return Pose{Vec3(1, 2, 3), Quat::Identity(), Vec3::Ones()};
+  };
   const KeyedPoses keys = keyed(ball(), pose_at, looks(4), kSecond, 1e-3);
   EXPECT_TRUE(keys.still);
   EXPECT_EQ(keys.poses.size(), 1u);

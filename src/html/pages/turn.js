@@ -1,0 +1,834 @@
+// Models to turn by hand: a film becomes one when its reader asks for it. The model is glTF as `polhode export` writes it,
+// in a block of data of the page; three.js draws it, in the colours and the light of the film.
+"use strict";
+{
+  const ownNonce = document.currentScript.nonce;
+  const barClass = document.querySelector(".reveal") ? "turn-bar" : "controls"; // slides have controls of their own
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+  // ---- what the page brings -------------------------------------------------------------------------------------
+
+  // three.js is text until it is needed
+  const drawing = () => {
+    if (!globalThis.THREE) {
+      globalThis.THREE = {};
+      const script = document.createElement("script");
+      script.nonce = ownNonce;
+      script.textContent = "(function (exports) {" + document.getElementById("three").textContent + "\n})(globalThis.THREE);";
+      document.head.append(script);
+      script.remove();
+    }
+    return globalThis.THREE;
+  };
+
+  const canDraw = () => {
+    try {
+      return document.getElementById("three") !== null && document.createElement("canvas").getContext("webgl2") !== null;
+    } catch {
+      return false;
+    }
+  };
+
+  const blockOf = (name) => [...document.querySelectorAll("script[data-viewer]")].find((one) => one.dataset.viewer === name);
+
+  // binary glTF: a header, a piece of JSON, a piece of numbers
+  const readGlb = (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (one) => one.charCodeAt(0));
+    const size = new DataView(bytes.buffer).getUint32(12, true);
+    const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + size)));
+    const kinds = { 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
+    const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+    const kept = new Map();
+    const numbers = (index) => {
+      if (kept.has(index)) return kept.get(index);
+      const accessor = json.accessors[index];
+      const start = 28 + size + (json.bufferViews[accessor.bufferView].byteOffset ?? 0) + (accessor.byteOffset ?? 0);
+      const found = new kinds[accessor.componentType](bytes.buffer, start, accessor.count * widths[accessor.type]);
+      kept.set(index, found);
+      return found;
+    };
+    return { json, numbers };
+  };
+
+  // ---- surfaces, as shaders/scene.frag lights them ---------------------------------------------------------------
+
+  const corners = `
+    attribute float density;
+    varying vec3 v_normal, v_world, v_mesh;
+    varying float v_density;
+    void main() {
+      vec4 world = modelMatrix * vec4(position, 1.0);
+      v_world = world.xyz;
+      v_mesh = position;
+      v_density = density;
+      v_normal = normalize((vec4(normalMatrix * normal, 0.0) * viewMatrix).xyz);
+      gl_Position = projectionMatrix * viewMatrix * world;
+    }`;
+  const points = `
+    uniform vec3 color, mark, key, fill;
+    uniform float alpha, gloss, strip, grain, dashes;
+    varying vec3 v_normal, v_world, v_mesh;
+    varying float v_density;
+    float bands(float x) {
+      float wave = abs(2.0 * fract(x) - 1.0);
+      return mix(wave, 0.5, clamp(2.0 * fwidth(x), 0.0, 1.0));
+    }
+    float strokes(float x) {
+      float wave = 2.0 * fract(x) - 1.0;
+      wave *= 4.0 * (1.0 - abs(wave));
+      return wave * clamp(2.0 - 8.0 * fwidth(x), 0.0, 1.0);
+    }
+    float brushed(float x) { return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7); }
+    void main() {
+      vec3 painted = color;
+    #if MARKED
+      float front = clamp(v_mesh.x / (fwidth(v_mesh.x) + 1e-9 * strip) + 0.5, 0.0, 1.0);
+      float on = clamp((strip - abs(v_mesh.y)) / (fwidth(v_mesh.y) + 1e-9 * strip) + 0.5, 0.0, 1.0) * front;
+      painted = mix(color * mix(vec3(0.54, 0.71, 0.90), vec3(1.0), front), mark, on);
+    #endif
+    #if FINISH == 1
+      float ring = bands(0.8 * length(v_mesh.xy) / grain + 0.25 * v_mesh.z / grain);
+      painted *= 0.88 + 0.17 * ring * ring;
+    #elif FINISH == 2
+      float across = TURNED == 1 ? brushed(length(v_mesh.xy) / grain) : brushed(v_mesh.y / grain);
+      painted *= 0.97 + 0.022 * (across + brushed(v_mesh.z / grain));
+    #endif
+    #if FLAT
+      gl_FragColor = vec4(color, 1.0) * alpha;
+    #if SOFT
+      gl_FragColor *= v_density;
+    #endif
+    #else
+      vec3 normal = normalize(v_normal) * (gl_FrontFacing ? 1.0 : -1.0);
+      vec3 to_eye = normalize(cameraPosition - v_world);
+      float facing = abs(dot(normal, to_eye));
+      float light = 0.21 + 0.19 * (0.5 + 0.5 * normal.y) + 0.64 * max(dot(normal, key), 0.0) + 0.16 * max(dot(normal, fill), 0.0);
+    #if VIVID
+      light = 0.5 + 0.5 * light;
+    #endif
+      vec3 lit = painted * painted * light;
+      float cosine = max(dot(normal, normalize(key + to_eye)), 0.0);
+      float c8 = pow(cosine, 8.0);
+    #if FINISH < 2
+      lit += vec3(gloss * 0.55 * c8 * c8 * c8 * c8);
+    #elif FINISH == 2
+      vec3 mirrored = 2.0 * dot(normal, to_eye) * normal - to_eye;
+      lit = lit * 0.55 + painted * painted * (0.08 + 0.42 * clamp(4.0 * mirrored.y + 0.5, 0.0, 1.0)) + vec3(0.30 * c8 + 0.25 * c8 * c8 * c8 * c8);
+    #else
+      lit += vec3(0.85 * pow(cosine, 128.0) + 0.22 * (1.0 - facing) * (1.0 - facing));
+    #endif
+      vec3 shown = sqrt(min(lit, vec3(1.0)));
+    #if SHELL
+      float dense = min(1.0, alpha * (0.45 + 1.8 * (1.0 - facing) * (1.0 - facing)));
+      gl_FragColor = vec4(mix(painted, shown, 0.35) * dense, dense);
+    #elif HIDDEN
+      float along = v_mesh.z * dashes;
+      float gap = dashes > 0.0 ? clamp((0.25 - abs(fract(along) - 0.25)) / fwidth(along) + 0.5, 0.0, 1.0) : 1.0;
+      gl_FragColor = vec4(dashes > 0.0 ? painted : shown, 1.0) * alpha * gap;
+    #else
+      gl_FragColor = vec4(shown, 1.0);
+    #endif
+    #endif
+    }`;
+
+  // the passes in which a surface is drawn: those that cover, what they hide, the rest, what is seen through
+  const passesOf = (look, lights) => {
+    const THREE = drawing();
+    const shell = look.alpha < 1;
+    const make = (order, side, settings, alpha, hidden) => {
+      const material = new THREE.ShaderMaterial({
+        uniforms: {
+          color: { value: new THREE.Vector3(...look.color) }, mark: { value: new THREE.Vector3(...look.mark_color) },
+          key: lights.key, fill: lights.fill, alpha: { value: alpha }, gloss: { value: look.gloss }, strip: { value: look.mark_width },
+          grain: { value: Math.max(look.grain, 1e-9) }, dashes: { value: 0 },
+        },
+        defines: {
+          MARKED: Number(look.mark_width > 0), FINISH: look.finish, TURNED: Number(look.turned), FLAT: Number(look.flat), SOFT: Number(look.soft),
+          VIVID: Number(look.vivid), SHELL: Number(shell), HIDDEN: Number(hidden),
+        },
+        vertexShader: corners, fragmentShader: points, side, ...settings,
+      });
+      return { order, material, dashed: hidden && look.dashes > 0 };
+    };
+    const blended = { blending: THREE.CustomBlending, blendSrc: THREE.OneFactor, blendDst: THREE.OneMinusSrcAlphaFactor, depthWrite: false };
+    const clear = { ...blended, transparent: true };
+    if (look.soft) return [make(5, THREE.DoubleSide, clear, look.alpha, false)];
+    if (look.flat && shell) return [make(6, THREE.DoubleSide, clear, look.alpha, false)];
+    if (shell) return [make(10, THREE.BackSide, clear, look.alpha, false), make(11, THREE.FrontSide, clear, look.alpha, false)];
+    const passes = [make(look.covers && !look.thin ? 0 : 2, THREE.FrontSide, {}, 1, false)];
+    if (look.hidden > 0) passes.push(make(1, THREE.FrontSide, { ...blended, depthFunc: THREE.GreaterDepth }, look.hidden, true));
+    return passes;
+  };
+
+  // ---- the model ------------------------------------------------------------------------------------------------
+
+  class Model {
+    constructor(base64) {
+      const THREE = drawing();
+      const { json, numbers } = readGlb(base64);
+      this.about = json.asset.extras;
+      this.lights = { key: { value: new THREE.Vector3() }, fill: { value: new THREE.Vector3() } };
+      this.scene = new THREE.Scene();
+      this.elements = new Map(); // name -> { color, groups }
+      this.labels = [];
+      this.dashed = [];
+      const passes = (json.materials ?? []).map((one) => passesOf(one.extras, this.lights));
+      const shapes = new Map();
+      const shapeOf = (primitive) => {
+        const key = JSON.stringify([primitive.attributes, primitive.indices]);
+        if (!shapes.has(key)) {
+          const shape = new THREE.BufferGeometry();
+          shape.setAttribute("position", new THREE.BufferAttribute(numbers(primitive.attributes.POSITION), 3));
+          shape.setAttribute("normal", new THREE.BufferAttribute(numbers(primitive.attributes.NORMAL), 3));
+          if ("COLOR_0" in primitive.attributes) {
+            const colors = numbers(primitive.attributes.COLOR_0);
+            shape.setAttribute("density", new THREE.BufferAttribute(colors.filter((_, k) => k % 4 === 3), 1));
+          }
+          shape.setIndex(new THREE.BufferAttribute(numbers(primitive.indices), 1));
+          shapes.set(key, shape);
+        }
+        return shapes.get(key);
+      };
+      this.nodes = json.nodes.map((node) => {
+        const made = new THREE.Object3D();
+        made.name = node.name;
+        if (node.translation) made.position.fromArray(node.translation);
+        if (node.rotation) made.quaternion.fromArray(node.rotation);
+        if (node.scale) made.scale.fromArray(node.scale);
+        for (const primitive of node.mesh === undefined ? [] : json.meshes[node.mesh].primitives) {
+          for (const { order, material, dashed } of passes[primitive.material]) {
+            const part = new THREE.Mesh(shapeOf(primitive), dashed ? material.clone() : material);
+            if (dashed) Object.assign(part.material.uniforms, { key: this.lights.key, fill: this.lights.fill });
+            part.renderOrder = order;
+            part.frustumCulled = false;
+            made.add(part);
+            if (dashed) this.dashed.push(part);
+          }
+        }
+        const extras = node.extras ?? {};
+        if ("label" in extras) this.labels.push({ node: made, ...extras });
+        if ("element" in extras) {
+          if (!this.elements.has(extras.element)) this.elements.set(extras.element, { color: extras.color, groups: [] });
+          this.elements.get(extras.element).groups.push(made);
+        }
+        return made;
+      });
+      json.nodes.forEach((node, i) => (node.children ?? []).forEach((child) => this.nodes[i].add(this.nodes[child])));
+      for (const root of json.scenes[0].nodes) this.scene.add(this.nodes[root]);
+      this.tracks = (json.animations ?? []).flatMap((animation) =>
+        animation.channels.map(({ sampler, target }) => {
+          const { input, output, interpolation } = animation.samplers[sampler];
+          return { node: this.nodes[target.node], path: target.path, times: numbers(input), values: numbers(output), steps: interpolation === "STEP", at: 0 };
+        }));
+      this.camera = json.cameras[0].perspective;
+      this.turn = [new THREE.Quaternion(), new THREE.Quaternion()];
+      this.show(0);
+    }
+
+    node(name) {
+      return this.nodes.find((one) => one.name === name);
+    }
+
+    // everything where it is at a time of the animation, s
+    show(time) {
+      for (const track of this.tracks) {
+        const { node, path, times, values } = track;
+        let i = track.at;
+        if (i >= times.length || times[i] > time) i = 0;
+        if (i + 64 < times.length && times[i + 64] < time) {
+          let high = times.length;
+          while (high - i > 1) {
+            const middle = (i + high) >> 1;
+            if (times[middle] <= time) i = middle;
+            else high = middle;
+          }
+        }
+        while (i + 1 < times.length && times[i + 1] <= time) ++i;
+        track.at = i;
+        const last = i + 1 >= times.length || time <= times[i];
+        const part = last || track.steps ? 0 : (time - times[i]) / (times[i + 1] - times[i]);
+        if (path === "rotation") {
+          const [a, b] = this.turn;
+          a.fromArray(values, 4 * i);
+          if (part > 0) a.slerp(b.fromArray(values, 4 * i + 4), part);
+          node.quaternion.copy(a);
+        } else {
+          const to = path === "scale" ? node.scale : node.position;
+          to.fromArray(values, 3 * i);
+          if (part > 0) {
+            for (let k = 0; k < 3; ++k) to.setComponent(k, to.getComponent(k) + part * (values[3 * i + 3 + k] - values[3 * i + k]));
+          }
+          if (path === "scale") node.visible = node.scale.x !== 0 || node.scale.y !== 0 || node.scale.z !== 0;
+        }
+      }
+      this.scene.updateMatrixWorld();
+      // a dash and a gap take 0.09 radii of the body (frame/arrow.h)
+      for (const part of this.dashed) part.material.uniforms.dashes.value = part.parent.scale.z / (0.09 * this.about.body_radius);
+    }
+  }
+
+  // ---- time -----------------------------------------------------------------------------------------------------
+
+  // One clock for all viewers of the same name. Times in s of animation.
+  class Clock {
+    constructor(duration, pauses) {
+      Object.assign(this, { duration, pauses, time: 0, playing: false, speed: 1, loops: false, watchers: [], before: 0 });
+    }
+    join(duration, pauses, watcher) {
+      this.duration = Math.max(this.duration, duration);
+      this.pauses = [...new Set([...this.pauses, ...pauses])].sort((a, b) => a - b);
+      this.watchers.push(watcher);
+    }
+    tell() {
+      for (const watcher of this.watchers) watcher();
+    }
+    set(time) {
+      this.time = Math.min(this.duration, Math.max(0, time));
+      this.tell();
+    }
+    pause() {
+      this.playing = false;
+      this.tell();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.duration) this.time = 0;
+      this.playing = true;
+      this.before = performance.now();
+      requestAnimationFrame((now) => this.tick(now));
+      this.tell();
+    }
+    // a hidden page gets no frames: time stands still there
+    tick(now) {
+      if (!this.playing) return;
+      const passed = Math.min(0.25, Math.max(0, (now - this.before) / 1000)) * this.speed;
+      this.before = now;
+      const stop = this.pauses.find((one) => one > this.time + 1e-9 && one <= this.time + passed);
+      let time = this.time + passed;
+      if (stop !== undefined) {
+        time = stop;
+        this.playing = false;
+      } else if (time >= this.duration) {
+        time = this.loops ? time % this.duration : this.duration;
+        this.playing = this.loops;
+      }
+      this.set(time);
+      if (this.playing) requestAnimationFrame((next) => this.tick(next));
+    }
+  }
+  const clocks = new Map();
+
+  // ---- words ----------------------------------------------------------------------------------------------------
+
+  const make = (tag, settings = {}, ...children) => {
+    const made = document.createElement(tag);
+    for (const [key, value] of Object.entries(settings)) {
+      if (key.startsWith("on")) made.addEventListener(key.slice(2), value);
+      else made.setAttribute(key, value);
+    }
+    made.append(...children);
+    return made;
+  };
+  const press = (text, label, action) => make("button", { type: "button", "aria-label": label, title: label, onclick: action }, text);
+
+  // the little markup of labels: bold, italic, raised and lowered; all else is text
+  const setMarkup = (into, markup) => {
+    const parsed = new DOMParser().parseFromString(`<label>${markup}</label>`, "application/xml");
+    const copy = (from, to) => {
+      for (const child of from.childNodes) {
+        if (child.nodeType === Node.TEXT_NODE) {
+          to.append(child.data);
+        } else if (child.nodeType === Node.ELEMENT_NODE) {
+          const known = ["b", "i", "sub", "sup"].includes(child.nodeName);
+          const inner = known ? document.createElement(child.nodeName) : to;
+          copy(child, inner);
+          if (known) to.append(inner);
+        }
+      }
+    };
+    if (parsed.querySelector("parsererror")) into.textContent = markup;
+    else copy(parsed.documentElement, into);
+  };
+
+  const readable = (name) => name.replaceAll("_", " ");
+  const short = (value) => (value === 0 ? "0" : Number(value.toPrecision(4)).toString());
+
+  const svg = (tag, settings) => {
+    const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    for (const [key, value] of Object.entries(settings)) made.setAttribute(key, value);
+    return made;
+  };
+
+  // ---- a viewer -------------------------------------------------------------------------------------------------
+
+  const views = [["film", "As in the film"], ["along_momentum", "Along L"], ["along_omega", "Along Ω"], ["along_axis", "Along the axis"]];
+
+  class Viewer {
+    constructor(figure, data) {
+      const THREE = drawing();
+      this.figure = figure;
+      this.data = data;
+      this.model = new Model(data.glb);
+      delete data.glb;
+      this.duration = (data.to - data.from) / data.scale;
+      this.yaw = this.pitch = 0; // rad, by hand
+      this.zoom = 1;
+      this.view = "film";
+      this.frame = "space";
+      this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false });
+      this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the shader writes what is shown
+      this.camera = new THREE.PerspectiveCamera();
+      this.film = this.model.node("camera");
+      this.body = this.model.node("body_frame");
+      this.middle = this.model.node("along_axis");
+      this.lightNodes = { key: this.model.node("key_light"), fill: this.model.node("fill_light") };
+      this.start = { camera: this.film.matrixWorld.clone(), body: this.body.matrixWorld.clone() };
+      this.temporary = { place: new THREE.Matrix4(), eye: new THREE.Vector3(), middle: new THREE.Vector3(), turn: new THREE.Quaternion(), other: new THREE.Quaternion(), axis: new THREE.Vector3(), up: new THREE.Vector3(), size: new THREE.Vector3() };
+      this.renderer.setClearColor(new THREE.Color().setStyle(this.model.about.background, THREE.LinearSRGBColorSpace), 1);
+      const name = figure.dataset.clock || ` ${figure.dataset.turn}`;
+      const pauses = data.pauses.map((one) => (one.at - data.from) / data.scale).filter((one) => one > 0 && one < this.duration);
+      if (!clocks.has(name)) clocks.set(name, new Clock(this.duration, []));
+      this.clock = clocks.get(name);
+      this.clock.join(this.duration, pauses, () => this.update());
+      this.build();
+      this.watch();
+      this.update();
+    }
+
+    // motion time, s
+    get t() {
+      return Math.min(this.data.to, this.data.from + this.clock.time * this.data.scale);
+    }
+
+    build() {
+      const { data } = this;
+      const video = this.figure.querySelector("video");
+      this.canvas = this.renderer.domElement;
+      this.canvas.tabIndex = 0;
+      this.canvas.setAttribute("role", "application");
+      this.canvas.setAttribute("aria-label", `Model to turn: ${video.getAttribute("aria-label") || data.title}. Arrows turn it, plus and minus zoom, space plays, comma and full stop step.`);
+      this.picture = make("div", { class: "turning" }, this.canvas);
+      this.picture.style.aspectRatio = String(this.model.camera.aspectRatio);
+      this.picture.style.background = this.model.about.background;
+      this.labels = this.model.labels.map((label) => {
+        const tip = make("span", { class: "tip", "aria-hidden": "true" });
+        tip.style.color = label.color;
+        tip.style.fontSize = `${1.15 * label.size}rem`;
+        setMarkup(tip, label.label);
+        this.picture.append(tip);
+        let element = label.node;
+        while (element && !this.isGroup(element)) element = element.parent;
+        return { ...label, tip, group: element };
+      });
+
+      const step = (by) => {
+        this.clock.pause();
+        this.clock.set((Math.round(this.clock.time * data.fps) + by) / data.fps);
+      };
+      this.step = step;
+      this.range = make("input", { type: "range", min: "0", max: String(this.duration), step: "any", "aria-label": "Time", oninput: () => {
+        this.clock.pause();
+        this.clock.set(Number(this.range.value));
+      }, onkeydown: (event) => {
+        // any step for the mouse, one frame for keys
+        const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+        event.stopPropagation();
+        if (!by) return;
+        event.preventDefault();
+        step(by);
+      } });
+      this.play = press("▶", "Play", () => this.toggle());
+      const speed = make("select", { "aria-label": "Speed", onchange: () => (this.clock.speed = Number(speed.value)) },
+        ...[0.1, 0.25, 0.5, 1, 2].map((value) => new Option(`× ${value}`, String(value), value === 1, value === 1)));
+      const loop = press("⟳", "Repeat", () => {
+        this.clock.loops = !this.clock.loops;
+        loop.setAttribute("aria-pressed", String(this.clock.loops));
+      });
+      loop.setAttribute("aria-pressed", "false");
+      this.viewList = make("select", { "aria-label": "View", onchange: () => this.look(this.viewList.value) }, ...views.map(([value, words]) => new Option(words, value)));
+      this.frameList = make("select", { "aria-label": "Frame of reference", onchange: () => this.stand(this.frameList.value) }, new Option("Space stands still", "space"), new Option("The body stands still", "body"));
+      const reset = press("⌂", "Turn back", () => this.look(this.view));
+      const link = press("Link", "Link to this view and time: copy", () => {
+        history.replaceState(null, "", this.link());
+        if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
+        link.textContent = "Copied";
+        setTimeout(() => (link.textContent = "Link"), 1500);
+      });
+      const large = press("⤢", "Full screen", () => {
+        if (document.fullscreenElement) document.exitFullscreen();
+        else if (this.figure.requestFullscreen) this.figure.requestFullscreen().catch(() => {});
+      });
+      const back = press("Film", "Back to the film", () => this.close());
+      const stops = data.pauses.map((pause, i) => press(`❚❚ ${i + 1}`, `Pause point ${i + 1}, ${short(pause.at)} s${pause.caption ? ": " + pause.caption : ""}`, () => {
+        this.clock.pause();
+        this.clock.set((pause.at - data.from) / data.scale);
+      }));
+      this.ticks = new Map([...this.model.elements].map(([name, { color, groups }]) => {
+        const tick = make("input", { type: "checkbox", onchange: () => this.show(name, tick.checked) });
+        tick.checked = true;
+        const swatch = make("span", { class: "swatch" });
+        swatch.style.background = color;
+        return [name, { tick, groups, label: make("label", { title: data.elements[name] ?? name }, tick, swatch, readable(name)) }];
+      }));
+      this.numbers = Object.fromEntries(["t", "|Ω|", "|L|", "E", "θ"].map((name) => [name, make("dd")]));
+      const words = { t: "Time", "|Ω|": "Angular velocity", "|L|": "Angular momentum", E: "Energy", θ: "Tilt of the axis" };
+      this.said = make("p", { class: "said", "aria-live": "polite" });
+      this.cursors = [];
+      this.bar = make("div", { class: barClass, role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
+        this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
+        make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
+        make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
+        this.said, make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot))));
+      this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls, .turn-bar")];
+      for (const part of this.hiddenParts) part.hidden = true;
+      for (const part of this.hiddenParts) part.style.display = "none";
+      this.figure.classList.add("turn-figure");
+      this.figure.querySelector(".screen").after(this.picture, this.bar);
+      this.listen();
+    }
+
+    isGroup(node) {
+      return [...this.model.elements.values()].some((one) => one.groups.includes(node));
+    }
+
+    // curves over the whole motion, with a cursor that shows the time and sets it
+    curve({ title, unit, curves }) {
+      const numbers = curves.flatMap((one) => one.values).filter((one) => one !== null);
+      const low = Math.min(...numbers), high = Math.max(...numbers);
+      const middle = 0.5 * (low + high), span = Math.max(high - low, 1e-9 * Math.abs(middle), 1e-300);
+      const picture = svg("svg", { viewBox: "0 0 100 100", preserveAspectRatio: "none", role: "img", "aria-label": `${title} over time` });
+      for (const { values } of curves) {
+        let path = "", pen = "M";
+        values.forEach((value, i) => {
+          if (value === null) return (pen = "M");
+          path += `${pen}${((100 * i) / (values.length - 1)).toFixed(2)} ${(50 - (88 * (value - middle)) / span).toFixed(2)}`;
+          pen = "L";
+        });
+        picture.append(svg("path", { d: path }));
+      }
+      const cursor = svg("line", { y1: 0, y2: 100, x1: 0, x2: 0 });
+      picture.append(cursor);
+      this.cursors.push(cursor);
+      const follow = (event) => {
+        if (event.buttons === 0 && event.type === "pointermove") return;
+        const box = picture.getBoundingClientRect();
+        this.clock.pause();
+        this.clock.set((((event.clientX - box.left) / box.width) * this.data.to - this.data.from) / this.data.scale);
+      };
+      picture.addEventListener("pointerdown", follow);
+      picture.addEventListener("pointermove", follow);
+      const names = curves.length > 1 ? `: ${curves.map((one) => one.name).join(", ")}` : "";
+      return make("div", {}, make("p", {}, `${title}${unit ? `, ${unit}` : ""}${names}`), picture);
+    }
+
+    toggle() {
+      if (this.clock.playing) this.clock.pause();
+      else this.clock.play();
+    }
+
+    // ---- turning ----
+
+    listen() {
+      const touches = new Map();
+      const { canvas } = this;
+      const apart = () => {
+        const [a, b] = [...touches.values()];
+        return Math.hypot(a.x - b.x, a.y - b.y);
+      };
+      canvas.addEventListener("pointerdown", (event) => {
+        canvas.focus({ preventScroll: true });
+        canvas.setPointerCapture(event.pointerId);
+        touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      });
+      canvas.addEventListener("pointermove", (event) => {
+        const last = touches.get(event.pointerId);
+        if (!last) return;
+        const before = touches.size === 2 ? apart() : 0;
+        const moved = { x: event.clientX - last.x, y: event.clientY - last.y };
+        touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
+        // the height of the picture is half a turn
+        if (touches.size === 1) this.turn((-Math.PI * moved.x) / canvas.clientHeight, (-Math.PI * moved.y) / canvas.clientHeight);
+        else if (touches.size === 2 && before > 0) this.magnify(apart() / before);
+      });
+      for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => touches.delete(event.pointerId));
+      canvas.addEventListener("wheel", (event) => {
+        event.preventDefault();
+        this.magnify(Math.exp(-0.0012 * event.deltaY));
+      }, { passive: false });
+      const angle = Math.PI / 36;
+      const keys = {
+        " ": () => this.toggle(), ",": () => this.step(-1), ".": () => this.step(1), Home: () => this.clock.set(0), End: () => this.clock.set(this.duration),
+        ArrowLeft: () => this.turn(-angle, 0), ArrowRight: () => this.turn(angle, 0), ArrowUp: () => this.turn(0, -angle), ArrowDown: () => this.turn(0, angle),
+        "+": () => this.magnify(1.1), "=": () => this.magnify(1.1), "-": () => this.magnify(1 / 1.1), 0: () => this.look(this.view),
+      };
+      canvas.addEventListener("keydown", (event) => {
+        if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+        event.preventDefault();
+        event.stopPropagation();
+        keys[event.key]();
+      });
+      // slides have keys of their own
+      this.bar.addEventListener("keydown", (event) => event.key !== "Escape" && event.stopPropagation());
+    }
+
+    turn(yaw, pitch) {
+      this.yaw += yaw;
+      this.pitch += pitch;
+      this.update();
+    }
+    magnify(factor) {
+      this.zoom = Math.min(20, Math.max(0.05, this.zoom * factor));
+      this.update();
+    }
+    look(view) {
+      this.view = views.some(([known]) => known === view) ? view : "film";
+      this.viewList.value = this.view;
+      this.yaw = this.pitch = 0;
+      this.zoom = 1;
+      this.update();
+    }
+    stand(frame) {
+      this.frame = frame === "body" ? "body" : "space";
+      this.frameList.value = this.frame;
+      this.update();
+    }
+    show(element, shown) {
+      const { tick, groups } = this.ticks.get(element);
+      tick.checked = shown;
+      for (const group of groups) group.visible = shown;
+      this.update();
+    }
+
+    // The camera of the view, turned by hand about the reference point. A frame of reference in which the body
+    // stands still takes the camera along.
+    placeCamera() {
+      const { place, eye, middle, turn, other, axis, up, size } = this.temporary;
+      const { camera } = this;
+      this.middle.getWorldPosition(middle);
+      place.identity();
+      if (this.frame === "body") place.copy(this.start.body).invert().premultiply(this.body.matrixWorld);
+      up.set(0, 1, 0);
+      if (this.view === "film") {
+        place.multiply(this.frame === "body" ? this.start.camera : this.film.matrixWorld);
+        place.decompose(eye, turn, size);
+        if (this.frame === "body") up.set(0, 1, 0).transformDirection(this.temporaryBody());
+      } else {
+        const from = eye.setFromMatrixPosition(this.start.camera);
+        const far = from.distanceTo(this.startMiddle ?? (this.startMiddle = middle.clone()));
+        axis.set(0, 0, 1).transformDirection(this.model.node(this.view).matrixWorld);
+        if (this.frame === "body") up.transformDirection(this.temporaryBody());
+        if (Math.abs(axis.dot(up)) > 0.999) up.set(1, 0, 0).transformDirection(place);
+        eye.copy(middle).addScaledVector(axis, far);
+        place.lookAt(eye, middle, up);
+        turn.setFromRotationMatrix(place);
+        up.set(0, 1, 0).applyQuaternion(turn);
+      }
+      // about what is up, then about what is to the right
+      axis.set(1, 0, 0).applyQuaternion(turn);
+      other.setFromAxisAngle(up, this.yaw);
+      turn.premultiply(this.pitchTurn.setFromAxisAngle(axis, this.pitch)).premultiply(other);
+      eye.sub(middle).applyQuaternion(this.pitchTurn).applyQuaternion(other).divideScalar(this.zoom);
+      const far = eye.length();
+      camera.position.copy(eye.add(middle));
+      camera.quaternion.copy(turn);
+      const film = this.model.camera, aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
+      const wide = Math.max(1, film.aspectRatio / aspect); // a narrow picture shows as much across
+      camera.fov = (360 / Math.PI) * Math.atan(Math.tan(0.5 * film.yfov) * wide);
+      camera.aspect = aspect;
+      camera.near = Math.max(0.02 * far, 1e-4);
+      camera.far = 50 * far + 10 * film.zfar;
+      camera.updateProjectionMatrix();
+      camera.updateMatrixWorld();
+      // lights travel with the camera
+      for (const [name, node] of Object.entries(this.lightNodes)) this.model.lights[name].value.set(0, 0, 1).applyQuaternion(node.quaternion).applyQuaternion(turn);
+    }
+    get pitchTurn() {
+      return this.ownPitch ?? (this.ownPitch = new (drawing().Quaternion)());
+    }
+    temporaryBody() {
+      const THREE = drawing();
+      const made = this.ownBody ?? (this.ownBody = new THREE.Matrix4());
+      return made.copy(this.start.body).invert().premultiply(this.body.matrixWorld);
+    }
+
+    // ---- showing ----
+
+    watch() {
+      new ResizeObserver(() => this.update()).observe(this.picture);
+      this.seen = true;
+      new IntersectionObserver(([entry]) => {
+        this.seen = entry.isIntersecting;
+        if (this.seen) this.update();
+        else if (this.clock.watchers.length === 1) this.clock.pause();
+      }).observe(this.picture);
+    }
+
+    // at most one picture for each frame of the screen
+    update() {
+      if (this.wanted) return;
+      this.wanted = true;
+      requestAnimationFrame(() => {
+        this.wanted = false;
+        this.draw();
+      });
+    }
+
+    draw() {
+      if (this.closed) return;
+      const width = this.picture.clientWidth, height = this.picture.clientHeight;
+      if (width > 0 && height > 0 && this.seen) {
+        const ratio = Math.min(devicePixelRatio, 2);
+        if (this.canvas.width !== Math.floor(width * ratio) || this.canvas.height !== Math.floor(height * ratio)) {
+          this.renderer.setPixelRatio(ratio);
+          this.renderer.setSize(width, height, false);
+        }
+        this.model.show(Math.min(this.clock.time, this.duration));
+        this.placeCamera();
+        this.renderer.render(this.model.scene, this.camera);
+        this.placeLabels(width, height);
+      }
+      this.tellNumbers();
+    }
+
+    placeLabels(width, height) {
+      const { eye, axis } = this.temporary;
+      for (const { node, tip, group } of this.labels) {
+        eye.setFromMatrixPosition(node.matrixWorld);
+        axis.set(0, 0, 1).transformDirection(node.matrixWorld).multiplyScalar(0.05 * this.model.about.body_radius * this.model.about.units_per_metre).add(eye);
+        eye.project(this.camera);
+        axis.project(this.camera);
+        const shown = node.visible && group.visible && Math.abs(eye.x) < 1 && Math.abs(eye.y) < 1 && eye.z < 1;
+        tip.style.display = shown ? "" : "none";
+        if (!shown) continue;
+        const x = (0.5 + 0.5 * eye.x) * width, y = (0.5 - 0.5 * eye.y) * height;
+        let dx = (axis.x - eye.x) * width, dy = -(axis.y - eye.y) * height;
+        const length = Math.hypot(dx, dy) || 1;
+        const off = 16;
+        dx *= off / length;
+        dy *= off / length;
+        tip.style.transform = `translate(${(x + dx).toFixed(1)}px, ${(y + dy).toFixed(1)}px) translate(-50%, -50%)`;
+      }
+    }
+
+    tellNumbers() {
+      const { data, clock } = this;
+      const { axis } = this.temporary;
+      const part = Math.min(1, clock.time / this.duration);
+      const value = (list) => {
+        const at = part * (list.length - 1), i = Math.min(list.length - 2, Math.floor(at));
+        return list[i] + (at - i) * (list[i + 1] - list[i]);
+      };
+      axis.set(0, 0, 1).transformDirection(this.middle.matrixWorld);
+      const numbers = this.numbers;
+      numbers.t.textContent = `${this.t.toPrecision(5)} s`;
+      numbers["|Ω|"].textContent = `${short(value(data.series.omega))} rad/s`;
+      numbers["|L|"].textContent = `${short(value(data.series.momentum))} kg m²/s`;
+      numbers.E.textContent = `${short(value(data.series.energy))} J`;
+      numbers["θ"].textContent = `${((Math.acos(Math.max(-1, Math.min(1, axis.y))) * 180) / Math.PI).toFixed(1)}°`;
+      this.range.value = String(clock.time);
+      this.range.setAttribute("aria-valuetext", `${short(this.t)} s`);
+      this.play.textContent = clock.playing ? "❚❚" : "▶";
+      this.play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
+      this.play.title = clock.playing ? "Pause (space)" : "Play (space)";
+      const said = data.captions.filter((one) => one.at <= this.t + 1e-9).pop();
+      if (this.said.textContent !== (said?.caption ?? "")) this.said.textContent = said?.caption ?? "";
+      for (const cursor of this.cursors) {
+        const x = String((100 * this.t) / data.to);
+        cursor.setAttribute("x1", x);
+        cursor.setAttribute("x2", x);
+      }
+    }
+
+    // ---- links ----
+
+    link() {
+      const words = new URLSearchParams({ turn: this.figure.dataset.turn, t: this.t.toPrecision(9), view: this.view, frame: this.frame, yaw: this.yaw.toFixed(4), pitch: this.pitch.toFixed(4), zoom: this.zoom.toFixed(4) });
+      const hidden = [...this.ticks].filter(([, one]) => !one.tick.checked).map(([name]) => name);
+      if (hidden.length > 0) words.set("hide", hidden.join(" "));
+      return "#" + words;
+    }
+    follow(words) {
+      const number = (key, usual) => {
+        const value = Number(words.get(key) ?? usual);
+        return Number.isFinite(value) ? value : usual;
+      };
+      this.clock.pause();
+      this.look(words.get("view"));
+      this.stand(words.get("frame"));
+      this.yaw = number("yaw", 0);
+      this.pitch = number("pitch", 0);
+      this.zoom = Math.min(20, Math.max(0.05, number("zoom", 1)));
+      const hidden = (words.get("hide") ?? "").split(" ");
+      for (const name of this.ticks.keys()) this.show(name, !hidden.includes(name));
+      this.clock.set((number("t", this.data.from) - this.data.from) / this.data.scale);
+    }
+
+    close() {
+      this.clock.pause();
+      this.picture.style.display = this.bar.style.display = "none";
+      for (const part of this.hiddenParts) {
+        part.hidden = false;
+        part.style.display = "";
+      }
+      this.figure.classList.remove("turn-figure");
+      this.opener.focus();
+    }
+    reopen() {
+      this.picture.style.display = this.bar.style.display = "";
+      for (const part of this.hiddenParts) {
+        part.hidden = true;
+        part.style.display = "none";
+      }
+      this.figure.classList.add("turn-figure");
+      this.update();
+    }
+  }
+
+  // ---- the page -------------------------------------------------------------------------------------------------
+
+  const open = (figure) => {
+    if (figure.viewer) {
+      figure.viewer.reopen();
+      return figure.viewer;
+    }
+    const block = blockOf(figure.dataset.turn);
+    if (!block) return null;
+    const data = JSON.parse(block.textContent);
+    for (const video of figure.querySelectorAll("video")) video.pause();
+    figure.viewer = new Viewer(figure, data);
+    figure.viewer.opener = figure.opener;
+    return figure.viewer;
+  };
+
+  const start = (figure) => {
+    const viewer = open(figure);
+    if (!viewer) return;
+    viewer.canvas.focus({ preventScroll: true });
+    if (!still.matches) viewer.clock.play();
+  };
+
+  if (canDraw()) {
+    for (const figure of document.querySelectorAll("figure[data-turn]")) {
+      if (!blockOf(figure.dataset.turn)) continue;
+      figure.opener = press("Turn it", "Turn it by hand", () => start(figure));
+      figure.opener.classList.add("turn-start");
+      const controls = figure.querySelector(".controls");
+      if (controls) controls.append(figure.opener);
+      else figure.querySelector(".screen").after(make("div", { class: barClass }, figure.opener));
+    }
+    // #turn=NAME&t=2.5&view=along_momentum
+    const followTurn = () => {
+      const words = new URLSearchParams(location.hash.slice(1));
+      for (const figure of document.querySelectorAll("figure[data-turn]")) {
+        if (!words.has("turn") || figure.dataset.turn !== words.get("turn")) continue;
+        const viewer = open(figure);
+        if (!viewer) continue;
+        viewer.follow(words);
+        figure.scrollIntoView({ block: "center" });
+        viewer.canvas.focus({ preventScroll: true });
+      }
+    };
+    addEventListener("hashchange", followTurn);
+    followTurn();
+  }
+}

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// Opens a lecture with viewers (`.turn`) in a real browser, with files and without a network, as a student does.
+// usage: turn_pages.js POLHODE SCENES CHROMIUM [FOLDER for screenshots]
+"use strict";
+const assert = require("node:assert");
+const { execFileSync } = require("node:child_process");
+const fs = require("node:fs");
+const os = require("node:os");
+const { chromium } = require("playwright-core");
+const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const [polhode, scenes, browserPath, pictures] = process.argv.slice(2);
+
+const check = async (name, work) => {
+  const said = await work();
+  console.log("ok", name, said ?? "");
+};
+const place = fs.mkdtempSync(`${os.tmpdir()}/polhode-turn-`);
+const run = (...words) => execFileSync(polhode, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+
+// SSIM of two pictures must be at least this; labels and clock are left out. Measured: 0.995 and 0.981.
+const LEAST_SSIM = 0.975;
+
+const hostile = `</script><script>globalThis.hacked = 1</script><img src=x onerror="globalThis.hacked = 2">`;
+
+const makeLecture = () => {
+  for (const name of ["free_symmetric_top", "nutation_plots", "cones_explained", "heavy_top"]) fs.copyFileSync(`${scenes}/${name}.toml`, `${place}/${name}.toml`);
+  const scene = fs.readFileSync(`${scenes}/free_symmetric_top.toml`, "utf8").replace(/^title = .*$/m, `title = '''${hostile}'''`);
+  fs.writeFileSync(`${place}/hostile.toml`, `${scene}\n[show]\nnames = { omega = '''${hostile}''', momentum = "L\\u2028</script>" }\n[[story]]\nat = 1\nhold = 1\ncaption = '''${hostile}'''\n`);
+  const small = "size=640x360 fps=10";
+  // without text, for which films leave room
+  const bare = "labels = false\nclock = false\n";
+  fs.writeFileSync(`${place}/bare_free.toml`, `${fs.readFileSync(`${scenes}/free_symmetric_top.toml`, "utf8")}\n[show]\n${bare}`);
+  fs.writeFileSync(`${place}/bare_waves.toml`, fs.readFileSync(`${scenes}/nutation_plots.toml`, "utf8").replace(/^plots = .*$/m, bare));
+  fs.writeFileSync(`${place}/deck.md`, `---
+title: "Turn it ${hostile.replaceAll('"', "'")}"
+---
+
+# Tops
+
+## The free top
+
+![The free top](free_symmetric_top.toml){ .turn ${small} clock=both }
+
+## Waves
+
+![Waves](nutation_plots.toml){ .turn ${small} clock=both }
+
+## The story
+
+![The story](cones_explained.toml){ .turn ${small} to=4 }
+
+## Hostile
+
+![Hostile](hostile.toml){ #hostile .turn ${small} to=2 alt="</script><b>x" }
+
+## Bare
+
+![Bare](bare_free.toml){ .turn ${small} to=2 }
+
+## Bare waves
+
+![Bare waves](bare_waves.toml){ .turn ${small} to=0.2 }
+`);
+  run("lecture", `${place}/deck.md`, "-o", `${place}/out`, "--to", "html,slides,pptx", "--quiet");
+};
+
+// rows of `simulate`: time, attitude
+const attitudeAt = (scene, t) => {
+  const table = run("simulate", `${place}/${scene}.toml`, "-o", "-", "--rate", String(1 / t)).split("\n");
+  const [time, ...q] = table[2].split(",").map(Number);
+  assert.ok(Math.abs(time - t) < 1e-9);
+  return q.slice(0, 4);
+};
+
+(async () => {
+  makeLecture();
+  // OpenGL by software, as on any machine
+  const gl = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+  const sandbox = process.getuid() === 0 ? ["--no-sandbox"] : [];
+  const browser = await chromium.launch({ executablePath: browserPath, args: [...gl, ...sandbox] });
+  const problems = [];
+  const newPage = async (settings = {}, from = browser) => {
+    const context = await from.newContext({ viewport: { width: 1280, height: 900 }, offline: true, ...settings });
+    const page = await context.newPage();
+    page.on("pageerror", (error) => problems.push(error.message));
+    page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+    page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || problems.push("asks for " + request.url()));
+    return page;
+  };
+  const page = await newPage();
+  const shot = async (name, on = page) => pictures && on.screenshot({ path: `${pictures}/turn-${name}.png` });
+  const figure = (index) => page.locator("figure[data-turn]").nth(index);
+  const until = async (what, work) => {
+    for (let i = 0; i < 150; ++i) {
+      if (await work()) return;
+      await page.waitForTimeout(100);
+    }
+    assert.fail(what);
+  };
+  const settled = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const inPage = (index, body, argument) => page.evaluate(`(() => { const viewer = document.querySelectorAll("figure[data-turn]")[${index}].viewer; const given = ${JSON.stringify(argument ?? null)}; ${body} })()`);
+  const accessible = async () => {
+    await page.evaluate(axe);
+    const found = await page.evaluate(async () => (await globalThis.axe.run()).violations.map((one) => `${one.id}: ${one.nodes[0].html.slice(0, 160)}`));
+    assert.deepStrictEqual(found, []);
+  };
+
+  await check("the page is there without what viewers need", async () => {
+    const before = Date.now();
+    await page.goto(`file://${place}/out/index.html`);
+    const took = Date.now() - before;
+    assert.strictEqual(await page.evaluate(() => typeof globalThis.THREE), "undefined");
+    return `in ${took} ms`;
+  });
+
+  await check("a key starts a viewer, and it plays", async () => {
+    await figure(0).getByRole("button", { name: "Turn it by hand" }).focus();
+    await page.keyboard.press("Enter");
+    await until("playing", async () => inPage(0, "return viewer && viewer.clock.time > 0.1"));
+    await page.keyboard.press("Space");
+    assert.strictEqual(await inPage(0, "return viewer.clock.playing"), false);
+  });
+  await shot("free-top");
+
+  await check("the slider sets the time exactly", async () => {
+    const range = figure(0).getByRole("slider", { name: "Time" });
+    let worst = 0;
+    for (const t of [1.5, 3.7, 8.25]) {
+      await range.fill(String(t));
+      await settled();
+      const matrix = await inPage(0, "return viewer.model.node('space').matrixWorld.clone().invert().multiply(viewer.body.matrixWorld).elements");
+      const [w, x, y, z] = attitudeAt("free_symmetric_top", t);
+      const exact = [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)];
+      exact.forEach((value, i) => (worst = Math.max(worst, Math.abs(value - matrix[4 * Math.floor(i / 3) + (i % 3)]))));
+    }
+    // between keys: a tenth of a pixel
+    assert.ok(worst < 2e-4, `off by ${worst}`);
+    return `within ${worst.toExponential(1)}`;
+  });
+
+  await check("a drag turns the camera by the angle that it should, the height of the picture by half a turn", async () => {
+    await inPage(0, "viewer.look('film')");
+    await settled();
+    const direction = () => inPage(0, "const m = viewer.middle.matrixWorld.elements; return viewer.camera.position.clone().sub({ x: m[12], y: m[13], z: m[14] }).toArray()");
+    const azimuth = (v) => Math.atan2(v[0], v[2]);
+    const before = await direction();
+    const box = await figure(0).locator("canvas").boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - box.height / 4, y, { steps: 5 });
+    await page.mouse.up();
+    await settled();
+    const after = await direction();
+    const turned = (azimuth(after) - azimuth(before)) % (2 * Math.PI);
+    assert.ok(Math.abs(turned - Math.PI / 4) < 0.01, `${turned}`);
+    assert.ok(Math.abs(Math.hypot(...after) - Math.hypot(...before)) < 1e-6);
+    await page.mouse.wheel(0, -200);
+    await settled();
+    assert.ok(Math.hypot(...(await direction())) < 0.9 * Math.hypot(...before));
+  });
+
+  await check("views along L, Omega and the axis look along them", async () => {
+    for (const name of ["along_momentum", "along_omega", "along_axis"]) {
+      await figure(0).getByRole("combobox", { name: "View" }).selectOption(name);
+      await settled();
+      const cosine = await inPage(0, "const d = viewer.camera.getWorldDirection(viewer.camera.position.clone()); const e = viewer.model.node(given).matrixWorld.elements; const l = Math.hypot(e[8], e[9], e[10]); return -(d.x * e[8] + d.y * e[9] + d.z * e[10]) / l", name);
+      assert.ok(cosine > 1 - 1e-6, `${name}: ${cosine}`);
+    }
+    await shot("along-axis");
+  });
+
+  await check("in the body's frame the body stands still in the picture", async () => {
+    await figure(0).getByRole("combobox", { name: "View" }).selectOption("film");
+    await figure(0).getByRole("combobox", { name: "Frame of reference" }).selectOption("body");
+    const seen = async (t) => {
+      await inPage(0, "viewer.clock.set(given)", t);
+      await settled();
+      return inPage(0, "return viewer.camera.matrixWorldInverse.clone().multiply(viewer.body.matrixWorld).elements");
+    };
+    const a = await seen(0.5), b = await seen(3.1);
+    assert.ok(Math.max(...a.map((value, i) => Math.abs(value - b[i]))) < 1e-5);
+    await figure(0).getByRole("combobox", { name: "Frame of reference" }).selectOption("space");
+  });
+
+  await check("ticks hide what they name, and its label", async () => {
+    const tick = figure(0).getByRole("checkbox", { name: "omega", exact: true });
+    await tick.uncheck();
+    await settled();
+    assert.strictEqual(await inPage(0, "return viewer.model.node('omega').visible"), false);
+    assert.strictEqual(await inPage(0, "return viewer.labels.find((one) => one.label.includes('Ω')).tip.style.display"), "none");
+    await tick.check();
+    await settled();
+    assert.strictEqual(await inPage(0, "return viewer.labels.find((one) => one.label.includes('Ω')).tip.style.display"), "");
+  });
+
+  await check("two viewers have one clock; a plot shows the time and sets it", async () => {
+    await figure(1).getByRole("button", { name: "Turn it by hand" }).click();
+    await until("second viewer", async () => inPage(1, "return Boolean(viewer)"));
+    await inPage(1, "viewer.clock.pause()");
+    await inPage(0, "viewer.clock.set(2)");
+    assert.strictEqual(await inPage(1, "return viewer.clock.time"), 2);
+    const plot = figure(1).locator(".curves svg").first();
+    const box = await plot.boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await settled();
+    const [t, to, cursor] = await inPage(1, "return [viewer.t, viewer.data.to, Number(viewer.cursors[0].getAttribute('x1'))]");
+    assert.ok(Math.abs(t - to / 2) < 0.01 * to, `${t} of ${to}`);
+    assert.ok(Math.abs(cursor - 50) < 1);
+    await shot("plots");
+  });
+
+  await check("a link brings back view and time", async () => {
+    await inPage(0, "viewer.look('along_omega'); viewer.turn(0.3, -0.2); viewer.magnify(1.5); viewer.show('body', false); viewer.clock.set(4.2)");
+    const link = await inPage(0, "return viewer.link()");
+    await page.goto("about:blank");
+    await page.goto(`file://${place}/out/index.html${link}`);
+    await until("viewer", async () => inPage(0, "return Boolean(viewer)"));
+    const state = await inPage(0, "return [viewer.view, viewer.yaw, viewer.pitch, viewer.zoom, viewer.clock.time, viewer.model.node('body').visible]");
+    assert.deepStrictEqual(state, ["along_omega", 0.3, -0.2, 1.5, 4.2, false]);
+  });
+
+  await check("pause points stop it, with their words", async () => {
+    await figure(2).getByRole("button", { name: "Turn it by hand" }).click();
+    await until("viewer", async () => inPage(2, "return Boolean(viewer)"));
+    const at = await inPage(2, "return viewer.clock.pauses");
+    assert.ok(at.length > 0);
+    await inPage(2, "viewer.clock.pause(); viewer.clock.set(given - 0.2); viewer.clock.play()", at[0]);
+    await until("stopped", async () => inPage(2, "return !viewer.clock.playing"));
+    assert.strictEqual(await inPage(2, "return viewer.clock.time"), at[0]);
+    await settled();
+    assert.notStrictEqual(await figure(2).locator(".said").textContent(), "");
+    await figure(2).getByRole("button", { name: /^Pause point 1/ }).click();
+    assert.strictEqual(await inPage(2, "return viewer.clock.time * viewer.data.scale + viewer.data.from"), await inPage(2, "return viewer.data.pauses[0].at"));
+  });
+
+  await check("hostile titles and labels stay words", async () => {
+    await figure(3).getByRole("button", { name: "Turn it by hand" }).click();
+    await until("viewer", async () => inPage(3, "return Boolean(viewer)"));
+    await inPage(3, "viewer.clock.pause(); viewer.clock.set(1.5)");
+    await settled();
+    assert.strictEqual(await page.evaluate(() => globalThis.hacked), undefined);
+    assert.ok((await inPage(3, "return viewer.labels.map((one) => one.tip.textContent)")).some((text) => text.includes("onerror")));
+    assert.strictEqual(await figure(3).locator(".tip img, .tip script, .said img").count(), 0);
+    await shot("hostile");
+  });
+
+  await check("everything is reached by keys and has a name", async () => {
+    await accessible();
+    await figure(0).locator("canvas").focus();
+    await inPage(0, "viewer.clock.pause(); viewer.clock.set(0); viewer.look('film')");
+    await page.keyboard.press(".");
+    assert.ok(Math.abs((await inPage(0, "return viewer.clock.time")) - 0.1) < 1e-9);
+    await page.keyboard.press("ArrowRight");
+    assert.ok((await inPage(0, "return viewer.yaw")) > 0.05);
+    await page.keyboard.press("+");
+    assert.ok((await inPage(0, "return viewer.zoom")) > 1.05);
+    const names = [];
+    for (let i = 0; i < 30; ++i) {
+      await page.keyboard.press("Tab");
+      names.push(await page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent.trim() ?? ""));
+    }
+    for (const wanted of ["Time", "Play", "−1 frame", "+1 frame", "Speed", "Repeat", "View", "Frame of reference", "Turn back", "Full screen", "Back to the film"]) assert.ok(names.includes(wanted), `${wanted} not in ${names}`);
+  });
+
+  await check("back to the film, and to the model again", async () => {
+    await figure(0).getByRole("button", { name: "Back to the film" }).click();
+    assert.ok(await figure(0).locator("video").isVisible());
+    await figure(0).getByRole("button", { name: "Turn it by hand" }).click();
+    assert.ok(await figure(0).locator("canvas").isVisible());
+  });
+
+  await check("it looks as the film does", async () => {
+    const said = [];
+    for (const [name, t] of [["bare_free", 1], ["bare_waves", 0.1]]) {
+      const other = await newPage({ viewport: { width: 700, height: 900 } });
+      await other.goto(`file://${place}/out/index.html#turn=${name}&t=${t}`);
+      await other.waitForTimeout(1500);
+      await other.addStyleTag({ content: ".turning { position: fixed !important; left: 0; top: 0; z-index: 9; width: 640px !important; height: 360px !important; aspect-ratio: auto !important; } .tip { display: none !important; } canvas { outline: none !important; }" });
+      await other.waitForTimeout(800);
+      await other.screenshot({ path: `${place}/page.png`, clip: { x: 0, y: 0, width: 640, height: 360 } });
+      run("render", `${place}/${name}.toml`, "-o", `${place}/film.png`, "--still", String(t), "--size", "640x360", "--quiet");
+      if (pictures) for (const which of ["page", "film"]) fs.copyFileSync(`${place}/${which}.png`, `${pictures}/turn-${name}-${which}.png`);
+      let out = "";
+      try {
+        out = run("diff", `${place}/page.png`, `${place}/film.png`, "--json", "--ssim", "0.1");
+      } catch (error) {
+        assert.strictEqual(error.status, 1, error.stderr); // they differ
+        out = error.stdout;
+      }
+      const ssim = Number(JSON.parse(out).ssim);
+      said.push(ssim);
+      assert.ok(ssim > LEAST_SSIM, `${name}: SSIM ${ssim}`);
+      await other.context().close();
+    }
+    return `SSIM ${said.join(" ")}`;
+  });
+
+  await check("as wide as a phone", async () => {
+    await page.setViewportSize({ width: 375, height: 700 });
+    await page.waitForTimeout(300);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 375);
+    await accessible();
+    await figure(0).scrollIntoViewIfNeeded();
+    await shot("phone");
+  });
+
+  await check("memory stays flat while it plays", async () => {
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await figure(0).scrollIntoViewIfNeeded();
+    const client = await page.context().newCDPSession(page);
+    await client.send("HeapProfiler.enable");
+    const used = async () => {
+      await client.send("HeapProfiler.collectGarbage");
+      return (await client.send("Runtime.getHeapUsage")).usedSize;
+    };
+    await inPage(0, "viewer.clock.loops = true; viewer.clock.pauses = []; viewer.clock.play()");
+    await page.waitForTimeout(5000);
+    const before = await used();
+    const minutes = Number(process.env.POLHODE_MINUTES ?? 5);
+    await page.waitForTimeout(60000 * minutes);
+    const after = await used();
+    assert.ok(await inPage(0, "return viewer.clock.playing"));
+    assert.ok(after < before + 2e6, `${before} to ${after} bytes`);
+    await inPage(0, "viewer.clock.pause()");
+    return `${(before * 1e-6).toFixed(1)} to ${(after * 1e-6).toFixed(1)} MB in ${minutes} min`;
+  });
+
+  await check("whoever wants no movement gets none before asking", async () => {
+    const calm = await newPage({ reducedMotion: "reduce" });
+    await calm.goto(`file://${place}/out/index.html`);
+    await calm.locator("figure[data-turn]").first().getByRole("button", { name: "Turn it by hand" }).click();
+    await calm.waitForTimeout(800);
+    assert.strictEqual(await calm.evaluate(() => document.querySelector("figure[data-turn]").viewer.clock.time), 0);
+  });
+
+  await check("slides carry viewers", async () => {
+    const slides = await newPage({ viewport: { width: 1280, height: 720 } });
+    await slides.goto(`file://${place}/out/slides.html`);
+    await slides.waitForTimeout(500);
+    await slides.evaluate(() => { const at = Reveal.getIndices(document.querySelector("figure[data-turn]").closest("section")); Reveal.slide(at.h, at.v); });
+    await slides.getByRole("button", { name: "Turn it by hand" }).first().click();
+    await slides.waitForTimeout(1000);
+    const state = await slides.evaluate(() => { const one = document.querySelector("figure[data-turn]"); const box = one.viewer.canvas.getBoundingClientRect(); return [one.viewer.clock.time > 0, box.width, box.height]; });
+    assert.ok(state[0] && state[1] > 300 && state[2] > 200, String(state));
+    // keys of the viewer are not those of the slides
+    const where = await slides.evaluate(() => Reveal.getIndices().h);
+    await slides.keyboard.press("ArrowRight");
+    assert.strictEqual(await slides.evaluate(() => Reveal.getIndices().h), where);
+    await shot("slide", slides);
+  });
+
+  await check("without WebGL the film is shown", async () => {
+    const bare = await chromium.launch({ executablePath: browserPath, args: ["--disable-gpu", "--disable-3d-apis", ...sandbox] });
+    const plain = await newPage({}, bare);
+    await plain.goto(`file://${place}/out/index.html`);
+    assert.ok(await plain.locator("figure[data-turn] video").first().isVisible());
+    assert.strictEqual(await plain.getByRole("button", { name: "Turn it by hand" }).count(), 0);
+    await bare.close();
+  });
+
+  assert.deepStrictEqual(problems, []);
+  await browser.close();
+  fs.rmSync(place, { recursive: true });
+})().catch((error) => {
+  console.error(error);
+  process.exit(1);
+});

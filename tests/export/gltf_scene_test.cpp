@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "export/gltf_scene.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "base/system/log.h"
+#include "export/gltf_file.h"
+#include "scene/scene_file.h"
+#include "support/expect_error.h"
+#include "support/scenes.h"
+
+namespace polhode {
+namespace {
+
+Scene small_scene(const std::string& name) {
+  Scene scene = load_scene(test::scene_path(name));
+  scene.numerics.compare.clear();
+  return scene;
+}
+
+const GltfNode* find(const GltfDocument& document, const std::string& name) {
+  for (const GltfNode& node : document.nodes) {
+    if (node.name == name) return &node;
+  }
+  return nullptr;
+}
+
+std::size_t count(const GltfDocument& document, const std::string& start) {
+  return static_cast<std::size_t>(
+      std::count_if(document.nodes.begin(), document.nodes.end(), [&](const GltfNode& node) {
+        return node.name.starts_with(start);
+      }));
+}
+
+TEST(GltfScene, HasWhatTheFilmShowsAndNamesEachNodeOnce) {
+  for (const char* name : {"free_symmetric_top", "poinsot", "push_on_a_wheel", "book_ghosts"}) {
+    const Solved solved = solve(small_scene(name));
+    const ExportedScene exported = export_scene(solved, {});
+    std::set<std::string> names;
+    for (const GltfNode& node : exported.document.nodes)
+      EXPECT_TRUE(names.insert(node.name).second) << node.name;
+    for (const char* needed : {"body", "space", "body_frame", "camera", "along_omega"})
+      EXPECT_EQ(names.count(needed), 1u) << name << ' ' << needed;
+    EXPECT_LE(exported.report.error, exported.report.tolerance) << name;
+    EXPECT_GT(exported.report.keys, 0u);
+  }
+}
+
+// what is fixed in the body needs no motion of its own
+TEST(GltfScene, WhatKeepsItsPlaceInTheBodyHangsBelowIt) {
+  const GltfDocument document = export_scene(solve(small_scene("poinsot")), {}).document;
+  const auto index_of = [&](const char* name) {
+    return static_cast<int>(find(document, name) - document.nodes.data());
+  };
+  for (const char* name : {"body", "ellipsoid", "polhode"}) {
+    const GltfNode* node = find(document, name);
+    ASSERT_NE(node, nullptr) << name;
+    EXPECT_EQ(node->parent, index_of("body_frame")) << name;
+  }
+  const GltfNode* arrow = find(document, "momentum.arrow");
+  ASSERT_NE(arrow, nullptr);
+  EXPECT_EQ(arrow->rotated.values, nullptr);  // L is constant
+}
+
+TEST(GltfScene, APathGrowsInPieces) {
+  const GltfDocument document = export_scene(solve(small_scene("poinsot")), {}).document;
+  EXPECT_GE(count(document, "herpolhode.path.piece"), 24u);
+  float before = -1.0f;
+  for (const GltfNode& node : document.nodes) {
+    if (!node.name.starts_with("herpolhode.path.piece") || !node.scaled.times) continue;
+    EXPECT_TRUE(node.scaled.steps);
+    ASSERT_EQ(node.scaled.times->size(), 2u);
+    EXPECT_EQ(node.scaled.values->front(), 0.0f);
+    EXPECT_EQ(node.scaled.values->back(), 1.0f);
+    EXPECT_GE((*node.scaled.times)[1], before);
+    before = (*node.scaled.times)[1];
+  }
+}
+
+// the copies of a thrown body come one after the other
+TEST(GltfScene, WhatIsNotThereYetHasNoSize) {
+  const GltfDocument document = export_scene(solve(small_scene("book_ghosts")), {}).document;
+  ASSERT_GE(count(document, "ghosts.mesh"), 2u);
+  for (const GltfNode& node : document.nodes) {
+    if (!node.name.starts_with("ghosts.mesh")) continue;
+    ASSERT_NE(node.scaled.values, nullptr) << node.name;
+    EXPECT_EQ(node.scaled.values->front(), 0.0f);
+    EXPECT_GT(node.scaled.values->back(), 0.0f);
+  }
+}
+
+TEST(GltfScene, TheMotionMayBePartOnly) {
+  const Solved solved = solve(small_scene("free_symmetric_top"));
+  ExportPlan plan;
+  plan.from = 2.0;
+  plan.to = 3.0;
+  const GltfDocument part = export_scene(solved, plan).document;
+  EXPECT_EQ(find(part, "body_frame")->rotated.times->back(), 1.0f);
+  const Quat exact = solved.simulation.motion.at(2.0).q_SB;
+  EXPECT_LT(find(part, "body_frame")->rotation.angularDistance(exact), 1e-12);
+  plan.to = 99.0;
+  test::expect_error([&] { export_scene(solved, plan); }, Fault::input, "--to", "");
+}
+
+// molecules and planets are as large as things on a table
+TEST(GltfScene, ScenesOfAnySizeAreSeenByViewers) {
+  const GltfDocument document = export_scene(solve(small_scene("earth_precession")), {}).document;
+  const double unit = document.extras.at("units_per_metre");
+  EXPECT_NEAR(unit * double(document.extras.at("body_radius")), 1.0, 1e-12);
+  EXPECT_EQ(find(document, "space")->scale, Vec3::Constant(unit));
+}
+
+// words of a scene are words of the file
+TEST(GltfScene, HostileTextsStayTexts) {
+  Scene scene = small_scene("free_symmetric_top");
+  scene.title = "</script>\"\\\n\x01";
+  scene.show.names = VectorNames{};
+  scene.show.names->omega = "<img onerror=x>\"";
+  const std::string bytes = glb_of(export_scene(solve(scene), {}).document);
+  const std::uint32_t length = *reinterpret_cast<const std::uint32_t*>(bytes.data() + 12);
+  const nlohmann::json read = nlohmann::json::parse(bytes.substr(20, length));
+  EXPECT_EQ(read.at("asset").at("extras").at("title"), scene.title);
+  bool seen = false;
+  for (const auto& node : read.at("nodes")) {
+    if (node.value("name", "") != "omega.label") continue;
+    EXPECT_EQ(node.at("extras").at("label"), "<b>&lt;img onerror=x&gt;&quot;</b>");
+    seen = true;
+  }
+  EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace polhode
