@@ -63,7 +63,7 @@ class DormandPrince853 final : public Stepper {
   }
 
   double step_with_error(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     std::array<Vector, kStages> k;
     k[0] = derivative<N>(model_, t, v);
     for (int i = 0; i + 1 < kStages; ++i) {
