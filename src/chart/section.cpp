@@ -196,6 +196,10 @@ std::optional<SectionObstacle> why_not_section(const BodyModel& model) {
     return SectionObstacle{
         "motion.hold", "needs a body that gravity turns: this one is held at its centre of mass"};
   }
+  if (model.loads.gimbals)
+    return SectionObstacle{"motion.gimbals", "takes no rings that carry the body"};
+  if (frame_rotation_of(model))
+    return SectionObstacle{"motion.frame_rotation", "takes no space that turns"};
   if (!model.loads.empty())
     return SectionObstacle{"motion.torque", "takes no torques or forces besides gravity"};
   if (model.kind.rotator)

@@ -48,6 +48,27 @@ NumericsSpec numerics_of_truth(const Scene& scene) {
   return numerics;
 }
 
+// Each motion keeps its states; those that begin near one another need about as many.
+void refuse_large_ensemble(const Scene& scene, const Simulation& first) {
+  if (!scene.motion.ensemble) return;
+  constexpr double kMostBytes = 4e9;
+  constexpr long kMostStates = 200'000;  // that a trajectory keeps, besides the times of its steps
+  const int members = scene.motion.ensemble->members;
+  const long steps = first.report.record.steps;
+  const double states = static_cast<double>(std::min(steps, kMostStates)) * sizeof(State);
+  const double times = first.report.tolerance ? static_cast<double>(steps) * sizeof(double) : 0.0;
+  const double of_one = states + times;
+  if (members * of_one <= kMostBytes) return;
+  throw input_error(
+      "{} motions of {} steps each would fill {:.2g} GB of memory; take at most {}, or a shorter "
+      "motion",
+      members,
+      steps,
+      1e-9 * members * of_one,
+      static_cast<int>(kMostBytes / of_one))
+      .at({{}, 0, "motion.ensemble.members"});
+}
+
 // the motions of the ensemble; `warn` is told once of those that cannot be trusted
 template <class Warn>
 std::vector<Motion> solve_ensemble(const Scene& scene,
@@ -112,6 +133,7 @@ Solved solve(const Scene& scene, ProgressKind progress) {
     }();
     for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");
+    refuse_large_ensemble(scene, found);
     std::vector<Motion> ensemble = [&] {
       const StageTimer timer(time);
       return solve_ensemble(scene, model, accuracy, warn);

@@ -313,8 +313,7 @@ Vec3 torque_of_loads(const BodyModel& m, double t, const State& s) {
 
 Vec3 torque(const BodyModel& m, double t, const State& s) {
   Vec3 sum = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
-  if (m.loads.gimbals)
-    sum += torque_of_rings(*m.loads.gimbals, pose_of_gimbals(m, s), m.moments, sum);
+  if (m.loads.gimbals) sum += torque_of_rings(*m.loads.gimbals, s.rings, m.moments, sum);
   return sum;
 }
 
@@ -325,9 +324,11 @@ std::optional<Vec3> frame_rotation_of(const BodyModel& m) {
   return {};
 }
 
-GimbalPose pose_of_gimbals(const BodyModel& m, const State& s) {
-  const GimbalPose near{Vec3(s.ring_angle, 0.0, 0.0), Vec3(s.ring_rate, 0.0, 0.0)};
-  return pose_of(*m.loads.gimbals, s.q, angular_velocity(m, s.y), near);
+void set_rings(const BodyModel& m, const GimbalPose& rings, State& s) {
+  const Quat q = attitude_of(*m.loads.gimbals, rings.angles);
+  s.q = q.dot(s.q) < 0.0 ? Quat(-q.coeffs()) : q;
+  s.y = m.moments.cwiseProduct(angular_velocity_of(*m.loads.gimbals, rings));
+  s.rings = rings;
 }
 
 Vec3 force(const BodyModel& m, double t, const State& s) {
@@ -343,8 +344,7 @@ double energy(const BodyModel& m, const State& s) {
   double sum = 0.5 * s.y.dot(angular_velocity(m, s.y)) + m.chi_P.dot(up_in_body(m, s.q)) +
                potential_of(m.loads.turning, s.q, s.place_S);
   if (m.loads.gimbals) {
-    sum += kinetic_energy_of_gimbals(m, s) +
-           frame_potential(*m.loads.gimbals, pose_of_gimbals(m, s).angles);
+    sum += kinetic_energy_of_gimbals(m, s) + frame_potential(*m.loads.gimbals, s.rings.angles);
   }
   if (!m.with_translation) return sum;
   return sum + 0.5 * s.linear_momentum_S.squaredNorm() / m.body.mass +
@@ -353,7 +353,7 @@ double energy(const BodyModel& m, const State& s) {
 
 double kinetic_energy_of_gimbals(const BodyModel& m, const State& s) {
   if (!m.loads.gimbals) return 0.0;
-  return kinetic_energy(*m.loads.gimbals, pose_of_gimbals(m, s));
+  return kinetic_energy(*m.loads.gimbals, s.rings);
 }
 
 double potential_of_place(const BodyModel& m, const Vec3& center_S) {

@@ -56,14 +56,15 @@ struct BodyModel {
 };
 
 // The state that steppers advance. Place and linear momentum are used with six degrees of freedom
-// only (BodyModel::with_translation), the ring with gimbals only (Loads::gimbals).
+// only (BodyModel::with_translation), the rings with gimbals only (Loads::gimbals); what changes q
+// or y there changes them too.
 struct State {
   Quat q = Quat::Identity();    // attitude: rotates P to S
   Vec3 y = Vec3::Zero();        // angular momentum about the reference point, in P, kg m^2/s
   Vec3 place_S = Vec3::Zero();  // centre of mass, m
   Vec3 linear_momentum_S = Vec3::Zero();  // mass times velocity of the centre of mass, kg m/s
-  double ring_angle = 0.0;                // angle phi of the outer ring, rad
-  double ring_rate = 0.0;                 // its rate, rad/s
+  GimbalPose rings = {};                  // q and y as angles and rates: near gimbal lock these do
+                          // not follow from those but with round-off over sin(theta)
 };
 
 // Mass properties of a [body] table, in B. Throws Error (input) naming body.mass,
@@ -130,8 +131,9 @@ double energy(const BodyModel& m, const State& s);
 // The angular velocity at which space turns, in S, rad/s; none if it does not.
 std::optional<Vec3> frame_rotation_of(const BodyModel& m);
 
-// Where the gimbals of Loads::gimbals, which must be there, are in a state.
-GimbalPose pose_of_gimbals(const BodyModel& m, const State& s);
+// Sets the rings of the gimbals, which must be there, and the attitude and momentum of the body
+// that they carry. Of the two quaternions of that attitude the one that is nearer to s.q.
+void set_rings(const BodyModel& m, const GimbalPose& rings, State& s);
 
 // The part of energy() that is the motion of gimbal rings, J; 0 without them.
 double kinetic_energy_of_gimbals(const BodyModel& m, const State& s);

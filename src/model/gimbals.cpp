@@ -73,25 +73,20 @@ Vec3 angular_velocity_of(const Gimbals& gimbals, const GimbalPose& pose) {
   return turning_axes_P(gimbals, pose.angles) * pose.rates;
 }
 
-GimbalPose pose_of(const Gimbals& gimbals, const Quat& q, const Vec3& w_P, const GimbalPose& near) {
-  constexpr double kLock = 1e-3;
+GimbalPose pose_of(const Gimbals& gimbals, const Quat& q, const Vec3& w_P, double near_phi) {
   // the body as the frames of the rings see it
   const Mat3 body = gimbals.axes_S.transpose() * q.toRotationMatrix() * gimbals.axes_P;
   const Vec3 w = gimbals.axes_P.transpose() * w_P;
   const Vec3 axle = body.col(2);
   GimbalPose pose;
-  const double sine = std::hypot(axle.x(), axle.y());
-  Vec3 nodes(std::cos(near.angles[0]), std::sin(near.angles[0]), 0.0);
-  if (sine > kLock) {
-    const Vec3 seen(-axle.y() / sine, axle.x() / sine, 0.0);  // Z x axle
-    nodes = seen.dot(nodes) < 0.0 ? Vec3(-seen) : seen;
-  }
+  Vec3 nodes = Vec3(-axle.y(), axle.x(), 0.0).normalized();  // Z x axle
+  if (nodes.x() * std::cos(near_phi) + nodes.y() * std::sin(near_phi) < 0.0) nodes = -nodes;
   const Vec3 nodes_B = body.transpose() * nodes;
   pose.angles[0] = std::atan2(nodes.y(), nodes.x());
   pose.angles[1] = std::atan2(Vec3::UnitZ().cross(axle).dot(nodes), axle.z());
   pose.angles[2] = std::atan2(-nodes_B.y(), nodes_B.x());
   const Vec3 across_B = Vec3::UnitZ().cross(nodes_B);
-  pose.rates[0] = sine > kLock ? w.dot(across_B) / std::sin(pose.angles[1]) : near.rates[0];
+  pose.rates[0] = w.dot(across_B) / std::sin(pose.angles[1]);
   pose.rates[1] = w.dot(nodes_B);
   pose.rates[2] = w.z() - pose.rates[0] * axle.z();
   return pose;

@@ -39,10 +39,11 @@ Mat3 turning_axes_P(const Gimbals& gimbals, const Vec3& angles);
 Quat attitude_of(const Gimbals& gimbals, const Vec3& angles);
 Vec3 angular_velocity_of(const Gimbals& gimbals, const GimbalPose& pose);
 
-// The pose of a body with attitude q (P to S) and angular velocity w_P (rad/s). What these do not
-// tell while the axle is near the vertical is taken from `near`: the line of nodes within 1e-3 rad
-// of there, and everywhere which of its two ends phi points to. psi is within half a turn.
-GimbalPose pose_of(const Gimbals& gimbals, const Quat& q, const Vec3& w_P, const GimbalPose& near);
+// The pose of a body with attitude q (P to S) and angular velocity w_P (rad/s), whose axle is not
+// vertical: near there it has their round-off over sin(theta), squared in the rates. Of the two
+// ends of the line of nodes phi points to that which is nearer to `near_phi`; psi is within half a
+// turn.
+GimbalPose pose_of(const Gimbals& gimbals, const Quat& q, const Vec3& w_P, double near_phi);
 
 // The accelerations of the angles, rad/s^2. moments: of the body about the pivot, along P, kg m^2;
 // others_P: the torque on it of everything else, in P, N m.

@@ -42,7 +42,13 @@ Neighbours neighbours_of(const State& start, double size) {
 
 Neighbours one_neighbour_of(const BodyModel& model, const State& start, double size) {
   const Vec3 momentum = size * momentum_scale(model, start) * Vec3(1, -1, 1);
-  State near = changed(start, momentum, size * Vec3(1, 1, -1));
+  const Vec3 turn = size * Vec3(1, 1, -1);
+  State near = changed(start, momentum, turn);
+  if (model.loads.gimbals) {
+    const GimbalPose& rings = start.rings;
+    set_rings(
+        model, {rings.angles + turn, rings.rates + momentum / model.moments.maxCoeff()}, near);
+  }
   if (model.with_translation) near.place_S += size * place_scale(model, start) * Vec3(-1, 1, 1);
   return {{near}, size};
 }

@@ -38,7 +38,7 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
   const double turning_about_center = kinetic - travel;
   if (model.loads.gimbals) {
     kinetic += kinetic_energy_of_gimbals(model, start);
-    potential += frame_potential(*model.loads.gimbals, pose_of_gimbals(model, start).angles);
+    potential += frame_potential(*model.loads.gimbals, start.rings.angles);
   }
   list.push_back({"kinetic_energy", Q::energy, kinetic});
   list.push_back({"kinetic_energy_of_center_of_mass", Q::energy, travel});

@@ -150,6 +150,12 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
   }
   if (motion.gimbals) {
     refuse_free("motion.gimbals");
+    if (model.kind.rotator) {
+      throw input_error(
+          "the axle would be the line on which all mass lies, and nothing tells how it turns; give "
+          "the body a thickness")
+          .at({{}, 0, "motion.gimbals"});
+    }
     const Gimbals gimbals = make_gimbals(*motion.gimbals, model, frame);
     if (!gimbals.idle()) model.loads.gimbals = gimbals;
   }

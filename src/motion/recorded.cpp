@@ -97,7 +97,7 @@ const std::vector<Recorded>& recorded_quantities() {
        [](const Motion& motion, const Sample& now) {
          if (!motion.model().loads.gimbals)
            return parts(zxz_rates_from_body_rate(zxz_angles(now.q_SB), now.w_B));
-         return parts(pose_of_gimbals(motion.model(), motion.state_at(now.t)).rates);
+         return parts(motion.state_at(now.t).rings.rates);
        }},
       {"energy",
        "energy",

@@ -86,6 +86,10 @@ LagrangeTop lagrange_top(const BodyModel& model, const char* key) {
 // section 5.7: I cos(theta) w^2 - L3 w + m g l = 0).
 Vec3 steady_rotation_P(const BodyModel& model, const SpinSpec& spin, const Quat& q) {
   const LagrangeTop top = lagrange_top(model, "motion.spin.steady");
+  if (frame_rotation_of(model)) {
+    throw input_error("is for a top in a space that does not turn; give spin.rates")
+        .at({{}, 0, "motion.spin.steady"});
+  }
   if (!spin.axial) {
     throw input_error("needs axial = rate, the angular velocity about the top's own axis")
         .at({{}, 0, "motion.spin.steady"});
@@ -166,8 +170,26 @@ Vec3 start_angles(const AttitudeSpec& spec, const Quat& q_SB) {
   return spec.zxz.value_or(zxz_angles(q_SB));
 }
 
-// Sets where the outer ring is and how it turns, and refuses what the gimbals cannot begin with.
-void set_ring(const BodyModel& model, const MotionSpec& spec, State& start) {
+// Whether the zxz angles of a scene are those of its gimbals: not if the axle is not the z axis of
+// the body, or gravity is not along -Z.
+bool have_angles_of_scene(const Gimbals& gimbals, const BodyModel& model) {
+  constexpr double kRounding = 1e-12;
+  return gimbals.axes_S.isIdentity(kRounding) &&
+         (model.R_BP * gimbals.axes_P).isIdentity(kRounding);
+}
+
+// Rings without mass cannot turn a body about two axes that coincide.
+void refuse_massless_lock(const BodyModel& model) {
+  const Gimbals& gimbals = *model.loads.gimbals;
+  if (gimbals.outer + gimbals.inner.z() > 0.0 || gimbals.clamp == Gimbals::Clamp::outer) return;
+  throw input_error(
+      "the axle is along the axis of the outer ring (gimbal lock), where rings without mass have "
+      "no motion; give motion.gimbals.outer, or tilt the axle by 0.001 rad")
+      .at({{}, 0, "motion.attitude"});
+}
+
+// Sets where the rings are and how they turn, and refuses what the gimbals cannot begin with.
+void set_start_of_rings(const BodyModel& model, const MotionSpec& spec, State& start) {
   if (!model.loads.gimbals) return;
   if (spec.spin.steady || spec.spin.sleeping) {
     throw input_error("is for a top without motion.gimbals; give spin.rates")
@@ -177,22 +199,26 @@ void set_ring(const BodyModel& model, const MotionSpec& spec, State& start) {
   const Vec3 axle_S = start.q * gimbals.axes_P.col(2);
   const Vec3 up_S = gimbals.axes_S.col(2);
   constexpr double kLeastTilt = 1e-3;  // rad
-  if (spec.spin.rates && spec.attitude.zxz) {
-    start.ring_angle = (*spec.attitude.zxz)[0];
-    start.ring_rate = (*spec.spin.rates)[0];
-  } else if (up_S.cross(axle_S).norm() < kLeastTilt) {
+  const bool locked = up_S.cross(axle_S).norm() < kLeastTilt;
+  if (locked) refuse_massless_lock(model);
+  const bool as_given = have_angles_of_scene(gimbals, model);
+  GimbalPose& rings = start.rings;
+  if (as_given && spec.spin.rates && spec.attitude.zxz) {
+    rings = {*spec.attitude.zxz, *spec.spin.rates};
+  } else if (locked) {
     throw input_error(
         "the axle is along the axis of the outer ring (gimbal lock), so that this does not say "
-        "where the rings are; give attitude.zxz and spin.rates, or tilt the axle by 0.001 rad")
+        "where the rings are; {}tilt the axle by 0.001 rad",
+        as_given ? "give attitude.zxz and spin.rates, or " : "")
         .at({{}, 0, "motion.attitude"});
+  } else {
+    const double phi = spec.attitude.zxz ? (*spec.attitude.zxz)[0] : 0.0;
+    rings = pose_of(gimbals, start.q, angular_velocity(model, start.y), phi);
   }
-  const GimbalPose pose = pose_of_gimbals(model, start);
-  start.ring_angle = pose.angles[0];
-  start.ring_rate = pose.rates[0];
-  const double kept = gimbals.clamp == Gimbals::Clamp::inner   ? pose.rates[1]
-                      : gimbals.clamp == Gimbals::Clamp::outer ? pose.rates[0]
+  const double kept = gimbals.clamp == Gimbals::Clamp::inner   ? rings.rates[1]
+                      : gimbals.clamp == Gimbals::Clamp::outer ? rings.rates[0]
                                                                : 0.0;
-  if (std::abs(kept) > 1e-9 * pose.rates.norm()) {
+  if (std::abs(kept) > 1e-9 * rings.rates.norm()) {
     throw input_error("turns the {} ring at {:.6g} rad/s, which motion.gimbals.clamp holds",
                       *spec.gimbals->clamp,
                       kept)
@@ -213,7 +239,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
   if (spec.spin.momentum_body) {
     start.y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, start.y);
-    set_ring(model, spec, start);
+    set_start_of_rings(model, spec, start);
     put_on_table(model, spec, start);
     return start;
   }
@@ -231,7 +257,7 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
     throw input_error("is for steady = \"slow\" or \"fast\"").at({{}, 0, "motion.spin.axial"});
   refuse_spin_about_line(model, w_P);
   start.y = model.moments.cwiseProduct(w_P);
-  set_ring(model, spec, start);
+  set_start_of_rings(model, spec, start);
   put_on_table(model, spec, start);
   return start;
 }

@@ -136,5 +136,18 @@ TEST(Section, OthersHaveNone) {
   EXPECT_FALSE(why_not_section(heavy_asymmetric().model).has_value());
 }
 
+TEST(Section, NamesTheKeyOfWhatItCannotTake) {
+  BodyModel model = heavy_asymmetric().model;
+  model.loads.gimbals.emplace();
+  EXPECT_EQ(why_not_section(model).value().key, "motion.gimbals");
+  model.loads.gimbals.reset();
+  Load frame;
+  frame.kind = Load::Kind::frame;
+  model.loads.turning = {frame};
+  EXPECT_EQ(why_not_section(model).value().key, "motion.frame_rotation");
+  model.loads.turning = {Load{}};
+  EXPECT_EQ(why_not_section(model).value().key, "motion.torque");
+}
+
 }  // namespace
 }  // namespace polhode::test

@@ -193,8 +193,8 @@ TEST(SceneNumbers, TheAxlePassesGimbalLock) {
   double least = 1.0;
   int passed = 0;
   for (double t = 0.01; t <= 6.0; t += 0.01) {
-    const double before = pose_of_gimbals(solved.model, motion.state_at(t - 0.01)).angles[1];
-    const double now = pose_of_gimbals(solved.model, motion.state_at(t)).angles[1];
+    const double before = motion.state_at(t - 0.01).rings.angles[1];
+    const double now = motion.state_at(t).rings.angles[1];
     passed += before * now < 0.0 ? 1 : 0;
     least = std::min(least, std::abs(now));
   }

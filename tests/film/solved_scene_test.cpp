@@ -57,6 +57,15 @@ TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfItsEnsemble) {
   EXPECT_EQ(solve(scene).ensemble.size(), 3U);
 }
 
+// each motion keeps its states
+TEST(SolvedScene, AnEnsembleThatFillsTheMemoryIsRefused) {
+  Scene scene = small_scene("[numerics]\nmodel = \"ode\"\nmethod = \"rk4\"\nstep = 1e-4\n");
+  scene.motion.duration = 3.0;
+  scene.motion.ensemble = EnsembleSpec{1000, 0.1, 0.0};
+  test::expect_input_error(
+      [&] { solve(scene); }, "motion.ensemble.members", "1000 motions of 30000 steps each");
+}
+
 TEST(SolvedScene, DoubtsAreLoggedWithTheLineOfTheMethod) {
   const Scene scene = small_scene("[numerics]\nmethod = \"explicit_euler\"\nstep = 0.1\n");
   const std::string said = test::logged_by(

@@ -196,6 +196,28 @@ TEST(Diagrams, ASatelliteIsStableWithinTheBoundary) {
   EXPECT_EQ(unstable, 9);
 }
 
+// Damping, for one, brings down what only rotation holds.
+TEST(Diagrams, TheMapOfSatellitesIsOfTheGradientAlone) {
+  MotionSpec spec;
+  LoadSpec gradient;
+  gradient.kind = "gravity_gradient";
+  gradient.rate = 1.0;
+  BodySpec body;
+  body.moments = moments_of(0.3, 0.6);
+  const auto refusal = [&](const std::vector<LoadSpec>& loads) {
+    spec.torque = loads;
+    return find_diagram("satellite_map")->why_not(test::moving(body, spec));
+  };
+  EXPECT_EQ(refusal({gradient}), "");
+  LoadSpec damping;
+  damping.kind = "damping";
+  damping.c = 1e-3;
+  EXPECT_EQ(refusal({gradient, damping}),
+            "needs a satellite without other torques, whose gravity_gradient always acts");
+  gradient.until = 3.0;
+  EXPECT_NE(refusal({gradient}), "");
+}
+
 TEST(Diagrams, APhasePortraitHoldsItsMotion) {
   for (const double tilt : {0.3, 1.2, 2.5}) {
     const MotionSpec spec = top_spec(Vec3(2, 1, 220), tilt);

@@ -8,6 +8,7 @@
 
 #include "math/so3.h"
 #include "motion/simulate.h"
+#include "motion/steppers/derivative.h"
 #include "support/expect_error.h"
 #include "support/motions.h"
 
@@ -142,7 +143,7 @@ TEST(GimbalsMotion, KeepsEnergyAndMomentumAboutTheVertical) {
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
   const auto about_vertical = [&](double t) {
     const State s = motion.state_at(t);
-    const GimbalPose pose = pose_of_gimbals(motion.model(), s);
+    const GimbalPose pose = s.rings;
     const double rings = 0.7 + 0.5 * std::pow(std::sin(pose.angles[1]), 2) +
                          0.4 * std::pow(std::cos(pose.angles[1]), 2);
     return motion.at(t).L_S.z() + rings * pose.rates[0];
@@ -159,7 +160,7 @@ TEST(GimbalsMotion, FrictionTakesItsPower) {
   const Motion motion = moving(rotor(), spec);
   const auto power = [&](double t) {
     const State s = motion.state_at(t);
-    const GimbalPose pose = pose_of_gimbals(motion.model(), s);
+    const GimbalPose pose = s.rings;
     return friction.dot(pose.rates.cwiseAbs2());
   };
   // Simpson's rule
@@ -181,13 +182,13 @@ TEST(GimbalsMotion, PassesGimbalLock) {
   const Motion motion = moving(rotor({0.0, 0.0, 0.1}), spec);
   double least = 1.0;
   for (double t = 0.0; t < 3.0; t += 0.01)
-    least = std::min(least, pose_of_gimbals(motion.model(), motion.state_at(t)).angles[1]);
+    least = std::min(least, motion.state_at(t).rings.angles[1]);
   EXPECT_LT(least, -0.1);
   for (double t = 0.0; t < 2.99; t += 0.01)
     EXPECT_GT(motion.at(t).q_SB.dot(motion.at(t + 0.01).q_SB), 0.9) << "no jump to -q at " << t;
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
 
-  const GimbalPose end = pose_of_gimbals(motion.model(), motion.state_at(3.0));
+  const GimbalPose end = motion.state_at(3.0).rings;
   MotionSpec back = on_pivot(end.angles, -end.rates, 3.0);
   back.gimbals = spec.gimbals;
   const Quat home = moving(rotor({0.0, 0.0, 0.1}), back).at(3.0).q_SB;
@@ -199,15 +200,69 @@ TEST(GimbalsMotion, BeginsInGimbalLock) {
   MotionSpec spec = on_pivot({0.3, 0.0, 0.0}, {0.5, 1.0, 2.0}, 1.0);
   spec.gimbals = GimbalsSpec{0.5, Vec3(0.2, 0.3, 0.25), Vec3::Zero(), {}};
   const Motion motion = moving(rotor(), spec);
-  const GimbalPose pose = pose_of_gimbals(motion.model(), motion.state_at(0.0));
-  EXPECT_LT((pose.rates - *spec.spin.rates).norm(), 1e-14);
+  EXPECT_EQ(motion.state_at(0.0).rings.rates, *spec.spin.rates);
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
+}
+
+// Steps begin with the very angles and rates at which the last one ended. Attitude and momentum
+// tell them with round-off over the square of the sine of the tilt, which every step would add.
+TEST(GimbalsMotion, LosesNothingBetweenSteps) {
+  MotionSpec spec = on_pivot({0.3, 0.7, 0.4}, {0.4, -1.0, 2.0}, 2.0);
+  spec.gravity = Vec3(5.0, 4.0, -3.0);
+  spec.gimbals = GimbalsSpec{0.5, Vec3(0.2, 0.3, 0.25), Vec3::Zero(), {}};
+  const BodyModel model = make_model(rotor(), spec);
+  State s = start_state(model, spec);
+  const GimbalPose rings{{0.7, 0.002, -0.4}, {1.0, -0.6, 5.0}};
+  set_rings(model, rings, s);
+  const StateVector<kInGimbals> v = to_vector<kInGimbals>(s);
+  EXPECT_EQ(v.head<3>(), rings.angles);
+  EXPECT_EQ(v.tail<3>(), rings.rates);
 }
 
 TEST(GimbalsMotion, WithoutMassAndFrictionAreNone) {
   MotionSpec spec = on_pivot({0.3, 1.0, 0.0}, {1.5, -0.8, 6.0}, 1.0);
   spec.gimbals = GimbalsSpec{};
   EXPECT_FALSE(make_model(rotor(), spec).loads.gimbals);
+}
+
+// The zxz angles of the body say where the rings are if they are theirs: not about another axle,
+// and not about another vertical.
+TEST(GimbalsMotion, InLockOnlyTheirOwnAnglesTell) {
+  const double right = 0.5 * kPi;
+  BodySpec about_x;
+  about_x.moments = Vec3(0.5, 1.0, 1.0);
+  MotionSpec spec = on_pivot({0.0, right, right}, {0.0, 1.0, 0.7}, 3.0);
+  spec.gimbals = GimbalsSpec{0.3, Vec3(0.1, 0.1, 0.1), Vec3(0.1, 0.1, 0.1), {}};
+  const auto begin = [&](const BodySpec& body) {
+    return start_state(make_model(body, spec), spec);
+  };
+  expect_input_error([&] { begin(about_x); }, "motion.attitude", "are; tilt the axle by 0.001 rad");
+  spec = on_pivot({right, right, 0.0}, {0.3, 1.0, 0.7}, 3.0);
+  spec.gravity = Vec3(-1.0, 0.0, 0.0);
+  spec.gimbals = GimbalsSpec{0.3, Vec3(0.1, 0.1, 0.1), Vec3::Zero(), {}};
+  expect_input_error([&] { begin(rotor()); }, "motion.attitude", "are; tilt the axle by 0.001 rad");
+  // what the rings then do is what the scene says
+  spec.attitude.zxz = Vec3(right, right - 0.01, 0.0);
+  const State s = begin(rotor());
+  const BodyModel model = make_model(rotor(), spec);
+  EXPECT_LT(
+      (angular_velocity_of(*model.loads.gimbals, s.rings) - angular_velocity(model, s.y)).norm(),
+      1e-12);
+}
+
+TEST(GimbalsMotion, RefusesWhatHasNoMotion) {
+  MotionSpec spec = on_pivot({0.3, 0.0, 0.0}, {0.5, 1.0, 2.0}, 1.0);
+  spec.gimbals = GimbalsSpec{0.0, Vec3(0.1, 0.1, 0.0), Vec3(0.1, 0.0, 0.0), {}};
+  const auto start = [&](const BodySpec& body) {
+    start_state(make_model(body, spec), spec);
+  };
+  expect_input_error(
+      [&] { start(rotor()); }, "motion.attitude", "rings without mass have no motion");
+  spec.gimbals->inner.z() = 1e-3;
+  start(rotor());
+  BodySpec rod;
+  rod.moments = Vec3(1.0, 1.0, 0.0);
+  expect_input_error([&] { start(rod); }, "motion.gimbals", "the line on which all mass lies");
 }
 
 TEST(GimbalsMotion, RefusesWhatRingsCannotDo) {

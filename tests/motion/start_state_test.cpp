@@ -68,6 +68,16 @@ TEST(StartWords, SteadyPrecessionHasNoNutation) {
   }
 }
 
+TEST(StartWords, SteadyPrecessionIsForFirmGround) {
+  MotionSpec spec = on_pivot(0.5);
+  spec.spin.steady = "slow";
+  spec.spin.axial = 190.0;
+  spec.frame_rotation = Vec3(0.5, 0.0, 0.6);
+  test::expect_input_error([&] { start_state(make_model(cone(), spec), spec); },
+                           "motion.spin.steady",
+                           "in a space that does not turn");
+}
+
 TEST(StartWords, BelowItsThresholdNoPrecessionIsSteady) {
   MotionSpec spec = on_pivot(0.3);
   spec.spin.steady = "slow";

@@ -53,6 +53,7 @@ class Background {
     const std::string err = folder_ / "err";
     id_ = fork();
     if (id_ != 0) return;
+    std::signal(SIGHUP, SIG_DFL);  // whatever runs the tests
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
     if (!out.empty()) dup2(open(out.c_str(), O_WRONLY), STDOUT_FILENO);
     execv(words[0], words.data());

@@ -49,6 +49,7 @@ Begun begin_cell(const MappedScene& place, double x, double y, const StabilityJo
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     State start = start_state(model, scene.motion);
     start.y *= spin;
+    start.rings.rates *= spin;
     const double rate = typical_rate(model, start);
     if (rate <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});

@@ -52,7 +52,8 @@ void watch_for_interrupt(std::chrono::milliseconds same_key) {
   same_key_ms = same_key.count();
   std::signal(SIGINT, remember_signal);
   std::signal(SIGTERM, remember_signal);
-  std::signal(SIGHUP, remember_signal);
+  // nohup ignores it, so that work goes on when its terminal is closed
+  if (std::signal(SIGHUP, remember_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGALRM, stop_waiting);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

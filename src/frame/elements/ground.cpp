@@ -146,7 +146,7 @@ void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 across = up.cross(axle);
   Vec3 nodes = across.norm() > 1e-9 ? Vec3(across.normalized()) : up.unitOrthogonal();
   if (model.loads.gimbals) {
-    const Vec3 angles = pose_of_gimbals(model, scenery.motion.state_at(sample.t)).angles;
+    const Vec3 angles = scenery.motion.state_at(sample.t).rings.angles;
     const Mat3 axes = turning_axes_P(*model.loads.gimbals, angles);
     nodes = sample.q_SB * (model.R_BP * axes.col(1));
     axle = sample.q_SB * (model.R_BP * axes.col(2));

@@ -39,9 +39,14 @@ double limit_of_roll(double yaw) {
 
 std::string why_not_satellite(const Motion& motion) {
   const BodyModel& model = motion.model();
-  if (gradient_of(model) != nullptr && !model.kind.rotator) return {};
-  return "needs a satellite, neither a thin rod nor on a pivot: motion.torque = [{ kind = "
-         "\"gravity_gradient\", rate = ... }]";
+  const Load* gradient = gradient_of(model);
+  if (gradient == nullptr || model.kind.rotator) {
+    return "needs a satellite, neither a thin rod nor on a pivot: motion.torque = [{ kind = "
+           "\"gravity_gradient\", rate = ... }]";
+  }
+  // damping, for one, brings down those that only rotation holds
+  if (model.loads.turning.size() == 1 && gradient->acts.always()) return {};
+  return "needs a satellite without other torques, whose gravity_gradient always acts";
 }
 
 // Small turns about the normal of the orbit swing if roll > yaw; those about the other two axes are

@@ -26,11 +26,10 @@ inline constexpr int kInGimbals = 6;
 
 // The vector of a state.
 template <int N>
-StateVector<N> to_vector(const BodyModel& m, const State& s) {
+StateVector<N> to_vector(const State& s) {
   StateVector<N> v;
   if constexpr (N == kInGimbals) {
-    const GimbalPose pose = pose_of_gimbals(m, s);
-    v << pose.angles, pose.rates;
+    v << s.rings.angles, s.rings.rates;
   } else if constexpr (N == kThreeDegrees) {
     v << s.q.coeffs(), s.y;
   } else {
@@ -44,13 +43,7 @@ StateVector<N> to_vector(const BodyModel& m, const State& s) {
 template <int N>
 void set_state(const BodyModel& m, const StateVector<N>& v, State& s) {
   if constexpr (N == kInGimbals) {
-    const GimbalPose pose{v.template head<3>(), v.template tail<3>()};
-    // of the two quaternions of that attitude the one that continues the motion
-    const Quat q = attitude_of(*m.loads.gimbals, pose.angles);
-    s.q = q.dot(s.q) < 0.0 ? Quat(-q.coeffs()) : q;
-    s.y = m.moments.cwiseProduct(angular_velocity_of(*m.loads.gimbals, pose));
-    s.ring_angle = pose.angles[0];
-    s.ring_rate = pose.rates[0];
+    set_rings(m, {v.template head<3>(), v.template tail<3>()}, s);
   } else {
     s.q = normalized(Quat(Eigen::Vector4d(v.template head<4>())));
     s.y = v.template segment<3>(4);
@@ -91,9 +84,8 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
     State s;
     set_state<N>(m, v, s);
     const Vec3 others = up_in_body(m, s.q).cross(m.chi_P) + torque_of_loads(m, t, s);
-    const GimbalPose pose{v.template head<3>(), v.template tail<3>()};
     StateVector<N> rate;
-    rate << pose.rates, accelerations(*m.loads.gimbals, pose, m.moments, others);
+    rate << s.rings.rates, accelerations(*m.loads.gimbals, s.rings, m.moments, others);
     return rate;
   } else {
     const Quat q(Eigen::Vector4d(v.template head<4>()));

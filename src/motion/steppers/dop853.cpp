@@ -18,7 +18,7 @@ class DormandPrince853 final : public Stepper {
   }
 
   double step_with_error(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     double error = 0.0;
     const Vector change = dormand_prince::step_of_order_8(
         t,

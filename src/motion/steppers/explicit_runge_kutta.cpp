@@ -14,7 +14,7 @@ class ExplicitEuler final : public Stepper {
   explicit ExplicitEuler(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     set_state<N>(model_, v + h * derivative<N>(model_, t, v), s);
     ++work.evaluations;
   }
@@ -32,7 +32,7 @@ class RungeKutta2 final : public Stepper {
   explicit RungeKutta2(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     set_state<N>(model_, v + h * derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1), s);
     work.evaluations += 2;
@@ -50,7 +50,7 @@ class RungeKutta4 final : public Stepper {
   explicit RungeKutta4(const BodyModel& model) : model_(model) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k1);
     const Vector k3 = derivative<N>(model_, t + 0.5 * h, v + 0.5 * h * k2);
@@ -89,7 +89,7 @@ class DormandPrince5 final : public Stepper {
 
   template <bool WithError>
   double advance(double t, double h, State& s, Work& work) const {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     const Vector k1 = derivative<N>(model_, t, v);
     const Vector k2 = derivative<N>(model_, t + h / 5.0, v + h * (1.0 / 5 * k1));
     const Vector k3 = derivative<N>(model_, t + 0.3 * h, v + h * (3.0 / 40 * k1 + 9.0 / 40 * k2));

@@ -46,7 +46,7 @@ class Gauss final : public Stepper {
       : model_(model), norm_(model, momentum_scale) {}
 
   void step(double t, double h, State& s, Work& work) const override {
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     std::array<Vector, Stages> k;
     k.fill(derivative<N>(model_, t, v));
     solve(t, h, v, s.y, k, work);

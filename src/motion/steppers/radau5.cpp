@@ -30,7 +30,7 @@ class Radau5 final : public Stepper {
   double step_with_error(double t, double h, State& s, Work& work) const override {
     constexpr double kFailed = std::numeric_limits<double>::infinity();
     if (h == 0.0) return 0.0;
-    const Vector v = to_vector<N>(model_, s);
+    const Vector v = to_vector<N>(s);
     const Vector rate = derivative<N>(model_, t, v);
     const Square jacobian = jacobian_at(t, v, rate, work);
 

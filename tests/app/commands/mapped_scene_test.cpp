@@ -67,6 +67,18 @@ TEST_F(SceneOfMaps, AKeyOfTheSceneIsChangedAroundItsOwnNumber) {
   EXPECT_EQ(place().x.to, 6.0);
 }
 
+// rings turn with the body that they carry, also where the attitude does not tell how
+TEST_F(SceneOfMaps, AFactorOnTheSpinTurnsTheRingsToo) {
+  test::write_text(folder_ / "scene.toml",
+                   "[body]\nmoments = [1, 1, 1.5]\n[motion]\nhold = \"pivot\"\nduration = 1\n"
+                   "attitude = { zxz = [0.3, 0, 0] }\nspin = { rates = [0.5, 1, 2] }\n"
+                   "gimbals = { outer = 0.5, inner = [0.2, 0.3, 0.25] }\n");
+  job_.y_range = "2:3";
+  const MappedScene made = prepared();
+  const State& start = made.setup(0, 0).problem->start;
+  EXPECT_LT((start.rings.rates - 2.0 * Vec3(0.5, 1.0, 2.0)).norm(), 1e-12);
+}
+
 TEST_F(SceneOfMaps, RangesAreTwoNumbersThatRise) {
   job_.x_range = "0.01:0.5";
   EXPECT_EQ(place().x.from, 0.01);

@@ -45,6 +45,16 @@ TEST(Interrupt, TwoSignalsOfOneKeyAreOne) {
   EXPECT_EQ(code, 130);
 }
 
+TEST(Interrupt, NohupGoesOn) {
+  const int code = exit_code_in_child([] {
+    std::signal(SIGHUP, SIG_IGN);
+    watch_for_interrupt();
+    raise(SIGHUP);
+    return interruption();
+  });
+  EXPECT_EQ(code, 0);
+}
+
 TEST(Interrupt, ASecondKeyEndsTheProcess) {
   const int code = exit_code_in_child([] {
     watch_for_interrupt(std::chrono::milliseconds(0));
