@@ -131,7 +131,7 @@ void main() {
 
 #if FINISH < 2
   // the key light is a round lamp behind a cloth
-  lit += vec3(f_color.a * 0.85 * eased(12.0 * parts.z - 11.0));
+  lit += vec3(f_color.a * 0.62 * eased(12.0 * parts.z - 11.0));
 #elif FINISH == 2
   // metal mirrors a bright sky and a dark ground
   vec3 to_eye = stretch(v_to_eye) * v_to_eye;
