@@ -18,7 +18,8 @@ using List = std::vector<Quantity>;
 // up and angular velocity, and velocity of the centre of mass, all in P
 constexpr int kMostNumbers = 9;
 using Reduced = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostNumbers, 1>;
-using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostNumbers, kMostNumbers>;
+using Jacobian =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostNumbers, kMostNumbers>;
 
 double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
