@@ -9,9 +9,9 @@
 
 #include "math/notation.h"
 #include "model/body_spec.h"
+#include "model/friction.h"
 #include "model/loads.h"
 #include "model/mass_properties.h"
-#include "model/table.h"
 
 namespace polhode {
 

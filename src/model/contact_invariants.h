@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/body_model.h"
+#include "model/table.h"
 
 namespace polhode {
 

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "base/units.h"
 #include "model/triangle_mesh.h"
 
 namespace polhode {

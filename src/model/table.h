@@ -1,44 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A body on a table, the plane z = 0 of space: the law of friction, how the body touches, and the
-// forces that follow from that. docs/theory.md, "Bodies on a table".
+// A body on a table, the plane z = 0 of space: how it touches, and the forces that follow from
+// that. docs/theory.md, "Bodies on a table".
 #pragma once
 
-#include <memory>
-
-#include "model/contact_surface.h"
-#include "model/friction_spec.h"
+#include "model/body_model.h"
 
 namespace polhode {
-
-struct BodyModel;
-
-// The law of friction in the form that the equations of motion use.
-struct Friction {
-  enum class Kind { none, rolling, viscous, coulomb };
-  Kind kind = Kind::none;
-  double mu = 0.0;           // coulomb
-  double c = 0.0;            // viscous, s/m
-  double rolling = 0.0;      // moment against rolling over the normal force, m
-  double boring = 0.0;       // moment against turning about the vertical over it, m
-  double restitution = 0.0;  // 0..1
-  double turntable = 0.0;    // angular velocity of the table about Z, rad/s
-
-  // Whether the table takes no energy from a body that stays on it, and gives it none.
-  bool keeps_energy() const {
-    return (kind == Kind::none || kind == Kind::rolling) && rolling == 0.0 && boring == 0.0 &&
-           turntable == 0.0;
-  }
-};
-
-// What holds a body on a table; a part of BodyModel.
-struct Table {
-  std::shared_ptr<const ContactSurface> surface;
-  Friction friction;
-};
-
-// Makes the table of a [motion] table. Throws Error (input) naming motion.friction.KEY for a key
-// that the kind needs or does not take.
-Friction make_friction(const FrictionSpec& spec);
 
 // How the body touches the table. Between events it stays the same; where a law has a direction
 // that its velocity gives, the reference directions say how the law goes on beyond a zero of that

@@ -7,19 +7,9 @@
 #include <vector>
 
 #include "motion/motion.h"
+#include "motion/quantity.h"
 
 namespace polhode {
-
-// The units: time in s, angle in rad, rate in rad/s, growth in 1/s, energy in J, momentum in kg
-// m^2/s. `none` is a ratio; a verdict is 0 (no) or 1 (yes).
-enum class QuantityUnit { none, time, angle, rate, growth, energy, momentum, verdict };
-
-// One number with its name.
-struct Quantity {
-  std::string name;   // without unit: "precession_rate"
-  QuantityUnit unit;  // the value is in SI units and radians
-  double value;
-};
 
 // The name with its unit as suffix, such as "precession_rate_rad_per_s"; ratios and verdicts have
 // no suffix.

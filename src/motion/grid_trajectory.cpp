@@ -8,7 +8,6 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/system/interrupt.h"
-#include "motion/contact/contact_trajectory.h"
 #include "motion/scales.h"
 #include "motion/stepper_table.h"
 #include "motion/walk.h"
@@ -141,7 +140,6 @@ Integration integrate_adaptive(const StepperInfo& method,
                       tolerance,
                       kLeastTolerance);
   }
-  if (model.table) return integrate_on_table(method, model, start, duration, tolerance, effort);
   const long most = std::min(effort.most_steps, kMostSteps / 8);
   auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
   DriftWatch drift(model, start);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "motion/contact/contact_trajectory.h"
 #include "motion/deviation.h"
 #include "motion/scales.h"
 
@@ -77,6 +78,7 @@ Integration integrate_with(const StepperInfo& method,
                            double duration,
                            double fineness,
                            const Effort& effort) {
+  if (model.table) return integrate_on_table(method, model, start, duration, fineness, effort);
   return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness, effort)
                          : integrate_fixed(method, model, start, duration, fineness, effort);
 }

@@ -11,7 +11,8 @@ namespace polhode {
 inline constexpr double kTolerancesApart = 32.0;
 
 // The fineness of an integration is the step (s) of a fixed-step method, and the tolerance of an
-// adaptive one. Throws Error as integrate_fixed and integrate_adaptive do.
+// adaptive one. A body on a table is integrated from event to event. Throws Error as
+// integrate_fixed and integrate_adaptive do.
 Integration integrate_with(const StepperInfo& method,
                            const BodyModel& model,
                            const State& start,

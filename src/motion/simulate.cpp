@@ -140,6 +140,8 @@ std::vector<Candidate> candidates(const BodyModel& model,
                                   double duration,
                                   const NumericsSpec& numerics,
                                   double accuracy_rad) {
+  if (model.table)
+    return {{&find_stepper("dop853"), "of high order, with events located on its own steps"}};
   const std::string others = reason_against_others(model, chosen, numerics, accuracy_rad);
   std::vector<Candidate> found;
   // where damping is much faster than all else, explicit steps resolve what is at rest

@@ -381,5 +381,79 @@ TEST(SceneNumbers, FrictionOnlyTakesEnergyAway) {
   }
 }
 
+// bodies on a table
+TEST(SceneNumbers, TheTippeTopTurnsOver) {
+  const Solved solved = solved_scene("tippe_top");
+  const Motion& motion = solved.simulation.motion;
+  EXPECT_EQ(solved.simulation.report.model, "table_viscous");
+  EXPECT_EQ(number_of(solved, "tippe_top_condition"), 1.0);
+  EXPECT_NEAR(number_of(solved, "upright_spin_for_inversion_rad_per_s"), 55.0, 0.1);
+  EXPECT_NEAR(number_of(solved, "spin_after_inversion_rad_per_s"), 106.7, 0.1);
+  EXPECT_GT(tilt_of(motion.at(5.0)) / kDegree, 175.0);
+  EXPECT_NEAR(-motion.at(5.0).w_B.z(), 106.7, 0.7);
+}
+
+TEST(SceneNumbers, TheRattlebackReversesOnce) {
+  const Solved solved = solved_scene("rattleback");
+  EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_per_s"), 2.01, 0.01);
+  EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_reversed_per_s"), 0.22, 0.01);
+  const Motion& motion = solved.simulation.motion;
+  EXPECT_LT(motion.at(0.0).w_S.z(), -3.9);
+  EXPECT_GT(motion.at(7.0).w_S.z(), 3.9);
+  EXPECT_NEAR(motion.at(7.0).energy, motion.at(0.0).energy, 1e-8);
+}
+
+TEST(SceneNumbers, EulersDiscSettles) {
+  const Solved solved = solved_scene("euler_disc");
+  EXPECT_NEAR(number_of(solved, "precession_with_center_at_rest_rad_per_s"), 55.2, 0.1);
+  EXPECT_NEAR(number_of(solved, "end_time_s"), 20.6, 0.1);
+  const Motion& motion = solved.simulation.motion;
+  // its tilt has fallen as (t0 - t)^2
+  const double left = 1.0 - 15.0 / 20.6;
+  EXPECT_NEAR(tilt_of(motion.at(15.0)) / 0.35, left * left, 0.02);
+}
+
+TEST(SceneNumbers, CoinAndHoopRollAboveTheirLimits) {
+  EXPECT_NEAR(
+      number_of(solved_scene("rolling_coin"), "upright_rolling_limit_rad_per_s"), 16.2, 0.05);
+  EXPECT_NEAR(
+      number_of(solved_scene("rolling_hoop"), "upright_rolling_limit_rad_per_s"), 2.86, 0.01);
+  for (const char* scene : {"rolling_coin", "rolling_hoop"}) {
+    const Motion& motion = solved_scene(scene).simulation.motion;
+    for (double t = 0.0; t < motion.duration(); t += 0.1)
+      EXPECT_NEAR(tilt_of(motion.at(t)) / kDegree, 90.0, 30.0) << scene;
+  }
+}
+
+TEST(SceneNumbers, PegTopAndEggRise) {
+  const Motion top = solved_scene("peg_top").simulation.motion;
+  EXPECT_LT(tilt_of(top.at(6.0)) / kDegree, 2.0);
+  const Solved egg = solved_scene("spinning_egg");
+  EXPECT_NEAR(number_of(egg, "growth_rate_of_vertical_spin_per_s"), 7.6, 0.1);
+  EXPECT_NEAR(egg.simulation.motion.at(3.0).center_S.z(), 0.03, 1e-4);
+}
+
+TEST(SceneNumbers, BallsKeepWhatTheirScenesSay) {
+  for (const char* scene : {"chaplygin_ball", "routh_sphere"}) {
+    const Drift& drift = solved_scene(scene).simulation.report.record.drift;
+    EXPECT_LT(drift.momentum.value_or(1.0), 1e-6) << scene;
+    EXPECT_LT(drift.energy.value_or(1.0), 1e-6) << scene;
+  }
+  const Solved billiard = solved_scene("billiard_ball");
+  EXPECT_NEAR(number_of(billiard, "sliding_time_s"), 0.2663, 1e-4);
+  ASSERT_FALSE(billiard.simulation.report.record.events.empty());
+  EXPECT_NEAR(billiard.simulation.report.record.events[0].t, 0.2663, 1e-4);
+  const Solved circling = solved_scene("ball_on_a_turntable");
+  EXPECT_NEAR(number_of(circling, "circling_rate_rad_per_s"), 1.0, 1e-12);
+  const Motion& motion = circling.simulation.motion;
+  EXPECT_LT((motion.at(2.0 * kPi).center_S - motion.at(0.0).center_S).norm(), 1e-6);
+}
+
+TEST(SceneNumbers, TheSpinningCoinSlowsDown) {
+  const Motion motion = solved_scene("spinning_coin").simulation.motion;
+  EXPECT_NEAR(motion.at(0.5).w_S.z(), 120.0 - 0.5 * 75.3, 1.0);
+  EXPECT_LT(tilt_of(motion.at(4.0)) / kDegree, 60.0);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -7,7 +7,7 @@
 namespace polhode {
 namespace {
 
-constexpr double kContactRadius = 0.03;  // of the point of contact, in units of the body's radius
+constexpr double kTouchRadius = 0.03;  // of the point of contact, in units of the body's radius
 
 // the lowest point of the body at this moment, S, m
 Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
@@ -37,9 +37,9 @@ void add_contact(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Material material = plain(scenery.theme.force, 0.25f);
   Placement place = Placement::Identity();
   place.translation() = at;
-  place.linear() *= kContactRadius * scenery.scale.body;
+  place.linear() *= kTouchRadius * scenery.scale.body;
   glyphs.meshes.push_back({scenery.ball, place, drawn_through(scenery, material)});
-  glyphs.marks.push_back({at, kContactRadius * scenery.scale.body});
+  glyphs.marks.push_back({at, kTouchRadius * scenery.scale.body});
   glyphs.reach.push_back(at);
   const Vec3 normal = scenery.scale.force * found->normal * Vec3::UnitZ();
   add_vector(scenery, at, at + normal, kForceShape, material, glyphs, "<b>N</b>");

@@ -9,8 +9,6 @@
 namespace polhode {
 namespace {
 
-// forces may exceed a limit by this part before what they hold gives way
-constexpr double kSlack = 0.0;
 // a rebound slower than this, in units of the speed of a fall, is the end of endless bounces
 constexpr double kLastRebound = 1e-5;
 // what a body may still have when a face comes down, in units of weight times reach
@@ -67,7 +65,7 @@ Touch let_go(const ContactStepper& stepper,
   };
   for (int i = 0; i < 4; ++i) {
     const Reaction r = reaction_of(model, touch, t, now.moving);
-    const double limit = r.normal * (1.0 + kSlack);
+    const double limit = r.normal;
     bool changed = false;
     if (law.kind == Friction::Kind::coulomb && touch.sticks &&
         (r.friction_S.norm() > law.mu * limit || is(ContactEvent::slip_begins))) {

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "motion/derived.h"
+#include "model/table.h"
+#include "motion/quantity.h"
 
 namespace polhode {
 

@@ -6,6 +6,7 @@
 
 #include "math/so3.h"
 #include "motion/steppers/dormand_prince.h"
+#include "motion/steppers/radau_step.h"
 
 namespace polhode {
 namespace {
@@ -46,6 +47,19 @@ double size_of_error(const Vector& v, const TableScales& scales, bool touching) 
                    v.segment<3>(4).norm() / scales.momentum,
                    part(7) / scales.length,
                    part(10) / scales.speed});
+}
+
+// Is the step far longer than the direction of slip takes to turn to where friction lets it?
+// Friction mu g, times what the rotation adds to the mobility of the contact, over the speed of
+// slip.
+bool is_stiff(const BodyModel& model, const Touch& touch, double h, const Moving& now) {
+  constexpr double kMobility = 3.5;  // of a ball, times its mass
+  constexpr double kExplicit = 4.0;  // what explicit steps bear
+  const Friction& law = model.table->friction;
+  if (law.kind != Friction::Kind::coulomb || touch.sticks) return false;
+  if (touch.phase != Touch::Phase::touching) return false;
+  const double slip = slip_of(model, touch, now).head<2>().norm() + touch.creep;
+  return std::abs(h) * law.mu * model.gravity_S.norm() * kMobility > kExplicit * slip;
 }
 
 }  // namespace
@@ -150,14 +164,19 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
         std::min(result.margin, least_of(margins_of(model_, scales_, touch, now.moving, reaction)));
     return slope_of(model_, now.moving, reaction);
   };
+  const auto size = [&](const Vector& e) {
+    return size_of_error(e, scales_, touching);
+  };
   const Vector v = vector_of(from);
-  const Vector change = dormand_prince::step_of_order_8(
-      t,
-      h,
-      v,
-      slope,
-      [&](const Vector& e) { return size_of_error(e, scales_, touching); },
-      result.error);
+  Vector change;
+  if (is_stiff(model_, touch, h, from.moving)) {
+    result.order = 5;
+    change = RadauStep<Vector, decltype(slope), decltype(size)>(slope, size)(t, h, v, result.error);
+  }
+  if (result.order == 8 || std::isinf(result.error)) {
+    result.order = 8;
+    change = dormand_prince::step_of_order_8(t, h, v, slope, size, result.error);
+  }
   result.end = on_table(v + change);
   hold_to_table(model_, touch, result.end.moving);
   return result;

@@ -63,7 +63,8 @@ Touch refreshed(const BodyModel& model, const Touch& touch, const Moving& now);
 
 // Steps a body that touches in one way. The contact holds by construction: the equations are those
 // of attitude, angular momentum and, where they are free, horizontal place and velocity; the rest
-// follows. Dormand and Prince's order 8. Immutable.
+// follows. Dormand and Prince's order 8; where a slip of dry friction is so slow that its direction
+// follows all else far faster than a step, Radau's order 5, which need not resolve that. Immutable.
 class ContactStepper {
  public:
   ContactStepper(const BodyModel& model, const TableScales& scales)
@@ -71,6 +72,7 @@ class ContactStepper {
 
   struct Result {
     OnTable end;
+    int order = 8;        // of the method that was used
     double error = 0.0;   // estimate of the local error, relative to the scales
     double margin = 1.0;  // the least at the inner stages of the step
   };

@@ -167,8 +167,7 @@ class Walk {
       const double next = t_ + h < duration_ ? t_ + h : duration_;
       const ContactStepper::Result trial = path_->stepper.step(touch_, t_, next - t_, now_);
       record_.evaluations += 12;
-      const double ratio =
-          std::pow(tolerance_ / std::max(trial.error, 1e-300), 1.0 / method_.order);
+      const double ratio = std::pow(tolerance_ / std::max(trial.error, 1e-300), 1.0 / trial.order);
       if (!(trial.error <= tolerance_)) {
         h = shorter(next, std::clamp(0.9 * ratio, 0.1, 0.9), trial);
         continue;
