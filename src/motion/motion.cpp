@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/error.h"
 #include "math/so3.h"
 
 namespace polhode {

@@ -14,11 +14,11 @@
 #include "base/system/kept_rows.h"
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
-#include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_section.h"
 #include "film/error_places.h"
 #include "film/overrides.h"
+#include "motion/convoy.h"
 #include "scene/canonical.h"
 
 namespace polhode {
@@ -80,7 +80,7 @@ std::vector<SectionOrbit> trace_all(const SectionSurface& surface,
   std::mutex lock;
   int count = 0;
   try {
-    parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
+    parallel_in_convoys(static_cast<long>(left.size()), job.jobs, [&](long i) {
       const std::size_t index = left[static_cast<std::size_t>(i)];
       SectionOrbit orbit = trace_section(surface, starts[index], job.crossings);
       const std::lock_guard guard(lock);

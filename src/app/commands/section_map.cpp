@@ -18,6 +18,7 @@
 #include "chart/plot_exponents.h"
 #include "film/error_places.h"
 #include "film/overrides.h"
+#include "motion/convoy.h"
 #include "scene/canonical.h"
 #include "scene/scene_file.h"
 
@@ -66,10 +67,17 @@ std::pair<BodyModel, State> start_of_cell(const SectionJob& job,
   return with_place(scene, [&] { return start_of_section(scene); });
 }
 
-ExponentCell cell_of(const SectionJob& job, const ExponentMap& map, int column, int row) {
-  const auto [model, start] = start_of_cell(job, map, column, row);
-  const SectionOrbit orbit = trace_section(SectionSurface(model, start), start, job.crossings);
-  return {orbit.verdict, orbit.exponent(), static_cast<int>(orbit.points.size())};
+// the motions of a row step together
+void fill_row(const SectionJob& job, ExponentMap& map, int row) {
+  std::vector<std::pair<BodyModel, State>> starts;
+  for (int column = 0; column < map.x.cells; ++column)
+    starts.push_back(start_of_cell(job, map, column, row));
+  parallel_in_convoys(map.x.cells, 1, [&](long column) {
+    const auto& [model, start] = starts[static_cast<std::size_t>(column)];
+    const SectionOrbit orbit = trace_section(SectionSurface(model, start), start, job.crossings);
+    map.at(static_cast<int>(column), row) = {
+        orbit.verdict, orbit.exponent(), static_cast<int>(orbit.points.size())};
+  });
 }
 
 // a row at a time on every processor; rows of an earlier run are taken up
@@ -89,9 +97,7 @@ void fill(const SectionJob& job, ExponentMap& map, KeptRows& kept) {
   try {
     parallel_for(static_cast<long>(left.size()), job.jobs, [&](long i) {
       const int row = left[static_cast<std::size_t>(i)];
-      for (int column = 0; column < map.x.cells; ++column) {
-        map.at(column, row) = cell_of(job, map, column, row);
-      }
+      fill_row(job, map, row);
       const std::lock_guard guard(lock);
       kept.add(line_of_cells(row, map));
       progress.show(++count);

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "motion/convoy.h"
 #include "motion/steppers/all.h"
 #include "motion/steppers/derivative.h"
+#include "motion/steppers/lanes.h"
 
 namespace polhode {
 namespace {
@@ -52,11 +54,223 @@ constexpr double kThird8 = 0.733846688281611857341361741547;
 constexpr double kThird11 = 0.0220588235294117647058823529412;
 // clang-format on
 
+// What a step moves by, per time, and the two estimates of its error.
+template <class Vector>
+struct Slopes {
+  Vector step, error5, error3;
+};
+
+// The step of h from v; rate(c, v) is the right-hand side c h after its start. For one motion h is
+// a number, for several in the lanes of registers it has lanes too.
+template <class Vector, class Length, class Rate>
+[[gnu::always_inline]] inline Slopes<Vector> slopes_of(const Vector& v,
+                                                       const Length& h,
+                                                       const Rate& rate) {
+  std::array<Vector, kStages> k;
+  k[0] = rate(0.0, v);
+#pragma GCC unroll 11
+  for (int i = 0; i + 1 < kStages; ++i) {
+    const TableRow& row = kRows[i];
+    Vector sum = row.first * k[0];
+#pragma GCC unroll 8
+    for (int j = 0; j < row.count; ++j)
+      sum += row.rest[j] * k[row.from + j];
+    k[i + 1] = rate(row.c, v + h * sum);
+  }
+  Slopes<Vector> found;
+  found.step = kStepWeights[0] * k[0];
+  found.error5 = kError5[0] * k[0];
+#pragma GCC unroll 7
+  for (int j = 1; j < 8; ++j) {
+    found.step += kStepWeights[j] * k[j + 4];
+    found.error5 += kError5[j] * k[j + 4];
+  }
+  found.error3 = found.step - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];
+  return found;
+}
+
+// HNW II.10, eq. 10.17: an error of the eighth power of the step
+template <class Number>
+[[gnu::always_inline]] inline Number error_of(const Number& fifth, const Number& third) {
+  Number root = fifth * fifth + 0.01 * third * third;
+  const auto is_zero = root == 0.0;
+  take_root(root);
+  return is_zero ? Number{} : fifth * fifth / root;
+}
+
+// One motion among several: where it is, and what becomes of it.
+struct DormandPrincePart {
+  const HeavyBody<double>* body;
+  double momentum_scale;
+  StateVector<kThreeDegrees> v;
+  double h;
+  double error = 0.0;          // of a step
+  Stretch* stretch = nullptr;  // absent for one step alone
+};
+
+// what the lanes have in common
+template <class Wide>
+struct DormandPrinceLanes {
+  HeavyBody<Wide> body;
+  Wide momentum_scale;
+
+  [[gnu::always_inline]] explicit DormandPrinceLanes(const DormandPrincePart* const* parts) {
+    using Part = DormandPrincePart;
+    for (std::size_t i = 0; i < 3; ++i) {
+      gather(parts, body.inverse_moments[i], [i](const Part& p) {
+        return p.body->inverse_moments[i];
+      });
+      gather(parts, body.chi[i], [i](const Part& p) { return p.body->chi[i]; });
+      gather(parts, body.up[i], [i](const Part& p) { return p.body->up[i]; });
+    }
+    gather(parts, momentum_scale, [](const Part& p) { return p.momentum_scale; });
+  }
+
+  // takes v to `end`
+  [[gnu::always_inline]] void step(const WideVector<Wide>& v,
+                                   const Wide& h,
+                                   WideVector<Wide>& end,
+                                   Wide& error) const {
+    const auto rate = [&](double, const WideVector<Wide>& at) __attribute__((always_inline)) {
+      WideVector<Wide> found;
+      heavy_rate(body, at.of.data(), found.of.data());
+      return found;
+    };
+    const Slopes<WideVector<Wide>> slopes = slopes_of(v, h, rate);
+    end = v + h * slopes.step;
+    normalize(end);
+    Wide fifth, third;
+    find_size(h * slopes.error5, momentum_scale, fifth);
+    find_size(h * slopes.error3, momentum_scale, third);
+    error = error_of(fifth, third);
+  }
+};
+
+// as many motions as a register has lanes: one step each
+template <class Wide>
+[[gnu::always_inline]] inline void step_wide(DormandPrincePart* const* parts) {
+  using Part = DormandPrincePart;
+  const DormandPrinceLanes<Wide> lanes(parts);
+  WideVector<Wide> v, end;
+  Wide h, error;
+  for (std::size_t i = 0; i < 7; ++i)
+    gather(parts, v.of[i], [i](const Part& p) { return p.v[static_cast<int>(i)]; });
+  gather(parts, h, [](const Part& p) { return p.h; });
+  lanes.step(v, h, end, error);
+  for (std::size_t i = 0; i < 7; ++i)
+    scatter(parts, end.of[i], [i](Part& p) -> double& { return p.v[static_cast<int>(i)]; });
+  scatter(parts, error, [](Part& p) -> double& { return p.error; });
+}
+
+// The same for stretches, as walk_adaptive() takes them. A lane that has arrived or whose step fell
+// to round-off takes steps of no length.
+template <class Wide>
+[[gnu::always_inline]] inline void stretch_wide(DormandPrincePart* const* parts) {
+  using Part = DormandPrincePart;
+  const DormandPrinceLanes<Wide> lanes(parts);
+  WideVector<Wide> v, trial;
+  AdaptivePace<Wide> pace;
+  Wide error;
+  for (std::size_t i = 0; i < 7; ++i)
+    gather(parts, v.of[i], [i](const Part& p) { return p.v[static_cast<int>(i)]; });
+  gather(parts, pace.t, [](const Part& p) { return p.stretch->pace.t; });
+  gather(parts, pace.h, [](const Part& p) { return p.stretch->pace.h; });
+  gather(parts, pace.end, [](const Part& p) { return p.stretch->pace.end; });
+  gather(parts, pace.tolerance, [](const Part& p) { return p.stretch->pace.tolerance; });
+  auto goes_on = pace.t < pace.end;
+  for (int i = 0; i < Stretch::kMost; ++i) {
+    const Wide next = pace.next();
+    const Wide length = goes_on ? next - pace.t : Wide{};
+    lanes.step(v, length, trial, error);
+    Wide ratio = pace.ratio(error);
+    take_root(ratio);
+    take_root(ratio);
+    take_root(ratio);
+    const auto accepted = goes_on & (error <= pace.tolerance);
+    const auto stuck = ~accepted & ~pace.can_shorten(next, ratio);
+    goes_on = goes_on & ~stuck;
+    pace.h = goes_on ? (accepted ? pace.after(next, ratio) : pace.shortened(next, ratio)) : pace.h;
+    pace.t = accepted ? next : pace.t;
+    for (std::size_t k = 0; k < 7; ++k)
+      v.of[k] = accepted ? trial.of[k] : v.of[k];
+    for (std::size_t lane = 0; lane < sizeof(Wide) / sizeof(double); ++lane) {
+      if (goes_on[lane] == 0) continue;
+      Stretch& stretch = *parts[lane]->stretch;
+      ++stretch.tried;
+      if (accepted[lane] == 0) continue;
+      Stretch::Step& step = stretch.steps[static_cast<std::size_t>(stretch.count++)];
+      step.t = pace.t[lane];
+      for (std::size_t k = 0; k < 7; ++k)
+        step.v[k] = v.of[k][lane];
+    }
+    goes_on = goes_on & (pace.t < pace.end);
+    if (!any(goes_on)) break;
+  }
+  scatter(parts, pace.t, [](Part& p) -> double& { return p.stretch->pace.t; });
+  scatter(parts, pace.h, [](Part& p) -> double& { return p.stretch->pace.h; });
+}
+
+template <class Wide>
+[[gnu::always_inline]] inline void advance_wide(DormandPrincePart* const* parts, bool stretches) {
+  for (std::size_t i = 0; i < kLanes; i += sizeof(Wide) / sizeof(double))
+    stretches ? stretch_wide<Wide>(parts + i) : step_wide<Wide>(parts + i);
+}
+
+// in the widest registers that the processor has; the bits are the same in all
+void advance_by_twos(DormandPrincePart* const* parts, bool stretches) {
+  advance_wide<TwoLanes>(parts, stretches);
+}
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void advance_by_fours(DormandPrincePart* const* parts, bool stretches) {
+  advance_wide<FourLanes>(parts, stretches);
+}
+[[gnu::target("avx512f")]] void advance_by_eights(DormandPrincePart* const* parts, bool stretches) {
+  advance_wide<EightLanes>(parts, stretches);
+}
+#endif
+
+auto widest() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) return advance_by_eights;
+  if (__builtin_cpu_supports("avx2")) return advance_by_fours;
+#endif
+  return advance_by_twos;
+}
+
+void advance(void* const* parts, int count, bool stretches) {
+  static const auto in_lanes = widest();
+  // a lane that nobody needs does the work of the first once more
+  std::array<DormandPrincePart, kLanes> spare;
+  std::array<Stretch, kLanes> spare_stretch;
+  std::array<DormandPrincePart*, kLanes> lanes = {};
+  for (int i = 0; i < kLanes; ++i) {
+    if (i < count) {
+      lanes[i] = static_cast<DormandPrincePart*>(parts[i]);
+      continue;
+    }
+    lanes[i] = &spare[i];
+    spare[i] = *lanes[0];
+    if (!stretches) continue;
+    spare_stretch[i] = *spare[i].stretch;
+    spare[i].stretch = &spare_stretch[i];
+  }
+  in_lanes(lanes.data(), stretches);
+}
+void step_parts(void* const* parts, int count) {
+  advance(parts, count, false);
+}
+void stretch_parts(void* const* parts, int count) {
+  advance(parts, count, true);
+}
+
 template <int N>
 class DormandPrince853 final : public Stepper {
  public:
   DormandPrince853(const BodyModel& model, double momentum_scale)
-      : model_(model), norm_(model, momentum_scale) {}
+      : model_(model),
+        norm_(model, momentum_scale),
+        body_(heavy_body(model)),
+        has_lanes_(model.loads.turning.empty()) {}
 
   void step(double t, double h, State& s, Work& work) const override {
     step_with_error(t, h, s, work);
@@ -64,31 +278,30 @@ class DormandPrince853 final : public Stepper {
 
   double step_with_error(double t, double h, State& s, Work& work) const override {
     const Vector v = to_vector<N>(model_, s);
-    std::array<Vector, kStages> k;
-    k[0] = derivative<N>(model_, t, v);
-    for (int i = 0; i + 1 < kStages; ++i) {
-      const TableRow& row = kRows[i];
-      Vector sum = row.first * k[0];
-      for (int j = 0; j < row.count; ++j)
-        sum += row.rest[j] * k[row.from + j];
-      k[i + 1] = derivative<N>(model_, t + row.c * h, v + h * sum);
-    }
     work.evaluations += kStages;
-
-    Vector slope = kStepWeights[0] * k[0];
-    Vector error5 = kError5[0] * k[0];
-    for (int j = 1; j < 8; ++j) {
-      slope += kStepWeights[j] * k[j + 4];
-      error5 += kError5[j] * k[j + 4];
+    if constexpr (N == kThreeDegrees) {
+      DormandPrincePart part{&body_, norm_.momentum_scale(), v, h};
+      if (has_lanes_ && step_in_convoy(step_parts, &part)) {
+        set_unit_state(part.v, s);
+        return part.error;
+      }
     }
-    const Vector error3 = slope - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];
-    set_state<N>(model_, v + h * slope, s);
+    const Slopes<Vector> slopes = slopes_of(
+        v, h, [&](double c, const Vector& at) { return derivative<N>(model_, t + c * h, at); });
+    set_state<N>(model_, v + h * slopes.step, s);
+    return error_of(norm_.template of<N>(h * slopes.error5),
+                    norm_.template of<N>(h * slopes.error3));
+  }
 
-    // HNW II.10, eq. 10.17: an error of the eighth power of the step
-    const double fifth = norm_.template of<N>(h * error5);
-    const double third = norm_.template of<N>(h * error3);
-    if (fifth == 0.0 && third == 0.0) return 0.0;
-    return fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
+  bool walk_in_convoy(const State& s, Stretch& stretch, Work& work) const override {
+    if constexpr (N == kThreeDegrees) {
+      DormandPrincePart part{
+          &body_, norm_.momentum_scale(), to_vector<N>(model_, s), 0.0, 0.0, &stretch};
+      if (!has_lanes_ || !step_in_convoy(stretch_parts, &part)) return false;
+      work.evaluations += static_cast<long>(stretch.tried) * kStages;
+      return true;
+    }
+    return false;
   }
 
  private:
@@ -96,6 +309,8 @@ class DormandPrince853 final : public Stepper {
 
   BodyModel model_;
   ErrorNorm norm_;
+  HeavyBody<double> body_;
+  bool has_lanes_;
 };
 
 }  // namespace
