@@ -10,6 +10,7 @@
 #include "base/one_line.h"
 #include "base/system/files.h"
 #include "base/system/parallel.h"
+#include "motion/convoy.h"
 
 namespace polhode {
 
@@ -63,13 +64,16 @@ long make_pieces(const Piecewise& work,
   std::mutex lock;
   int count = 0;
   try {
-    parallel_for(static_cast<long>(left.size()), jobs, [&](long i) {
+    const auto make = [&](long i) {
       const long piece = left[static_cast<std::size_t>(i)];
       work.make(piece);
       const std::lock_guard guard(lock);
       kept.add(work.line_of(piece));
       bar.show(++count);
-    });
+    };
+    const auto count_of_pieces = static_cast<long>(left.size());
+    work.in_convoys ? parallel_in_convoys(count_of_pieces, jobs, make)
+                    : parallel_for(count_of_pieces, jobs, make);
   } catch (...) {
     kept.save();
     throw;

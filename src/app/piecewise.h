@@ -48,6 +48,8 @@ struct Piecewise {
   // Called once with the pieces that are about to be made.
   std::function<void(const std::vector<long>& pieces)> prepare = [](const std::vector<long>&) {
   };
+  // Whether motions of several pieces may step together (motion/convoy.h).
+  bool in_convoys = false;
   // Makes a piece. Called once for each, on any thread.
   std::function<void(long piece)> make;
   // The line of a piece that has been made. Called on one thread at a time.

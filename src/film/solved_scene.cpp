@@ -5,9 +5,9 @@
 
 #include <spdlog/spdlog.h>
 
-#include "base/system/parallel.h"
 #include "film/error_places.h"
 #include "frame/compose.h"
+#include "motion/convoy.h"
 #include "motion/ensemble.h"
 
 namespace polhode {
@@ -78,7 +78,7 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
   const std::vector<MotionSpec> specs = ensemble_of(model, scene.motion);
   const NumericsSpec numerics = numerics_of_truth(scene);
   std::vector<std::optional<Simulation>> found(specs.size());
-  parallel_for(static_cast<long>(specs.size()), 0, [&](long i) {
+  parallel_in_convoys(static_cast<long>(specs.size()), 0, [&](long i) {
     const auto k = static_cast<std::size_t>(i);
     try {
       found[k] = simulate(model, specs[k], numerics, accuracy);

@@ -41,8 +41,7 @@ class GridTrajectory final : public Trajectory {
       index = std::clamp(static_cast<long>(std::floor(t / h)), 0L, last);
       if (time(index) > t && index > 0) --index;
     } else {
-      index = std::upper_bound(times.begin(), times.end(), t) - times.begin() - 1;
-      index = std::clamp(index, 0L, last);
+      index = last_time_until(t);
     }
     const long kept = std::min(index / stride, static_cast<long>(states.size()) - 1);
 
@@ -55,6 +54,22 @@ class GridTrajectory final : public Trajectory {
     const double rest = t - time(index);
     if (rest != 0.0) stepper->step(time(index), rest, s);
     return s;
+  }
+
+  // of an adaptive grid, whose steps are seldom far from even: a guess, and steps from it that grow
+  long last_time_until(double t) const {
+    const auto guess = static_cast<long>(t / times.back() * static_cast<double>(last));
+    long low = std::clamp(guess, 0L, last), high = low + 1;
+    for (long way = 1; low > 0 && time(low) > t; way *= 2) {
+      high = low;
+      low = std::max(0L, low - way);
+    }
+    for (long way = 1; high <= last && time(high) <= t; way *= 2) {
+      low = high;
+      high = std::min(last + 1, high + way);
+    }
+    const auto end = times.begin() + high;
+    return std::max(low, std::upper_bound(times.begin() + low, end, t) - times.begin() - 1);
   }
 
   // Keeps the state after so many steps, if it is its turn; of too many states every second goes.

@@ -11,6 +11,7 @@
 #include "base/nearest.h"
 #include "base/numbers.h"
 #include "motion/conditioning.h"
+#include "motion/convoy.h"
 #include "motion/deviation.h"
 #include "motion/method_costs.h"
 #include "motion/refinement.h"
@@ -151,6 +152,13 @@ std::vector<Candidate> candidates(const BodyModel& model,
       if (row.stiff) found.push_back({&row, "damping is much faster than the motion" + others});
     }
   }
+  // many motions at once
+  const StepperInfo& together = find_stepper("dop853");
+  const bool in_lanes = in_convoy() && !chosen.splits && !model.with_translation &&
+                        model.loads.turning.empty() && !numerics.step;
+  if (in_lanes) {
+    found.push_back({&together, "cheapest for many motions that step together" + others});
+  }
   std::vector<MethodCost> able = cheapest_methods(model, numerics, accuracy_rad, chosen.splits);
   CHECK(!able.empty());
   // what three cannot do, the rest will not, and slower
@@ -160,7 +168,7 @@ std::vector<Candidate> candidates(const BodyModel& model,
     found.push_back({&find_stepper(able.front().method), reason_for(able, what) + others});
   }
   // where steps that suit the start fail later, steps that choose their own length still tell why
-  const StepperInfo& last = find_stepper("dop853");
+  const StepperInfo& last = together;
   const bool tried = std::any_of(
       found.begin(), found.end(), [&](const Candidate& one) { return one.method == &last; });
   if (!tried && !chosen.splits && !numerics.step && why_not(last, model).empty())

@@ -3,6 +3,7 @@
 // (letters: math/notation.h and model/body_model.h).
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "model/body_model.h"
@@ -12,6 +13,53 @@ namespace polhode {
 // Counts the cost of stepping.
 struct Work {
   long evaluations = 0;  // of the right-hand side, of residuals, of partial flows
+};
+
+// Where an adaptive method is and how it goes on: a step of length h (s) from t, to `end` at most,
+// with errors of at most `tolerance`. Number: double, or the lanes of a register.
+template <class Number>
+struct AdaptivePace {
+  Number t, h, end, tolerance;
+
+  // the end of the step
+  [[gnu::always_inline]] Number next() const { return t + h < end ? t + h : end; }
+  // tolerance over the error of a step; its root of the order says how long steps may be
+  [[gnu::always_inline]] Number ratio(const Number& error) const {
+    return tolerance / (error < 1e-300 ? Number{} + 1e-300 : error);
+  }
+  // Standard controller: aim at 0.9^order of the tolerance, never jump by more than five. The
+  // length of a step that replaces one to `next`, where it can be shorter and more than round-off.
+  [[gnu::always_inline]] Number shortened(const Number& next, const Number& root) const {
+    return (next - t) * clamped(0.9 * root, 0.1, 0.9);
+  }
+  [[gnu::always_inline]] auto can_shorten(const Number& next, const Number& root) const {
+    const Number to = t + shortened(next, root);
+    return (to > t) & (to < next);
+  }
+  // of the step after one to `next`; a step that was cut short says little of it
+  [[gnu::always_inline]] Number after(const Number& next, const Number& root) const {
+    const Number proposed = (next - t) * clamped(0.9 * root, 0.2, 5.0);
+    return ((next == end) & (proposed < h)) ? h : proposed;
+  }
+
+ private:
+  [[gnu::always_inline]] static Number clamped(const Number& x, double low, double high) {
+    const Number a = Number{} + low, b = Number{} + high;
+    return x < a ? a : (b < x ? b : x);
+  }
+};
+
+// A few steps of an adaptive method with three degrees of freedom.
+struct Stretch {
+  static constexpr int kMost = 8;
+  struct Step {
+    double t;                 // s, where it ends
+    std::array<double, 7> v;  // StateVector there (motion/steppers/derivative.h)
+  };
+  AdaptivePace<double> pace;  // advanced to where the next stretch begins
+  std::array<Step, kMost> steps;
+  int count = 0;  // accepted steps
+  int tried = 0;  // these and others
 };
 
 // A method applied to one model. Takes steps of any length but zero and of any sign; the result
@@ -34,6 +82,10 @@ class Stepper {
   // (motion/scales.h; with six degrees of freedom also the scaled errors of place and linear
   // momentum, see ErrorNorm in motion/steppers/derivative.h).
   virtual double step_with_error(double t, double h, State& s, Work& work) const;
+  // For adaptive methods: takes the next steps from s, each as step_with_error() would, together
+  // with other motions (motion/convoy.h). False: this method or this thread has none; or none of
+  // the steps could be taken, and step_with_error() tells why. Then nothing was changed.
+  virtual bool walk_in_convoy(const State&, Stretch&, Work&) const { return false; }
 };
 
 }  // namespace polhode

@@ -28,6 +28,12 @@ void refuse_nan(const State& s, const StepperInfo& method, double t);
 // round-off with this tolerance.
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
+// x^(1/order). Roots of the eighth order are taken as square roots, which every processor rounds
+// alike, and which registers can take in all their lanes.
+inline double root_of(double x, int order) {
+  return order == 8 ? std::sqrt(std::sqrt(std::sqrt(x))) : std::pow(x, 1.0 / order);
+}
+
 // How far to step from t (s) at most: to just before the next switch or, from there, to just behind
 // it. Advances `ahead`, the first switch that is not yet behind t.
 inline double end_of_smooth_part(double t,
@@ -72,35 +78,46 @@ WalkRecord walk_adaptive(const StepperInfo& method,
                          const std::vector<double>& switches,
                          Visit&& visit) {
   WalkRecord record;
-  double h = std::min(first, duration);
-  double t = 0.0;
+  AdaptivePace<double> pace{0.0, std::min(first, duration), duration, tolerance};
   auto ahead = switches.begin();
-  while (t < duration) {
-    const double end = std::min(duration, end_of_smooth_part(t, switches.end(), ahead));
-    const double next = t + h < end ? t + h : end;
+  const auto accept = [&](double t, const State& now) {
+    refuse_nan(now, method, t);
+    s = now;
+    ++record.steps;
+    visit(t, s);
+  };
+  while (pace.t < duration) {
+    pace.end = std::min(duration, end_of_smooth_part(pace.t, switches.end(), ahead));
     State trial = s;
-    const double error = stepper.step_with_error(t, next - t, trial, record.work);
-
-    // standard controller: aim at 0.9^order of the tolerance, never jump by more than five
-    const double ratio = std::pow(tolerance / std::max(error, 1e-300), 1.0 / method.order);
-    if (!(error <= tolerance)) {
-      ++record.rejected;
-      h = (next - t) * std::clamp(0.9 * ratio, 0.1, 0.9);
-      // a step of one rounding of the time cannot be shortened
-      if (!std::isfinite(h) || t + h == t || t + h >= next) {
-        refuse_nan(trial, method, next);
-        refuse_tolerance(method, tolerance, t);
+    Stretch stretch;
+    stretch.pace = pace;
+    if (stepper.walk_in_convoy(s, stretch, record.work) && stretch.tried > 0) {
+      record.rejected += stretch.tried - stretch.count;
+      pace = stretch.pace;
+      for (int i = 0; i < stretch.count; ++i) {
+        const Stretch::Step& step = stretch.steps[static_cast<std::size_t>(i)];
+        trial.q = Quat(step.v[3], step.v[0], step.v[1], step.v[2]);
+        trial.y = Vec3(step.v[4], step.v[5], step.v[6]);
+        accept(step.t, trial);
       }
       continue;
     }
-    refuse_nan(trial, method, next);
-    // a step that a switch cut short says little of the next
-    const double proposed = (next - t) * std::clamp(0.9 * ratio, 0.2, 5.0);
-    h = next == end ? std::max(h, proposed) : proposed;
-    t = next;
-    s = trial;
-    ++record.steps;
-    visit(t, s);
+    const double next = pace.next();
+    const double error = stepper.step_with_error(pace.t, next - pace.t, trial, record.work);
+    const double root = root_of(pace.ratio(error), method.order);
+    if (!(error <= tolerance)) {
+      ++record.rejected;
+      // a step of one rounding of the time cannot be shortened
+      if (!pace.can_shorten(next, root)) {
+        refuse_nan(trial, method, next);
+        refuse_tolerance(method, tolerance, pace.t);
+      }
+      pace.h = pace.shortened(next, root);
+      continue;
+    }
+    pace.h = pace.after(next, root);
+    pace.t = next;
+    accept(next, trial);
   }
   return record;
 }

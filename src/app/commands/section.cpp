@@ -69,6 +69,7 @@ Piecewise motions_of(const SectionSurface& surface,
   Piecewise work;
   work.pieces = static_cast<long>(starts.size());
   work.things = "motions";
+  work.in_convoys = true;
   work.take_up = [&orbits](const std::string& line) {
     return take_up_orbit(line, orbits);
   };

@@ -15,6 +15,7 @@
 #include "chart/plot_exponents.h"
 #include "film/error_places.h"
 #include "film/overrides.h"
+#include "motion/convoy.h"
 #include "scene/canonical.h"
 #include "scene/scene_file.h"
 
@@ -66,10 +67,20 @@ std::pair<BodyModel, State> start_of_cell(const SectionJob& job,
   return with_place(scene, [&] { return start_of_section(scene); });
 }
 
-ExponentCell cell_of(const SectionJob& job, const ExponentMap& map, int column, int row) {
-  const auto [model, start] = start_of_cell(job, map, column, row);
+ExponentCell cell_of(const SectionJob& job, const std::pair<BodyModel, State>& from) {
+  const auto& [model, start] = from;
   const SectionOrbit orbit = trace_section(SectionSurface(model, start), start, job.crossings);
   return {orbit.verdict, orbit.exponent(), static_cast<int>(orbit.points.size())};
+}
+
+// the motions of a row step together
+void fill_row(const SectionJob& job, ExponentMap& map, int row) {
+  std::vector<std::pair<BodyModel, State>> starts;
+  for (int column = 0; column < map.x.cells; ++column)
+    starts.push_back(start_of_cell(job, map, column, row));
+  parallel_in_convoys(map.x.cells, 1, [&](long column) {
+    map.at(static_cast<int>(column), row) = cell_of(job, starts[static_cast<std::size_t>(column)]);
+  });
 }
 
 Piecewise rows_of_map(const SectionJob& job, ExponentMap& map) {
@@ -80,9 +91,7 @@ Piecewise rows_of_map(const SectionJob& job, ExponentMap& map) {
     return take_up_cells(line, map);
   };
   work.make = [&job, &map](long row) {
-    for (int column = 0; column < map.x.cells; ++column) {
-      map.at(column, static_cast<int>(row)) = cell_of(job, map, column, static_cast<int>(row));
-    }
+    fill_row(job, map, static_cast<int>(row));
   };
   work.line_of = [&map](long row) {
     return line_of_cells(static_cast<int>(row), map);
@@ -203,9 +212,10 @@ DividedWork divided_section_map(const SectionJob& job) {
   few.crossings = std::min(job.crossings, kSampledCrossings);
   const double of_cell = mean_seconds([&](int k) {
     cell_of(few,
-            plan.map,
-            static_cast<int>(spread_over(k, plan.map.x.cells)),
-            static_cast<int>(spread_over(3 * k + 1, plan.map.y.cells)));
+            start_of_cell(few,
+                          plan.map,
+                          static_cast<int>(spread_over(k, plan.map.x.cells)),
+                          static_cast<int>(spread_over(3 * k + 1, plan.map.y.cells))));
   });
   work.piece_s = of_cell * plan.map.x.cells * job.crossings / few.crossings;
   return work;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "model/body_model.h"
 #include "motion/scales.h"
 #include "motion/stepper.h"
+#include "motion/steppers/lanes.h"
 
 namespace polhode {
 
@@ -54,6 +56,13 @@ void set_state(const BodyModel& m, const StateVector<N>& v, State& s) {
   }
 }
 
+// The same without gimbals, of a vector whose quaternion has unit length.
+template <class Vector>
+void set_unit_state(const Vector& v, State& s) {
+  s.q = Quat(v[3], v[0], v[1], v[2]);
+  s.y = Vec3(v[4], v[5], v[6]);
+}
+
 // The state of a vector without gimbals. The quaternion is not normalised: inside a step it leaves
 // the unit sphere.
 template <int N>
@@ -68,12 +77,12 @@ State raw_state(const StateVector<N>& v) {
   return s;
 }
 
-// The vertical gamma in P for a q that is not of unit length, as a quadratic form in q: Eigen turns
-// v into v + 2 w u x v + 2 u x (u x v), which differs from q v q* by (|q|^2 - 1) v. With it,
-// d gamma/dt = gamma x w holds for every q, and the vector field keeps its quadratic invariants
-// there too.
-inline Vec3 up_in_body_off_sphere(const BodyModel& m, const Quat& q) {
-  return up_in_body(m, q) + (q.squaredNorm() - 1.0) * m.up_S;
+// What heavy_rate() (motion/steppers/lanes.h) needs of a model.
+inline HeavyBody<double> heavy_body(const BodyModel& m) {
+  const auto three = [](const Vec3& v) {
+    return std::array<double, 3>{v.x(), v.y(), v.z()};
+  };
+  return {three(m.inverse_moments), three(m.chi_P), three(m.up_S)};
 }
 
 // The right-hand side dv/dt at time t (s). The stages of a step leave the unit sphere; q is not
@@ -88,11 +97,8 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
     rate << s.rings.rates, accelerations(*m.loads.gimbals, s.rings, m.moments, others);
     return rate;
   } else {
-    const Quat q(Eigen::Vector4d(v.template head<4>()));
-    const Vec3 y = v.template segment<3>(4);
     StateVector<N> rate;
-    rate.template head<4>() = attitude_rate(q, angular_velocity(m, y)).coeffs();
-    rate.template segment<3>(4) = momentum_rate(m, y, up_in_body_off_sphere(m, q));
+    heavy_rate(heavy_body(m), v.data(), rate.data());
     if (!m.loads.turning.empty()) {
       rate.template segment<3>(4) += torque_of_loads(m, t, raw_state<N>(v));
     }
@@ -115,6 +121,8 @@ class ErrorNorm {
         rate_scale_(momentum_scale / model.moments.maxCoeff()),
         length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)),
         linear_momentum_scale_(linear_momentum_scale(model, momentum_scale)) {}
+
+  double momentum_scale() const { return momentum_scale_; }
 
   template <int N>
   double of(const StateVector<N>& v) const {

@@ -5,7 +5,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+
+#include "motion/steppers/lanes.h"
 
 namespace polhode::dormand_prince {
 
@@ -50,34 +51,59 @@ inline constexpr double kThird8 = 0.733846688281611857341361741547;
 inline constexpr double kThird11 = 0.0220588235294117647058823529412;
 // clang-format on
 
+// What a step moves by, per time, and the two estimates of its error.
+template <class Vector>
+struct Slopes {
+  Vector step, error5, error3;
+};
+
+// The step of h from v; rate(c, v) is the right-hand side c h after its start. For one motion h is
+// a number, for several in the lanes of registers it has lanes too.
+template <class Vector, class Length, class Rate>
+[[gnu::always_inline]] inline Slopes<Vector> slopes_of(const Vector& v,
+                                                       const Length& h,
+                                                       const Rate& rate) {
+  std::array<Vector, kStages> k;
+  k[0] = rate(0.0, v);
+#pragma GCC unroll 11
+  for (int i = 0; i + 1 < kStages; ++i) {
+    const TableRow& row = kRows[i];
+    Vector sum = row.first * k[0];
+#pragma GCC unroll 8
+    for (int j = 0; j < row.count; ++j)
+      sum += row.rest[j] * k[row.from + j];
+    k[i + 1] = rate(row.c, v + h * sum);
+  }
+  Slopes<Vector> found;
+  found.step = kStepWeights[0] * k[0];
+  found.error5 = kError5[0] * k[0];
+#pragma GCC unroll 7
+  for (int j = 1; j < 8; ++j) {
+    found.step += kStepWeights[j] * k[j + 4];
+    found.error5 += kError5[j] * k[j + 4];
+  }
+  found.error3 = found.step - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];
+  return found;
+}
+
+// HNW II.10, eq. 10.17: an error of the eighth power of the step
+template <class Number>
+[[gnu::always_inline]] inline Number error_of(const Number& fifth, const Number& third) {
+  Number root = fifth * fifth + 0.01 * third * third;
+  const auto is_zero = root == 0.0;
+  take_root(root);
+  return is_zero ? Number{} : fifth * fifth / root;
+}
+
 // The change of v in a step h (s) from t (s), where slope(t, v) is dv/dt and size(v) the norm of an
 // error. Sets `error` to the estimate of the local error.
 template <class Vector, class Slope, class Size>
 Vector step_of_order_8(
     double t, double h, const Vector& v, const Slope& slope_at, const Size& size, double& error) {
-  std::array<Vector, kStages> k;
-  k[0] = slope_at(t, v);
-  for (int i = 0; i + 1 < kStages; ++i) {
-    const TableRow& row = kRows[i];
-    Vector sum = row.first * k[0];
-    for (int j = 0; j < row.count; ++j)
-      sum += row.rest[j] * k[row.from + j];
-    k[i + 1] = slope_at(t + row.c * h, Vector(v + h * sum));
-  }
-  Vector slope = kStepWeights[0] * k[0];
-  Vector error5 = kError5[0] * k[0];
-  for (int j = 1; j < 8; ++j) {
-    slope += kStepWeights[j] * k[j + 4];
-    error5 += kError5[j] * k[j + 4];
-  }
-  const Vector error3 = slope - kThird0 * k[0] - kThird8 * k[8] - kThird11 * k[11];
-  // HNW II.10, eq. 10.17: an error of the eighth power of the step
-  const double fifth = size(Vector(h * error5));
-  const double third = size(Vector(h * error3));
-  error = fifth == 0.0 && third == 0.0
-              ? 0.0
-              : fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
-  return h * slope;
+  const Slopes<Vector> slopes = slopes_of(
+      v, h, [&](double c, const Vector& at) -> Vector { return slope_at(t + c * h, at); });
+  error = error_of(size(Vector(h * slopes.error5)), size(Vector(h * slopes.error3)));
+  return h * slopes.step;
 }
 
 }  // namespace polhode::dormand_prince
