@@ -478,7 +478,7 @@
         this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
         make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
-        this.said, make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot))));
+        ...(data.captions.length > 0 ? [this.said] : []), ...(data.plots.length > 0 ? [make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot)))] : []));
       this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls, .turn-bar")];
       for (const part of this.hiddenParts) part.hidden = true;
       for (const part of this.hiddenParts) part.style.display = "none";
