@@ -474,6 +474,7 @@ class Export {
         {"units_per_metre", unit_},
         {"body_radius", composer_.scenery().scale.body},
         {"background", hex(composer_.scenery().theme.background)},
+        {"light_ground", is_light(composer_.scenery().theme.background)},
         {"accuracy",
          {{"asked_m", report_.tolerance},
           {"measured_m", report_.error},
