@@ -2,7 +2,9 @@
 #include "export/gltf_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
