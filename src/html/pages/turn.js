@@ -163,7 +163,7 @@
         },
         defines: {
           MARKED: Number(look.mark_width > 0), FINISH: look.finish, TURNED: Number(look.turned), FLAT: Number(look.flat), SOFT: Number(look.soft),
-          VIVID: Number(look.vivid), LIGHT_GROUND: Number(lights.lightGround), SHELL: Number(shell), HIDDEN: Number(hidden),
+          VIVID: Number(look.vivid), LIGHT_GROUND: Number(Boolean(lights.lightGround)), SHELL: Number(shell), HIDDEN: Number(hidden),
         },
         vertexShader: corners, fragmentShader: points, side, ...settings,
       });
