@@ -2,16 +2,19 @@
 #include "export/gltf_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/version.h"
+#include "export/gltf_looks.h"
+#include "export/gltf_tracks.h"
 #include "film/film_panels.h"
 #include "film/frame_times.h"
-#include "image/png.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -25,38 +28,9 @@ constexpr int kAroundHead = 36;            // of heads of arrows
 constexpr int kPiecesOfArc = 32;
 constexpr std::size_t kFewestPieces = 24, kMostPieces = 240, kPointsOfPiece = 6;  // of a path
 constexpr double kSmallestScene = 1e-3, kLargestScene = 1e3;  // m; others are scaled to 1 m
-constexpr int kMarkPixels = 512;
-
-std::string hex(const glm::vec3& color) {
-  const auto byte = [](float c) {
-    return static_cast<int>(std::lround(255.0f * c));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
-}
 
 json list_of(const Vec3& v) {
   return json::array({v.x(), v.y(), v.z()});
-}
-
-// The strip and the darker half of a body, as the shader paints them (shaders/scene.frag), over the
-// square of the half-width `reach` in x and y of the mesh.
-std::string mark_picture(const Material& look, double reach) {
-  Image image(kMarkPixels, kMarkPixels);
-  const glm::vec3 shade(0.54f, 0.71f, 0.90f);
-  const double texel = 2.0 * reach / kMarkPixels;
-  for (int row = 0; row < kMarkPixels; ++row) {
-    for (int column = 0; column < kMarkPixels; ++column) {
-      const double x = (column + 0.5) * texel - reach, y = reach - (row + 0.5) * texel;
-      const auto front = static_cast<float>(std::clamp(x / texel + 0.5, 0.0, 1.0));
-      const double inside = (static_cast<double>(look.mark_width) - std::abs(y)) / texel;
-      const float strip = static_cast<float>(std::clamp(inside + 0.5, 0.0, 1.0)) * front;
-      const glm::vec3 half = look.color * (shade + front * (glm::vec3(1.0f) - shade));
-      const glm::vec3 color = half + strip * (look.mark_color - half);
-      for (int i = 0; i < 3; ++i)
-        image.at(column, row)[i] = static_cast<std::uint8_t>(std::lround(255.0f * color[i]));
-    }
-  }
-  return encode_png(image, false);
 }
 
 // a pose as seen from a frame that moves
@@ -147,105 +121,11 @@ class Export {
     return add_node(node);
   }
 
-  // the poses of a thing as tracks of a node: places from `from`
   void set_poses(const Thing& thing, const KeyedPoses& keys, const Vec3& from, GltfNode& node) {
-    std::vector<Pose> poses = keys.poses;
-    if (keys.still) poses.resize(1);
-    // what is not there has no place: it is where it comes or was
-    const auto there = [](const Pose& pose) {
-      return !pose.size.isZero(0.0);
-    };
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      if (!there(poses[i])) poses[i] = {poses[i - 1].at, poses[i - 1].turn, Vec3::Zero()};
-    }
-    for (std::size_t i = poses.size() - 1; i-- > 0;) {
-      if (!there(poses[i])) poses[i] = {poses[i + 1].at, poses[i + 1].turn, Vec3::Zero()};
-    }
-    // from one key to the next the shorter way; what is round turns as little as it can
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Quat& before = poses[i - 1].turn;
-      if (thing.round) {
-        const Vec3 axis = nearer_axis(thing, poses[i - 1], poses[i]);
-        poses[i].turn = (turn_between(before * Vec3::UnitZ(), axis) * before).normalized();
-      }
-      if (before.dot(poses[i].turn) < 0.0) poses[i].turn.coeffs() *= -1.0;
-    }
-    node.translation = poses.front().at - from;
-    node.rotation = poses.front().turn;
-    if (poses.size() == 1) return;
-    report_.keys += poses.size();
+    tracks_.set_poses(thing, keys, from, node);
+    if (keys.still) return;
+    report_.keys += keys.poses.size();
     report_.error = std::max(report_.error, keys.error);
-    const Numbers times = shared_times(keys.times);
-    node.translated =
-        track(times, poses, 3, [&](const Pose& pose, int i) { return pose.at[i] - from[i]; });
-    node.rotated =
-        track(times, poses, 4, [](const Pose& pose, int i) { return pose.turn.coeffs()[i]; });
-  }
-
-  // null if the values hardly change
-  template <class Value>
-  GltfTrack track(const Numbers& times,
-                  const std::vector<Pose>& poses,
-                  int components,
-                  const Value& value) const {
-    auto values = std::make_shared<std::vector<float>>();
-    values->reserve(poses.size() * static_cast<std::size_t>(components));
-    for (const Pose& pose : poses) {
-      for (int i = 0; i < components; ++i)
-        values->push_back(static_cast<float>(value(pose, i) + 0.0));
-    }
-    const auto width = static_cast<std::size_t>(components);
-    for (std::size_t k = width; k < values->size(); ++k) {
-      if ((*values)[k] != (*values)[k % width]) return {times, values};
-    }
-    return {};
-  }
-
-  Numbers shared_times(const std::vector<double>& times) {
-    std::vector<float> narrow(times.begin(), times.end());
-    for (const Numbers& known : times_) {
-      if (*known == narrow) return known;
-    }
-    times_.push_back(std::make_shared<const std::vector<float>>(std::move(narrow)));
-    return times_.back();
-  }
-
-  int material_of(const Material& look, bool both_sides, const std::string& element) {
-    const auto same = [&](const GltfMaterial& one) {
-      const Material& other = one.look;
-      return one.both_sides == both_sides && other.color == look.color &&
-             other.alpha == look.alpha && other.gloss == look.gloss &&
-             other.mark_color == look.mark_color && other.mark_width == look.mark_width &&
-             other.finish == look.finish && other.flat == look.flat && other.vivid == look.vivid &&
-             other.soft == look.soft && other.covers == look.covers &&
-             other.hidden == look.hidden && other.dashes == look.dashes &&
-             other.grain == look.grain;
-    };
-    std::vector<GltfMaterial>& list = document_.materials;
-    const auto found = std::find_if(list.begin(), list.end(), same);
-    if (found == list.end()) {
-      list.push_back({element, look, both_sides});
-      return static_cast<int>(list.size()) - 1;
-    }
-    return static_cast<int>(found - list.begin());
-  }
-
-  int mesh_of(const MeshPtr& mesh, int material) {
-    std::vector<GltfMesh>& list = document_.meshes;
-    const auto found = std::find_if(list.begin(), list.end(), [&](const GltfMesh& one) {
-      return one.mesh == mesh && one.material == material;
-    });
-    if (found != list.end()) return static_cast<int>(found - list.begin());
-    const GltfMaterial& of = document_.materials[static_cast<std::size_t>(material)];
-    GltfMesh added{of.name, mesh, material};
-    if (of.look.mark_width > 0.0f) {
-      float reach = 0.0f;
-      for (const Vertex& vertex : mesh->vertices)
-        reach = std::max({reach, std::abs(vertex.position.x), std::abs(vertex.position.y)});
-      added.texture = mark_picture(of.look, static_cast<double>(reach));
-    }
-    list.push_back(added);
-    return static_cast<int>(list.size()) - 1;
   }
 
   // the root, space, the body axes, and directions to look along
@@ -362,22 +242,22 @@ class Export {
           {"color", hex(readable(thing.label.color, composer_.scenery().theme.background))},
           {"size", thing.label.size},
           {"of_arrow", thing.label.of_arrow}};
-      set_size(
+      tracks_.set_size(
           keys, [](const Pose& pose) { return pose.size; }, node);
       add_node(node);
       return;
     }
-    const int material = material_of(thing.material, thing.both_sides, thing.element);
+    const int material = material_in(document_, thing.material, thing.both_sides, thing.element);
     if (thing.kind == ThingKind::mesh) {
-      node.mesh = mesh_of(thing.mesh, material);
-      set_size(
+      node.mesh = mesh_in(document_, thing.mesh, material);
+      tracks_.set_size(
           keys, [](const Pose& pose) { return pose.size; }, node);
       add_node(node);
       return;
     }
     if (thing.kind == ThingKind::rod) {
-      node.mesh = mesh_of(arrows_.shaft, material);
-      set_size(
+      node.mesh = mesh_in(document_, arrows_.shaft, material);
+      tracks_.set_size(
           keys, [](const Pose& pose) { return pose.size; }, node);
       add_node(node);
       return;
@@ -390,16 +270,6 @@ class Export {
     }
   }
 
-  // the factors of a node, which change with its thing
-  template <class Size>
-  void set_size(const KeyedPoses& keys, const Size& size, GltfNode& node) {
-    node.scale = size(keys.poses.front());
-    if (keys.still) return;
-    node.scaled = track(shared_times(keys.times), keys.poses, 3, [&](const Pose& pose, int i) {
-      return size(pose)[i];
-    });
-  }
-
   void add_arrow(const Thing& thing, const KeyedPoses& keys, int material, int parent) {
     const ArrowShape shape = thing.shape;
     const auto head_length = [=](const Pose& pose) {
@@ -410,22 +280,23 @@ class Export {
     shaft.name = name + ".shaft";
     head.name = name + ".head";
     shaft.parent = head.parent = parent;
-    shaft.mesh = mesh_of(arrows_.shaft, material);
+    shaft.mesh = mesh_in(document_, arrows_.shaft, material);
     // its parts are not dashed
     Material whole = thing.material;
     whole.dashes = 0.0f;
-    head.mesh = mesh_of(arrows_.head, material_of(whole, thing.both_sides, thing.element));
+    head.mesh = mesh_in(
+        document_, arrows_.head, material_in(document_, whole, thing.both_sides, thing.element));
     const auto length = [=](const Pose& pose) {
       return pose.size.z() - head_length(pose);
     };
-    set_size(
+    tracks_.set_size(
         keys,
         [=](const Pose& pose) {
           const double radius = shape.shaft_radius * pose.size.x();
           return Vec3(radius, radius, length(pose));
         },
         shaft);
-    set_size(
+    tracks_.set_size(
         keys,
         [=](const Pose& pose) {
           const double radius = shape.head_radius * pose.size.x();
@@ -434,10 +305,8 @@ class Export {
         head);
     head.translation = Vec3(0.0, 0.0, length(keys.poses.front()));
     if (!keys.still) {
-      head.translated =
-          track(shared_times(keys.times), keys.poses, 3, [&](const Pose& pose, int i) {
-            return i == 2 ? length(pose) : 0.0;
-          });
+      head.translated = tracks_.track(
+          keys, 3, [&](const Pose& pose, int i) { return i == 2 ? length(pose) : 0.0; });
     }
     add_node(shaft);
     add_node(head);
@@ -453,13 +322,13 @@ class Export {
     const std::string name = document_.nodes[static_cast<std::size_t>(parent)].name;
     joint.name = name + ".joint";
     piece.name = name + ".piece";
-    piece.mesh = mesh_of(arrows_.shaft, material);
+    piece.mesh = mesh_in(document_, arrows_.shaft, material);
     const Pose& start = keys.poses.front();
     joint.rotation = Quat(Eigen::AngleAxisd(part(start), Vec3::UnitZ()));
     // from one joint to the next, along the tangent; a little longer, so that no gap opens outside
     piece.rotation = Quat(Eigen::AngleAxisd(-0.5 * kPi, Vec3::UnitX()));
     piece.translation = Vec3(start.size.x(), 0.0, 0.0);
-    set_size(
+    tracks_.set_size(
         keys,
         [=](const Pose& pose) {
           return Vec3(pose.size.y(),
@@ -468,13 +337,11 @@ class Export {
         },
         piece);
     if (!keys.still) {
-      const Numbers times = shared_times(keys.times);
-      joint.rotated = track(times, keys.poses, 4, [&](const Pose& pose, int i) {
+      joint.rotated = tracks_.track(keys, 4, [&](const Pose& pose, int i) {
         return Quat(Eigen::AngleAxisd(part(pose), Vec3::UnitZ())).coeffs()[i];
       });
-      piece.translated = track(times, keys.poses, 3, [&](const Pose& pose, int i) {
-        return i == 0 ? pose.size.x() : 0.0;
-      });
+      piece.translated = tracks_.track(
+          keys, 3, [&](const Pose& pose, int i) { return i == 0 ? pose.size.x() : 0.0; });
     }
     for (int i = 0; i < kPiecesOfArc; ++i) {
       piece.parent = parent;
@@ -488,7 +355,7 @@ class Export {
   void add_trails() {
     for (const ObservedTrail& one : observer_.trails()) {
       const Trail& trail = *one.trail;
-      const int material = material_of(one.material, false, one.element);
+      const int material = material_in(document_, one.material, false, one.element);
       const int group = group_of(one.element, false, one.material.color);
       GltfNode path;
       path.name = one.element + ".path";
@@ -529,7 +396,7 @@ class Export {
       GltfNode node;
       node.name = name + ".piece";
       node.parent = parent;
-      node.mesh = mesh_of(mesh, material);
+      node.mesh = mesh_in(document_, mesh, material);
       if (comes > 0.0) node.scale = Vec3::Zero();
       if (times->size() > 1) node.scaled = {times, values, true};
       add_node(node);
@@ -609,6 +476,7 @@ class Export {
         {"units_per_metre", unit_},
         {"body_radius", composer_.scenery().scale.body},
         {"background", hex(composer_.scenery().theme.background)},
+        {"light_ground", is_light(composer_.scenery().theme.background)},
         {"accuracy",
          {{"asked_m", report_.tolerance},
           {"measured_m", report_.error},
@@ -630,7 +498,7 @@ class Export {
   ExportReport report_;
   std::set<std::string> names_;
   std::map<std::pair<std::string, bool>, int> groups_;
-  std::vector<Numbers> times_;
+  TrackMaker tracks_;
   int root_ = -1, space_ = -1, body_ = -1;
 };
 

@@ -2,6 +2,9 @@
 // A solved scene as a glTF document: what its film shows, as nodes that move as the bodies do.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "export/gltf_document.h"
 #include "export/key_times.h"
 #include "film/solved_scene.h"

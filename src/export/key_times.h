@@ -3,6 +3,7 @@
 // stays near the exact motion.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 

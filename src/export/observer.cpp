@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "frame/shadow.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -99,7 +100,8 @@ double distance_of_arcs(const Pose& a, const Pose& b) {
 Observer::Observer(const Composer& composer, int segments)
     : composer_(composer),
       segments_(segments),
-      shell_(std::make_shared<const Mesh>(unit_cone_shell(segments))) {}
+      shell_(std::make_shared<const Mesh>(unit_cone_shell(segments))),
+      floor_(floor_mesh({})) {}
 
 std::size_t Observer::index_of(const std::string& key, const Thing& thing) {
   const auto [found, added] = indices_.emplace(key, things_.size());
@@ -257,8 +259,10 @@ void Observer::add_glyphs(const std::string& element,
   std::vector<MeshGlyph> sheets, floors;
   for (const SheetGlyph& sheet : glyphs.sheets)
     sheets.push_back(sheet.mesh);
-  for (const FloorGlyph& floor : glyphs.floors)
-    floors.push_back(floor.disc);
+  for (const FloorGlyph& floor : glyphs.floors) {
+    floors.push_back({floor_, floor.place, floor.material});
+    floors.push_back(floor.dial);
+  }
   add_meshes(element, "sheet", sheets, true, poses);
   add_meshes(element, "floor", floors, false, poses);
   add_cones(element, glyphs.cones, poses);

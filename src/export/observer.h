@@ -87,6 +87,7 @@ class Observer {
   const Composer& composer_;
   int segments_;
   MeshPtr shell_;
+  MeshPtr floor_;  // without what lies on it
   std::vector<Thing> things_;
   std::vector<ObservedTrail> trails_;
   std::map<std::string, std::size_t> indices_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/export.h"
 
+#include <optional>
+
 #include "base/error.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"

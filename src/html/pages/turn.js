@@ -79,6 +79,20 @@
       return wave * clamp(2.0 - 8.0 * fwidth(x), 0.0, 1.0);
     }
     float brushed(float x) { return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7); }
+    float eased(float x) {
+      float t = clamp(x, 0.0, 1.0);
+      return t * t * (3.0 - 2.0 * t);
+    }
+    vec3 light_on(float key, float fill, float up, float facing) {
+      float sky = 0.5 + 0.5 * up, edge = (1.0 - facing) * (1.0 - facing);
+    #if LIGHT_GROUND
+      vec3 round_about = mix(vec3(0.33, 0.295, 0.255), vec3(0.40, 0.42, 0.46), sky);
+      return (round_about + key * vec3(0.86, 0.82, 0.76) + fill * vec3(0.09, 0.10, 0.12)) * (1.0 - 0.42 * edge);
+    #else
+      vec3 round_about = mix(vec3(0.12, 0.12, 0.14), vec3(0.26, 0.28, 0.33), sky);
+      return round_about + key * vec3(0.80, 0.77, 0.71) + fill * vec3(0.10, 0.12, 0.16) + edge * sky * vec3(0.20, 0.24, 0.30);
+    #endif
+    }
     void main() {
       vec3 painted = color;
     #if MARKED
@@ -102,22 +116,27 @@
       vec3 normal = normalize(v_normal) * (gl_FrontFacing ? 1.0 : -1.0);
       vec3 to_eye = normalize(cameraPosition - v_world);
       float facing = abs(dot(normal, to_eye));
-      float light = 0.21 + 0.19 * (0.5 + 0.5 * normal.y) + 0.64 * max(dot(normal, key), 0.0) + 0.16 * max(dot(normal, fill), 0.0);
+      vec3 light = light_on(max(dot(normal, key), 0.0), max(dot(normal, fill), 0.0), normal.y, facing);
     #if VIVID
-      light = 0.5 + 0.5 * light;
+      light = LIGHT_GROUND == 1 ? 0.62 + 0.5 * light : 0.54 + 0.48 * light;
     #endif
       vec3 lit = painted * painted * light;
-      float cosine = max(dot(normal, normalize(key + to_eye)), 0.0);
-      float c8 = pow(cosine, 8.0);
+      vec3 halfway = normalize(key + to_eye);
+      float glance = dot(normal, halfway);
     #if FINISH < 2
-      lit += vec3(gloss * 0.55 * c8 * c8 * c8 * c8);
+      lit += vec3(gloss * 0.62 * eased(12.0 * glance - 11.0));
     #elif FINISH == 2
       vec3 mirrored = 2.0 * dot(normal, to_eye) * normal - to_eye;
+      float c8 = pow(max(glance, 0.0), 8.0);
       lit = lit * 0.55 + painted * painted * (0.08 + 0.42 * clamp(4.0 * mirrored.y + 0.5, 0.0, 1.0)) + vec3(0.30 * c8 + 0.25 * c8 * c8 * c8 * c8);
     #else
-      lit += vec3(0.85 * pow(cosine, 128.0) + 0.22 * (1.0 - facing) * (1.0 - facing));
+      vec3 across = normalize(cross(halfway, to_eye));
+      float lamp = eased(9.0 - 60.0 * abs(dot(normal, across))) * eased(9.0 - 60.0 * abs(dot(normal, cross(across, halfway))));
+      float rim = (1.0 - facing) * (1.0 - facing);
+      lit += vec3(0.9 * lamp * step(0.0, glance) + 0.22 * rim * rim);
     #endif
-      vec3 shown = sqrt(min(lit, vec3(1.0)));
+      vec3 most = min(lit, vec3(1.6));
+      vec3 shown = sqrt(most * (1.25 - 0.390625 * most));
     #if SHELL
       float dense = min(1.0, alpha * (0.45 + 1.8 * (1.0 - facing) * (1.0 - facing)));
       gl_FragColor = vec4(mix(painted, shown, 0.35) * dense, dense);
@@ -144,7 +163,7 @@
         },
         defines: {
           MARKED: Number(look.mark_width > 0), FINISH: look.finish, TURNED: Number(look.turned), FLAT: Number(look.flat), SOFT: Number(look.soft),
-          VIVID: Number(look.vivid), SHELL: Number(shell), HIDDEN: Number(hidden),
+          VIVID: Number(look.vivid), LIGHT_GROUND: Number(Boolean(lights.lightGround)), SHELL: Number(shell), HIDDEN: Number(hidden),
         },
         vertexShader: corners, fragmentShader: points, side, ...settings,
       });
@@ -167,7 +186,7 @@
       const THREE = drawing();
       const { json, numbers } = readGlb(base64);
       this.about = json.asset.extras;
-      this.lights = { key: { value: new THREE.Vector3() }, fill: { value: new THREE.Vector3() } };
+      this.lights = { key: { value: new THREE.Vector3() }, fill: { value: new THREE.Vector3() }, lightGround: this.about.light_ground };
       this.scene = new THREE.Scene();
       this.elements = new Map(); // name -> { color, groups }
       this.labels = [];
@@ -478,7 +497,7 @@
         this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
         make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
-        this.said, make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot))));
+        ...(data.captions.length > 0 ? [this.said] : []), ...(data.plots.length > 0 ? [make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot)))] : []));
       this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls, .turn-bar")];
       for (const part of this.hiddenParts) part.hidden = true;
       for (const part of this.hiddenParts) part.style.display = "none";
