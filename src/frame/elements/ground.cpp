@@ -158,7 +158,7 @@ void add_floor(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   shadow.alpha = kShadowDepth;
   Material lines = floor;
   lines.color = scenery.theme.space_axes;
-  lines.alpha = kDialAlpha;
+  lines.alpha = kDialAlpha * static_cast<float>(kDialLine / scenery.dial_line);
   floor.mark_color = glm::mix(floor.color, scenery.theme.shadow, kShadeDepth);
   glyphs.floors.push_back({disc_placement(center, up, radius),
                            floor,
