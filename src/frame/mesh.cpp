@@ -190,8 +190,7 @@ Mesh unit_disc(int segments) {
   return mesh;
 }
 
-Mesh dial(int segments) {
-  constexpr double kHalfWidth = 0.007;
+Mesh dial(int segments, double half_width) {
   constexpr int kTicks = 12;
   constexpr double kShort = 0.05, kLong = 0.11;
   Mesh mesh;
@@ -213,12 +212,12 @@ Mesh dial(int segments) {
   for (int k = 0; k < segments; ++k) {
     const Vec2 here = around(2.0 * kPi * k / segments),
                next = around(2.0 * kPi * (k + 1) / segments);
-    const double in = 1.0 - kHalfWidth, out = 1.0 + kHalfWidth;
+    const double in = 1.0 - half_width, out = 1.0 + half_width;
     add_strip({in * here, here, out * here}, {in * next, next, out * next});
   }
   for (int k = 0; k < kTicks; ++k) {
     const Vec2 along = around(2.0 * kPi * k / kTicks);
-    const Vec2 aside = kHalfWidth * Vec2(-along.y(), along.x());
+    const Vec2 aside = half_width * Vec2(-along.y(), along.x());
     const Vec2 from = (1.0 - (k % 3 == 0 ? kLong : kShort)) * along;
     add_strip({from + aside, from, from - aside}, {along + aside, along, along - aside});
   }

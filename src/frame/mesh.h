@@ -52,8 +52,8 @@ Mesh unit_cone(int segments);
 Mesh unit_disc(int segments);
 // A dial in the plane z = 0 for a material that is `soft`: the unit circle, and inside it a tick
 // every 30 degrees, long ones along the axes. The z of the normals falls from 1, in the middle of
-// each line, to 0 at its sides.
-Mesh dial(int segments);
+// each line, to 0 at its sides, `half_width` away.
+Mesh dial(int segments, double half_width);
 // A torus about z. radius: distance of the tube's centre from the axis; tube: radius of the tube.
 Mesh torus(double radius, double tube, int segments);
 // The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be

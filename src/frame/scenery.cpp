@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/units.h"
 #include "frame/stand.h"
 #include "motion/deviation.h"
 
@@ -12,6 +13,8 @@ namespace polhode {
 namespace {
 
 constexpr int kDialSegments = 72;
+constexpr double kDialPixels =
+    2.4;  // half the width of its lines, where the dial fills the picture
 constexpr double kLongestVector = 50.0;  // drawn, in units of the body's radius
 // lengths of the longest vectors of a film, in units of the body's radius
 constexpr double kOmegaLength = 1.3;
@@ -194,7 +197,10 @@ Scenery make_scenery(const Motion& motion,
   scenery.gimbal = shared(torus(1.0, kGimbalTube, large));
   scenery.rough_gimbal = shared(torus(1.0, kGimbalTube, kRoughSegments));
   scenery.disc = shared(unit_disc(large));
-  scenery.dial = shared(dial(kDialSegments));
+  // lines thinner than pixels would be dashed; `segments` are those of a circle of this radius
+  const double pixels = std::pow(segments / kPi, 2);
+  scenery.dial_line = std::max(kDialLine, kDialPixels / pixels);
+  scenery.dial = shared(dial(kDialSegments, scenery.dial_line));
   scenery.ring = shared(torus(1.0, 0.006, large));
   scenery.hull_B = hull_of(scenery.look);
   scenery.field_points_B = spread(scenery.hull_B, kFieldPoints);

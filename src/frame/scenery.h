@@ -57,6 +57,10 @@ inline constexpr double kStandHeight = 0.55;
 inline constexpr double kInnerGimbal = 1.07;
 inline constexpr double kOuterGimbal = 1.17;
 
+// Half the width of the lines of the dial on the floor, in its radius, unless that is too thin for
+// the pixels.
+inline constexpr double kDialLine = 0.007;
+
 // What all moments of a film share. A value: copies share only the meshes, which never change.
 struct Scenery {
   Motion motion;
@@ -76,6 +80,7 @@ struct Scenery {
   MeshPtr gimbal = {};                    // a round tube along the rim of the disc
   MeshPtr rough_gimbal = {};              // the same, for its shadow
   MeshPtr dial = {};                      // dial() (frame/mesh.h)
+  double dial_line = kDialLine;           // half the width of its lines, in its radius
   ShowSpec options = {};                  // the [show] table
   int segments = 96;                      // pieces of a circle as large as the picture
   int body_segments = 96;                 // pieces of a circle as large as the body is ever drawn

@@ -71,7 +71,7 @@ TEST(Mesh, ClusteringKeepsTheShape) {
 
 // seen from above, a circle and twelve ticks of lines that are gone at their sides
 TEST(Mesh, ADialIsACircleWithTicks) {
-  const Mesh lines = dial(72);
+  const Mesh lines = dial(72, 0.007);
   double area = 0.0;
   for (std::size_t i = 0; i < lines.indices.size(); i += 3) {
     const glm::vec3& a = lines.vertices[lines.indices[i]].position;

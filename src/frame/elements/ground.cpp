@@ -34,7 +34,7 @@ FloorGlyph floor_at(
   shadow.alpha = kShadowDepth;
   Material lines = floor;
   lines.color = scenery.theme.space_axes;
-  lines.alpha = kDialAlpha;
+  lines.alpha = kDialAlpha * static_cast<float>(kDialLine / scenery.dial_line);
   floor.mark_color = glm::mix(floor.color, scenery.theme.shadow, kShadeDepth);
   return {disc_placement(center, up, radius),
           floor,
