@@ -168,7 +168,7 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
     return size_of_error(e, scales_, touching);
   };
   const Vector v = vector_of(from);
-  Vector change;
+  Vector change = Vector::Zero();
   if (is_stiff(model_, touch, h, from.moving)) {
     result.order = 5;
     change = RadauStep<Vector, decltype(slope), decltype(size)>(slope, size)(t, h, v, result.error);
