@@ -161,7 +161,7 @@ void queue(BatchJob& batch,
 // One bar for all tasks, from the marks in the folder; Slurm is asked now and then.
 int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, std::string& text) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto kLook = std::chrono::milliseconds(300);
+  constexpr auto kLook = std::chrono::milliseconds(500);
   constexpr auto kAsk = std::chrono::seconds(10);
   const int there = batch.tasks - static_cast<int>(missing_tasks(folder, batch).size());
   JobState state;
