@@ -87,7 +87,7 @@ TEST_F(BatchScripts, CollectNothingWhileATaskIsMissing) {
 
 TEST_F(BatchScripts, StopIfTheSceneHasChanged) {
   std::string changed = test::kSmallScene;
-  changed.replace(0, changed.find('\n'), "format = 1\ntitle = \"Another\"");
+  changed += "[[story]]\nat = 0\ncaption = \"Another film\"\n";
   test::write_text(place_ + "/-scene &.toml", changed);
   const ChildResult ran = run_task(1);
   EXPECT_EQ(ran.status, 2);
