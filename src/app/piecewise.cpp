@@ -93,11 +93,11 @@ std::string make_part(const Piecewise& work,
                       const Shard& shard,
                       int jobs,
                       ProgressKind progress) {
+  const auto all = static_cast<long>(pieces_of_part(work, shard).size());
   make_folder(file.parent_path(), {{}, 0, "--output"});
   KeptRows kept = kept_rows_of(file, words, shard);
   const long made = make_pieces(work, kept, shard, jobs, progress);
   if (made > 0) kept.save();
-  const auto all = static_cast<long>(pieces_of_part(work, shard).size());
   return fmt::format(
       "part {}: {} of {} {}, {} of them from earlier runs; kept in {} until the same command "
       "without --shard collects them\n",

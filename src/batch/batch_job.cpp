@@ -2,6 +2,7 @@
 #include "batch/batch_job.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -43,6 +44,12 @@ Json json_of(const BatchJob& job) {
           {"submissions", submissions}};
 }
 
+// what is handed to Slurm's programs is a number, whoever wrote the file
+std::string slurm_number(const std::string& text) {
+  const bool is_number = text.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? text : "";
+}
+
 BatchJob job_from(const Json& json) {
   BatchJob job;
   json.at("hash").get_to(job.hash);
@@ -60,8 +67,9 @@ BatchJob job_from(const Json& json) {
   json.at("tasks").get_to(job.tasks);
   json.at("longest_s").get_to(job.longest_s);
   for (const Json& one : json.at("submissions")) {
-    job.submissions.push_back(
-        {one.at("array"), one.at("collecting"), numbers_in(one.at("tasks").get<std::string>())});
+    job.submissions.push_back({slurm_number(one.at("array")),
+                               slurm_number(one.at("collecting")),
+                               numbers_in(one.at("tasks").get<std::string>())});
   }
   return job;
 }
@@ -119,9 +127,16 @@ fs::path log_of_task(const fs::path& folder, int task) {
 }
 
 std::vector<int> missing_tasks(const fs::path& folder, const BatchJob& job) {
+  // one look at the folder, not one at each task: shared folders are slow
+  std::set<std::string> there;
+  if (is_there(folder / "state")) {
+    for (const fs::path& entry : entries_of(folder / "state"))
+      there.insert(entry.filename().string());
+  }
   std::vector<int> missing;
   for (int task = 1; task <= job.tasks; ++task) {
-    if (!is_there(mark_of_task(folder, task, "done"))) missing.push_back(task);
+    if (!there.contains(mark_of_task(folder, task, "done").filename().string()))
+      missing.push_back(task);
   }
   return missing;
 }

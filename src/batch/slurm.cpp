@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch/slurm.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <string_view>

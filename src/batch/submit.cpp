@@ -158,10 +158,39 @@ void queue(BatchJob& batch,
   }
 }
 
+// Queues what is neither done nor queued, and says what it did; `batch` becomes what is queued now.
+std::string queue_missing(const SubmitJob& job,
+                          const fs::path& folder,
+                          const DividedWork& measured,
+                          BatchJob& batch) {
+  const AtomicFile lock(folder / "submit");
+  bool is_active = false;
+  batch = settle(folder, batch, is_active, true);
+  if (is_made(folder, batch) && !batch.submissions.empty())
+    return fmt::format("{} is there; delete it to make it again\n", one_line(batch.output));
+  if (is_active) return fmt::format("already submitted as Slurm job {}\n", numbers_of(batch));
+
+  make_folder(folder / "state");
+  make_folder(folder / "logs");
+  for (const char* mark : {"state/collected", "state/collect.failed"})
+    remove_file(folder / mark);
+  const std::vector<int> missing = missing_tasks(folder, batch);
+  for (const int task : missing)
+    remove_file(mark_of_task(folder, task, "failed"));
+  write_file(folder / "tasks.sh", task_script(batch, folder, job.slurm));
+  write_file(folder / "collect.sh", collecting_script(batch, folder, job.slurm));
+  queue(batch, folder, job.slurm, missing);
+  return fmt::format("{} of {} tasks of about {} submitted as Slurm job {}\n",
+                     missing.size(),
+                     batch.tasks,
+                     duration(sizes_of_tasks(measured, measured.start_s, batch.tasks).longest_s),
+                     numbers_of(batch));
+}
+
 // One bar for all tasks, from the marks in the folder; Slurm is asked now and then.
 int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, std::string& text) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto kLook = std::chrono::milliseconds(300);
+  constexpr auto kLook = std::chrono::milliseconds(500);
   constexpr auto kAsk = std::chrono::seconds(10);
   const int there = batch.tasks - static_cast<int>(missing_tasks(folder, batch).size());
   JobState state;
@@ -194,9 +223,10 @@ int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, s
 SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   check_slurm_options(job.slurm);
   const fs::path folder = job_folder_of(work.output);
-  if (folder.string().find('\\') != std::string::npos)
+  if (folder.string().find('\\') != std::string::npos) {
     throw input_error("Slurm takes no backslash in the name of a folder")
         .at({folder.string(), 0, {}});
+  }
 
   // a run starts as a process before it starts to work
   DividedWork measured = work;
@@ -212,8 +242,8 @@ SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   const TaskSizes planned = job.tasks > 0 ? sizes_of_tasks(measured, measured.start_s, job.tasks)
                                           : sizes_of_tasks(measured, job.most_tasks);
   BatchJob batch = batch_job_of(job, work, planned);
-  bool is_active = false;
   if (job.dry_run) {
+    bool is_active = false;
     batch = settle(folder, batch, is_active, false);
     const TaskSizes sizes = sizes_of_tasks(measured, measured.start_s, batch.tasks);
     return {dry_run(batch, folder, job.slurm, sizes, missing_tasks(folder, batch)), 0};
@@ -221,35 +251,8 @@ SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   require_slurm();
   make_folder(folder);
   SubmitResult result;
-  {
-    const AtomicFile lock(folder / "submit");
-    batch = settle(folder, batch, is_active, true);
-    if (is_made(folder, batch) && !batch.submissions.empty()) {
-      result.text =
-          fmt::format("{} is there; delete it to make it again\n", one_line(batch.output));
-      return result;
-    }
-    if (is_active) {
-      result.text = fmt::format("already submitted as Slurm job {}\n", numbers_of(batch));
-    } else {
-      make_folder(folder / "state");
-      make_folder(folder / "logs");
-      for (const char* mark : {"state/collected", "state/collect.failed"})
-        remove_file(folder / mark);
-      const std::vector<int> missing = missing_tasks(folder, batch);
-      for (const int task : missing)
-        remove_file(mark_of_task(folder, task, "failed"));
-      write_file(folder / "tasks.sh", task_script(batch, folder, job.slurm));
-      write_file(folder / "collect.sh", collecting_script(batch, folder, job.slurm));
-      queue(batch, folder, job.slurm, missing);
-      const TaskSizes sizes = sizes_of_tasks(measured, measured.start_s, batch.tasks);
-      result.text = fmt::format("{} of {} tasks of about {} submitted as Slurm job {}\n",
-                                missing.size(),
-                                batch.tasks,
-                                duration(sizes.longest_s),
-                                numbers_of(batch));
-    }
-  }
+  result.text = queue_missing(job, folder, measured, batch);
+  if (is_made(folder, batch)) return result;
   const std::string named = shell_word(folder.string());
   if (!job.wait) {
     result.text += fmt::format("polhode status {}\npolhode cancel {}\n", named, named);

@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = SlurmState::Kind;
 
-// What explains a failure best: the program's or Slurm's own last words since the task last began.
+// What explains a failure best: Slurm's last words since the task last began, else the program's,
+// which only says that it was interrupted if Slurm ended it.
 std::string telling_line(const fs::path& log) {
   std::string text;
   try {
@@ -31,17 +32,20 @@ std::string telling_line(const fs::path& log) {
     return "no log";
   }
   std::istringstream lines(text);
-  std::string last, said;
+  std::string last, said, slurm;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("task ") && line.find(" on ") != std::string::npos) {
       last.clear();
       said.clear();
+      slurm.clear();
       continue;
     }
     if (line.empty()) continue;
     last = line;
-    if (line.starts_with("polhode: ") || line.starts_with("slurmstepd: ")) said = line;
+    if (line.starts_with("polhode: ")) said = line;
+    if (line.starts_with("slurmstepd: ")) slurm = line;
   }
+  if (!slurm.empty()) said = slurm;
   if (said.empty()) said = last;
   return said.empty() ? "its log says nothing" : one_line(said.substr(0, 500));
 }
@@ -121,16 +125,13 @@ JobState state_of_job(const fs::path& folder, const BatchJob& job) {
       if (const SlurmState* found = find_state(states, task)) known[task] = *found;
     }
   }
-  for (int task = 1; task <= job.tasks; ++task) {
-    TaskState& one = state.tasks[static_cast<std::size_t>(task) - 1];
-    if (is_there(mark_of_task(folder, task, "done"))) {
-      one.progress = TaskProgress::done;
-    } else {
-      one = unfinished(find_state(known, task),
-                       queued[static_cast<std::size_t>(task)],
-                       mark_of_task(folder, task, "failed"),
-                       log_of_task(folder, task));
-    }
+  std::fill(state.tasks.begin(), state.tasks.end(), TaskState{TaskProgress::done, ""});
+  for (const int task : missing_tasks(folder, job)) {
+    state.tasks[static_cast<std::size_t>(task) - 1] =
+        unfinished(find_state(known, task),
+                   queued[static_cast<std::size_t>(task)],
+                   mark_of_task(folder, task, "failed"),
+                   log_of_task(folder, task));
   }
   if (!job.submissions.empty()) {
     const std::map<int, SlurmState> states = states_in_slurm(job.submissions.back().collecting);

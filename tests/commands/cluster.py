@@ -155,7 +155,7 @@ class Cluster:
         rest = [name for name in left if not re.fullmatch(r"logs/(task-\d+|collect)\.log", name)]
         expect(rest == ["collect.sh", "job.json", "state/collected", "tasks.sh"], f"left in {job}: {left}")
         hidden = [path for path in self.folder.rglob("*")
-                  if re.search(r"\.part$|\.parts$|resume|work-", path.name)]
+                  if re.search(r"\.part$|\.parts$|\.resume|work-", path.name)]
         expect(not hidden, f"left: {hidden}")
 
 

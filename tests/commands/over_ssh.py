@@ -77,7 +77,7 @@ def main():
                    "-o LogLevel=ERROR")
             # the names of the machines stand once for each task that they are to run at a time
             hosts = f"1/{ssh} 127.0.0.1,1/{ssh} localhost"
-            environment = dict(os.environ, HOME=str(place), PARALLEL_HOME=str(place / ".parallel"))
+            environment = dict(os.environ, PARALLEL_HOME=str(place / ".parallel"))
             words = "stability top.toml -o maps --methods rk4 --cells 6x6 --turns 5"
             subprocess.run([polhode, *words.replace("-o maps", "-o whole").split()], cwd=work, check=True,
                            stdout=subprocess.DEVNULL)

@@ -180,9 +180,10 @@ DividedWork divided_film(RenderJob job) {
   job.jobs = 1;
   const RenderPlan plan = plan_render(job);
   refuse_overwriting(job, plan);
-  if (job.report == "-")
+  if (job.report == "-") {
     throw input_error("goes into the log of the collecting job; name a file")
         .at({{}, 0, "--report"});
+  }
   DividedWork work;
   work.words = words_of_film(plan);
   work.output = plan.sink.output;

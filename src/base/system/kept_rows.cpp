@@ -39,9 +39,10 @@ std::optional<std::string> first_line(const std::filesystem::path& file) {
 
 KeptRows::KeptRows(std::filesystem::path file, std::string words, const std::string& part)
     : file_(std::move(file)), words_(std::move(words)), own_(file_) {
+  parts_ = aside(words_).filename().string() + ".";
   if (part.empty()) return;
-  own_ = aside(words_);
-  own_ += fmt::format(".{}.{}", part, name_of_process());
+  parts_ += part + ".";
+  own_ = file_.parent_path() / (parts_ + name_of_process());
 }
 
 std::filesystem::path KeptRows::aside(const std::string& words) const {
@@ -51,12 +52,11 @@ std::filesystem::path KeptRows::aside(const std::string& words) const {
 }
 
 std::vector<std::filesystem::path> KeptRows::parts() const {
-  const std::string beginning = aside(words_).filename().string() + ".";
   const std::filesystem::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
   std::vector<std::filesystem::path> found;
   if (!is_there(folder)) return found;
   for (std::filesystem::path& entry : entries_of(folder)) {
-    if (entry.filename().string().starts_with(beginning)) found.push_back(std::move(entry));
+    if (entry.filename().string().starts_with(parts_)) found.push_back(std::move(entry));
   }
   return found;
 }

@@ -26,14 +26,14 @@ class KeptRows {
   // run of theirs that is believed dead. Empty: the whole job.
   KeptRows(std::filesystem::path file, std::string words, const std::string& part = "");
 
-  // Passes the lines of earlier runs of the job and of runs of its parts, without line breaks, to
-  // `take_up`, file by file in their order; a line may come more than once. Those for which it
-  // returns true are kept, by the whole job as if they had been added; the first one for which it
-  // returns false, or whose hash is wrong, and all later ones of that file are discarded. Call it
-  // before add(). Does nothing if there is no file. FILE, if it is of another job, is set aside
-  // under a name of its own (not by the run of a part), where load() finds it when that job is run
-  // again. Throws Error (input) as read_file does, (environment) if the file cannot be set aside,
-  // and what `take_up` throws.
+  // Passes the lines of earlier runs of the job and of runs of its parts (to a part: of earlier
+  // runs of that part), without line breaks, to `take_up`, file by file in their order; a line may
+  // come more than once. Those for which it returns true are kept, by the whole job as if they had
+  // been added; the first one for which it returns false, or whose hash is wrong, and all later
+  // ones of that file are discarded. Call it before add(). Does nothing if there is no file. FILE,
+  // if it is of another job, is set aside under a name of its own (not by the run of a part), where
+  // load() finds it when that job is run again. Throws Error (input) as read_file does,
+  // (environment) if the file cannot be set aside, and what `take_up` throws.
   void load(const std::function<bool(const std::string& line)>& take_up);
   // Appends a line, given without its line break.
   void add(const std::string& line);
@@ -46,7 +46,7 @@ class KeptRows {
   using Clock = std::chrono::steady_clock;
   // where the work of the job with these words waits while another one is run in the folder
   std::filesystem::path aside(const std::string& words) const;
-  // the files of the parts of this job, also unfinished ones
+  // the files of the parts of this job, or of this part, also unfinished ones
   std::vector<std::filesystem::path> parts() const;
   void set_others_aside() const;
   void take_from(const std::filesystem::path& file,
@@ -55,6 +55,7 @@ class KeptRows {
   std::filesystem::path file_;
   std::string words_;
   std::filesystem::path own_;  // file_, or that of this run
+  std::string parts_;          // how the names of the files of parts() begin
   std::string lines_;
   std::optional<Clock::time_point> saved_;
 };

@@ -2,6 +2,7 @@
 #include "app/commands/mapped_scene.h"
 
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,10 @@ class SceneOfMaps : public ::testing::Test {
   }
   MappedScene prepared(const std::string& methods = "rk4") const {
     MappedScene made = place(methods);
-    prepare_place(made, job_);
+    std::set<int> rows;
+    for (int row = 0; row < made.y.cells; ++row)
+      rows.insert(row);
+    prepare_rows(made, job_, rows);
     return made;
   }
   void expect_refused(const char* option, const char* words) const {
@@ -168,17 +172,32 @@ TEST_F(SceneOfMaps, TheLimitIsWhereTheMethodEnds) {
   job_.x_range = "0.01:9";
   job_.y_range = "1:2";
   const MappedScene made = prepared("rk4,implicit_midpoint");
-  const std::vector<LimitPoint> curve = limit_curve(made, find_stepper("rk4"));
+  ASSERT_EQ(made.methods.front()->name, std::string("rk4"));
+  const std::vector<std::vector<LimitPoint>> curves = limit_curves(made, job_);
+  ASSERT_EQ(curves.size(), 2U);
+  const std::vector<LimitPoint>& curve = curves[0];
   ASSERT_EQ(curve.size(), 2U);
   for (const LimitPoint& point : curve)
     EXPECT_NEAR(point.x, std::sqrt(8.0) / (point.y * 3.0 * (kI1 - kI3) / kI1), 1e-6);
   EXPECT_EQ(curve[1].y, 2.0);
-  EXPECT_TRUE(limit_curve(made, find_stepper("implicit_midpoint")).empty());
+  EXPECT_TRUE(curves[1].empty());
   EXPECT_EQ(try_cell(made, find_stepper("rk4"), 0, 0, 0.1).outcome, RunOutcome::fine);
   EXPECT_NE(try_cell(made, find_stepper("rk4"), 2, 0, 0.1).outcome, RunOutcome::fine);
   job_.x = "motion.spin.body[2]";
   job_.x_range = "1:3";
-  EXPECT_TRUE(limit_curve(prepared(), find_stepper("rk4")).empty()) << "no axis has steps";
+  EXPECT_TRUE(limit_curves(prepared(), job_)[0].empty()) << "no axis has steps";
+}
+
+// a part of the work prepares what it needs, and one cell alone is what it is in the map
+TEST_F(SceneOfMaps, RowsArePreparedOneByOne) {
+  MappedScene made = place();
+  prepare_rows(made, job_, {1});
+  EXPECT_EQ(made.setup(0, 0).problem, nullptr);
+  ASSERT_NE(made.setup(0, 1).problem, nullptr);
+  const StabilityCell in_row = try_cell(made, find_stepper("rk4"), 2, 1, job_.allowed_rad);
+  const StabilityCell alone = try_cell_alone(made, find_stepper("rk4"), 2, 1, job_);
+  EXPECT_EQ(in_row.outcome, alone.outcome);
+  EXPECT_EQ(in_row.energy_drift, alone.energy_drift);
 }
 
 // upwards, too, may be steps; else the scene's own step holds

@@ -106,8 +106,27 @@ TEST(KeptRows, TheFirstIsWrittenAtOnce) {
 
 TEST(KeptRows, AFolderThatIsMissingIsAnError) {
   const TemporaryFolder folder;
-  const KeptRows rows(folder / "nowhere/rows", "words");
-  EXPECT_THROW(rows.save(), Error);
+  KeptRows rows(folder / "nowhere/rows", "words");
+  EXPECT_NO_THROW(rows.save()) << "there is nothing to keep";
+  EXPECT_THROW(rows.add("a"), Error);
+}
+
+// any number of runs make parts, each into a file of its own; the whole finds them and removes them
+TEST(KeptRows, OfPartsMeetInTheWhole) {
+  const TemporaryFolder folder;
+  KeptRows first(folder / "rows", "words", "1-of-2"), second(folder / "rows", "words", "2-of-2");
+  first.add("1");
+  second.add("2");
+  EXPECT_EQ(folder.entries(), 2);
+  KeptRows again(folder / "rows", "words", "1-of-2");
+  EXPECT_EQ(taken_up(again), Lines{"1"}) << "a part reads no others";
+  KeptRows other(folder / "rows", "other words");
+  EXPECT_EQ(taken_up(other), Lines{});
+  KeptRows whole(folder / "rows", "words");
+  EXPECT_EQ(taken_up(whole), (Lines{"1", "2"}));
+  whole.add("3");
+  whole.remove();
+  EXPECT_EQ(folder.entries(), 0);
 }
 
 }  // namespace

@@ -50,5 +50,13 @@ TEST(Shard, NoneIsEmpty) {
   EXPECT_EQ(range_of({7, 7}, 7).count, 1);
 }
 
+TEST(Shard, PiecesAreDealtOutInTurn) {
+  EXPECT_EQ(pieces_of(Shard{1, 3}, 7, "rows"), (std::vector<long>{0, 3, 6}));
+  EXPECT_EQ(pieces_of(Shard{3, 3}, 7, "rows"), (std::vector<long>{2, 5}));
+  EXPECT_EQ(pieces_of({}, 3, "rows"), (std::vector<long>{0, 1, 2}));
+  EXPECT_TRUE(pieces_of({}, 0, "rows").empty());
+  test::expect_input_error([] { pieces_of(Shard{1, 8}, 7, "rows"); }, "--shard", "only 7 rows");
+}
+
 }  // namespace
 }  // namespace polhode

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Work that several runs do together (--shard K/N), and what `submit` says without Slurm.
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/background.h"
+
+namespace polhode {
+namespace {
+
+using test::Ran;
+using test::read_text;
+using test::run_polhode;
+using test::TemporaryFolder;
+using test::write_text;
+
+constexpr const char* kBrick =
+    "format = 1\n[body]\n"
+    "solid = { kind = \"box\", size_cm = [24, 11.5, 7], mass = 3 }\n"
+    "pivot_cm = [12, 5.75, 3.5]\n"
+    "[motion]\nhold = \"pivot\"\nduration = 1\n"
+    "attitude = { zxz_deg = [20, 100, 30] }\nspin = { body = [6, 12, -4] }\n";
+
+class Parts : public ::testing::Test {
+ protected:
+  Parts() { write_text(folder_ / "scene.toml", kBrick); }
+  std::string at(const std::string& name) const { return fmt::format("'{}'", folder_ / name); }
+  Ran run(const std::string& command, const std::string& out, const std::string& options) const {
+    return run_polhode(fmt::format("{} {} -o {} {}", command, at("scene.toml"), at(out), options));
+  }
+  // the same made whole and in parts, in any order
+  void make_both(const std::string& command, const std::string& options, int of) const {
+    const Ran whole = run(command, "whole", options);
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    for (int k = of; k >= 1; --k) {
+      const Ran part = run(command, "parts", fmt::format("{} --shard {}/{}", options, k, of));
+      ASSERT_EQ(part.code, 0) << part.err;
+      EXPECT_TRUE(part.out.starts_with(fmt::format("part {}/{}: ", k, of))) << part.out;
+    }
+    const Ran collected = run(command, "parts", options);
+    ASSERT_EQ(collected.code, 0) << collected.err;
+    EXPECT_EQ(collected.out, whole.out);
+  }
+  void expect_same(const std::string& file) const {
+    EXPECT_TRUE(read_text(folder_ / ("whole/" + file)) == read_text(folder_ / ("parts/" + file)))
+        << file;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "parts"))
+      EXPECT_EQ(entry.path().string().find(".resume"), std::string::npos) << entry.path();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Parts, OfMapsMakeTheSameTable) {
+  make_both("stability", "--methods rk4,gauss6 --cells 5x7 --turns 5", 3);
+  expect_same("stability.csv");
+}
+
+TEST_F(Parts, OfMapsOverTwoKeysMakeTheSameTable) {
+  make_both("stability",
+            "--methods rk4,rk2 --cells 4x5 --turns 3 --x motion.spin.body[2] --y body.solid.mass",
+            2);
+  expect_same("stability.csv");
+}
+
+TEST_F(Parts, OfSectionsMakeTheSameTable) {
+  make_both("section", "--starts 6 --crossings 15", 3);
+  expect_same("section.csv");
+  make_both(
+      "section", "--x motion.spin.body[1] --y motion.spin.body[0] --cells 3x4 --crossings 10", 4);
+  expect_same("section_map.csv");
+}
+
+// the points, but for the times and for how far fast machines go
+TEST_F(Parts, OfChartsMakeTheSamePoints) {
+  for (int k = 1; k <= 2; ++k) {
+    const Ran part = run("chart", "parts", fmt::format("--methods rk4,gauss6 --shard {}/2", k));
+    ASSERT_EQ(part.code, 0) << part.err;
+  }
+  const std::string folder = folder_ / "parts";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+  const Ran collected = run("chart", "parts", "--methods rk4,gauss6 --progress json");
+  ASSERT_EQ(collected.code, 0) << collected.err;
+  // nothing was left to be measured
+  EXPECT_EQ(collected.err, "");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
+  const std::string table = read_text(folder + "/chart.csv");
+  EXPECT_NE(table.find("\nscene,rk4,"), std::string::npos);
+  EXPECT_NE(table.find("\nscene,gauss6,"), std::string::npos);
+}
+
+TEST_F(Parts, OfFilmsMakeTheSameFilm) {
+  const std::string options = "--resume --pieces 5 --size 96x54 --fps 12";
+  ASSERT_EQ(run("render", "whole.mp4", options).code, 0);
+  for (const char* shard : {"2/3", "1/3", "3/3"}) {
+    const Ran part = run("render", "film.mp4", fmt::format("{} --shard {}", options, shard));
+    ASSERT_EQ(part.code, 0) << part.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "film.mp4"));
+  }
+  const Ran joined = run("render", "film.mp4", options);
+  ASSERT_EQ(joined.code, 0) << joined.err;
+  EXPECT_NE(joined.err.find("5 of 5 pieces are already complete"), std::string::npos) << joined.err;
+  EXPECT_TRUE(read_text(folder_ / "whole.mp4") == read_text(folder_ / "film.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".film.mp4.parts"));
+}
+
+TEST_F(Parts, OfLecturesAreUsedByTheWhole) {
+  write_text(folder_ / "deck.md",
+             "# T\n\n![a](scene.toml){.still size=96x54}\n\n![b](scene.toml){.inspect}\n");
+  const auto lecture = [&](const std::string& out, const std::string& options) {
+    return run_polhode(
+        fmt::format("lecture {} -o {} --to html {}", at("deck.md"), at(out), options));
+  };
+  ASSERT_EQ(lecture("whole", "").code, 0);
+  for (int k = 1; k <= 2; ++k)
+    ASSERT_EQ(lecture("parts", fmt::format("--shard {}/2", k)).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "parts/index.html"));
+  const Ran ran = lecture("parts", "");
+  EXPECT_NE(ran.out.find("2 pictures, 0 made now"), std::string::npos) << ran.out << ran.err;
+  expect_same("index.html");
+}
+
+TEST_F(Parts, MoreThanPiecesAreRefused) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"stability", "--cells 4x4 --methods rk4 --shard 1/5"},
+      {"section", "--starts 3 --shard 5/5"},
+      {"chart", "--methods rk4 --shard 1/2"}};
+  for (const auto& [command, options] : cases) {
+    const Ran ran = run(command, "parts", options);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("--shard: there are only "), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "parts")) << command;
+  }
+}
+
+// what others have made counts, but not what is damaged
+TEST_F(Parts, ThatAreDamagedAreMadeAgain) {
+  const std::string options = "--methods rk4 --cells 6x6 --turns 5";
+  ASSERT_EQ(run("stability", "whole", options).code, 0);
+  ASSERT_EQ(run("stability", "parts", options + " --shard 1/2").code, 0);
+  ASSERT_EQ(run("stability", "parts", options + " --shard 2/2").code, 0);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "parts")) {
+    std::string text = read_text(entry.path());
+    const std::size_t digit = text.find_first_of("123456789", text.size() / 2);
+    text[digit] = text[digit] == '1' ? '2' : '1';
+    write_text(entry.path(), text);
+  }
+  ASSERT_EQ(run("stability", "parts", options).code, 0);
+  expect_same("stability.csv");
+}
+
+class Submit : public Parts {};
+
+TEST_F(Submit, ShowsItsScriptsWithoutSlurm) {
+  const Ran ran = run_polhode(
+      fmt::format("submit --dry-run --partition=long --tasks 3 stability {} -o {} --cells 4x6 "
+                  "--methods rk4 --turns 3",
+                  at("scene.toml"),
+                  at("maps")),
+      "PATH=/usr/bin");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* line : {"#SBATCH --partition=long",
+                           "--shard \"$task/3\" --submitted ",
+                           "status --finished \"$job\" || fail",
+                           "sbatch --parsable --array=1-3 ",
+                           "--dependency=afterany:JOB ",
+                           "6 rows in 3 tasks of about ",
+                           "on    1 node: ",
+                           "on    3 nodes:"})
+    EXPECT_NE(ran.out.find(line), std::string::npos) << line << "\n" << ran.out;
+  EXPECT_EQ(folder_.entries(), 1);
+}
+
+TEST_F(Submit, SaysWhatToInstall) {
+  std::filesystem::create_directory(folder_ / "bin");
+  std::filesystem::create_symlink("/usr/bin/gnuplot", folder_ / "bin/gnuplot");
+  const Ran ran = run_polhode(fmt::format("submit stability {} -o {} --cells 4x4 --methods rk4 "
+                                          "--turns 3",
+                                          at("scene.toml"),
+                                          at("maps")),
+                              "PATH=" + at("bin"));
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_NE(ran.err.find("sbatch is not installed"), std::string::npos) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
+}
+
+TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
+  write_text(folder_ / "bad.toml", "format = 1\n[bdy]\n");
+  const std::string scene = at("scene.toml");
+  const std::pair<std::string, const char*> cases[] = {
+      {"submit render " + at("bad.toml"), "bad.toml:2"},
+      {"submit render " + scene + " --fsp 30", "render has no option --fsp"},
+      {"submit --tme 3 render " + scene, "submit has no option --tme"},
+      {"submit rendr " + scene, "'rendr' is no work that can be divided"},
+      {"submit", "work"},
+      {"submit simulate " + scene, "'simulate' is no work that can be divided"},
+      {"submit render " + scene + " -o a.png", "--resume"},
+      {"submit render " + scene + " --shard 1/2", "--shard: is given by submit"},
+      {"submit --partition 'a b' render " + scene, "--partition: must be one word"},
+      {"submit --tasks 0 render " + scene, "--tasks: must be greater than 0"},
+      {"submit --dry-run --tasks 9 section " + scene + " --starts 3 -o " + at("s"),
+       "--tasks: there are 4 motions"},
+      {"submit chart --pictures " + scene, "--pictures: cannot be divided"},
+      {"status " + at("nothing"), "is not the folder of a job"},
+      {"cancel " + at("nothing"), "is not the folder of a job"}};
+  for (const auto& [words, says] : cases) {
+    const Ran ran = run_polhode(words);
+    EXPECT_EQ(ran.code, 2) << words;
+    EXPECT_NE(ran.err.find(says), std::string::npos) << words << "\n" << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  }
+}
+
+TEST_F(Submit, LeavesHelpToTheCommand) {
+  const Ran ran = run_polhode("submit render --help");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_NE(ran.out.find("--theme"), std::string::npos) << ran.out;
+}
+
+}  // namespace
+}  // namespace polhode
