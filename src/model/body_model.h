@@ -110,6 +110,11 @@ inline Vec3 momentum_rate(const BodyModel& m, const Vec3& y, const Vec3& gamma) 
   return y.cross(angular_velocity(m, y)) + gamma.cross(m.chi_P);
 }
 
+// dq/dt = q o (0, w) / 2, 1/s.
+inline Quat attitude_rate(const Quat& q, const Vec3& w_P) {
+  return Quat(0.5 * (q * Quat(0.0, w_P.x(), w_P.y(), w_P.z())).coeffs());
+}
+
 // Torque about the reference point in P at time t (s), N m: torque_of_loads() without gravity and
 // gimbals, torque() with both.
 Vec3 torque_of_loads(const BodyModel& m, double t, const State& s);

@@ -80,7 +80,8 @@ double momentum_scale(const BodyModel& model, const State& start) {
   for (const Load& load : model.loads.turning)
     scale = std::max(scale, most * driven_rate(model, load));
   if (model.table)
-    scale = std::max(scale, most * std::sqrt(model.gravity_S.norm() / model.table->surface->reach()));
+    scale =
+        std::max(scale, most * std::sqrt(model.gravity_S.norm() / model.table->surface->reach()));
   return scale > 0.0 ? scale : 1.0;
 }
 

@@ -71,8 +71,7 @@ void DriftWatch::look_at(const State& s, const ContactState& contact) {
 
 Drift DriftWatch::of(const State& s, const ContactState& contact) const {
   Drift drift;
-  if (worst_.energy)
-    drift.energy = (energy(model_, s) - contact.work - energy_) / energy_scale_;
+  if (worst_.energy) drift.energy = (energy(model_, s) - contact.work - energy_) / energy_scale_;
   if (model_.table) {
     const Moving now = moving_of(model_, s);
     for (const Watched& one : watched_) {
