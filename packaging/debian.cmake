@@ -61,6 +61,6 @@ string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS
   "gnuplot-nox | gnuplot"           # charts and maps
   fonts-inter fonts-urw-base35 fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri")  # draws on a graphics card
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pandoc, chromium, fonts-lmodern, ffmpeg")   # lectures
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "pandoc, chromium, fonts-lmodern, ffmpeg, slurm-client")   # lectures, clusters
 
 include(CPack)

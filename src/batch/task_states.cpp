@@ -43,7 +43,7 @@ std::string telling_line(const fs::path& log) {
     if (line.empty()) continue;
     last = line;
     if (line.starts_with("polhode: ")) said = line;
-    if (line.starts_with("slurmstepd: ")) slurm = line;
+    if (line.starts_with("slurmstepd")) slurm = line;
   }
   if (!slurm.empty()) said = slurm;
   if (said.empty()) said = last;

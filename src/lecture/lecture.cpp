@@ -213,18 +213,6 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
 
 }  // namespace
 
-const std::vector<LectureOutput>& lecture_outputs() {
-  static const std::vector<LectureOutput> table = {
-      {"html", "index.html", "one page with films, formulas, charts"},
-      {"slides", "slides.html", "slides by reveal.js; films stop where the story pauses"},
-      {"pptx", "slides.pptx", "PowerPoint, with posters that link to the films"},
-      {"beamer", "slides.tex", "LaTeX Beamer source, with stills"},
-      {"handout", "handout.pdf", "stills, formulas and numbers on paper"},
-      {"data", "data/manifest.json", "motions as tables, scenes, a manifest"},
-  };
-  return table;
-}
-
 LectureResult lecture(const LectureJob& job) {
   // read and plan before anything is written
   PlannedLecture planned(job);

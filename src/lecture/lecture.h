@@ -2,42 +2,14 @@
 // The command `lecture`: makes the documents of a lecture from a deck.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/commands/doctor.h"
-#include "app/divided_work.h"
-#include "app/piecewise.h"
-#include "base/system/progress.h"
-#include "lecture/products.h"
+#include "base/error.h"
+#include "lecture/lecture_job.h"
 
 namespace polhode {
-
-// A kind of document. To add one: a row in lecture_outputs() and a function
-// in lecture/documents.cpp.
-struct LectureOutput {
-  std::string name;  // value of --to
-  std::string file;  // file name in the output folder
-  std::string doc;   // what it contains
-};
-// All kinds of documents, in the order in which they are made; the table exists until the
-// program ends.
-const std::vector<LectureOutput>& lecture_outputs();
-
-// The options of `lecture`.
-struct LectureJob {
-  std::filesystem::path deck;  // a Markdown file
-  std::string output;          // folder, created if needed; empty: output/DECK_lecture
-  std::string to;  // names of documents, separated by commas; empty: all that this machine can make
-  bool allow_outside = false;  // see DeckRoot (lecture/sandbox.h)
-  LectureSettings settings;
-  // Products made at the same time; 0: one per processor. Charts and stability maps are made one by
-  // one after the others, because they measure times or use all processors themselves.
-  int jobs = 2;
-  PartOptions part;
-  ProgressKind progress = ProgressKind::automatic;
-};
 
 // What the command prints.
 struct LectureResult {
@@ -59,9 +31,6 @@ struct LectureResult {
 // throws Error (input) as part_of_work() (app/piecewise.h) and pieces_of() (film/output/shard.h)
 // do.
 LectureResult lecture(const LectureJob& job);
-
-// The same work before it is begun; its pieces are the products. Throws Error as lecture() does.
-DividedWork divided_lecture(const LectureJob& job);
 
 // The state of the programs and the font that the outputs need, for the command `doctor`. Throws
 // Error (interrupted), and (input) if a file of reveal.js cannot be read.

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "app/divided_work.h"
 #include "base/error.h"
 #include "film/output/shard.h"
 #include "lecture/deck.h"
-#include "lecture/lecture.h"
+#include "lecture/lecture_job.h"
 #include "lecture/media.h"
 #include "lecture/pages.h"
 #include "lecture/products.h"
@@ -79,5 +80,8 @@ struct PlannedLecture {
   std::vector<std::string> outputs;
   LectureWork work;
 };
+
+// The same work before it is begun; its pieces are the products. Throws Error as lecture() does.
+DividedWork divided_lecture(const LectureJob& job);
 
 }  // namespace polhode

@@ -355,15 +355,14 @@ def case_time_limit(c):
     """Slurm counts minutes, and looks twice a minute: the task is made longer than that by stopping it."""
     right = undisturbed_map(c)
     c.submit(f"--time 1 --tasks 2 {MAP}")
-    becomes(lambda: c.processes(["1/2"]), "task 1 runs")
-    time.sleep(5)
+    becomes(lambda: list((c.folder / "maps").glob("*.1-of-2.*")), "task 1 has finished a row")
     stopped = c.processes(["1/2"])
     for process in stopped:
         os.kill(process, signal.SIGSTOP)
     becomes(lambda: not c.processes(["1/2"]), "task 1 is ended by its limit")
     c.becomes_over("maps")
     said = c.run("status maps", 1).stdout
-    expect("task 1: " in said and "DUE TO TIME LIMIT" in said, said)
+    expect("task 1: TIMEOUT" in said and "DUE TO TIME LIMIT" in said, said)
     c.wait(MAP)
     same_bytes(right, c.folder / "maps/stability.csv")
     log = (c.folder / "maps.job/logs/task-1.log").read_text()

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "lecture/lecture.h"
+#include "lecture/lecture_plan.h"
 
 namespace polhode {
 
