@@ -37,8 +37,8 @@ struct Drift {
   // the table counts as lost, so that the sum stays whatever the friction.
   std::optional<double> energy;
   // Of the vector L or, with a torque of gravity, of L.up; relative to |L| at the start or, if that
-  // is larger, to sqrt(greatest moment * |chi|), or to 1 kg m^2/s if both are 0. On a table the largest of
-  // contact_invariants() (model/contact_invariants.h), each relative to its scale.
+  // is larger, to sqrt(greatest moment * |chi|), or to 1 kg m^2/s if both are 0. On a table the
+  // largest of contact_invariants() (model/contact_invariants.h), each relative to its scale.
   std::optional<double> momentum;
 };
 

@@ -12,7 +12,7 @@
 namespace polhode::test {
 namespace {
 
-SolidSpec solid(const std::string& kind) {
+SolidSpec solid_of_kind(const std::string& kind) {
   SolidSpec s;
   s.kind = kind;
   s.mass = 1.0;
@@ -23,14 +23,14 @@ SolidSpec solid(const std::string& kind) {
 
 std::vector<SolidSpec> smooth_solids() {
   std::vector<SolidSpec> all;
-  all.push_back(solid("sphere"));
+  all.push_back(solid_of_kind("sphere"));
   all.back().radius = 0.2;
-  all.push_back(solid("ellipsoid"));
+  all.push_back(solid_of_kind("ellipsoid"));
   all.back().semi_axes = Vec3(0.1, 0.2, 0.3);
-  all.push_back(solid("ring"));
+  all.push_back(solid_of_kind("ring"));
   all.back().radius = 0.2;
   all.back().tube = 0.05;
-  all.push_back(solid("disc"));
+  all.push_back(solid_of_kind("disc"));
   all.back().radius = 0.2;
   return all;
 }
@@ -72,7 +72,7 @@ TEST(ContactSurface, IsTheGradientOfItsHeight) {
 
 // corners of solids with flat faces are circles and tips, and the lowest counts
 TEST(ContactSurface, TakesTheLowestCorner) {
-  SolidSpec lathe = solid("lathe");
+  SolidSpec lathe = solid_of_kind("lathe");
   lathe.turn = lathe.at = Vec3::Zero();
   // a cone with a dent, which never touches
   lathe.profile = {{0.0, 0.0}, {0.03, 0.04}, {0.01, 0.05}, {0.02, 0.06}, {0.0, 0.07}};
@@ -85,7 +85,7 @@ TEST(ContactSurface, TakesTheLowestCorner) {
   EXPECT_NEAR(surface.height(side, surface.lowest(side)), 0.03, 1e-15);
   EXPECT_NEAR(surface.clearance(side, surface.lowest(side)), 0.01, 1e-15);
 
-  SolidSpec cylinder = solid("cylinder");
+  SolidSpec cylinder = solid_of_kind("cylinder");
   cylinder.radius = 0.1;
   cylinder.height = 0.2;
   const BodyModel can = make_model(body(cylinder), on_table(1.0, rolling()));
@@ -93,7 +93,7 @@ TEST(ContactSurface, TakesTheLowestCorner) {
 }
 
 TEST(ContactSurface, RefusesFacetsAndBodiesWithoutShape) {
-  BodySpec box = body(solid("box"));
+  BodySpec box = body(solid_of_kind("box"));
   box.solid->size = Vec3(1, 1, 1);
   expect_input_error(
       [&] { make_model(box, on_table(1.0, rolling())); }, "body.solid.kind", "facets");

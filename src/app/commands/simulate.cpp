@@ -43,10 +43,10 @@ void append_row(std::string& text, const Sample& s) {
 }
 
 // The rows, which leave the memory a megabyte at a time.
-class Table {
+class MotionTable {
  public:
   // a file, or "-" for standard output
-  explicit Table(const std::string& output) : text_(kHeader) {
+  explicit MotionTable(const std::string& output) : text_(kHeader) {
     if (output != "-") {
       file_.emplace(output);
       file_->write("");
@@ -101,7 +101,7 @@ void write_csv(const SimulateJob& job) {
         .at({{}, 0, "--rate"});
   }
 
-  Table table(job.output);
+  MotionTable table(job.output);
   const Solved solved = solve_alone(scene, ProgressKind::automatic);
   Waiting waiting(ProgressKind::automatic);
   for (long row = 0; row <= static_cast<long>(last); ++row) {
