@@ -9,6 +9,7 @@
 #include "base/system/overwriting.h"
 #include "export/gltf_file.h"
 #include "film/error_places.h"
+#include "film/frame_times.h"
 
 namespace polhode {
 namespace {
@@ -21,6 +22,11 @@ void refuse_unless_glb(const std::string& output) {
 }  // namespace
 
 GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
+  // before any work
+  TimeRange range;
+  range.from = job.from;
+  range.to = job.to;
+  check_time_range(scene, range);
   ExportPlan plan;
   plan.from = job.from;
   plan.to = job.to;

@@ -28,15 +28,17 @@ struct Exported {
 };
 
 // The bytes of the file, and what was found. Overrides::accuracy counts for playback too. Throws
-// Error as load_single, solve (film/solved_scene.h), export_scene and glb_of do.
+// Error as check_time_range (film/frame_times.h), solve (film/solved_scene.h), export_scene and
+// glb_of do.
 struct GlbFile {
   std::string bytes;
   ExportReport report;
 };
 GlbFile glb_of_scene(const Scene& scene, const ExportJob& job);
 
-// Writes the file. Throws Error as glb_of_scene does; (input) for an output that is an input file,
-// has another ending than .glb, or cannot be written; (environment) if writing fails.
+// Writes the file. Throws Error as load_single and glb_of_scene do; (input) for an output that is
+// an input file, has another ending than .glb, or cannot be written; (environment) if writing
+// fails.
 Exported write_glb(const ExportJob& job);
 
 }  // namespace polhode
