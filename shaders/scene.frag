@@ -38,8 +38,8 @@ flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec4 f_alpha;
 
-// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. Darkness is
-// only of light.
+// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. The half is
+// not darker: that would look like shade.
 vec3 painted() {
 #if MARKED
   float least = 1e-9 * f_mark.w;  // never divide by nothing
