@@ -2,9 +2,10 @@
 // Shades solids and translucent shells. A software rasteriser runs both sides of every condition,
 // so each kind of surface is a program of its own, with these constants: FINISH (0 plain, 1 wood,
 // 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
-// alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha times the z of its normals, their x of the colour of the mark), MARKED (a strip and a darker
-// half), SHELL (alpha under 1), LIGHT_GROUND (behind it), FADING (fade under 1), DASHED (with gaps along z), FACES (those
-// that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
+// alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha
+// times the z of its normals, and their x of the colour of the mark), MARKED (a strip and a darker
+// half), SHELL (alpha under 1), LIGHT_GROUND (what is behind it is pale), FADING (fade under 1),
+// DASHED (with gaps along z), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 out vec4 o_color;            // premultiplied
 
@@ -27,7 +28,7 @@ noperspective in vec2 v_window;
 #endif
 in vec3 v_mesh;
 #if SOFT
-noperspective in vec2 v_density;  // alpha, and how much of the mark's colour
+noperspective in vec2 v_density;  // alpha, how much of the mark
 #endif
 #if FINISH == 2
 in float v_lengthways;
@@ -37,8 +38,8 @@ flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec4 f_alpha;
 
-// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. Darkness means
-// light alone.
+// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. The half is
+// not darker: that would look like shade.
 vec3 painted() {
 #if MARKED
   float least = 1e-9 * f_mark.w;  // never divide by nothing

@@ -26,7 +26,7 @@ noperspective out vec4 v_color;    // premultiplied
 #else
 // unit at the corners; what bends gently needs no perspective between them
 noperspective out vec3 v_normal;
-// the normal's parts along key light, fill light, halfway from the key light to the eye, and the eye
+// the normal's parts along key light, fill light, half-way from the first to the eye, and the eye
 noperspective out vec4 v_along;
 #if FINISH == 2
 out vec3 v_to_eye;
