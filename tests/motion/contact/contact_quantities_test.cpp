@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "math/so3.h"
+#include "motion/derived.h"
 #include "support/on_table.h"
 
 namespace polhode::test {
