@@ -284,7 +284,8 @@ TEST(OnTable, RefusesWhatItCannotFollow) {
   cone.solid->height = 0.06;
   MotionSpec spec = on_table(5.0, rolling());
   spec.attitude.tilt = 0.3;
-  expect_error([&] { integrated(cone, spec, 1e-9); }, Fault::check_failed, "", "end the motion before");
+  expect_error(
+      [&] { integrated(cone, spec, 1e-9); }, Fault::check_failed, "", "end the motion before");
 }
 
 }  // namespace
