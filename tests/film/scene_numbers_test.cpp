@@ -425,9 +425,7 @@ TEST(SceneNumbers, CoinAndHoopRollAboveTheirLimits) {
   }
 }
 
-TEST(SceneNumbers, PegTopAndEggRise) {
-  const Motion top = solved_scene("peg_top").simulation.motion;
-  EXPECT_LT(tilt_of(top.at(6.0)) / kDegree, 2.0);
+TEST(SceneNumbers, TheEggStandsUp) {
   const Solved egg = solved_scene("spinning_egg");
   EXPECT_NEAR(number_of(egg, "growth_rate_of_vertical_spin_per_s"), 7.6, 0.1);
   EXPECT_NEAR(egg.simulation.motion.at(3.0).center_S.z(), 0.03, 1e-4);
