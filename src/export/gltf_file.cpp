@@ -318,9 +318,9 @@ class Writer {
     const Quat& turn = from.rotation;
     if (!at.isZero(0.0)) node.translation = {at.x(), at.y(), at.z()};
     if (turn.coeffs() != Quat::Identity().coeffs()) {
+      // of 1 and a rounding error, readers complain
       for (const double part : {turn.x(), turn.y(), turn.z(), turn.w()})
-        node.rotation.push_back(
-            std::clamp(part, -1.0, 1.0));  // of 1 and a rounding error, readers complain
+        node.rotation.push_back(std::clamp(part, -1.0, 1.0));
     }
     if (!from.scale.isOnes(0.0)) node.scale = {from.scale.x(), from.scale.y(), from.scale.z()};
     node.mesh = from.mesh;

@@ -110,9 +110,10 @@ KeyedPoses keyed(const Thing& thing,
   for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
     const double a = keys.times[i], b = keys.times[i + 1];
     if (search.is_jump(a, b)) continue;
-    for (const double part : {0.375, 0.625})
+    for (const double part : {0.375, 0.625}) {
       keys.error =
           std::max(keys.error, search.error_at(a, keys.poses[i], b, keys.poses[i + 1], part));
+    }
   }
   return keys;
 }

@@ -36,9 +36,10 @@ Json plots_of(const Solved& solved, double to) {
       const int steps = steps_to_show(motion, to, kPlotSteps);
       Json curves = Json::array();
       const auto all = values_over_time(quantity, motion, to, steps);
-      for (std::size_t k = 0; k < all.size(); ++k)
+      for (std::size_t k = 0; k < all.size(); ++k) {
         curves.push_back(
             {{"name", quantity.curves[k]}, {"values", extremes_of(all[k], kPlotSteps)}});
+      }
       plots.push_back({{"title", quantity.title}, {"unit", quantity.unit}, {"curves", curves}});
     }
   }

@@ -35,7 +35,7 @@ bool in_convoy() {
 namespace polhode {
 namespace {
 
-constexpr std::size_t kStack = 512 * 1024;  // bytes of each fiber
+constexpr std::size_t kStack = 524288;  // bytes of each fiber
 
 // The fibers of one thread.
 class Convoy {

@@ -79,9 +79,10 @@ double momentum_scale(const BodyModel& model, const State& start) {
   double scale = std::max(start.y.norm(), std::sqrt(most * model.chi_P.norm()));
   for (const Load& load : model.loads.turning)
     scale = std::max(scale, most * driven_rate(model, load));
-  if (model.table)
+  if (model.table) {
     scale =
         std::max(scale, most * std::sqrt(model.gravity_S.norm() / model.table->surface->reach()));
+  }
   return scale > 0.0 ? scale : 1.0;
 }
 

@@ -80,7 +80,7 @@ std::vector<BadSceneText> unknown_keys() {
        2, "body.format", "'format' is a key of the top of the file"},
       {"nothing near", kBody + "[show]\nxylophone = true\n",
        4, "show.xylophone", "(known: body, ghosts, ensemble, axes, "},
-      {"another word", kBody + "[motion]\nfriction = 0.1\n", 4, "motion.friction", "here it is motion.torque"},
+      {"another kind of value", kBody + "[motion]\nfriction = 0.1\n", 4, "motion.friction", "must be a table"},
       {"another word with a unit", kBody + "[motion]\nangle_deg = 3\n", 4, "motion.angle_deg", "here it is motion.attitude"},
       {"first by line", kBody + "[video]\nzzz = 1\naaa = 2\n", 4, "video.zzz", "unknown key"},
       {"unit that the key has not", "[body]\nmoments_cm = [1, 2, 3]\n",

@@ -73,21 +73,23 @@ std::string as_text(const Json& facts) {
   };
   for (const auto& [key, value] : facts.items()) {
     if (key == "conserved") {
-      for (const auto& [name, law] : value.items())
+      for (const auto& [name, law] : value.items()) {
         text += fmt::format("{:<42} {} {} ({})\n",
                             "conserved_" + name,
                             one_line(shown(law["value"])),
                             law["unit"].get<std::string>(),
                             law["what"].get<std::string>());
+      }
       continue;
     }
     if (key == "events") {
       constexpr std::size_t kShown = 20;
-      for (std::size_t i = 0; i < std::min(kShown, value.size()); ++i)
+      for (std::size_t i = 0; i < std::min(kShown, value.size()); ++i) {
         text += fmt::format("{:<42} {:.9g}  {}\n",
                             "event_s",
                             value[i]["t_s"].get<double>(),
                             value[i]["what"].get<std::string>());
+      }
       if (value.size() > kShown)
         text += fmt::format("{:<42} {} more\n", "events", value.size() - kShown);
       continue;

@@ -129,7 +129,9 @@ void prepare_rows(MappedScene& place, const StabilityJob& job, const std::set<in
     const int column = static_cast<int>(i % columns);
     const int row = wanted[static_cast<std::size_t>(i / columns)];
     const Begun begun = begin_cell(place, place.x.at(column), place.y.at(row), job);
-    StabilitySetup& setup = place.setups[static_cast<std::size_t>(row * columns + column)];
+    StabilitySetup& setup =
+        place.setups[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(column)];
     setup.problem = std::make_unique<StabilityProblem>(begun.model, begun.start, begun.duration);
     setup.step = begun.step;
   });

@@ -76,6 +76,7 @@ ExponentCell cell_of(const SectionJob& job, const std::pair<BodyModel, State>& f
 // the motions of a row step together
 void fill_row(const SectionJob& job, ExponentMap& map, int row) {
   std::vector<std::pair<BodyModel, State>> starts;
+  starts.reserve(static_cast<std::size_t>(map.x.cells));
   for (int column = 0; column < map.x.cells; ++column)
     starts.push_back(start_of_cell(job, map, column, row));
   parallel_in_convoys(map.x.cells, 1, [&](long column) {

@@ -7,12 +7,21 @@
 namespace polhode {
 namespace {
 
+// Ideal rolling can ask for any friction: what is longer than this, in units of the body's radius,
+// is drawn this long.
+constexpr double kLongestForce = 1.5 * kForceLength;
 constexpr double kTouchRadius = 0.03;  // of the point of contact, in units of the body's radius
 
 // the lowest point of the body at this moment, S, m
 Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
   return sample.center_S +
          sample.q_SB * (scenery.motion.model().R_BP * lowest_point(scenery.motion, sample));
+}
+
+Vec3 drawn_force(const Scenery& scenery, const Vec3& force_S) {
+  const Vec3 arrow = scenery.scale.force * force_S;
+  const double most = kLongestForce * scenery.scale.body;
+  return arrow.norm() > most ? Vec3(most * arrow.normalized()) : arrow;
 }
 
 }  // namespace
@@ -41,9 +50,9 @@ void add_contact(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   glyphs.meshes.push_back({scenery.ball, place, drawn_through(scenery, material)});
   glyphs.marks.push_back({at, kTouchRadius * scenery.scale.body});
   glyphs.reach.push_back(at);
-  const Vec3 normal = scenery.scale.force * found->normal * Vec3::UnitZ();
+  const Vec3 normal = drawn_force(scenery, found->normal * Vec3::UnitZ());
   add_vector(scenery, at, at + normal, kForceShape, material, glyphs, "<b>N</b>");
-  const Vec3 friction = scenery.scale.force * found->friction_S;
+  const Vec3 friction = drawn_force(scenery, found->friction_S);
   if (friction.norm() > 0.0)
     add_vector(scenery, at, at + friction, kForceShape, material, glyphs, "<b>F</b>");
 }

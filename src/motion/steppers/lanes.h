@@ -120,7 +120,8 @@ template <class Mask>
 // The square root of each lane, or of a number.
 template <class Number>
 [[gnu::always_inline]] inline void take_root(Number& x) {
-  std::array<double, sizeof(Number) / sizeof(double)> lanes;
+  constexpr std::size_t kBytes = sizeof(double);
+  std::array<double, sizeof(Number) / kBytes> lanes;
   std::memcpy(lanes.data(), &x, sizeof(Number));
   for (double& lane : lanes)
     lane = std::sqrt(lane);

@@ -30,7 +30,8 @@ class RadauStep {
     System system = System::Identity();
     for (int i = 0; i < kStages; ++i) {
       for (int j = 0; j < kStages; ++j)
-        system.template block<N, N>(N * i, N * j) -= h * kA[i][j] * jacobian;
+        system.template block<kNumbers, kNumbers>(kNumbers * i, kNumbers * j) -=
+            h * kA[i][j] * jacobian;
     }
     const Eigen::PartialPivLU<System> inverse(system);
     Stages z = Stages::Zero();
@@ -48,13 +49,13 @@ class RadauStep {
   }
 
  private:
-  static constexpr int N = Vector::RowsAtCompileTime;
+  static constexpr int kNumbers = Vector::RowsAtCompileTime;
   static constexpr int kStages = 3;
   static constexpr int kMostIterations = 12;
-  using Square = Eigen::Matrix<double, N, N>;
-  using Stages = Eigen::Matrix<double, N, kStages>;
-  using System = Eigen::Matrix<double, N * kStages, N * kStages>;
-  using AllStages = Eigen::Matrix<double, N * kStages, 1>;
+  using Square = Eigen::Matrix<double, kNumbers, kNumbers>;
+  using Stages = Eigen::Matrix<double, kNumbers, kStages>;
+  using System = Eigen::Matrix<double, kNumbers * kStages, kNumbers * kStages>;
+  using AllStages = Eigen::Matrix<double, kNumbers * kStages, 1>;
 
   static constexpr double kRoot6 = 2.449489742783178;
   static constexpr double kC[kStages] = {(4.0 - kRoot6) / 10.0, (4.0 + kRoot6) / 10.0, 1.0};
@@ -75,7 +76,7 @@ class RadauStep {
   Square jacobian_at(double t, const Vector& v, const Vector& rate) const {
     const double typical = size_(v);
     Square jacobian;
-    for (int i = 0; i < N; ++i) {
+    for (int i = 0; i < kNumbers; ++i) {
       const Vector unit = Vector::Unit(i);
       const double scale = typical / size_(unit);
       const double change = 1e-8 * (scale > 0.0 && std::isfinite(scale) ? scale : 1.0);
@@ -97,15 +98,15 @@ class RadauStep {
         rates.col(i) = slope_(t + kC[i] * h, Vector(v + z.col(i)));
       AllStages residual;
       for (int i = 0; i < kStages; ++i) {
-        residual.template segment<N>(N * i) =
+        residual.template segment<kNumbers>(kNumbers * i) =
             h * (kA[i][0] * rates.col(0) + kA[i][1] * rates.col(1) + kA[i][2] * rates.col(2)) -
             z.col(i);
       }
       const AllStages change = inverse.solve(residual);
       double size = 0.0;
       for (int i = 0; i < kStages; ++i) {
-        z.col(i) += change.template segment<N>(N * i);
-        size = std::max(size, size_(Vector(change.template segment<N>(N * i))));
+        z.col(i) += change.template segment<kNumbers>(kNumbers * i);
+        size = std::max(size, size_(Vector(change.template segment<kNumbers>(kNumbers * i))));
       }
       if (!std::isfinite(size)) return false;
       // round-off stops the descent
