@@ -312,9 +312,7 @@ bool Composer::keeps_place_in_space() const {
   const std::vector<Load>& loads = scenery_.motion.model().loads.listed;
   const bool spring = std::any_of(
       loads.begin(), loads.end(), [](const Load& load) { return load.kind == Load::Kind::spring; });
-  // a table goes as far as the body does, and its dial shows how they move past each other
-  const bool floor = shows("floor") && !scenery_.motion.model().table;
-  return shows("fixed_frame") || floor || (whole_path && !show.trail_s) ||
+  return shows("fixed_frame") || shows("floor") || (whole_path && !show.trail_s) ||
          (shows("forces") && spring);
 }
 

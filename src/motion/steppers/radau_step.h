@@ -29,9 +29,10 @@ class RadauStep {
     // (1 - h A x J) dz = h (A x 1) f(v + z) - z, with one Jacobian for all iterations
     System system = System::Identity();
     for (int i = 0; i < kStages; ++i) {
-      for (int j = 0; j < kStages; ++j)
+      for (int j = 0; j < kStages; ++j) {
         system.template block<kNumbers, kNumbers>(kNumbers * i, kNumbers * j) -=
             h * kA[i][j] * jacobian;
+      }
     }
     const Eigen::PartialPivLU<System> inverse(system);
     Stages z = Stages::Zero();
