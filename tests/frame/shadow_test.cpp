@@ -227,20 +227,22 @@ TEST(Floor, HasAnEvenSky) {
 TEST(Floor, IsDarkestWhereSomethingStands) {
   const auto darkest = [](double height) {
     float most = 0.0f;
-    for (const Vertex& vertex :
-         floor_mesh({Block{{0, 0, height}, {0.2, 0.2, 0.1}}.caster()})->vertices)
+    const MeshPtr floor = floor_mesh({Block{{0, 0, height}, {0.2, 0.2, 0.1}}.caster()});
+    for (const Vertex& vertex : floor->vertices)
       most = std::max(most, vertex.normal.x);
     return most;
   };
   EXPECT_GT(darkest(0.1), 0.6f);
   EXPECT_LT(darkest(0.8), 0.5f * darkest(0.1));
-  for (const Vertex& vertex : floor_mesh({})->vertices)
+  const MeshPtr bare = floor_mesh({});
+  for (const Vertex& vertex : bare->vertices)
     EXPECT_EQ(vertex.normal.x, 0.0f);
 }
 
 // opaque in the middle and gone at the rim
 TEST(Floor, FadesOutwards) {
-  for (const Vertex& vertex : floor_mesh({})->vertices) {
+  const MeshPtr floor = floor_mesh({});
+  for (const Vertex& vertex : floor->vertices) {
     const float radius = glm::length(vertex.position);
     if (radius < 0.5f) {
       EXPECT_EQ(vertex.normal.z, 1.0f);
