@@ -9,22 +9,20 @@ namespace polhode::test {
 
 constexpr double kG = 9.80665;  // m/s^2
 
-inline BodySpec ball_body(double radius = 0.028, double mass = 0.17) {
+// a solid that a radius (m) and a mass (kg) describe
+inline BodySpec round_body(const char* kind, double radius, double mass) {
   BodySpec body;
   body.solid = SolidSpec{};
-  body.solid->kind = "sphere";
+  body.solid->kind = kind;
   body.solid->radius = radius;
   body.solid->mass = mass;
   return body;
 }
-
+inline BodySpec ball_body(double radius = 0.028, double mass = 0.17) {
+  return round_body("sphere", radius, mass);
+}
 inline BodySpec disc_body(double radius = 0.0375, double mass = 0.4) {
-  BodySpec body;
-  body.solid = SolidSpec{};
-  body.solid->kind = "disc";
-  body.solid->radius = radius;
-  body.solid->mass = mass;
-  return body;
+  return round_body("disc", radius, mass);
 }
 
 // a sphere of 2 cm whose centre is e radii above the centre of mass, with I1 : I3 as given
