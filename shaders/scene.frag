@@ -32,7 +32,7 @@ noperspective in vec2 v_density;  // alpha, how much of the mark
 #endif
 #if FINISH == 2
 in float v_lengthways;
-const float kStroke = 0.022;  // how much each stroke brightens and darkens
+const float kStroke = 0.014;  // how much each stroke brightens and darkens
 #endif
 flat in vec4 f_color;
 flat in vec4 f_mark;

@@ -36,11 +36,16 @@ struct Material {
   bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
   bool thin = false;    // hides no items with `hidden`, which are drawn over it
   float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen
-  float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1; 0: unbroken
+  float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1, which are narrower
+                        // (kDashBreadth); 0: unbroken
 
   // Whether it belongs in DrawList::opaque.
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }
 };
+
+// How broad dashes are in the x and y of a mesh, in units of what is seen of it: a line behind a
+// body is thinner than one that lies on it.
+inline constexpr float kDashBreadth = 0.6f;
 
 // Which faces are drawn: those whose outside the eye sees, those whose inside it sees, or both.
 enum class Faces { front, back, both };

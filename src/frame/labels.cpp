@@ -62,6 +62,12 @@ TextRoom grown(const TextRoom& room, double across, double along) {
 }
 
 bool is_over(const TextRoom& room, const TextShaft& shaft) {
+  // most are far away
+  if (std::max(shaft.from.x(), shaft.tip.x()) < room.left ||
+      std::min(shaft.from.x(), shaft.tip.x()) > room.right ||
+      std::max(shaft.from.y(), shaft.tip.y()) < room.top ||
+      std::min(shaft.from.y(), shaft.tip.y()) > room.bottom)
+    return false;
   const Vec2 along = shaft.tip - shaft.from;
   const double length = along.norm();
   if (length < 1.0) return false;

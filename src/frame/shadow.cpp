@@ -24,7 +24,6 @@ struct Grid {
 };
 constexpr Grid kLampGrid{56, 2, 2};
 constexpr Grid kSkyGrid{16, 1, 4};
-constexpr float kRim = 0.08f;     // shadows fade so near the rim, in radii of the floor
 constexpr int kLights = 12;       // points of the light
 constexpr int kSkyPoints = 12;    // points of the sky
 constexpr double kSkyPart = 0.8;  // of the light of the sky: what comes lower falls far away
@@ -174,6 +173,11 @@ MeshPtr mesh_of(const Samples& samples, const Normal& normal) {
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+// What is left of something on the floor that falls smoothly from 1 to 0 within `width` of the rim.
+float left_near_rim(const glm::vec2& at, double width) {
+  return glm::smoothstep(0.0f, static_cast<float>(width), 1.0f - glm::length(at));
+}
+
 // The vertices of casters in samples, in their order.
 std::vector<std::vector<glm::vec3>> all_in_samples(const std::vector<ShadowCaster>& casters,
                                                    int per_radius) {
@@ -255,8 +259,8 @@ MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_lig
   Samples samples(kLampGrid, static_cast<int>(slopes.size()), low, high);
   stop_light(casters, points, slopes, samples);
   const auto normal = [&](int x, int y) {
-    const float in = 1.0f - glm::length(samples.place(x, y));
-    return glm::vec3(0.0f, 0.0f, samples.dark(x, y) * glm::clamp(in / kRim, 0.0f, 1.0f));
+    return glm::vec3(
+        0.0f, 0.0f, samples.dark(x, y) * left_near_rim(samples.place(x, y), kShadowRim));
   };
   return mesh_of(samples, normal);
 }
@@ -280,8 +284,7 @@ MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters) {
   Samples samples(kSkyGrid, static_cast<int>(slopes.size()), -corner, corner);
   stop_light(casters, all_in_samples(casters, kSkyGrid.per_radius), slopes, samples);
   const auto normal = [&](int x, int y) {
-    const float out = glm::clamp(2.0f * glm::length(samples.place(x, y)) - 1.0f, 0.0f, 1.0f);
-    return glm::vec3(samples.dark(x, y), 0.0f, 1.0f - out * out * (3.0f - 2.0f * out));
+    return glm::vec3(samples.dark(x, y), 0.0f, left_near_rim(samples.place(x, y), 0.5f));
   };
   return mesh_of(samples, normal);
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -75,8 +76,9 @@ void SurfacePrograms::begin(const View& view, const glm::mat4& clip_from_world) 
 
 void SurfacePrograms::use(const Material& material,
                           Faces faces,
-                          const glm::mat4& world_from_mesh,
+                          const glm::mat4& world_from_item,
                           bool hidden) {
+  const bool dashed = hidden && material.dashes > 0.0f;
   const float fade = hidden ? material.fade * material.hidden : material.fade;
   Made& now = made({material.finish,
                     material.finish == Finish::metal && material.turned,
@@ -86,7 +88,7 @@ void SurfacePrograms::use(const Material& material,
                     material.mark_width > 0.0f,
                     material.alpha < 1.0f,
                     fade < 1.0f,
-                    hidden && material.dashes > 0.0f,
+                    dashed,
                     view_.light_ground && !material.flat,
                     faces});
   const Uniforms& u = now.u;
@@ -99,6 +101,8 @@ void SurfacePrograms::use(const Material& material,
     gl_.Uniform3fv(u.fill_light, 1, glm::value_ptr(view_.fill_light));
     now.has_view = true;
   }
+  glm::mat4 world_from_mesh = world_from_item;
+  if (dashed) world_from_mesh = glm::scale(world_from_item, {kDashBreadth, kDashBreadth, 1.0f});
   const glm::mat3 normals = normal_from_mesh(glm::mat3(world_from_mesh));
   gl_.UniformMatrix4fv(u.world_from_mesh, 1, GL_FALSE, glm::value_ptr(world_from_mesh));
   gl_.UniformMatrix3fv(u.normal_from_mesh, 1, GL_FALSE, glm::value_ptr(normals));

@@ -23,12 +23,12 @@ class SurfacePrograms {
   // called before use(), once per panel.
   void begin(const View& view, const glm::mat4& clip_from_world);
   // Selects the program for the next mesh, compiling it if needed, and sets its material and
-  // position. `hidden`: its parts that something covers are drawn. `faces` says which faces will be
-  // drawn; the caller sets OpenGL's culling accordingly. Throws Error (environment) as Program
-  // does.
+  // position. `hidden`: its parts that something covers are drawn, dashes narrower than the rest.
+  // `faces` says which faces will be drawn; the caller sets OpenGL's culling accordingly. Throws
+  // Error (environment) as Program does.
   void use(const Material& material,
            Faces faces,
-           const glm::mat4& world_from_mesh,
+           const glm::mat4& world_from_item,
            bool hidden = false);
 
  private:

@@ -12,6 +12,7 @@ namespace polhode {
 namespace {
 
 constexpr PictureSize kHiddenSize{1280, 960};
+constexpr double kRod = 0.06;  // its radius
 constexpr double kBall = 0.5;
 
 // A red rod along X through a ball that is black, and what is seen of it.
@@ -30,7 +31,7 @@ class HiddenLine : public testing::Test {
     red.flat = true;
     red.hidden = hidden;
     red.dashes = dashes;
-    add_tube(list.opaque, arrow_meshes(32, 32), Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.06, red);
+    add_tube(list.opaque, arrow_meshes(32, 32), Vec3(-1, 0, 0), Vec3(1, 0, 0), kRod, red);
     Material black;
     black.color = {0, 0, 0};
     black.flat = true;
@@ -46,9 +47,11 @@ class HiddenLine : public testing::Test {
     return image;
   }
 
-  // red, 0..255, at the middle of the rod at this x
-  int red_at(const Image& image, double x) const {
-    const Vec2 at = camera_.project(Vec3(x, 0, 0));
+  // red, 0..255, in the plane through the rod and across the line of sight, at this x; `beside` the
+  // rod's middle
+  int red_at(const Image& image, double x, double beside = 0.0) const {
+    const Vec3 across = Vec3::UnitX().cross(camera_.eye()).normalized();
+    const Vec2 at = camera_.project(Vec3(x, 0, 0) + beside * across);
     return image.at(static_cast<int>(at.x()), static_cast<int>(at.y()))[0];
   }
 
@@ -106,6 +109,21 @@ TEST_F(HiddenLine, HasDashesOfEqualLengthsFromItsFootOn) {
     ++changes;
   }
   EXPECT_GT(changes, 60);
+}
+
+TEST_F(HiddenLine, HasNarrowerDashes) {
+  const auto red_beside = [&](double dashes, double beside) {
+    int most = 0;
+    const Image image = drawn(0.4f, static_cast<float>(dashes));
+    for (double x = -0.2; x < 0.2; x += 0.005)
+      most = std::max(most, red_at(image, x, beside));
+    return most;
+  };
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(red_beside(1.0, side * kRod * (kDashBreadth - 0.1)), 0.4 * 255, 4);
+    EXPECT_EQ(red_beside(1.0, side * kRod * (kDashBreadth + 0.1)), 0);
+    EXPECT_NEAR(red_beside(0.0, side * kRod * 0.9), 0.4 * 255, 4) << "without dashes as in front";
+  }
 }
 
 }  // namespace

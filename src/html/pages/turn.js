@@ -105,7 +105,7 @@
       painted *= 0.88 + 0.17 * ring * ring;
     #elif FINISH == 2
       float across = TURNED == 1 ? brushed(length(v_mesh.xy) / grain) : brushed(v_mesh.y / grain);
-      painted *= 0.97 + 0.022 * (across + brushed(v_mesh.z / grain));
+      painted *= 0.97 + 0.014 * (across + brushed(v_mesh.z / grain));
     #endif
     #if FLAT
       gl_FragColor = vec4(color, 1.0) * alpha;
