@@ -15,7 +15,7 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 double mean_seconds(const std::function<void(int k)>& sample) {
-  constexpr double kEnough = 2.0;  // s
+  constexpr double kEnough = 1.0;  // s
   constexpr int kMost = 32;
   double sum = 0.0;
   int count = 0;

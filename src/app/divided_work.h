@@ -25,7 +25,7 @@ struct DividedWork {
   bool alone = false;    // it measures times, and wants nodes of its own
 };
 
-// The mean time of sample(k), k = 0, 1, …, in s: as many as fit into about two seconds, at least
+// The mean time of sample(k), k = 0, 1, …, in s: as many as fit into about a second, at least
 // one and at most 32. Throws what `sample` throws.
 double mean_seconds(const std::function<void(int k)>& sample);
 

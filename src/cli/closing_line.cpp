@@ -36,6 +36,7 @@ std::string frames_of(const Made& made) {
     return fmt::format("{} of {} {}", frames, made.parts, made.parts == 1 ? "part" : "parts");
   }
   if (made.from_earlier == 0) return frames;
+  if (made.from_earlier == made.frames) return frames + ", all of them from earlier runs,";
   return fmt::format("{}, {} of them from earlier runs,", frames, made.from_earlier);
 }
 
@@ -46,7 +47,7 @@ std::string closing_line(const Made& made, double seconds) {
                                  made.output == "-" ? "standard output" : one_line(made.output),
                                  frames_of(made),
                                  short_number(seconds));
-  if (!made.is_picture)
+  if (!made.is_picture && made.from_earlier < made.frames)
     line += fmt::format(" ({} frames/s)", short_number(frames_per_second(made, seconds)));
   return line;
 }

@@ -104,6 +104,17 @@ TEST_F(ClosingLine, IsAnObjectAmongProgressLinesOfJson) {
   EXPECT_NEAR(last.at("frames_per_s").get<double>() * last.at("seconds").get<double>(), 10.0, 0.5);
 }
 
+// a rate of nothing would say nothing
+TEST_F(ClosingLine, TellsWhatEarlierRunsHaveMade) {
+  const std::string film = "render scene.toml -o a.mp4 --resume --pieces 2";
+  ASSERT_EQ(run(film + " --shard 1/1").code, 0);
+  const Ran ran = run(film);
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("a.mp4: 10 frames, all of them from earlier runs, in"), std::string::npos)
+      << ran.err;
+  EXPECT_EQ(ran.err.find("frames/s"), std::string::npos) << ran.err;
+}
+
 TEST_F(ClosingLine, IsAbsentWhenNothingWasMade) {
   const Ran ran = run("render scene.toml -o missing/a.mp4");
   EXPECT_NE(ran.code, 0);
