@@ -249,9 +249,15 @@ SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
     return {dry_run(batch, folder, job.slurm, sizes, missing_tasks(folder, batch)), 0};
   }
   require_slurm();
+  const bool is_new = !is_there(folder);
   make_folder(folder);
   SubmitResult result;
-  result.text = queue_missing(job, folder, measured, batch);
+  try {
+    result.text = queue_missing(job, folder, measured, batch);
+  } catch (const Error&) {
+    if (is_new) remove_file(folder);
+    throw;
+  }
   if (is_made(folder, batch)) return result;
   const std::string named = shell_word(folder.string());
   if (!job.wait) {

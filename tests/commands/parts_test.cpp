@@ -188,6 +188,24 @@ TEST_F(Submit, SaysWhatToInstall) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
 }
 
+TEST_F(Submit, LeavesNothingWhereNothingCanBeQueued) {
+  std::filesystem::create_directory(folder_ / "bin");
+  write_text(folder_ / "bin/sbatch",
+             "#!/bin/sh\n"
+             "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
+             "echo 'sbatch: error: no partition of this name' >&2; exit 1\n");
+  std::filesystem::permissions(folder_ / "bin/sbatch", std::filesystem::perms::owner_all);
+  const Ran ran = run_polhode(fmt::format("submit stability {} -o {} --cells 4x4 --methods rk4 "
+                                          "--turns 3",
+                                          at("scene.toml"),
+                                          at("maps")),
+                              "PATH=" + at("bin") + ":$PATH");
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_NE(ran.err.find("no partition of this name"), std::string::npos) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
+}
+
 TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
   write_text(folder_ / "bad.toml", "format = 1\n[bdy]\n");
   const std::string scene = at("scene.toml");
@@ -197,7 +215,7 @@ TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
       {"submit --tme 3 render " + scene, "submit has no option --tme"},
       {"submit rendr " + scene, "'rendr' is no work that can be divided"},
       {"submit", "work"},
-      {"submit simulate " + scene, "'simulate' is no work that can be divided"},
+      {"submit simulate " + scene, "'simulate' is no work that can be divided (known: "},
       {"submit render " + scene + " -o a.png", "--resume"},
       {"submit render " + scene + " --shard 1/2", "--shard: is given by submit"},
       {"submit --partition 'a b' render " + scene, "--partition: must be one word"},

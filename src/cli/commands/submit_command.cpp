@@ -3,7 +3,6 @@
 #include <optional>
 #include <sstream>
 
-#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/nearest.h"
@@ -24,10 +23,7 @@ const Command& find_divisible(const std::string& name) {
     if (command.name == name) return command;
     names.emplace_back(command.name);
   }
-  throw input_error("'{}' is no work that can be divided (known: {}){}",
-                    name,
-                    fmt::join(names, ", "),
-                    suggestion(name, names))
+  throw input_error("'{}' is no work that can be divided{}", name, suggestion(name, names))
       .at({{}, 0, kSubmit});
 }
 
