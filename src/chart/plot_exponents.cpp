@@ -2,6 +2,7 @@
 #include "chart/plot_exponents.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,13 @@ double greatest_exponent(const ExponentMap& map) {
     if (cell.verdict == SectionVerdict::chaotic) greatest = std::max(greatest, cell.exponent);
   }
   return greatest;
+}
+
+// 1, 2 or 5 times a power of ten, three to seven times in `range`
+double round_step(double range) {
+  const double power = std::pow(10.0, std::floor(std::log10(range / 3.0)));
+  const double times = range / 3.0 / power;
+  return power * (times < 2.0 ? 1.0 : times < 5.0 ? 2.0 : 5.0);
 }
 
 }  // namespace
@@ -55,10 +63,14 @@ std::string exponents_script(const ExponentMap& map) {
     for (std::size_t i = 0; i < kColors; ++i) {
       const double value = greatest * static_cast<double>(i) / (kColors - 1);
       script += fmt::format(", {} '{}'", at(value), kExponentColors[i]);
-      if (i > 0) tics += fmt::format(", '{:.2g}' {}", value, at(value));
     }
+    const double step = round_step(greatest);
+    for (double value = step; value <= greatest; value += step)
+      tics += fmt::format(", '{:.3g}' {}", value, at(value));
   }
-  script += fmt::format(")\nset cbrange [{}:{}]\nset cbtics ({})\nset cblabel {}\n",
+  // the words beside the colours need room
+  script += ")\nset rmargin at screen 0.78\n";
+  script += fmt::format("set cbrange [{}:{}]\nset cbtics ({})\nset cblabel {}\n",
                         at(-2.0 * band),
                         at(greatest),
                         tics,

@@ -78,7 +78,7 @@ const std::vector<Command>& commands() {
        define_status},
       {"cancel", "take a submitted job back", "polhode cancel top.mp4.job", define_cancel},
       {"list",
-       "list methods, models, shapes, scenes or formats",
+       "list methods, shapes, torques, plots, scenes and more",
        "polhode list scenes",
        define_list},
       {"schema",

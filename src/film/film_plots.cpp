@@ -117,15 +117,46 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   return plot;
 }
 
-Diagram diagram_of(const DiagramKind& kind, const std::vector<Solved>& solved) {
-  const Motion& motion = solved.front().simulation.motion;
-  if (solved.size() > 1) {
-    throw input_error("'{}' shows one motion, not those of {} panels", kind.name, solved.size())
+// A diagram of the motion, or of each of the panels in turn, which then have the same axes.
+std::vector<Diagram> diagrams_of(const DiagramKind& kind, const std::vector<Solved>& solved) {
+  const Scene& scene = solved.front().scene;
+  if (solved.size() > 1 && !scene.in_turn) {
+    throw input_error(
+        "'{}' shows one motion, not those of {} panels; give them arrange = "
+        "\"in_turn\", one after the other",
+        kind.name,
+        solved.size())
         .at({{}, 0, "show.plots"});
   }
-  const std::string wrong = kind.why_not(motion);
-  if (!wrong.empty()) throw input_error("'{}' {}", kind.name, wrong).at({{}, 0, "show.plots"});
-  return kind.make(motion);
+  std::vector<Diagram> found;
+  for (const Solved& one : solved) {
+    const Motion& motion = one.simulation.motion;
+    const std::string wrong = kind.why_not(motion);
+    if (!wrong.empty()) throw input_error("'{}' {}", kind.name, wrong).at({{}, 0, "show.plots"});
+    found.push_back(kind.make(motion));
+  }
+  const auto widen = [&](DiagramAxis Diagram::*axis) {
+    double low = (found.front().*axis).low, high = (found.front().*axis).high;
+    for (const Diagram& one : found) {
+      low = std::min(low, (one.*axis).low);
+      high = std::max(high, (one.*axis).high);
+    }
+    for (Diagram& one : found) {
+      (one.*axis).low = low;
+      (one.*axis).high = high;
+    }
+  };
+  widen(&Diagram::across);
+  widen(&Diagram::up);
+  // the level of the energy reaches from edge to edge
+  for (Diagram& one : found) {
+    for (DiagramCurve& curve : one.curves) {
+      if (curve.kind != DiagramCurve::Kind::energy || curve.points.empty()) continue;
+      curve.points.front().x() = one.across.low;
+      curve.points.back().x() = one.across.high;
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -134,7 +165,7 @@ FilmCharts make_charts(const std::vector<Solved>& solved) {
   FilmCharts charts;
   for (const std::string& name : solved.front().scene.show.plots) {
     if (const DiagramKind* kind = find_diagram(name)) {
-      charts.diagrams.push_back(diagram_of(*kind, solved));
+      charts.diagrams.push_back(diagrams_of(*kind, solved));
       continue;
     }
     for (const Recorded& quantity : recorded_quantities()) {

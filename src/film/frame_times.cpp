@@ -46,6 +46,13 @@ void refuse_steps_behind(const Loop& loop, const Scene& scene) {
 }  // namespace
 
 std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<StoryStep>& story) {
+  for (std::size_t i = 0; scene.in_turn && i < story.size(); ++i) {
+    if (story[i].at <= scene.motion.duration) continue;
+    throw input_error("must be a time within each panel's motion, 0 to {} s, got {}",
+                      scene.motion.duration,
+                      story[i].at)
+        .at({{}, 0, fmt::format("story[{}].at", i)});
+  }
   std::vector<StoryStep> whole = story;
   for (std::size_t i = 1; scene.in_turn && i < scene.panels.size(); ++i) {
     for (StoryStep step : story) {

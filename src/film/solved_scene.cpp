@@ -7,7 +7,6 @@
 
 #include "film/error_places.h"
 #include "frame/compose.h"
-#include "motion/convoy.h"
 #include "motion/ensemble.h"
 
 namespace polhode {
@@ -77,23 +76,21 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
                                    const Warn& warn) {
   const std::vector<MotionSpec> specs = ensemble_of(model, scene.motion);
   const NumericsSpec numerics = numerics_of_truth(scene);
-  std::vector<std::optional<Simulation>> found(specs.size());
-  parallel_in_convoys(static_cast<long>(specs.size()), 0, [&](long i) {
-    const auto k = static_cast<std::size_t>(i);
+  const std::vector<Simulation> found = [&] {
     try {
-      found[k] = simulate(model, specs[k], numerics, accuracy);
+      return simulate_ensemble(model, specs, numerics, accuracy);
     } catch (const Error& error) {
       throw Error(
           error.fault(),
           fmt::format("a motion beside that of the scene cannot be computed: {}", error.message()),
           {{}, 0, "motion.ensemble"});
     }
-  });
+  }();
   std::vector<Motion> motions;
   std::size_t doubted = 0;
-  for (const std::optional<Simulation>& one : found) {
-    motions.push_back(one->motion);
-    if (!one->report.reliability.doubts.empty()) ++doubted;
+  for (const Simulation& one : found) {
+    motions.push_back(one.motion);
+    if (!one.report.reliability.doubts.empty()) ++doubted;
   }
   if (doubted > 0) {
     warn(fmt::format("{} of its {} motions cannot be trusted", doubted, motions.size()),

@@ -175,9 +175,9 @@ struct Film::Layout {
 struct Film::WithFonts {
   FilmCharts asked;
   std::once_flag once;
-  std::vector<std::unique_ptr<const DiagramPicture>> diagrams;
-  std::unique_ptr<const PlotStack> plots;  // null: none
-  std::vector<LabelTracks> tracks;         // of each panel; none without labels
+  std::vector<std::vector<std::unique_ptr<const DiagramPicture>>> diagrams;  // as asked
+  std::unique_ptr<const PlotStack> plots;                                    // null: none
+  std::vector<LabelTracks> tracks;  // of each panel; none without labels
 };
 
 Film::Film(std::vector<FilmPanel> panels,
@@ -213,8 +213,11 @@ const Film::WithFonts& Film::with_fonts() const {
                                             static_cast<int>(asked.diagrams.size()),
                                             static_cast<int>(asked.plots.size()));
     for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
-      with_fonts_->diagrams.push_back(std::make_unique<const DiagramPicture>(
-          asked.diagrams[i], places.diagrams[i], type, theme, *typesetter_));
+      auto& pictures = with_fonts_->diagrams.emplace_back();
+      for (const Diagram& diagram : asked.diagrams[i]) {
+        pictures.push_back(std::make_unique<const DiagramPicture>(
+            diagram, places.diagrams[i], type, theme, *typesetter_));
+      }
     }
     if (asked.plots.empty()) return;
     with_fonts_->plots = std::make_unique<const PlotStack>(
@@ -251,10 +254,9 @@ std::vector<Film::Shown> Film::shown_at(double film) const {
 }
 
 Film::Page Film::page_at(double film) const {
-  const double t = timeline().motion_time(film);
   Page page;
   // the text that keeps its place comes first: labels give way to it
-  add_charts(t, page);
+  add_charts(film, page);
   page.picture.stamps.insert(page.picture.stamps.end(), seams_.begin(), seams_.end());
   if (is_divided()) {
     add_bars(film, page);
@@ -309,16 +311,21 @@ TextRoom Film::add_text(TextRole role,
   return ink;
 }
 
-void Film::add_charts(double t, Page& page) const {
+void Film::add_charts(double film, Page& page) const {
   if (areas_.plots.empty()) return;
   const WithFonts& charts = with_fonts();
   page.placed.rooms.push_back(room_of(areas_.plots));
-  for (const auto& diagram : charts.diagrams) {
-    diagram->draw(t, page.picture.stamps);
-    const std::vector<PlacedText>& texts = diagram->texts();
+  // of the panel whose turn it is
+  const Shown shown = shown_at(film).front();
+  const double own_t = panels_[shown.panel].composer->timeline().motion_time(shown.film);
+  for (const auto& of_panels : charts.diagrams) {
+    const DiagramPicture& diagram = *of_panels[std::min(shown.panel, of_panels.size() - 1)];
+    diagram.draw(own_t, page.picture.stamps);
+    const std::vector<PlacedText>& texts = diagram.texts();
     page.placed.texts.insert(page.placed.texts.end(), texts.begin(), texts.end());
   }
   if (charts.plots == nullptr) return;
+  const double t = timeline().motion_time(film);
   charts.plots->draw(t, page.picture.stamps);
   for (PlacedText& text : charts.plots->texts(t))
     page.placed.texts.push_back(std::move(text));

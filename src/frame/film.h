@@ -44,9 +44,10 @@ struct PlacedPage {
   std::vector<TextRoom> marks;    // what labels must not cover: heads of arrows, marked points
 };
 
-// What stands beside the panels: diagrams, and below them plots over time.
+// What stands beside the panels: diagrams, and below them plots over time. Where panels follow one
+// another, each diagram is one for each of them, else it is one.
 struct FilmCharts {
-  std::vector<Diagram> diagrams;
+  std::vector<std::vector<Diagram>> diagrams;
   std::vector<FilmPlot> plots;
 
   int count() const { return static_cast<int>(diagrams.size() + plots.size()); }
@@ -92,7 +93,7 @@ class Film {
   const Timeline& timeline() const;
   // Whether the frame is divided, so that its text stands in bars.
   bool is_divided() const;
-  void add_charts(double t, Page& page) const;
+  void add_charts(double film, Page& page) const;
   void add_frame_text(double film, Page& page) const;
   void add_bars(double film, Page& page) const;
   // Returns where they end, px of the frame.

@@ -61,22 +61,24 @@ Conditioning conditioning_of(
     double roundings,
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve) {
-  std::vector<std::shared_ptr<const Trajectory>> others;
-  others.reserve(neighbours.starts.size());
+  std::vector<double> even;
+  for (int i = 1; i <= kTimesOfNeighbours; ++i)
+    even.push_back(duration * i / kTimesOfNeighbours);
+  const std::vector<double> times = cheap_times(motion, even);
+  const std::vector<State> here = motion.at_each(times);
+  std::vector<std::vector<State>> there;
   for (const State& start : neighbours.starts)
-    others.push_back(solve(start));
+    there.push_back(solve(start)->at_each(times));
   const double factor = roundings * kRounding / neighbours.size;
   Conditioning found;
-  for (int i = 1; i <= kTimesOfNeighbours; ++i) {
-    const double t = duration * i / kTimesOfNeighbours;
-    const State here = motion.at(t);
-    for (const std::shared_ptr<const Trajectory>& other : others) {
-      const double effect = deviation(model, here, other->at(t)) * factor;
-      if (!(effect <= found.effect)) found.effect = effect;
-    }
+  LargestDeviation largest(model);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (const std::vector<State>& other : there)
+      largest.look_at(here[i], other[i]);
+    found.effect = largest.value() * factor;
     if (!found.exceeds_limit && !(found.effect <= limit)) {
       found.exceeds_limit = true;
-      found.exceeded_at = t;
+      found.exceeded_at = times[i];
     }
   }
   return found;

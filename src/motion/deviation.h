@@ -13,11 +13,30 @@ namespace polhode {
 // / mass). NaN if an attitude or, with six degrees of freedom, a position is NaN.
 double deviation(const BodyModel& model, const State& a, const State& b);
 
+// The largest deviation() of many pairs of states. Keeps a reference to the model.
+class LargestDeviation {
+ public:
+  explicit LargestDeviation(const BodyModel& model) : model_(model) {}
+  void look_at(const State& a, const State& b);
+  // So far; 0 of no pair, NaN if one of them is NaN.
+  double value() const { return value_; }
+
+ private:
+  const BodyModel& model_;
+  double value_ = 0.0;
+  double sine_ = 0.0;  // square of the sine of half the largest angle
+};
+
 // The largest deviation() of two motions at these times (s); NaN if one of them is NaN.
 double largest_deviation(const BodyModel& model,
                          const Trajectory& a,
                          const Trajectory& b,
                          const std::vector<double>& times);
+
+// The times (s, ascending) moved to where the states of `motion` cost nothing, except the last;
+// each once. Where few would be left, because it rests or takes long steps, as they are: the motion
+// that it is compared with may move more.
+std::vector<double> cheap_times(const Trajectory& motion, const std::vector<double>& times);
 
 // Times (s) in ascending order: 0, one at random in each of `parts` equal parts of the duration
 // (s), and the duration. Equal distances, and multiples of an irrational number too, may meet a

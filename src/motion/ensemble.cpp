@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "motion/ensemble.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "base/error.h"
 #include "math/so3.h"
+#include "motion/convoy.h"
 #include "motion/motion.h"
 
 namespace polhode {
@@ -49,6 +53,28 @@ std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& sp
     members.push_back(std::move(member));
   }
   return members;
+}
+
+std::vector<Simulation> simulate_ensemble(const BodyModel& model,
+                                          const std::vector<MotionSpec>& members,
+                                          const NumericsSpec& numerics,
+                                          double accuracy_rad,
+                                          int jobs) {
+  const auto count = static_cast<long>(members.size());
+  std::vector<std::optional<Simulation>> found(members.size());
+  const auto solve = [&](long i) {
+    const auto k = static_cast<std::size_t>(i);
+    const SimulationReport* neighbour = i < kLanes ? nullptr : &found[0]->report;
+    found[k] = simulate(model, members[k], numerics, accuracy_rad, {}, neighbour);
+  };
+  const long first = std::min<long>(count, kLanes);
+  parallel_in_convoys(first, jobs, solve);
+  parallel_in_convoys(count - first, jobs, [&](long i) { solve(first + i); });
+  std::vector<Simulation> motions;
+  motions.reserve(members.size());
+  for (std::optional<Simulation>& one : found)
+    motions.push_back(std::move(*one));
+  return motions;
 }
 
 }  // namespace polhode

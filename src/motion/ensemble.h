@@ -6,6 +6,7 @@
 
 #include "model/body_model.h"
 #include "motion/motion_spec.h"
+#include "motion/simulate.h"
 
 namespace polhode {
 
@@ -16,5 +17,15 @@ namespace polhode {
 // as start_state does, and with motion.ensemble as key for an ensemble whose starts are all the
 // same.
 std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& spec);
+
+// The motions of `members`, which begin near each other, on all processors (motion/convoy.h) or as
+// many threads as `jobs` says. The first kLanes are computed as any motion; what the first of them
+// needed tells where the refinement of the others begins, so that few of their runs are in vain.
+// Other arguments and errors are those of simulate().
+std::vector<Simulation> simulate_ensemble(const BodyModel& model,
+                                          const std::vector<MotionSpec>& members,
+                                          const NumericsSpec& numerics,
+                                          double accuracy_rad,
+                                          int jobs = 0);
 
 }  // namespace polhode

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "base/check.h"
@@ -24,10 +26,69 @@ void look_up(const Effort& effort, double part) {
   if (effort.watch) effort.watch(part);
 }
 
+// A list of states, of which only the numbers that the model has are kept.
+class KeptStates {
+ public:
+  explicit KeptStates(const BodyModel& model)
+      : width_(model.loads.gimbals      ? 19
+               : model.with_translation ? 13
+                                        : 7) {}
+
+  void reserve(long count) { numbers_.reserve(static_cast<std::size_t>(count) * width_); }
+  long size() const { return static_cast<long>(numbers_.size() / width_); }
+
+  void push_back(const State& s) {
+    const auto add = [this](const auto& vector) {
+      numbers_.insert(numbers_.end(), vector.data(), vector.data() + vector.size());
+    };
+    add(s.q.coeffs());
+    add(s.y);
+    if (width_ >= 13) {
+      add(s.place_S);
+      add(s.linear_momentum_S);
+    }
+    if (width_ < 19) return;
+    add(s.rings.angles);
+    add(s.rings.rates);
+  }
+
+  State operator[](long index) const {
+    const double* from = numbers_.data() + static_cast<std::size_t>(index) * width_;
+    const auto three = [from](int first) -> Vec3 {
+      return Eigen::Map<const Vec3>(from + first);
+    };
+    State s;
+    s.q.coeffs() = Eigen::Map<const Eigen::Vector4d>(from);
+    s.y = three(4);
+    if (width_ >= 13) {
+      s.place_S = three(7);
+      s.linear_momentum_S = three(10);
+    }
+    if (width_ == 19) s.rings = {three(13), three(16)};
+    return s;
+  }
+
+  // leaves every second
+  void thin_out() {
+    const auto width = static_cast<std::ptrdiff_t>(width_);
+    auto to = numbers_.begin();
+    for (auto from = to; from < numbers_.end(); from += std::min(2 * width, numbers_.end() - from))
+      to = std::copy(from, from + width, to);
+    numbers_.erase(to, numbers_.end());
+  }
+
+ private:
+  std::size_t width_;  // numbers of a state
+  std::vector<double> numbers_;
+};
+
 // Grid times t_0 = 0 < t_1 < ... ; the state at every `stride`-th of them.
 class GridTrajectory final : public Trajectory {
  public:
-  explicit GridTrajectory(std::unique_ptr<Stepper> method) : stepper(std::move(method)) {}
+  GridTrajectory(const StepperInfo& method, const BodyModel& model, const State& start)
+      : stepper(method.make(model, momentum_scale(model, start))), states(model) {
+    states.push_back(start);
+  }
 
   // uniform grids store no times
   double time(long index) const {
@@ -35,30 +96,60 @@ class GridTrajectory final : public Trajectory {
   }
 
   State at(double t) const override {
-    // last grid time not after t, then the last kept state not after that
-    long index = 0;
-    if (times.empty()) {
-      index = std::clamp(static_cast<long>(std::floor(t / h)), 0L, last);
-      if (time(index) > t && index > 0) --index;
-    } else {
-      index = last_time_until(t);
-    }
-    const long kept = std::min(index / stride, static_cast<long>(states.size()) - 1);
-
-    // walk the grid as it was walked before, then take the partial step
-    State s = states[static_cast<std::size_t>(kept)];
-    const long walk_from = kept * stride;
-    if (walk_from == index && time(index) == t) return s;
-    for (long i = walk_from; i < index; ++i)
-      stepper->step(time(i), step_length(i), s);
-    const double rest = t - time(index);
-    if (rest != 0.0) stepper->step(time(index), rest, s);
+    const long index = last_grid_time(t);
+    State s = grid_state(index);
+    if (time(index) != t) stepper->step(time(index), t - time(index), s);
     return s;
   }
 
-  // of an adaptive grid, whose steps are seldom far from even: a guess, and steps from it that grow
-  long last_time_until(double t) const {
-    const auto guess = static_cast<long>(t / times.back() * static_cast<double>(last));
+  std::vector<State> at_each(const std::vector<double>& asked) const override {
+    std::vector<State> found;
+    std::vector<Leap> leaps;
+    found.reserve(asked.size());
+    leaps.reserve(asked.size());
+    long index = 0;
+    for (const double t : asked) {
+      index = last_grid_time(t, index);
+      found.push_back(grid_state(index));
+      if (time(index) != t) leaps.push_back({time(index), t - time(index), &found.back()});
+    }
+    stepper->leap(leaps.data(), static_cast<int>(leaps.size()));
+    return found;
+  }
+
+  // even grids would meet a motion always in the same phases
+  std::vector<double> kept_times(const std::vector<double>& asked) const override {
+    if (times.empty()) return asked;
+    std::vector<double> kept(asked.size());
+    long index = 0;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      index = last_time_until(asked[i], index);
+      kept[i] = time(last_kept(index));
+    }
+    return kept;
+  }
+  long last_kept(long index) const { return std::min(index / stride, states.size() - 1) * stride; }
+
+  // the index of the last grid time not after t, which may be near another
+  long last_grid_time(double t, std::optional<long> near = {}) const {
+    if (!times.empty()) return last_time_until(t, near);
+    const long index = std::clamp(static_cast<long>(std::floor(t / h)), 0L, last);
+    return time(index) > t && index > 0 ? index - 1 : index;
+  }
+
+  // from the last kept state, the grid is walked as it was walked before
+  State grid_state(long index) const {
+    const long kept = last_kept(index);
+    State s = states[kept / stride];
+    for (long i = kept; i < index; ++i)
+      stepper->step(time(i), step_length(i), s);
+    return s;
+  }
+
+  // Of an adaptive grid: a guess, by default that steps are even, and steps from it that grow.
+  long last_time_until(double t, std::optional<long> near = {}) const {
+    const long guess =
+        near.value_or(static_cast<long>(t / times.back() * static_cast<double>(last)));
     long low = std::clamp(guess, 0L, last), high = low + 1;
     for (long way = 1; low > 0 && time(low) > t; way *= 2) {
       high = low;
@@ -76,10 +167,8 @@ class GridTrajectory final : public Trajectory {
   void keep(long index, const State& s) {
     if (index % stride != 0) return;
     states.push_back(s);
-    if (static_cast<long>(states.size()) <= 2 * kMostKeptStates) return;
-    for (std::size_t i = 0; 2 * i < states.size(); ++i)
-      states[i] = states[2 * i];
-    states.resize((states.size() + 1) / 2);
+    if (states.size() <= 2 * kMostKeptStates) return;
+    states.thin_out();
     stride *= 2;
   }
 
@@ -91,7 +180,7 @@ class GridTrajectory final : public Trajectory {
   long last = 0;  // index of the last grid time
   long stride = 1;
   std::vector<double> times;  // adaptive grids only
-  std::vector<State> states;
+  KeptStates states;
 };
 
 }  // namespace
@@ -119,16 +208,15 @@ Integration integrate_fixed(const StepperInfo& method,
   const double steps = std::floor(duration / h * (1.0 + 1e-12));
   const long most = std::min(effort.most_steps, kMostSteps);
   if (steps > static_cast<double>(most)) throw too_many_steps(method, duration, steps, most);
-  auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
+  auto grid = std::make_shared<GridTrajectory>(method, model, start);
   grid->h = h;
   grid->last = static_cast<long>(steps);
   grid->stride = std::max(1L, (grid->last + kMostKeptStates - 1) / kMostKeptStates);
-  grid->states.reserve(static_cast<std::size_t>(grid->last / grid->stride + 1));
+  grid->states.reserve(grid->last / grid->stride + 1);
 
   DriftWatch drift(model, start);
   State s = start;
   drift.look_at(s);
-  grid->states.push_back(s);
   const WalkRecord walk =
       walk_fixed(*grid->stepper, s, h, grid->last, [&](long i, const State& now) {
         if (i % kStepsBetweenLooks == 0) look_up(effort, static_cast<double>(i) * h / duration);
@@ -156,11 +244,13 @@ Integration integrate_adaptive(const StepperInfo& method,
                       kLeastTolerance);
   }
   const long most = std::min(effort.most_steps, kMostSteps / 8);
-  auto grid = std::make_shared<GridTrajectory>(method.make(model, momentum_scale(model, start)));
+  auto grid = std::make_shared<GridTrajectory>(method, model, start);
   DriftWatch drift(model, start);
   State s = start;
+  const long likely = std::min(effort.likely_steps, kMostKeptStates);
+  grid->times.reserve(static_cast<std::size_t>(likely));
+  grid->states.reserve(likely);
   grid->times.push_back(0.0);
-  grid->states.push_back(s);
   const WalkRecord walk = walk_adaptive(
       method,
       *grid->stepper,

@@ -43,6 +43,7 @@ inline constexpr double kLeastTolerance = 1e-16;
 // What a run may cost, and whom it tells how far it is.
 struct Effort {
   long most_steps = kMostSteps;
+  long likely_steps = 0;  // of an adaptive method, for which memory is reserved; 0: unknown
   // called now and then with the part of the duration that is done; may be empty
   std::function<void(double part)> watch = {};
 };

@@ -162,7 +162,9 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
   if (motion.hold == "table") {
     put_on_table(body, motion, model);
   } else if (motion.friction) {
-    throw input_error("is for a body on a table; set motion.hold = \"table\"")
+    throw input_error(
+        "is for a body on a table; set motion.hold = \"table\", or use motion.torque = [{{ kind = "
+        "\"damping\", c = ... }}] for friction of a pivot or of air")
         .at({{}, 0, "motion.friction"});
   }
   return model;

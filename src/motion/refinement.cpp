@@ -27,6 +27,8 @@ constexpr double kNudge = 1e-13;
 // measured on 150 random heavy bodies and ten methods, nine of ten stay below it for the methods
 // that are chosen by themselves.
 constexpr double kRoundingsPerRootOfSteps = 8.0;
+// of a difference: where round-off does no more, finer runs will come closer
+constexpr double kOfRoundOff = 0.01;
 
 // How runs of one method at increasing fineness approach each other.
 class Convergence {
@@ -70,6 +72,68 @@ class Convergence {
   std::optional<double> before_, last_;
 };
 
+// The runs of one refinement.
+class Runs {
+ public:
+  Runs(const StepperInfo& method,
+       const BodyModel& model,
+       const State& start,
+       double duration,
+       long most_steps,
+       const SimulationWatch& watch)
+      : method_(method),
+        model_(model),
+        start_(start),
+        duration_(duration),
+        most_steps_(most_steps),
+        watch_(watch) {}
+
+  Integration integrate(double fineness) { return integrate_from(start_, fineness); }
+
+  double difference(const Integration& coarse, const Integration& fine, unsigned round) const {
+    const std::vector<double> times =
+        cheap_times(*coarse.trajectory, scattered_times(duration_, kTimesOfRuns, round));
+    return largest_deviation(model_, *coarse.trajectory, *fine.trajectory, times);
+  }
+
+  // what round-off does in `steps` steps, by how a neighbour parts from `motion` of this fineness
+  Conditioning round_off(const Integration& motion, double fineness, long steps, double accuracy) {
+    return conditioning_of(
+        model_,
+        *motion.trajectory,
+        duration_,
+        one_neighbour_of(model_, start_, kNudge),
+        kRoundingsPerRootOfSteps * std::sqrt(steps),
+        accuracy,
+        [&](const State& from) { return integrate_from(from, fineness).trajectory; });
+  }
+
+ private:
+  Integration integrate_from(const State& from, double fineness) {
+    ++run_;
+    Effort effort{most_steps_, likely_steps_};
+    if (watch_) {
+      effort.watch = [&](double part) {
+        watch_(run_, part);
+      };
+    }
+    Integration found = integrate_with(method_, model_, from, duration_, fineness, effort);
+    // a finer run takes so many more, and a little
+    const double more = 1.1 * std::pow(kTolerancesApart, 1.0 / method_.order);
+    likely_steps_ = static_cast<long>(more * static_cast<double>(found.record.steps));
+    return found;
+  }
+
+  const StepperInfo& method_;
+  const BodyModel& model_;
+  const State& start_;
+  double duration_;
+  long most_steps_;
+  const SimulationWatch& watch_;
+  int run_ = 0;
+  long likely_steps_ = 0;
+};
+
 }  // namespace
 
 Integration integrate_with(const StepperInfo& method,
@@ -89,7 +153,8 @@ Refined refine(const StepperInfo& method,
                double duration,
                double accuracy,
                long most_steps,
-               const SimulationWatch& watch) {
+               const SimulationWatch& watch,
+               std::optional<double> likely) {
   const double rate = typical_rate(model, start) + 1.0 / duration;
   // no explicit method takes longer steps: what is hopeless is refused before it begins
   constexpr double kLongestStep = 3.0;  // rad
@@ -100,19 +165,10 @@ Refined refine(const StepperInfo& method,
   double fineness = method.adaptive
                         ? accuracy
                         : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
+  if (likely) fineness = *likely / (finer * finer);
   Convergence convergence(method.adaptive ? kTolerancesApart : std::exp2(method.order));
-  int run = 0;
-  const auto integrate = [&](const State& from, double this_fineness) {
-    ++run;
-    Effort effort{most_steps};
-    if (watch) {
-      effort.watch = [&](double part) {
-        watch(run, part);
-      };
-    }
-    return integrate_with(method, model, from, duration, this_fineness, effort);
-  };
-  Integration coarse = integrate(start, fineness);
+  Runs runs(method, model, start, duration, most_steps, watch);
+  Integration coarse = runs.integrate(fineness);
   int stalled = 0;
   for (unsigned round = 0;; ++round) {
     fineness *= finer;
@@ -124,36 +180,29 @@ Refined refine(const StepperInfo& method,
           accuracy,
           duration);
     }
-    Integration fine = integrate(start, fineness);
-    convergence.add(largest_deviation(model,
-                                      *coarse.trajectory,
-                                      *fine.trajectory,
-                                      scattered_times(duration, kTimesOfRuns, round)));
-    if (convergence.is_within(accuracy)) {
-      // the coarser run shows as well how neighbours part
-      const auto solve = [&](const State& from) {
-        return integrate(from, fineness / finer).trajectory;
-      };
-      const Conditioning round_off =
-          conditioning_of(model,
-                          *coarse.trajectory,
-                          duration,
-                          one_neighbour_of(model, start, kNudge),
-                          kRoundingsPerRootOfSteps * std::sqrt(fine.record.steps),
-                          accuracy,
-                          solve);
-      const double total = std::max(convergence.error(), round_off.effect);
-      return {std::move(fine), fineness, total, round_off};
-    }
+    Integration fine = runs.integrate(fineness);
+    convergence.add(runs.difference(coarse, fine, round));
     stalled = convergence.stalls() ? stalled + 1 : 0;
-    if (stalled == 2) {
-      throw input_error(
-          "round-off grows so much in this motion that runs of {} agree only within {:.2g} rad "
-          "over {} s, and {:.3g} rad are asked for; take a shorter duration or a looser accuracy",
-          method.name,
-          convergence.last(),
-          duration,
-          accuracy);
+    const bool is_within = convergence.is_within(accuracy);
+    if (is_within || stalled == 2) {
+      // the coarser run shows as well how neighbours part
+      const Conditioning round_off =
+          runs.round_off(coarse, fineness / finer, fine.record.steps, accuracy);
+      if (is_within) {
+        const double total = std::max(convergence.error(), round_off.effect);
+        return {std::move(fine), fineness, total, round_off};
+      }
+      // runs that are still too coarse for a chaotic motion may seem to stall too
+      if (!(round_off.effect <= kOfRoundOff * convergence.last())) {
+        throw input_error(
+            "round-off grows so much in this motion that runs of {} agree only within {:.2g} rad "
+            "over {} s, and {:.3g} rad are asked for; take a shorter duration or a looser accuracy",
+            method.name,
+            convergence.last(),
+            duration,
+            accuracy);
+      }
+      stalled = 0;
     }
     coarse = std::move(fine);
   }

@@ -2,6 +2,8 @@
 // Refines an integration until the error of its answer is below a given accuracy.
 #pragma once
 
+#include <optional>
+
 #include "motion/conditioning.h"
 #include "motion/grid_trajectory.h"
 
@@ -40,13 +42,14 @@ struct Refined {
 // pair was compared at. duration in s. Throws Error (input), without a key, if the accuracy cannot
 // be reached: because the runs stop converging before, as they do where round-off has grown too
 // much, or because a run needs more than `most_steps`. Throws Error as integrate_with and `watch`
-// do.
+// do. `likely` is a fineness that will probably do, which the third run has.
 Refined refine(const StepperInfo& method,
                const BodyModel& model,
                const State& start,
                double duration,
                double accuracy,
                long most_steps,
-               const SimulationWatch& watch = {});
+               const SimulationWatch& watch = {},
+               std::optional<double> likely = {});
 
 }  // namespace polhode

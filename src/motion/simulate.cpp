@@ -32,6 +32,13 @@ constexpr int kTimesOfDrift = 257;
 // with the one step repeats with the other.
 constexpr double kFinerStep = 0.38196601125010515;
 
+// how a motion is to be integrated, who is told, and what did for a motion that begins nearby
+struct Request {
+  const NumericsSpec& numerics;
+  const SimulationWatch& watch;
+  const SimulationReport* neighbour;  // or null
+};
+
 long most_steps(const NumericsSpec& numerics, long by_default) {
   return numerics.max_steps ? static_cast<long>(*numerics.max_steps) : by_default;
 }
@@ -55,9 +62,9 @@ Integration integrate_by(const StepperInfo& method,
                          const BodyModel& model,
                          const State& start,
                          double duration,
-                         const NumericsSpec& numerics,
-                         const SimulationWatch& watch,
+                         const Request& request,
                          SimulationReport& report) {
+  const auto& [numerics, watch, neighbour] = request;
   report.method = method.name;
   refuse_wrong_fineness(method, numerics);
   const std::optional<double> given = method.adaptive ? numerics.tolerance : numerics.step;
@@ -67,8 +74,8 @@ Integration integrate_by(const StepperInfo& method,
     return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"}, [&] {
       Effort effort{most_steps(numerics, kMostStepsGiven)};
       if (watch) {
-        effort.watch = [&](double part) {
-          watch(1, part);
+        effort.watch = [&told = watch](double part) {
+          told(1, part);
         };
       }
       return integrate_with(method, model, start, duration, *given, effort);
@@ -82,14 +89,18 @@ Integration integrate_by(const StepperInfo& method,
         kLeastAccuracy)
         .at({{}, 0, "numerics.accuracy"});
   }
+  std::optional<double> likely;
+  if (neighbour != nullptr && neighbour->method == method.name)
+    likely = method.adaptive ? neighbour->tolerance : neighbour->step;
   Refined found = at_place({{}, 0, "numerics.accuracy"}, [&] {
     return refine(method,
                   model,
                   start,
                   duration,
                   report.accuracy_rad,
-                  most_steps(numerics, kMostStepsRefined),
-                  watch);
+                  most_steps(request.numerics, kMostStepsRefined),
+                  request.watch,
+                  likely);
   });
   (method.adaptive ? report.tolerance : report.step) = found.fineness;
   report.error_estimate_rad = found.error_estimate;
@@ -181,17 +192,16 @@ Integration integrate_by_cheapest(const BodyModel& model,
                                   const SolutionMethod& chosen,
                                   const State& start,
                                   double duration,
-                                  const NumericsSpec& numerics,
-                                  const SimulationWatch& watch,
+                                  const Request& request,
                                   SimulationReport& report) {
   const std::vector<Candidate> tried =
-      candidates(model, chosen, start, duration, numerics, report.accuracy_rad);
+      candidates(model, chosen, start, duration, request.numerics, report.accuracy_rad);
   // a refusal says what the motion needs; a number that is none, only that steps were too long
   std::optional<Error> refusal;
   for (auto one = tried.begin();; ++one) {
     report.method_reason = one->reason;
     try {
-      return integrate_by(*one->method, model, start, duration, numerics, watch, report);
+      return integrate_by(*one->method, model, start, duration, request, report);
     } catch (const Error& error) {
       if (error.fault() == Fault::interrupted) throw;
       if (error.fault() == Fault::input && !refusal) refusal = error;
@@ -206,11 +216,11 @@ Integration integrate(const BodyModel& model,
                       const SolutionMethod& chosen,
                       const State& start,
                       double duration,
-                      const NumericsSpec& numerics,
-                      const SimulationWatch& watch,
+                      const Request& request,
                       SimulationReport& report) {
+  const NumericsSpec& numerics = request.numerics;
   if (numerics.method == "auto")
-    return integrate_by_cheapest(model, chosen, start, duration, numerics, watch, report);
+    return integrate_by_cheapest(model, chosen, start, duration, request, report);
   report.method_reason = "asked for";
   const StepperInfo& method = at_place({{}, 0, "numerics.method"}, [&]() -> const StepperInfo& {
     const StepperInfo& found = find_stepper(numerics.method);
@@ -218,7 +228,7 @@ Integration integrate(const BodyModel& model,
       throw input_error("{}", wrong);
     return found;
   });
-  return integrate_by(method, model, start, duration, numerics, watch, report);
+  return integrate_by(method, model, start, duration, request, report);
 }
 
 // Without a closed form, a run with a given step or tolerance is held against a finer one: neither
@@ -319,7 +329,8 @@ Simulation simulate(const BodyModel& body,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
                     double accuracy_rad,
-                    const SimulationWatch& watch) {
+                    const SimulationWatch& watch,
+                    const SimulationReport* neighbour) {
   SimulationReport report;
   report.accuracy_rad = accuracy_rad;
   const SolutionMethod& chosen =
@@ -334,7 +345,8 @@ Simulation simulate(const BodyModel& body,
                         report.model_reason)
           .at({{}, 0, "numerics.method"});
     }
-    Integration found = integrate(model, chosen, start, motion.duration, numerics, watch, report);
+    const Request request{numerics, watch, neighbour};
+    Integration found = integrate(model, chosen, start, motion.duration, request, report);
     report.record = found.record;
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
     doubt_given_fineness(model, start, motion.duration, numerics, watch, found, report);

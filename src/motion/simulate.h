@@ -48,11 +48,14 @@ struct Simulation {
 // handle the scene, numerics.step or numerics.tolerance if they do not suit the method, and
 // numerics.accuracy if it cannot be reached; (check_failed) if the motion becomes NaN or the
 // equations of an implicit step have no solution; (interrupted) if the program is interrupted;
-// and what `watch` throws, which is not told of closed forms.
+// and what `watch` throws, which is not told of closed forms. `neighbour` tells of a motion of this
+// duration that begins nearby: where this one is refined with the same method, it begins two runs
+// before what did there.
 Simulation simulate(const BodyModel& model,
                     const MotionSpec& motion,
                     const NumericsSpec& numerics,
                     double accuracy_rad,
-                    const SimulationWatch& watch = {});
+                    const SimulationWatch& watch = {},
+                    const SimulationReport* neighbour = nullptr);
 
 }  // namespace polhode

@@ -5,6 +5,11 @@
 
 namespace polhode {
 
+void Stepper::leap(const Leap* leaps, int count) const {
+  for (const Leap* one = leaps; one != leaps + count; ++one)
+    step(one->t, one->h, *one->s);
+}
+
 double Stepper::step_with_error(double, double, State&, Work&) const {
   CHECK(false && "only adaptive methods estimate their error");
   return 0.0;

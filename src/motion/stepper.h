@@ -62,6 +62,12 @@ struct Stretch {
   int tried = 0;  // these and others
 };
 
+// A step of h (s) from the time t (s), which advances s.
+struct Leap {
+  double t, h;
+  State* s;
+};
+
 // A method applied to one model. Takes steps of any length but zero and of any sign; the result
 // depends on the arguments only. Immutable, so threads may share it. A step does not allocate
 // memory, except that of the kick methods if it turns an asymmetric body by more than 8 rad
@@ -77,6 +83,8 @@ class Stepper {
     Work uncounted;
     step(t, h, s, uncounted);
   }
+  // Takes `count` steps that have nothing to do with each other, each as step() would.
+  virtual void leap(const Leap* leaps, int count) const;
   // For adaptive methods only; aborts for others. Does the same as step() and returns an estimate
   // of the local error, the larger of |error of q| and |error of y| / momentum_scale()
   // (motion/scales.h; with six degrees of freedom also the scaled errors of place and linear

@@ -156,11 +156,12 @@ const std::vector<StepperInfo>& stepper_table() {
 }
 
 const StepperInfo& find_stepper(const std::string& name) {
-  std::vector<std::string> names;
   for (const StepperInfo& row : stepper_table()) {
     if (row.name == name) return row;
-    names.push_back(row.name);
   }
+  std::vector<std::string> names;
+  for (const StepperInfo& row : stepper_table())
+    names.push_back(row.name);
   throw input_error("unknown method '{}'{}", name, suggestion(name, names));
 }
 

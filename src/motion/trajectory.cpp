@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/system/wide_registers.h"
+#include "motion/steppers/derivative.h"
+
 namespace polhode {
 namespace {
 
@@ -25,11 +28,44 @@ Moving moving_of(const BodyModel& model, const State& s) {
   return {s.q, s.y, s.place_S, s.linear_momentum_S / model.body.mass};
 }
 
+std::array<double, 7> numbers_of(const State& s) {
+  return {s.q.x(), s.q.y(), s.q.z(), s.q.w(), s.y.x(), s.y.y(), s.y.z()};
+}
+
+// a NaN, once seen, is kept: nothing is greater than it
+void keep_larger(std::optional<double>& worst, const std::optional<double>& drift) {
+  if (!worst || !drift) return;
+  if (std::abs(*drift) > *worst || std::isnan(*drift)) worst = std::abs(*drift);
+}
+
+// the invariants of several states, each column one
+template <class Columns, std::size_t kCount>
+POLHODE_WIDE_REGISTERS void find_invariants(const HeavyBody<double>& body,
+                                            const Columns& v,
+                                            std::array<double, kCount>& energies,
+                                            std::array<double, kCount>& momenta) {
+  for (std::size_t k = 0; k < kCount; ++k) {
+    const std::array<double, 7> of_one = {
+        v[0][k], v[1][k], v[2][k], v[3][k], v[4][k], v[5][k], v[6][k]};
+    const HeavyInvariants<double> found = heavy_invariants(body, of_one.data());
+    energies[k] = found.energy;
+    momenta[k] = found.momentum;
+  }
+}
+
 double or_one(double scale) {
   return scale > 0.0 ? scale : 1.0;
 }
 
 }  // namespace
+
+std::vector<State> Trajectory::at_each(const std::vector<double>& times) const {
+  std::vector<State> states;
+  states.reserve(times.size());
+  for (const double t : times)
+    states.push_back(at(t));
+  return states;
+}
 
 DriftWatch::DriftWatch(const BodyModel& model, const State& start)
     : model_(model),
@@ -44,6 +80,11 @@ DriftWatch::DriftWatch(const BodyModel& model, const State& start)
   if (keeps_momentum(model)) worst_.momentum = 0.0;
   if (!model.table) {
     if (keeps_energy(model)) worst_.energy = 0.0;
+    if (model.loads.turning.empty() && !model.loads.gimbals && !model.with_translation &&
+        model.chi_P.squaredNorm() > 0.0) {
+      const HeavyBody<double> body = heavy_body(model);
+      heavy_ = {body, heavy_invariants(body, numbers_of(start).data())};
+    }
     return;
   }
   worst_.energy = 0.0;
@@ -59,17 +100,41 @@ DriftWatch::DriftWatch(const BodyModel& model, const State& start)
 }
 
 void DriftWatch::look_at(const State& s, const ContactState& contact) {
+  if (heavy_) {
+    const std::array<double, 7> numbers = numbers_of(s);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      heavy_->waiting[i][heavy_->count] = numbers[i];
+    if (++heavy_->count == kAtOnce) look_at_waiting();
+    return;
+  }
   const Drift now = of(s, contact);
-  // a NaN, once seen, is kept: nothing is greater than it
-  const auto keep = [](std::optional<double>& worst, const std::optional<double>& drift) {
-    if (!worst || !drift) return;
-    if (std::abs(*drift) > *worst || std::isnan(*drift)) worst = std::abs(*drift);
-  };
-  keep(worst_.energy, now.energy);
-  keep(worst_.momentum, now.momentum);
+  keep_larger(worst_.energy, now.energy);
+  keep_larger(worst_.momentum, now.momentum);
+}
+
+void DriftWatch::look_at_waiting() {
+  std::array<double, kAtOnce> energies, momenta;
+  find_invariants(heavy_->body, heavy_->waiting, energies, momenta);
+  for (std::size_t i = 0; i < heavy_->count; ++i) {
+    const Drift now = of_heavy({energies[i], momenta[i]});
+    keep_larger(worst_.energy, now.energy);
+    keep_larger(worst_.momentum, now.momentum);
+  }
+  heavy_->count = 0;
+}
+
+Drift DriftWatch::worst() {
+  if (heavy_) look_at_waiting();
+  return worst_;
+}
+
+Drift DriftWatch::of_heavy(const HeavyInvariants<double>& now) const {
+  return {(now.energy - heavy_->at_start.energy) / energy_scale_,
+          std::abs(now.momentum - heavy_->at_start.momentum) / momentum_scale_};
 }
 
 Drift DriftWatch::of(const State& s, const ContactState& contact) const {
+  if (heavy_) return of_heavy(heavy_invariants(heavy_->body, numbers_of(s).data()));
   Drift drift;
   if (worst_.energy) drift.energy = (energy(model_, s) - contact.work - energy_) / energy_scale_;
   if (model_.table) {

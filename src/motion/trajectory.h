@@ -2,12 +2,14 @@
 // The interface that closed forms and integrations share: the state as a function of time.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "model/body_model.h"
 #include "model/contact_invariants.h"
+#include "motion/steppers/lanes.h"
 
 namespace polhode {
 
@@ -25,6 +27,11 @@ class Trajectory {
   // Throws Error (check_failed) if the partial step of an integration has no solution
   // (Stepper::step in motion/stepper.h).
   virtual State at(double t) const = 0;
+  // The states at these times (s), in their order: those of at(), which may cost more one by one.
+  virtual std::vector<State> at_each(const std::vector<double>& times) const;
+  // Each time (s, ascending) moved back to where the state costs nothing to ask for, if there is
+  // such a time shortly before.
+  virtual std::vector<double> kept_times(const std::vector<double>& times) const { return times; }
   // How the body touches the table at t (s), if there is one. Throws as at() does.
   virtual std::optional<ContactState> contact_at(double) const { return {}; }
 };
@@ -47,13 +54,14 @@ class DriftWatch {
  public:
   // start: the state at t = 0, with which others are compared.
   DriftWatch(const BodyModel& model, const State& start);
-  // Takes one more state into account; NaN is kept as the largest drift.
+  // Takes one more state into account; NaN is kept as the largest drift. Bodies with no load but
+  // gravity are looked at by eights.
   void look_at(const State& s, const ContactState& contact = {});
   // The drift of one state; that of energy is signed, that of momentum is not. On a table `contact`
   // tells the work of the table.
   Drift of(const State& s, const ContactState& contact = {}) const;
-  // The largest drift so far, without sign; a reference to a member.
-  const Drift& worst() const { return worst_; }
+  // The largest drift so far, without sign.
+  Drift worst();
 
  private:
   BodyModel model_;
@@ -68,7 +76,21 @@ class DriftWatch {
     double scale;
   };
   std::vector<Watched> watched_;
+  // Of bodies on a pivot with no load but gravity: what they are, and states that were not looked
+  // at yet, as columns.
+  static constexpr std::size_t kAtOnce = 8;
+  using Columns = std::array<std::array<double, kAtOnce>, 7>;
+  struct Heavy {
+    HeavyBody<double> body;
+    HeavyInvariants<double> at_start;
+    Columns waiting = {};
+    std::size_t count = 0;
+  };
+  std::optional<Heavy> heavy_;
   Drift worst_;
+
+  void look_at_waiting();
+  Drift of_heavy(const HeavyInvariants<double>& now) const;
 };
 
 }  // namespace polhode

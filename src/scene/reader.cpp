@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/nearest.h"
+#include "scene/other_words.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
@@ -68,55 +69,6 @@ std::string units_instead(const std::string& name, const KeyList& keys) {
   return "";
 }
 
-// A word that people write, and what it is here.
-struct OtherWord {
-  const char *written, *instead;
-};
-constexpr OtherWord kOtherWords[] = {
-    {"friction",
-     "motion.friction = { kind = \"coulomb\", mu = ... } of a table, or motion.torque = [{ kind = "
-     "\"damping\", c = ... }]"},
-    {"damping", "motion.torque = [{ kind = \"damping\", c = ... }]"},
-    {"drag", "motion.torque = [{ kind = \"damping\", c = ... }]"},
-    {"spring", "motion.torque = [{ kind = \"spring\", k = ... }]"},
-    {"force", "motion.torque = [{ kind = \"force\", space = [x, y, z] }]"},
-    {"bearing",
-     "motion.gimbals.friction, or motion.torque = [{ kind = \"damping\", about = ... }]"},
-    {"rings", "motion.gimbals"},
-    {"earth_rotation", "motion.frame_rotation"},
-    {"rotating_frame", "motion.frame_rotation"},
-    {"coriolis", "motion.frame_rotation"},
-    {"angle", "motion.attitude = { tilt_deg = 30 }"},
-    {"angles", "motion.attitude = { zxz_deg = [phi, theta, psi] }"},
-    {"orientation", "motion.attitude"},
-    {"rotation", "motion.spin, or motion.attitude"},
-    {"omega", "motion.spin = { body = [x, y, z] }"},
-    {"angular_velocity", "motion.spin = { body = [x, y, z] }"},
-    {"angular_momentum", "motion.spin = { momentum_body = [x, y, z] }"},
-    {"hz", "motion.spin = { body_hz = [0, 0, 1] } for one turn a second"},
-    {"rpm", "motion.spin = { body_rpm = [0, 0, rpm] }"},
-    {"inertia", "body.moments or body.tensor"},
-    {"shape", "body.solid = { kind = ... }"},
-    {"time", "motion.duration"},
-    {"length", "motion.duration"},
-    {"speed", "video.time_scale"},
-    {"slow_motion", "video.time_scale"},
-    {"resolution", "video.size"},
-    {"framerate", "video.fps"},
-    {"colour", "color of a solid, or video.theme"},
-    {"shadow", "show.floor"},
-    {"grid", "show.floor"},
-};
-
-// what such a word is here, whatever its unit; empty: it is none
-std::string instead_of(const std::string& name) {
-  for (const OtherWord& word : kOtherWords) {
-    if (name == word.written || name.starts_with(std::string(word.written) + "_"))
-      return word.instead;
-  }
-  return "";
-}
-
 void refuse_unknown(const Place& place,
                     const std::string& name,
                     const KeyList& keys,
@@ -124,19 +76,19 @@ void refuse_unknown(const Place& place,
   const std::string near = nearest_name(name, keys.all_spellings());
   const std::vector<std::string> elsewhere = tables_with(name, root);
   const std::string other_units = units_instead(name, keys);
-  const std::string instead = instead_of(name);
+  const std::string instead = instead_hint(name);
   std::string message = "unknown key";
   if (!elsewhere.empty()) {
     message += fmt::format(" here; '{}' is a key of {}", name, fmt::join(elsewhere, " and "));
     if (!instead.empty()) {
-      message += fmt::format(" (here it is {})", instead);
+      message += instead;
     } else if (!near.empty()) {
       message += fmt::format(" (or did you mean '{}'?)", near);
     }
   } else if (!other_units.empty()) {
     message += other_units;
   } else if (!instead.empty()) {
-    message += fmt::format(" (here it is {})", instead);
+    message += instead;
   } else if (!near.empty()) {
     message += fmt::format(" (did you mean '{}'?)", near);
   } else {
@@ -207,6 +159,11 @@ void check_required(const toml::table& table, const Place& place, const KeyList&
 }
 
 }  // namespace
+
+void refuse_no_table(const Found& found) {
+  const std::string& key = found.place.key;
+  refuse_type(found, "a table", instead_hint(key.substr(key.rfind('.') + 1)));
+}
 
 void check_keys(const toml::table& table,
                 const Place& place,

@@ -20,6 +20,10 @@ void check_keys(const toml::table& table,
                 const KeyList& keys,
                 const KeyList& root);
 
+// Throws Error (input) for a value that is no table; the message says what else the word of its key
+// may be.
+[[noreturn]] void refuse_no_table(const Found& found);
+
 // The value of a key in any of its spellings, which refers to the table; absent if the key is.
 std::optional<Found> find_key(const toml::table& table,
                               const Place& place,
@@ -65,7 +69,7 @@ class Reader {
   template <class... Specs>
   void read_tables(const Found& found, Specs&... specs) {
     const toml::table* table = found.node.as_table();
-    if (table == nullptr) refuse_type(found, "a table");
+    if (table == nullptr) refuse_no_table(found);
     check_keys(*table, found.place, keys_of<Specs...>(), root_);
     Reader inside(*table, found.place, root_);
     (fields(inside, specs), ...);

@@ -9,6 +9,7 @@
 #include "base/color.h"
 #include "base/nearest.h"
 #include "scene/keys.h"
+#include "scene/other_words.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
@@ -155,7 +156,8 @@ void read_value(const Found& found, const Doc& doc, std::string& value) {
   }
   if (!doc.choices.empty() &&
       std::find(doc.choices.begin(), doc.choices.end(), value) == doc.choices.end()) {
-    refuse(found, fmt::format("'{}' is not known{}", cut(value), suggestion(value, doc.choices)));
+    const std::string hint = suggestion(value, doc.choices) + instead_hint(value);
+    refuse(found, fmt::format("'{}' is not known{}", cut(value), hint));
   }
   if (!doc.color) return;
   at_place(found.place, [&] { parse_color(value); });

@@ -112,7 +112,7 @@ void ensembles(const BodyModel& model, const MotionSpec& motion, double accuracy
       fmt::format("ensemble within {:g} rad, {:g} s", accuracy_rad, motion.duration),
       static_cast<int>(count),
       [&] { parallel_for(count, 1, solve); },
-      [&] { parallel_in_convoys(count, 1, solve); });
+      [&] { simulate_ensemble(model, members, NumericsSpec{}, accuracy_rad, 1); });
 }
 
 void sections(const BodyModel& model, const State& start) {

@@ -79,7 +79,8 @@ TEST(FilmPlots, DiagramsStandBesideThem) {
   const FilmCharts charts = make_charts({asked});
   EXPECT_EQ(charts.plots.size(), 1U);
   ASSERT_EQ(charts.diagrams.size(), 2U);
-  EXPECT_EQ(charts.diagrams[0].title, "phase portrait");
+  ASSERT_EQ(charts.diagrams[0].size(), 1U);
+  EXPECT_EQ(charts.diagrams[0][0].title, "phase portrait");
 
   asked.scene.show.plots = {"polhode_map"};
   test::expect_input_error([&] { make_charts({asked}); },
@@ -87,6 +88,31 @@ TEST(FilmPlots, DiagramsStandBesideThem) {
                            "'polhode_map' needs a turning body on which no torque");
   asked.scene.show.plots = {"phase"};
   test::expect_input_error([&] { make_charts({asked, asked}); }, "show.plots", "2 panels");
+}
+
+// one for each, on the same axes, with its own point
+TEST(FilmPlots, DiagramsOfPanelsInTurnFollowOneAnother) {
+  Solved slow = solve(load_scene(test::scene_path("nutation_plots")));
+  Scene faster = slow.scene;
+  faster.motion.spin.rates->z() *= 1.5;
+  Solved fast = solve(faster);
+  for (Solved* one : {&slow, &fast}) {
+    one->scene.show.plots = {"potential"};
+    one->scene.in_turn = true;
+  }
+  const FilmCharts charts = make_charts({slow, fast});
+  EXPECT_EQ(charts.count(), 1);
+  ASSERT_EQ(charts.diagrams.at(0).size(), 2U);
+  const Diagram &first = charts.diagrams[0][0], &second = charts.diagrams[0][1];
+  EXPECT_EQ(first.across.low, second.across.low);
+  EXPECT_EQ(first.across.high, second.across.high);
+  EXPECT_EQ(first.up.high, second.up.high);
+  const auto tilt = [](const Motion& motion, double t) {
+    return angle_between(motion.at(t).q_SB * Vec3::UnitZ(), Vec3::UnitZ()) / kDegree;
+  };
+  EXPECT_NEAR(first.now(0.03).x(), tilt(slow.simulation.motion, 0.03), 1e-9);
+  EXPECT_NEAR(second.now(0.03).x(), tilt(fast.simulation.motion, 0.03), 1e-9);
+  EXPECT_GT(std::abs(first.now(0.03).x() - second.now(0.03).x()), 0.01);
 }
 
 }  // namespace

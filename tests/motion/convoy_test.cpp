@@ -121,6 +121,30 @@ TEST(Convoy, SimulationsEndAsTheyDoAlone) {
   }
 }
 
+// steps of one motion that have nothing to do with each other: as many as registers and more
+TEST(Convoy, LeapsAreSteps) {
+  for (const Traveller& one : travellers(5)) {
+    const std::unique_ptr<Stepper> stepper = find_stepper("dop853").make(one.problem.model, 1.0);
+    for (const int count : {0, 1, 3, 8, 13, 150}) {
+      std::vector<State> states(static_cast<std::size_t>(count)), alone;
+      std::vector<Leap> leaps;
+      for (State& s : states) {
+        const double h = 0.003 * (static_cast<double>(leaps.size()) - 40.5);
+        s = one.problem.start;
+        s.y.x() += 10.0 * h;
+        alone.push_back(s);
+        stepper->step(0.0, h, alone.back());
+        leaps.push_back({0.0, h, &s});
+      }
+      stepper->leap(leaps.data(), count);
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        EXPECT_EQ(states[i].q.coeffs(), alone[i].q.coeffs());
+        EXPECT_EQ(states[i].y, alone[i].y);
+      }
+    }
+  }
+}
+
 // one that is not a number fails as it does alone, and the others arrive
 TEST(Convoy, AMotionThatFailsSaysWhatItSaysAlone) {
   std::vector<Traveller> all = travellers(9);

@@ -59,6 +59,34 @@ TEST(Deviation, LargestOfTwoMotions) {
       std::isnan(largest_deviation(model, Turning(1.0), Turning(1.0, 1.5), {0.0, 2.0, 1.0})));
 }
 
+// keeps its state at every multiple of a step
+class Stepping final : public Trajectory {
+ public:
+  explicit Stepping(double step) : step_(step) {}
+  State at(double) const override { return {}; }
+  std::vector<double> kept_times(const std::vector<double>& times) const override {
+    std::vector<double> kept;
+    for (const double t : times)
+      kept.push_back(step_ * std::floor(t / step_));
+    return kept;
+  }
+
+ private:
+  double step_;
+};
+
+TEST(CheapTimes, AreThoseThatAMotionKeepsIfItKeepsEnough) {
+  const std::vector<double> times = {0.0, 0.3, 0.4, 1.3, 2.9, 3.1, 3.5};
+  EXPECT_EQ(cheap_times(Stepping(1.0), times), (std::vector<double>{0, 1, 2, 3, 3.5}));
+  EXPECT_EQ(cheap_times(Stepping(100.0), times), (std::vector<double>{0, 3.5}));
+  std::vector<double> many(100);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    many[i] = 0.01 * static_cast<double>(i);
+  EXPECT_EQ(cheap_times(Stepping(0.1), many), many);
+  EXPECT_EQ(cheap_times(Turning(1.0), times), times);
+  EXPECT_TRUE(cheap_times(Stepping(1.0), {}).empty());
+}
+
 TEST(ScatteredTimes, FillTheDurationAndHaveNoPeriod) {
   const std::vector<double> times = scattered_times(12.0, 100);
   ASSERT_EQ(times.size(), 102U);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "math/so3.h"
+#include "motion/deviation.h"
 #include "support/expect_error.h"
 #include "support/motions.h"
+#include "support/tops.h"
 
 namespace polhode {
 namespace {
@@ -50,6 +52,58 @@ TEST(Ensemble, EachBallIsForItself) {
   }
   for (const MotionSpec& member : ensemble_of(model, spec_with(0.0, 0.1)))
     EXPECT_LT(rotation_angle_between(start_state(model, member).q, start.q), 1e-12);
+}
+
+// The scalar core is the judge: each member by itself, which is integrated by another method and
+// knows of no other. Neither is off by more than the accuracy.
+TEST(Ensemble, TogetherMotionsAreWhatTheyAreAlone) {
+  constexpr double kAccuracy = 1e-7;
+  const BodyModel model = test::heavy_asymmetric().model;
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.duration = 6.0;
+  spec.spin.body = Vec3(1.0, 0.4, 2.0);
+  spec.ensemble = EnsembleSpec{21, 0.05, 0.02};
+  const std::vector<MotionSpec> members = ensemble_of(model, spec);
+  const std::vector<Simulation> together = simulate_ensemble(model, members, {}, kAccuracy, 2);
+  ASSERT_EQ(together.size(), members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Simulation alone = simulate(model, members[i], {}, kAccuracy);
+    EXPECT_TRUE(together[i].report.reliability.doubts.empty());
+    EXPECT_LE(together[i].report.error_estimate_rad.value(), kAccuracy);
+    double apart = 0.0;
+    for (const double t : scattered_times(spec.duration, 100, 3))
+      apart = std::max(apart,
+                       deviation(model, together[i].motion.state_at(t), alone.motion.state_at(t)));
+    EXPECT_LE(apart, 2.0 * kAccuracy);
+    // the same bits as alone from where the first one ended
+    NumericsSpec numerics;
+    numerics.method = together[i].report.method;
+    const SimulationReport* neighbour = i < 8 ? nullptr : &together[0].report;
+    const Simulation again = simulate(model, members[i], numerics, kAccuracy, {}, neighbour);
+    EXPECT_EQ(again.report.tolerance, together[i].report.tolerance);
+    EXPECT_EQ(again.report.error_estimate_rad, together[i].report.error_estimate_rad);
+    EXPECT_EQ(again.motion.state_at(5.5).y, together[i].motion.state_at(5.5).y);
+  }
+}
+
+// runs that are too coarse for a chaotic motion are no closer to each other than coarser ones, but
+// round-off is not why
+TEST(Ensemble, ChaosIsNotTakenForRoundOff) {
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.duration = 16.0;
+  spec.attitude.zxz = Vec3(20, 100, 30) * kPi / 180.0;
+  spec.spin.body = Vec3(6, 12, -4);
+  BodySpec body;
+  SolidSpec& solid = body.solid.emplace();
+  solid.kind = "box";
+  solid.size = Vec3(0.24, 0.115, 0.07);
+  solid.density = 1800.0;
+  body.pivot = Vec3(0.12, 0.0575, 0.035);
+  NumericsSpec numerics;
+  numerics.method = "dop853";
+  EXPECT_LE(simulate(make_model(body, spec), spec, numerics, 1e-4).report.error_estimate_rad, 1e-4);
 }
 
 TEST(Ensemble, NeedsSomethingThatDiffers) {

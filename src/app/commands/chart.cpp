@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/able_methods.h"
+#include "app/folder_work.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/output_folder.h"
-#include "base/system/overwriting.h"
 #include "base/version.h"
 #include "chart/plot_work_precision.h"
 #include "film/error_places.h"
@@ -192,10 +192,13 @@ struct PlannedChart {
   explicit PlannedChart(const ChartJob& job)
       : tasks(make_tasks(job)),
         pieces(tasks),
-        words(words_of_chart(tasks)),
-        where(folder_or_default(job.output, job.scenes.front(), "chart")) {
-    refuse_same_files(where, kChartFiles, {job.scenes.begin(), job.scenes.end()});
-    refuse_same_files(where, {kKeptPoints}, {job.scenes.begin(), job.scenes.end()});
+        work{folder_or_default(job.output, job.scenes.front(), "chart"),
+             kChartFiles,
+             kKeptPoints,
+             words_of_chart(tasks),
+             {}} {
+    refuse_own_input(work, {job.scenes.begin(), job.scenes.end()});
+    Piecewise& methods = work.pieces;
     methods.pieces = pieces.count();
     methods.things = "methods";
     methods.take_up = [this](const std::string& line) {
@@ -222,9 +225,7 @@ struct PlannedChart {
 
   std::vector<Task> tasks;
   ChartPieces pieces;
-  std::string words;
-  std::filesystem::path where;
-  Piecewise methods;
+  FolderWork work;
 };
 
 constexpr int kOneAtATime = 1;  // what is timed has the machine to itself
@@ -233,43 +234,31 @@ constexpr int kOneAtATime = 1;  // what is timed has the machine to itself
 
 std::string chart(const ChartJob& job) {
   PlannedChart plan(job);
-  const std::filesystem::path file = plan.where / kKeptPoints;
-  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
-  if (shard) return make_part(plan.methods, file, plan.words, *shard, kOneAtATime, job.progress);
-
-  require_gnuplot();
-  OutputFolder folder(plan.where, kChartFiles);
-  KeptRows kept(file, plan.words);
-  make_pieces(plan.methods, kept, {}, kOneAtATime, job.progress);
-  plan.pieces.fill_panels();
-  std::vector<WorkPanel> panels;
-  std::string text;
-  for (Task& task : plan.tasks) {
-    text += summary(task.panel);
-    panels.push_back(std::move(task.panel));
-  }
-  folder.commit({work_precision_csv(panels),
-                 plot_work_precision(panels, PlotFormat::svg),
-                 plot_work_precision(panels, PlotFormat::png),
-                 plot_work_precision(panels, PlotFormat::pdf)});
-  kept.remove();
-  return text;
+  return make_folder_work(plan.work, job.part, kOneAtATime, job.progress, [&] {
+    plan.pieces.fill_panels();
+    std::vector<WorkPanel> panels;
+    std::string text;
+    for (Task& task : plan.tasks) {
+      text += summary(task.panel);
+      panels.push_back(std::move(task.panel));
+    }
+    return FolderResult{{work_precision_csv(panels),
+                         plot_work_precision(panels, PlotFormat::svg),
+                         plot_work_precision(panels, PlotFormat::png),
+                         plot_work_precision(panels, PlotFormat::pdf)},
+                        text};
+  });
 }
 
 DividedWork divided_chart(const ChartJob& job) {
   require_gnuplot();
-  DividedWork work;
-  work.start_s = seconds_of([&] { PlannedChart{job}; });
+  const double start_s = seconds_of([&] { PlannedChart{job}; });
   PlannedChart plan(job);
-  work.words = plan.words;
-  work.output = plan.where;
-  work.proof = kChartFiles;
-  work.things = plan.methods.things;
-  work.pieces = plan.methods.pieces;
+  DividedWork work = divided(plan.work);
+  work.start_s = start_s;
   work.has_jobs = false;
   work.alone = true;
-  work.piece_s =
-      mean_seconds([&](int k) { plan.pieces.make(spread_over(k, plan.methods.pieces)); });
+  work.piece_s = mean_seconds([&](int k) { plan.pieces.make(spread_over(k, work.pieces)); });
   return work;
 }
 

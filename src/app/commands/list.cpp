@@ -8,13 +8,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/commands/new_scene.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/one_line.h"
 #include "base/shipped_files.h"
 #include "base/system/files.h"
 #include "base/text_table.h"
+#include "frame/elements.h"
+#include "model/loads.h"
 #include "model/solids.h"
+#include "motion/diagram.h"
+#include "motion/recorded.h"
 #include "motion/solution_method.h"
 #include "motion/stepper_table.h"
 #include "scene/scene_file.h"
@@ -81,6 +86,45 @@ std::string list_shapes() {
   return aligned(rows);
 }
 
+std::string list_torques() {
+  std::vector<TextRow> rows = {{"kind", "needs", "may have", "what it is"}};
+  for (const LoadKind& kind : load_kinds()) {
+    std::vector<std::string> needs = kind.needs;
+    if (kind.directed) needs.insert(needs.begin(), "space|body");
+    std::vector<std::string> takes = kind.takes;
+    takes.insert(takes.end(), {"from", "until", "ramp"});
+    rows.push_back({kind.name,
+                    needs.empty() ? "-" : fmt::format("{}", fmt::join(needs, " ")),
+                    fmt::format("{}", fmt::join(takes, " ")),
+                    kind.doc});
+  }
+  return aligned(rows);
+}
+
+std::string list_plots() {
+  std::vector<TextRow> rows = {{"name", "over", "unit", "what it is"}};
+  for (const Recorded& quantity : recorded_quantities())
+    rows.push_back(
+        {quantity.name, "time", quantity.unit.empty() ? "-" : quantity.unit, quantity.title});
+  for (const DiagramKind& diagram : diagram_kinds())
+    rows.push_back({diagram.name, "itself", "-", diagram.doc});
+  return aligned(rows);
+}
+
+std::string list_elements() {
+  std::vector<TextRow> rows = {{"name", "what it is"}};
+  for (const Element& element : elements())
+    rows.push_back({element.name, element.doc});
+  return aligned(rows);
+}
+
+std::string list_starts() {
+  std::vector<TextRow> rows = {{"name", "files", "what it is"}};
+  for (const NewKind& kind : new_kinds())
+    rows.push_back({kind.name, fmt::format("{}", fmt::join(kind.files, " ")), kind.doc});
+  return aligned(rows);
+}
+
 std::string list_formats() {
   std::vector<TextRow> rows = {{"name", "alpha", "what it is"}};
   for (const SinkKind& kind : sink_kinds()) {
@@ -115,7 +159,11 @@ struct Listing {
 constexpr Listing kListings[] = {{"methods", list_methods},
                                  {"models", list_models},
                                  {"shapes", list_shapes},
+                                 {"torques", list_torques},
+                                 {"elements", list_elements},
+                                 {"plots", list_plots},
                                  {"scenes", list_scenes},
+                                 {"starts", list_starts},
                                  {"formats", list_formats}};
 
 }  // namespace

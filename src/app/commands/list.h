@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `list`: prints the tables of the program: methods, models, shapes, scenes, formats.
+// The command `list`: prints the tables of the program: methods, models, shapes and so on.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace polhode {
 
-// The names of the tables: methods, models, shapes, scenes, formats.
+// The names of the tables: methods, models, shapes, torques, elements, plots, scenes, starts,
+// formats.
 std::vector<std::string> list_names();
 
 // The table of that name, as aligned columns with a heading. "scenes" lists the .toml files of the

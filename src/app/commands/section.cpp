@@ -8,10 +8,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/section_map.h"
-#include "app/piecewise.h"
+#include "app/folder_work.h"
 #include "base/error.h"
 #include "base/system/output_folder.h"
-#include "base/system/overwriting.h"
 #include "base/version.h"
 #include "chart/plot_section.h"
 #include "film/error_places.h"
@@ -116,19 +115,21 @@ struct PlannedSection {
       : scene(scene_of(job)),
         surface(std::make_from_tuple<SectionSurface>(
             with_place(scene, [&] { return start_of_section(scene); }))),
-        where(folder_or_default(job.output, job.scene, "section")),
-        words(fmt::format("polhode {} {} {} {}",
-                          program_version(),
-                          scene_hash(scene),
-                          job.starts,
-                          job.crossings)) {
+        work{folder_or_default(job.output, job.scene, "section"),
+             kSectionFiles,
+             kKeptMotions,
+             fmt::format("polhode {} {} {} {}",
+                         program_version(),
+                         scene_hash(scene),
+                         job.starts,
+                         job.crossings),
+             {}} {
     starts = {with_place(scene, [&] { return start_of_section(scene); }).second};
     for (const Vec2& at : surface.spread(job.starts))
       starts.push_back(surface.state_at(at.x(), at.y()).value());
-    refuse_same_files(where, kSectionFiles, input_files(scene));
-    refuse_same_files(where, {kKeptMotions}, input_files(scene));
+    refuse_own_input(work, input_files(scene));
     chart.title = scene.title.empty() ? job.scene.stem().string() : scene.title;
-    motions = motions_of(surface, starts, job.crossings, chart.orbits);
+    work.pieces = motions_of(surface, starts, job.crossings, chart.orbits);
   }
   PlannedSection(const PlannedSection&) = delete;
   PlannedSection& operator=(const PlannedSection&) = delete;
@@ -149,11 +150,9 @@ struct PlannedSection {
 
   Scene scene;
   SectionSurface surface;
-  std::filesystem::path where;
-  std::string words;
+  FolderWork work;
   std::vector<State> starts;
   SectionChart chart;
-  Piecewise motions;
 };
 
 void check_counts(const SectionJob& job) {
@@ -168,35 +167,24 @@ std::string section(const SectionJob& job) {
   check_counts(job);
   if (job.map) return section_map(job);
   PlannedSection plan(job);
-  const std::filesystem::path file = plan.where / kKeptMotions;
-  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
-  if (shard) return make_part(plan.motions, file, plan.words, *shard, job.jobs, job.progress);
-
-  require_gnuplot();
-  OutputFolder folder(plan.where, kSectionFiles);
-  KeptRows kept(file, plan.words);
-  plan.chart.borders = borders_of(plan.surface);
-  make_pieces(plan.motions, kept, {}, job.jobs, job.progress);
-  folder.commit({section_csv(plan.chart), plot_section(plan.chart, PlotFormat::png)});
-  kept.remove();
-  return summary_of(plan.surface, plan.chart.orbits);
+  return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
+    plan.chart.borders = borders_of(plan.surface);
+    return FolderResult{{section_csv(plan.chart), plot_section(plan.chart, PlotFormat::png)},
+                        summary_of(plan.surface, plan.chart.orbits)};
+  });
 }
 
 DividedWork divided_section(const SectionJob& job) {
   check_counts(job);
   if (job.map) return divided_section_map(job);
   require_gnuplot();
-  DividedWork work;
-  work.start_s = seconds_of([&] { PlannedSection{job}; });
+  const double start_s = seconds_of([&] { PlannedSection{job}; });
   const PlannedSection plan(job);
-  work.words = plan.words;
-  work.output = plan.where;
-  work.proof = kSectionFiles;
-  work.things = plan.motions.things;
-  work.pieces = plan.motions.pieces;
+  DividedWork work = divided(plan.work);
+  work.start_s = start_s;
   const int few = std::min(job.crossings, kSampledCrossings);
   work.piece_s = job.crossings / static_cast<double>(few) * mean_seconds([&](int k) {
-                   const long start = spread_over(k, plan.motions.pieces);
+                   const long start = spread_over(k, work.pieces);
                    trace_section(plan.surface, plan.starts[static_cast<std::size_t>(start)], few);
                  });
   return work;

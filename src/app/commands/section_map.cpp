@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/map_options.h"
-#include "app/piecewise.h"
+#include "app/folder_work.h"
 #include "base/error.h"
 #include "base/system/output_folder.h"
-#include "base/system/overwriting.h"
 #include "base/version.h"
 #include "chart/plot_exponents.h"
 #include "film/error_places.h"
@@ -141,10 +140,23 @@ std::string words_of_map(const SectionJob& job, const Scene& scene, const Expone
   return words;
 }
 
+std::string summary_of_map(const ExponentMap& map) {
+  const auto with = [&](SectionVerdict verdict) {
+    return std::count_if(map.cells.begin(), map.cells.end(), [&](const ExponentCell& cell) {
+      return cell.verdict == verdict;
+    });
+  };
+  return fmt::format("{} motions: {} regular, {} chaotic, {} undecided\n",
+                     map.cells.size(),
+                     with(SectionVerdict::regular),
+                     with(SectionVerdict::chaotic),
+                     with(SectionVerdict::undecided));
+}
+
 // What is to be done, checked. Its address is part of its rows.
 struct PlannedExponents {
   explicit PlannedExponents(const SectionJob& job)
-      : where(folder_or_default(job.output, job.scene, "section")) {
+      : work{folder_or_default(job.output, job.scene, "section"), kMapFiles, kKeptCells, {}, {}} {
     const SectionMapAxes& asked = job.map.value();
     if (asked.x == asked.y) throw input_error("is the key of --x; give another").at({{}, 0, "--y"});
     Overrides overrides;
@@ -157,58 +169,33 @@ struct PlannedExponents {
       for (const int row : {0, map.y.cells - 1})
         start_of_cell(job, map, column, row);
     }
-    refuse_same_files(where, kMapFiles, input_files(scene));
-    refuse_same_files(where, {kKeptCells}, input_files(scene));
-    words = words_of_map(job, scene, map);
-    rows = rows_of_map(job, map);
+    refuse_own_input(work, input_files(scene));
+    work.words = words_of_map(job, scene, map);
+    work.pieces = rows_of_map(job, map);
   }
   PlannedExponents(const PlannedExponents&) = delete;
   PlannedExponents& operator=(const PlannedExponents&) = delete;
 
-  std::filesystem::path where;
+  FolderWork work;
   ExponentMap map;
-  std::string words;
-  Piecewise rows;
 };
 
 }  // namespace
 
 std::string section_map(const SectionJob& job) {
   PlannedExponents plan(job);
-  const std::filesystem::path file = plan.where / kKeptCells;
-  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
-  if (shard) return make_part(plan.rows, file, plan.words, *shard, job.jobs, job.progress);
-
-  require_gnuplot();
-  OutputFolder folder(plan.where, kMapFiles);
-  KeptRows kept(file, plan.words);
-  make_pieces(plan.rows, kept, {}, job.jobs, job.progress);
-  folder.commit({exponents_csv(plan.map), plot_exponents(plan.map, PlotFormat::png)});
-  kept.remove();
-
-  const std::vector<ExponentCell>& cells = plan.map.cells;
-  const auto with = [&](SectionVerdict verdict) {
-    return std::count_if(cells.begin(), cells.end(), [&](const ExponentCell& cell) {
-      return cell.verdict == verdict;
-    });
-  };
-  return fmt::format("{} motions: {} regular, {} chaotic, {} undecided\n",
-                     cells.size(),
-                     with(SectionVerdict::regular),
-                     with(SectionVerdict::chaotic),
-                     with(SectionVerdict::undecided));
+  return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
+    return FolderResult{{exponents_csv(plan.map), plot_exponents(plan.map, PlotFormat::png)},
+                        summary_of_map(plan.map)};
+  });
 }
 
 DividedWork divided_section_map(const SectionJob& job) {
   require_gnuplot();
-  DividedWork work;
-  work.start_s = seconds_of([&] { PlannedExponents{job}; });
+  const double start_s = seconds_of([&] { PlannedExponents{job}; });
   const PlannedExponents plan(job);
-  work.words = plan.words;
-  work.output = plan.where;
-  work.proof = kMapFiles;
-  work.things = plan.rows.things;
-  work.pieces = plan.rows.pieces;
+  DividedWork work = divided(plan.work);
+  work.start_s = start_s;
   SectionJob few = job;
   few.crossings = std::min(job.crossings, kSampledCrossings);
   const double of_cell = mean_seconds([&](int k) {

@@ -10,10 +10,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/mapped_scene.h"
-#include "app/piecewise.h"
+#include "app/folder_work.h"
 #include "base/error.h"
 #include "base/system/output_folder.h"
-#include "base/system/overwriting.h"
 #include "base/system/parallel.h"
 #include "base/version.h"
 #include "chart/plot_stability.h"
@@ -237,51 +236,38 @@ struct PlannedMaps {
   explicit PlannedMaps(const StabilityJob& job)
       : places(make_places(job)),
         all(empty_maps(places)),
-        words(words_of(places, job)),
-        where(folder_or_default(job.output, job.scenes.front(), "stability")),
-        rows(rows_of(all, places, job)) {
-    refuse_same_files(where, all.files, {job.scenes.begin(), job.scenes.end()});
-    refuse_same_files(where, {kKept}, {job.scenes.begin(), job.scenes.end()});
+        work{folder_or_default(job.output, job.scenes.front(), "stability"),
+             all.files,
+             kKept,
+             words_of(places, job),
+             rows_of(all, places, job)} {
+    refuse_own_input(work, {job.scenes.begin(), job.scenes.end()});
   }
   PlannedMaps(const PlannedMaps&) = delete;
   PlannedMaps& operator=(const PlannedMaps&) = delete;
 
   std::vector<MappedScene> places;
   StabilityMaps all;
-  std::string words;
-  std::filesystem::path where;
-  Piecewise rows;
+  FolderWork work;
 };
 
 }  // namespace
 
 std::string stability(const StabilityJob& job) {
   PlannedMaps plan(job);
-  const std::optional<Shard> shard = part_of_work(job.part, plan.words);
-  if (shard)
-    return make_part(plan.rows, plan.where / kKept, plan.words, *shard, job.jobs, job.progress);
-
-  require_gnuplot();
-  OutputFolder folder(plan.where, plan.all.files);
-  KeptRows kept(plan.where / kKept, plan.words);
-  make_pieces(plan.rows, kept, {}, job.jobs, job.progress);
-  folder.commit(contents_of(plan.all, plan.places, job));
-  kept.remove();
-  return summary(plan.all.maps);
+  return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
+    return FolderResult{contents_of(plan.all, plan.places, job), summary(plan.all.maps)};
+  });
 }
 
 DividedWork divided_stability(const StabilityJob& job) {
-  DividedWork work;
-  work.start_s = seconds_of([&] { PlannedMaps{job}; });
+  const double start_s = seconds_of([&] { PlannedMaps{job}; });
   const PlannedMaps plan(job);
   require_gnuplot();
   for (const MappedScene& place : plan.places)
     check_corners(place, job);
-  work.words = plan.words;
-  work.output = plan.where;
-  work.proof = plan.all.files;
-  work.things = plan.rows.things;
-  work.pieces = plan.rows.groups;
+  DividedWork work = divided(plan.work);
+  work.start_s = start_s;
   const int columns = plan.places[0].x.cells, rows = plan.places[0].y.cells;
   const auto maps = static_cast<long>(plan.all.maps.size());
   const double of_cell = mean_seconds([&](int k) {

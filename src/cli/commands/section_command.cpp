@@ -16,6 +16,7 @@ struct SectionOptions {
   SectionJob job;
   SectionMapAxes axes;
   ProgressOptions progress;
+  std::optional<std::string> cells;
   std::optional<int> starts, crossings, jobs;
 
   SectionJob checked() const {
@@ -30,12 +31,15 @@ struct SectionOptions {
       throw input_error("a map has a start for each cell, that of the scene")
           .at({{}, 0, "--starts"});
     }
-    if (!is_map && (axes.x_range || axes.y_range)) {
-      throw input_error("is for maps; give --x and --y")
-          .at({{}, 0, axes.x_range ? "--x-range" : "--y-range"});
+    if (!is_map && (axes.x_range || axes.y_range || cells)) {
+      const char* option = axes.x_range ? "--x-range" : axes.y_range ? "--y-range" : "--cells";
+      throw input_error("is for maps; give --x and --y").at({{}, 0, option});
     }
     SectionJob checked = job;
-    if (is_map) checked.map = axes;
+    if (is_map) {
+      checked.map = axes;
+      checked.map->cells = cells.value_or(axes.cells);
+    }
     checked.starts = starts.value_or(job.starts);
     checked.crossings = crossings.value_or(job.crossings);
     checked.jobs = jobs.value_or(job.jobs);
@@ -71,7 +75,10 @@ std::shared_ptr<SectionOptions> add_section_options(CLI::App& command) {
   add_text(
       command, "--y-range", axes->y_range, "range of the axis (default: around the scene's value)")
       ->type_name("A:B");
-  add_text(command, "--cells", axes->cells, "number of cells of the map, horizontal x vertical")
+  add_text(command,
+           "--cells",
+           options->cells,
+           "number of cells of the map, horizontal x vertical (default: 32x32)")
       ->type_name("NxM");
   add_settings(command, job->settings);
   add_part(command, job->part);

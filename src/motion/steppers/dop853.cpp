@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Dormand and Prince's method of order 8 (motion/steppers/dormand_prince.h) for a body, or for
 // several in the lanes of wide registers.
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 
 #include "motion/convoy.h"
 #include "motion/steppers/all.h"
@@ -14,10 +17,10 @@ namespace {
 
 // One motion among several: where it is, and what becomes of it.
 struct DormandPrincePart {
-  const HeavyBody<double>* body;
-  double momentum_scale;
-  StateVector<kThreeDegrees> v;
-  double h;
+  const HeavyBody<double>* body = nullptr;
+  double momentum_scale = 1.0;
+  StateVector<kThreeDegrees> v = {};
+  double h = 0.0;
   double error = 0.0;          // of a step
   Stretch* stretch = nullptr;  // absent for one step alone
 };
@@ -39,12 +42,19 @@ struct DormandPrinceLanes {
     }
     gather(parts, momentum_scale, [](const Part& p) { return p.momentum_scale; });
   }
+  // all lanes have one body, and nobody asks for the error
+  [[gnu::always_inline]] explicit DormandPrinceLanes(const HeavyBody<double>& of_all)
+      : momentum_scale{} {
+    for (std::size_t i = 0; i < 3; ++i) {
+      body.inverse_moments[i] = Wide{} + of_all.inverse_moments[i];
+      body.chi[i] = Wide{} + of_all.chi[i];
+      body.up[i] = Wide{} + of_all.up[i];
+    }
+  }
 
   // takes v to `end`
-  [[gnu::always_inline]] void step(const WideVector<Wide>& v,
-                                   const Wide& h,
-                                   WideVector<Wide>& end,
-                                   Wide& error) const {
+  [[gnu::always_inline]] dormand_prince::Slopes<WideVector<Wide>> step(
+      const WideVector<Wide>& v, const Wide& h, WideVector<Wide>& end) const {
     const auto rate = [&](double, const WideVector<Wide>& at) __attribute__((always_inline)) {
       WideVector<Wide> found;
       heavy_rate(body, at.of.data(), found.of.data());
@@ -53,6 +63,13 @@ struct DormandPrinceLanes {
     const dormand_prince::Slopes<WideVector<Wide>> slopes = dormand_prince::slopes_of(v, h, rate);
     end = v + h * slopes.step;
     normalize(end);
+    return slopes;
+  }
+  [[gnu::always_inline]] void step(const WideVector<Wide>& v,
+                                   const Wide& h,
+                                   WideVector<Wide>& end,
+                                   Wide& error) const {
+    const dormand_prince::Slopes<WideVector<Wide>> slopes = step(v, h, end);
     Wide fifth, third;
     find_size(h * slopes.error5, momentum_scale, fifth);
     find_size(h * slopes.error3, momentum_scale, third);
@@ -130,29 +147,72 @@ template <class Wide>
     stretches ? stretch_wide<Wide>(parts + i) : step_wide<Wide>(parts + i);
 }
 
+// Steps of one body that have nothing to do with each other, one in each column.
+struct Leaps {
+  static constexpr std::size_t kMost = 64;
+  std::array<std::array<double, kMost>, 7> v = {};
+  std::array<double, kMost> h = {};
+};
+template <class Wide>
+[[gnu::always_inline]] inline void leap_wide(const HeavyBody<double>& body,
+                                             Leaps& leaps,
+                                             std::size_t count) {
+  const DormandPrinceLanes<Wide> lanes(body);
+  for (std::size_t k = 0; k < count; k += sizeof(Wide) / sizeof(double)) {
+    WideVector<Wide> v, end;
+    Wide h;
+    std::memcpy(&h, &leaps.h[k], sizeof(Wide));
+    for (std::size_t i = 0; i < 7; ++i)
+      std::memcpy(&v.of[i], &leaps.v[i][k], sizeof(Wide));
+    lanes.step(v, h, end);
+    for (std::size_t i = 0; i < 7; ++i)
+      std::memcpy(&leaps.v[i][k], &end.of[i], sizeof(Wide));
+  }
+}
+
 // in the widest registers that the processor has; the bits are the same in all
+struct WidestRegisters {
+  void (*advance)(DormandPrincePart* const* parts, bool stretches);
+  void (*leap)(const HeavyBody<double>& body, Leaps& leaps, std::size_t count);
+};
 void advance_by_twos(DormandPrincePart* const* parts, bool stretches) {
   advance_wide<TwoLanes>(parts, stretches);
+}
+void leap_by_twos(const HeavyBody<double>& body, Leaps& leaps, std::size_t count) {
+  leap_wide<TwoLanes>(body, leaps, count);
 }
 #if defined(__x86_64__)
 [[gnu::target("avx2")]] void advance_by_fours(DormandPrincePart* const* parts, bool stretches) {
   advance_wide<FourLanes>(parts, stretches);
 }
+[[gnu::target("avx2")]] void leap_by_fours(const HeavyBody<double>& body,
+                                           Leaps& leaps,
+                                           std::size_t count) {
+  leap_wide<FourLanes>(body, leaps, count);
+}
 [[gnu::target("avx512f")]] void advance_by_eights(DormandPrincePart* const* parts, bool stretches) {
   advance_wide<EightLanes>(parts, stretches);
 }
+[[gnu::target("avx512f")]] void leap_by_eights(const HeavyBody<double>& body,
+                                               Leaps& leaps,
+                                               std::size_t count) {
+  leap_wide<EightLanes>(body, leaps, count);
+}
 #endif
 
-auto widest() {
+WidestRegisters widest() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f")) return advance_by_eights;
-  if (__builtin_cpu_supports("avx2")) return advance_by_fours;
+  if (__builtin_cpu_supports("avx512f")) return {advance_by_eights, leap_by_eights};
+  if (__builtin_cpu_supports("avx2")) return {advance_by_fours, leap_by_fours};
 #endif
-  return advance_by_twos;
+  return {advance_by_twos, leap_by_twos};
+}
+const WidestRegisters& in_lanes() {
+  static const WidestRegisters found = widest();
+  return found;
 }
 
 void advance(void* const* parts, int count, bool stretches) {
-  static const auto in_lanes = widest();
   // a lane that nobody needs does the work of the first once more
   std::array<DormandPrincePart, kLanes> spare;
   std::array<Stretch, kLanes> spare_stretch;
@@ -168,7 +228,7 @@ void advance(void* const* parts, int count, bool stretches) {
     spare_stretch[i] = *spare[i].stretch;
     spare[i].stretch = &spare_stretch[i];
   }
-  in_lanes(lanes.data(), stretches);
+  in_lanes().advance(lanes.data(), stretches);
 }
 void step_parts(void* const* parts, int count) {
   advance(parts, count, false);
@@ -212,6 +272,14 @@ class DormandPrince853 final : public Stepper {
     return error;
   }
 
+  // in the lanes of registers, which need no other motion
+  void leap(const Leap* leaps, int count) const override {
+    if constexpr (N == kThreeDegrees) {
+      if (has_lanes_) return leap_in_lanes(leaps, count);
+    }
+    Stepper::leap(leaps, count);
+  }
+
   bool walk_in_convoy(const State& s, Stretch& stretch, Work& work) const override {
     if constexpr (N == kThreeDegrees) {
       DormandPrincePart part{&body_, norm_.momentum_scale(), to_vector<N>(s), 0.0, 0.0, &stretch};
@@ -224,6 +292,27 @@ class DormandPrince853 final : public Stepper {
 
  private:
   using Vector = StateVector<N>;
+
+  void leap_in_lanes(const Leap* leaps, int count) const {
+    Leaps columns;
+    for (int done = 0; done < count; done += static_cast<int>(Leaps::kMost)) {
+      const std::size_t now = std::min(Leaps::kMost, static_cast<std::size_t>(count - done));
+      for (std::size_t k = 0; k < now; ++k) {
+        const Leap& one = leaps[static_cast<std::size_t>(done) + k];
+        const Vector v = to_vector<N>(*one.s);
+        for (std::size_t i = 0; i < 7; ++i)
+          columns.v[i][k] = v[static_cast<int>(i)];
+        columns.h[k] = one.h;
+      }
+      in_lanes().leap(body_, columns, now);
+      for (std::size_t k = 0; k < now; ++k) {
+        std::array<double, 7> v;
+        for (std::size_t i = 0; i < 7; ++i)
+          v[i] = columns.v[i][k];
+        set_unit_state(v, *leaps[static_cast<std::size_t>(done) + k].s);
+      }
+    }
+  }
 
   BodyModel model_;
   ErrorNorm norm_;

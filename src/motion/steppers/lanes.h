@@ -18,6 +18,24 @@ struct HeavyBody {
   std::array<Number, 3> inverse_moments, chi, up;
 };
 
+// gamma, up_S in principal axes: up + 2 w up x u + 2 (up x u) x u + (|q|^2 - 1) up with
+// u = (x, y, z), for q = (x, y, z, w) of any length.
+template <class Number>
+[[gnu::always_inline]] inline void find_up(const std::array<Number, 3>& up,
+                                           const Number* q,
+                                           std::array<Number, 3>& gamma) {
+  const Number &x = q[0], &y = q[1], &z = q[2], &w = q[3];
+  const auto& [up1, up2, up3] = up;
+  Number c1 = up2 * z - up3 * y, c2 = up3 * x - up1 * z, c3 = up1 * y - up2 * x;
+  c1 += c1;
+  c2 += c2;
+  c3 += c3;
+  const Number off_sphere = ((x * x + z * z) + (y * y + w * w)) - 1.0;
+  gamma[0] = ((up1 + w * c1) + (c2 * z - c3 * y)) + off_sphere * up1;
+  gamma[1] = ((up2 + w * c2) + (c3 * x - c1 * z)) + off_sphere * up2;
+  gamma[2] = ((up3 + w * c3) + (c1 * y - c2 * x)) + off_sphere * up3;
+}
+
 // The right-hand side of StateVector (motion/steppers/derivative.h) with three degrees of freedom:
 // dq/dt = q o (0, w) / 2 and dy/dt = y x w + gamma x chi. v is (q.x, q.y, q.z, q.w, y1, y2, y3);
 // rate, of the same length, is another array. q need not be of unit length: gamma is the quadratic
@@ -37,21 +55,31 @@ template <class Number>
   rate[2] = 0.5 * ((w * w3 - y * w1) + x * w2);
   rate[3] = 0.5 * (-(y * w2) - (z * w3 + x * w1));
 
-  // gamma = up + 2 w up x u + 2 (up x u) x u + (|q|^2 - 1) up with u = (x, y, z)
-  const auto& [up1, up2, up3] = body.up;
-  Number c1 = up2 * z - up3 * y, c2 = up3 * x - up1 * z, c3 = up1 * y - up2 * x;
-  c1 += c1;
-  c2 += c2;
-  c3 += c3;
-  const Number off_sphere = ((x * x + z * z) + (y * y + w * w)) - 1.0;
-  const Number g1 = ((up1 + w * c1) + (c2 * z - c3 * y)) + off_sphere * up1;
-  const Number g2 = ((up2 + w * c2) + (c3 * x - c1 * z)) + off_sphere * up2;
-  const Number g3 = ((up3 + w * c3) + (c1 * y - c2 * x)) + off_sphere * up3;
-
+  std::array<Number, 3> gamma;
+  find_up(body.up, v, gamma);
+  const auto& [g1, g2, g3] = gamma;
   const auto& [chi1, chi2, chi3] = body.chi;
   rate[4] = (L2 * w3 - L3 * w2) + (g2 * chi3 - g3 * chi2);
   rate[5] = (L3 * w1 - L1 * w3) + (g3 * chi1 - g1 * chi3);
   rate[6] = (L1 * w2 - L2 * w1) + (g1 * chi2 - g2 * chi1);
+}
+
+// What such a body conserves: energy (J) and angular momentum about the vertical (kg m^2/s).
+template <class Number>
+struct HeavyInvariants {
+  Number energy, momentum;
+};
+template <class Number>
+[[gnu::always_inline]] inline HeavyInvariants<Number> heavy_invariants(
+    const HeavyBody<Number>& body, const Number* v) {
+  std::array<Number, 3> gamma;
+  find_up(body.up, v, gamma);
+  const auto& [chi1, chi2, chi3] = body.chi;
+  const auto& [inverse1, inverse2, inverse3] = body.inverse_moments;
+  const Number &L1 = v[4], &L2 = v[5], &L3 = v[6];
+  const Number twice_kinetic = (L1 * L1 * inverse1 + L2 * L2 * inverse2) + L3 * L3 * inverse3;
+  const Number potential = (chi1 * gamma[0] + chi2 * gamma[1]) + chi3 * gamma[2];
+  return {0.5 * twice_kinetic + potential, (gamma[0] * L1 + gamma[1] * L2) + gamma[2] * L3};
 }
 
 // The same seven numbers of as many motions as a register has lanes.

@@ -6,7 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/commands/new_scene.h"
+#include "frame/elements.h"
+#include "model/loads.h"
 #include "model/solids.h"
+#include "motion/diagram.h"
 #include "motion/solution_method.h"
 #include "motion/stepper_table.h"
 #include "support/expect_error.h"
@@ -40,6 +44,10 @@ TEST(List, TablesHaveALineForEachRow) {
   EXPECT_EQ(lines_of("models").size(), solution_methods().size() + 1);
   EXPECT_EQ(lines_of("shapes").size(), solid_kinds().size() + 1);
   EXPECT_EQ(lines_of("formats").size(), sink_kinds().size() + 1);
+  EXPECT_EQ(lines_of("torques").size(), load_kinds().size() + 1);
+  EXPECT_EQ(lines_of("elements").size(), elements().size() + 1);
+  EXPECT_EQ(lines_of("plots").size(), plot_names().size() + 1);
+  EXPECT_EQ(lines_of("starts").size(), new_kinds().size() + 1);
   for (const std::string& name : list_names())
     EXPECT_GT(lines_of(name).size(), 1U) << name;
 }
@@ -61,6 +69,15 @@ TEST(List, ShapesAndFormatsSayWhatTheyNeedAndCan) {
   EXPECT_NE(ellipsoid.find("semi_axes"), std::string::npos) << ellipsoid;
   EXPECT_NE(line_of("formats", "mp4").find(" no "), std::string::npos);
   EXPECT_NE(line_of("formats", "webm").find(" yes "), std::string::npos);
+}
+
+TEST(List, TorquesSayTheirKeys) {
+  const std::string damping = line_of("torques", "damping");
+  EXPECT_NE(damping.find(" c "), std::string::npos) << damping;
+  EXPECT_NE(damping.find("of about from until ramp"), std::string::npos) << damping;
+  EXPECT_NE(line_of("torques", "constant").find("space|body"), std::string::npos);
+  EXPECT_NE(line_of("plots", "tilt").find("time"), std::string::npos);
+  EXPECT_NE(line_of("plots", "satellite_map").find("satellite"), std::string::npos);
 }
 
 TEST(List, UnknownTablesNameTheNearest) {
