@@ -7,6 +7,8 @@
 // half), SHELL (alpha under 1), LIGHT_GROUND (what is behind it is pale), FADING (fade under 1),
 // DASHED (with gaps along z), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
+#include "surface.glsl"
+
 out vec4 o_color;            // premultiplied
 
 #if LIT_AT_CORNERS
@@ -32,14 +34,12 @@ noperspective in vec2 v_density;  // alpha, how much of the mark
 #endif
 #if FINISH == 2
 in float v_lengthways;
-const float kStroke = 0.014;  // how much each stroke brightens and darkens
 #endif
 flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec4 f_alpha;
 
-// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn. The half is
-// not darker: that would look like shade.
+// A strip along +x, and a cooler half x < 0: one turn looks different from half a turn.
 vec3 painted() {
 #if MARKED
   float least = 1e-9 * f_mark.w;  // never divide by nothing
@@ -47,28 +47,10 @@ vec3 painted() {
   float soft_x = fwidth(v_mesh.x) + least;
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
   float strip = clamp((f_mark.w - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
-  return mix(f_color.rgb * mix(vec3(0.54, 0.71, 0.90), vec3(1.0), front), f_mark.rgb, strip);
+  return mix(halved(f_color.rgb, front), f_mark.rgb, strip);
 #else
   return f_color.rgb;
 #endif
-}
-
-// Bands of period 1 in x between 0 and 1, fading to their mean where they are finer than pixels.
-float bands(float x) {
-  float wave = abs(2.0 * fract(x) - 1.0);
-  return mix(wave, 0.5, clamp(2.0 * fwidth(x), 0.0, 1.0));
-}
-
-// Brush strokes of period 1 in x between -1 and 1: parabolas, which lack the high harmonics of a
-// triangle. They are full where a period has eight pixels and gone where it has four.
-float strokes(float x) {
-  float wave = 2.0 * fract(x) - 1.0;
-  wave *= 4.0 * (1.0 - abs(wave));
-  return wave * clamp(2.0 - 8.0 * fwidth(x), 0.0, 1.0);
-}
-// Strokes of three widths, so that some are seen at any size.
-float brushed(float x) {
-  return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7);
 }
 
 // What wood and metal do to the colour: grain in rings about the axis, brush strokes.
@@ -80,8 +62,7 @@ vec3 worn(vec3 color) {
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;
 #endif
 #if FINISH == 1
-  float grain = bands(0.8 * radius + 0.25 * v_mesh.z / unit_length);
-  return color * (0.88 + 0.17 * grain * grain);
+  return grained(color, radius, v_mesh.z / unit_length);
 #elif FINISH == 2
   // faces across x have strokes along y
 #if TURNED
@@ -89,7 +70,7 @@ vec3 worn(vec3 color) {
 #else
   float across = brushed(v_mesh.y / unit_length) * v_lengthways;
 #endif
-  return color * (0.97 + kStroke * (across + brushed(v_mesh.z / unit_length)));
+  return stroked(color, across, brushed(v_mesh.z / unit_length));
 #else
   return color;
 #endif
@@ -122,32 +103,18 @@ void main() {
   vec3 color = worn(painted());
   vec3 light = light_on(parts.xy, normal.z, facing);
 #if VIVID
-#if LIGHT_GROUND
-  light = 0.62 + 0.5 * light;
-#else
-  light = 0.54 + 0.48 * light;
-#endif
+  light = vivid(light);
 #endif
   vec3 lit = color * color * light;
 
 #if FINISH < 2
-  // the key light is a round lamp behind a cloth
-  lit += vec3(f_color.a * 0.62 * eased(12.0 * parts.z - 11.0));
+  lit = glossy(lit, f_color.a, parts.z);
 #elif FINISH == 2
-  // metal mirrors a bright sky and a dark ground
   vec3 to_eye = stretch(v_to_eye) * v_to_eye;
   vec3 mirrored = 2.0 * parts.w * normal - to_eye;
-  float horizon = clamp(4.0 * mirrored.z + 0.5, 0.0, 1.0);
-  float c2 = max(parts.z, 0.0) * max(parts.z, 0.0);
-  float c8 = c2 * c2 * c2 * c2;
-  lit = lit * 0.55 + color * color * (0.08 + 0.42 * horizon) +
-        vec3(0.30 * c8 + 0.25 * c8 * c8 * c8 * c8);
+  lit = mirroring(color, lit, mirrored.z, parts.z);
 #else
-  // glaze mirrors a square lamp, a strip of light at the other side, and more at its limbs
-  vec2 window = to_unit * v_window;
-  float lamp = eased(9.0 - 60.0 * abs(window.x)) * eased(9.0 - 60.0 * abs(window.y));
-  float rim = (1.0 - facing) * (1.0 - facing);
-  lit += vec3(0.9 * lamp * step(0.0, parts.z) + 0.22 * rim * rim);
+  lit = glazed(lit, to_unit * v_window, parts.z, facing);
 #endif
 #if DASHED
   vec3 shown = color;  // a drawn line, not a row of rings
@@ -164,9 +131,7 @@ void main() {
 #endif
 #endif
 #if DASHED
-  // a dash and a gap of the same length, with edges as wide as a pixel
-  float along = v_mesh.z * f_alpha.z;
-  o_color *= clamp((0.25 - abs(fract(along) - 0.25)) / fwidth(along) + 0.5, 0.0, 1.0);
+  o_color *= dashed(v_mesh.z * f_alpha.z);
 #endif
 }
 

@@ -219,7 +219,14 @@ class Writer {
     model_.meshes.push_back(mesh);
   }
 
+  // tubes along paths of as many points are triangles of the same corners
   int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+    const auto [known, added] = indices_.emplace(indices, 0);
+    if (added) known->second = new_indices(indices, vertices);
+    return known->second;
+  }
+
+  int new_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
     tinygltf::Accessor accessor;
     accessor.type = TINYGLTF_TYPE_SCALAR;
     accessor.count = indices.size();
@@ -348,6 +355,7 @@ class Writer {
     int positions, normals, indices;  // accessors
   };
   std::map<const void*, Shape> shapes_;
+  std::map<std::vector<std::uint32_t>, int> indices_;  // accessors
   std::map<const void*, int> accessors_;
   std::map<std::pair<const void*, const void*>, int> samplers_;
   std::map<std::string, int> textures_;

@@ -8,8 +8,9 @@
 
 namespace polhode {
 
-// The bytes of a binary glTF 2.0 file with everything in it. Numbers that tracks share, and meshes
-// that nodes share, are stored once. Throws Error (environment) if it cannot be written.
+// The bytes of a binary glTF 2.0 file with everything in it. Numbers that tracks share, meshes that
+// nodes share, and corners of triangles that meshes share are stored once. Throws Error
+// (environment) if it cannot be written.
 std::string glb_of(const GltfDocument& document);
 
 }  // namespace polhode

@@ -6,35 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "image/png.h"
-
 namespace polhode {
-namespace {
-
-constexpr int kMarkPixels = 512;
-
-// The strip and the darker half of a body, as the shader paints them (shaders/scene.frag), over the
-// square of the half-width `reach` in x and y of the mesh.
-std::string mark_picture(const Material& look, double reach) {
-  Image image(kMarkPixels, kMarkPixels);
-  const glm::vec3 shade(0.54f, 0.71f, 0.90f);
-  const double texel = 2.0 * reach / kMarkPixels;
-  for (int row = 0; row < kMarkPixels; ++row) {
-    for (int column = 0; column < kMarkPixels; ++column) {
-      const double x = (column + 0.5) * texel - reach, y = reach - (row + 0.5) * texel;
-      const auto front = static_cast<float>(std::clamp(x / texel + 0.5, 0.0, 1.0));
-      const double inside = (static_cast<double>(look.mark_width) - std::abs(y)) / texel;
-      const float strip = static_cast<float>(std::clamp(inside + 0.5, 0.0, 1.0)) * front;
-      const glm::vec3 half = look.color * (shade + front * (glm::vec3(1.0f) - shade));
-      const glm::vec3 color = half + strip * (look.mark_color - half);
-      for (int i = 0; i < 3; ++i)
-        image.at(column, row)[i] = static_cast<std::uint8_t>(std::lround(255.0f * color[i]));
-    }
-  }
-  return encode_png(image, false);
-}
-
-}  // namespace
 
 std::string hex(const glm::vec3& color) {
   const auto byte = [](float c) {
@@ -66,7 +38,7 @@ int material_in(GltfDocument& document,
   return static_cast<int>(found - list.begin());
 }
 
-int mesh_in(GltfDocument& document, const MeshPtr& mesh, int material) {
+int mesh_in(GltfDocument& document, const MeshPtr& mesh, int material, PaintMarks paint) {
   std::vector<GltfMesh>& list = document.meshes;
   const auto found = std::find_if(list.begin(), list.end(), [&](const GltfMesh& one) {
     return one.mesh == mesh && one.material == material;
@@ -74,11 +46,11 @@ int mesh_in(GltfDocument& document, const MeshPtr& mesh, int material) {
   if (found != list.end()) return static_cast<int>(found - list.begin());
   const GltfMaterial& of = document.materials[static_cast<std::size_t>(material)];
   GltfMesh added{of.name, mesh, material};
-  if (of.look.mark_width > 0.0f) {
+  if (of.look.mark_width > 0.0f && paint != nullptr) {
     float reach = 0.0f;
     for (const Vertex& vertex : mesh->vertices)
       reach = std::max({reach, std::abs(vertex.position.x), std::abs(vertex.position.y)});
-    added.texture = mark_picture(of.look, static_cast<double>(reach));
+    added.texture = paint(of.look, static_cast<double>(reach));
   }
   list.push_back(added);
   return static_cast<int>(list.size()) - 1;

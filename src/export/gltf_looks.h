@@ -17,8 +17,11 @@ int material_in(GltfDocument& document,
                 bool both_sides,
                 const std::string& name);
 
+// Paints the marks of a body, as mark_picture() (export/mark_picture.h) does; null: nobody does.
+using PaintMarks = std::string (*)(const Material& look, double reach);
+
 // The index of a mesh with that material likewise. A marked body gets its marks as a texture.
-// Throws Error (environment) as encode_png (image/png.h) does.
-int mesh_in(GltfDocument& document, const MeshPtr& mesh, int material);
+// Throws Error (environment) as `paint` does.
+int mesh_in(GltfDocument& document, const MeshPtr& mesh, int material, PaintMarks paint);
 
 }  // namespace polhode

@@ -13,8 +13,8 @@
 #include "base/version.h"
 #include "export/gltf_looks.h"
 #include "export/gltf_tracks.h"
-#include "film/film_panels.h"
 #include "film/frame_times.h"
+#include "film/stage.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -249,14 +249,14 @@ class Export {
     }
     const int material = material_in(document_, thing.material, thing.both_sides, thing.element);
     if (thing.kind == ThingKind::mesh) {
-      node.mesh = mesh_in(document_, thing.mesh, material);
+      node.mesh = mesh_in(document_, thing.mesh, material, plan_.paint);
       tracks_.set_size(
           keys, [](const Pose& pose) { return pose.size; }, node);
       add_node(node);
       return;
     }
     if (thing.kind == ThingKind::rod) {
-      node.mesh = mesh_in(document_, arrows_.shaft, material);
+      node.mesh = mesh_in(document_, arrows_.shaft, material, plan_.paint);
       tracks_.set_size(
           keys, [](const Pose& pose) { return pose.size; }, node);
       add_node(node);
@@ -280,12 +280,14 @@ class Export {
     shaft.name = name + ".shaft";
     head.name = name + ".head";
     shaft.parent = head.parent = parent;
-    shaft.mesh = mesh_in(document_, arrows_.shaft, material);
+    shaft.mesh = mesh_in(document_, arrows_.shaft, material, plan_.paint);
     // its parts are not dashed
     Material whole = thing.material;
     whole.dashes = 0.0f;
-    head.mesh = mesh_in(
-        document_, arrows_.head, material_in(document_, whole, thing.both_sides, thing.element));
+    head.mesh = mesh_in(document_,
+                        arrows_.head,
+                        material_in(document_, whole, thing.both_sides, thing.element),
+                        plan_.paint);
     const auto length = [=](const Pose& pose) {
       return pose.size.z() - head_length(pose);
     };
@@ -322,7 +324,7 @@ class Export {
     const std::string name = document_.nodes[static_cast<std::size_t>(parent)].name;
     joint.name = name + ".joint";
     piece.name = name + ".piece";
-    piece.mesh = mesh_in(document_, arrows_.shaft, material);
+    piece.mesh = mesh_in(document_, arrows_.shaft, material, plan_.paint);
     const Pose& start = keys.poses.front();
     joint.rotation = Quat(Eigen::AngleAxisd(part(start), Vec3::UnitZ()));
     // from one joint to the next, along the tangent; a little longer, so that no gap opens outside
@@ -396,7 +398,7 @@ class Export {
       GltfNode node;
       node.name = name + ".piece";
       node.parent = parent;
-      node.mesh = mesh_in(document_, mesh, material);
+      node.mesh = mesh_in(document_, mesh, material, plan_.paint);
       if (comes > 0.0) node.scale = Vec3::Zero();
       if (times->size() > 1) node.scaled = {times, values, true};
       add_node(node);
@@ -509,13 +511,7 @@ ExportedScene export_scene(const Solved& solved, const ExportPlan& plan) {
   range.from = plan.from;
   range.to = plan.to;
   check_time_range(solved.scene, range);
-  // one picture from space, without what stands beside it
-  Solved one = solved;
-  one.scene.show.views = {"space"};
-  one.scene.show.plots.clear();
-  const Timeline timeline(one.scene.story, one.scene.motion.duration, one.scene.video.time_scale);
-  const Film film = make_film({one}, timeline, nullptr, {}, true);
-  return Export(one, *film.panels().front().composer, plan).make();
+  return Export(solved, *composer_alone(solved), plan).make();
 }
 
 }  // namespace polhode

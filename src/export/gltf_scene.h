@@ -6,8 +6,9 @@
 #include <string>
 
 #include "export/gltf_document.h"
+#include "export/gltf_looks.h"
 #include "export/key_times.h"
-#include "film/solved_scene.h"
+#include "film/solving.h"
 
 namespace polhode {
 
@@ -20,6 +21,7 @@ struct ExportPlan {
   // reference point.
   double pixels = 0.1;
   std::optional<double> radians = {};  // absent: `pixels` counts
+  PaintMarks paint = nullptr;          // textures of marked bodies; null: they have none
 };
 
 // What was found.
@@ -36,7 +38,7 @@ struct ExportReport {
 // (docs/export.md). Things that keep their place in the body are below "body_frame". Stories hide
 // nothing. The time of the animation is film time without pauses. Throws Error (input) with --from
 // or --to as key as check_time_range() (film/frame_times.h) does, without a place for a motion that
-// is too long to be tabulated, as make_film() (film/film_panels.h) does; (check_failed) as
+// is too long to be tabulated, as composer_alone() (film/stage.h) does; (check_failed) as
 // Motion::at does.
 struct ExportedScene {
   GltfDocument document;

@@ -6,25 +6,10 @@
 #include <utility>
 
 #include "film/error_places.h"
+#include "film/stage.h"
 
 namespace polhode {
 namespace {
-
-// the margins that serve all panels, so that they can share a camera
-FrameMargins common_margins(const FilmText& text,
-                            const std::vector<PixelBox>& places,
-                            PictureSize size,
-                            const NoteRows& rows) {
-  FrameMargins margins;
-  for (const PixelBox& place : places) {
-    const FrameMargins needed = text_margins(text, place, size, rows);
-    margins.left = std::max(margins.left, needed.left);
-    margins.right = std::max(margins.right, needed.right);
-    margins.top = std::max(margins.top, needed.top);
-    margins.bottom = std::max(margins.bottom, needed.bottom);
-  }
-  return margins;
-}
 
 // "space" and "body" as headings
 std::string heading_of(const std::string& view) {
@@ -37,31 +22,6 @@ std::function<PanelNotes(double)> heading(const std::string& text) {
     notes.name = text;
     return notes;
   };
-}
-
-// What all panels of a film have in common.
-struct Stage {
-  const Timeline& timeline;
-  FrameMargins margins;
-  NoteRows rows;
-};
-
-std::shared_ptr<const Composer> composer_of(const Solved& solved,
-                                            const Staging& staging,
-                                            const PixelBox& place,
-                                            Shared shared = {}) {
-  shared.ensemble = solved.ensemble;
-  return std::make_shared<const Composer>(solved.simulation.motion,
-                                          solved.scene.body,
-                                          staging,
-                                          solved.scene.show,
-                                          solved.scene.theme,
-                                          PictureSize{place.width, place.height},
-                                          shared);
-}
-
-Staging staging_of(const Scene& scene, const Stage& stage) {
-  return {scene.camera, scene.shots, stage.timeline, stage.margins};
 }
 
 std::vector<FilmPanel> panels_of_views(const Solved& solved,
@@ -158,11 +118,7 @@ Film make_film(const std::vector<Solved>& solved,
                            ? Timeline(scene.story, scene.motion.duration, scene.video.time_scale)
                            : timeline;
   const PictureSize size = scene.video.size;
-  FilmText text = film_text(scene.show, scene.title, scene.video.time_scale);
-  text.captions =
-      with_text && std::any_of(scene.story.begin(), scene.story.end(), [](const auto& step) {
-        return step.caption && !step.caption->empty();
-      });
+  const FilmText text = text_of(scene, with_text);
   if (comparison != nullptr && charts.count() > 0) {
     throw input_error("plots show one motion, not several that are compared; remove them")
         .at({{}, 0, "show.plots"});

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "film/solved_scene.h"
+#include "film/solving.h"
 #include "frame/timeline.h"
 #include "motion/closed_loop.h"
 

@@ -75,6 +75,14 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
   return scene;
 }
 
+Scene parse_with_overrides(std::string_view text,
+                           const std::string& name,
+                           const Overrides& overrides) {
+  Scene scene = parse_scene(text, name, overrides.settings);
+  apply(overrides, scene);
+  return scene;
+}
+
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides) {
   Scene scene = load_with_overrides(file, overrides);
   refuse_panels(scene);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
@@ -33,6 +34,11 @@ struct Overrides {
 // replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
 // (--method, --step, --tolerance, --accuracy, --size, --fps, --theme) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
+// The same for the text of a scene; `name` is the name of its file for messages. Mesh files are not
+// read. Throws Error (input) as parse_scene (scene/scene_file.h) does, and likewise.
+Scene parse_with_overrides(std::string_view text,
+                           const std::string& name,
+                           const Overrides& overrides);
 // The same for what works on one motion. Also throws Error (input), with the file, for a film file.
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides);
 

@@ -3,6 +3,12 @@ set(text "// Made by src/html/embed_pages.cmake; the sources are in src/html/pag
 string(APPEND text "#include \"html/page_parts.h\"\n\nnamespace polhode {\n\n")
 foreach(file ${FILES})
   file(READ "${file}" source)
+  # shaders that pages share with films
+  foreach(shader light surface)
+    file(READ "${SHADERS}/${shader}.glsl" shared)
+    string(REGEX REPLACE " *//[^\n]*" "" shared "${shared}")
+    string(REPLACE "#include \"${shader}.glsl\"" "${shared}" source "${source}")
+  endforeach()
   get_filename_component(name "${file}" NAME)
   string(REPLACE "." "_" name "${name}")
   string(APPEND text "const std::string& ${name}() {\n  static const std::string text = R\"page(${source})page\";\n")

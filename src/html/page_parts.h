@@ -17,6 +17,7 @@ const std::string& lecture_css();
 const std::string& lecture_js();
 const std::string& turn_css();  // for viewers in page and slides
 const std::string& turn_js();
+const std::string& turn_core_js();  // before it: motions that pages compute
 const std::string& slides_css();
 const std::string& slides_js();
 const std::string& handout_css();

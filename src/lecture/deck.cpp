@@ -360,6 +360,8 @@ const std::vector<PictureClass>& picture_classes() {
        "turn",
        "a film that becomes a model to turn by hand, in page and slides",
        {{"clock", "a name: viewers with the same one play together (each by itself)"},
+        {"vary",
+         "numbers of the scene that get a slider: KEY FROM TO WORDS, separated by ; (none)"},
         from,
         to,
         at,

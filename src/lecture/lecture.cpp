@@ -21,6 +21,7 @@
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
+#include "lecture/sliders.h"
 #include "lecture/turning.h"
 
 namespace polhode {
@@ -136,7 +137,8 @@ std::string make_document(const std::string& output,
   };
   if (output == "html" || output == "slides") {
     const std::string viewers =
-        scripts.three ? viewer_blocks(work.deck, figures, folder, *scripts.three) : "";
+        scripts.three ? viewer_blocks(work.deck, figures, folder, *scripts.three, scripts.core)
+                      : "";
     if (output == "html") return make_page(work.deck, figures, viewers);
     return make_slides(work.deck, figures, *scripts.reveal, viewers);
   }
@@ -244,7 +246,9 @@ LectureResult lecture(const LectureJob& job) {
       contents.push_back(make_document(output, work, folder, scripts, planned.printer));
   }
   const bool formula_font = pages && !formula_font_css().empty();
-  if (pages) contents.push_back(notices(outputs, scripts.reveal, formula_font, scripts.three));
+  if (pages)
+    contents.push_back(
+        notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value()));
   stop_if_interrupted();
   if (planned.wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
   documents.commit(contents);
@@ -273,6 +277,8 @@ std::vector<ExternalNeed> lecture_needs() {
           {"turning in lectures",
            three ? "ok, three.js " + three->version
                  : "missing: " + install("three.js (docs/install.md)")},
+          {"sliders in lectures",
+           find_page_core() ? "ok" : "missing: build with Emscripten (docs/lecture.md)"},
           {"handouts of lectures",
            printer.program.empty() ? state_of_program(printer.found, install("chromium"))
                                    : "ok, " + printer.program},

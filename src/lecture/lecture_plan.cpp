@@ -14,6 +14,7 @@
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
+#include "lecture/sliders.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -111,6 +112,8 @@ void plan(LectureWork& work, bool data) {
 constexpr const char* kNoThree =
     "three.js is missing; install it (docs/install.md), or run tools/install-dependencies --for "
     "lecture";
+
+constexpr const char* kNoCore = "this program was built without Emscripten; see docs/lecture.md";
 
 std::string why_not(const std::string& output,
                     const std::optional<Reveal>& reveal,
@@ -227,6 +230,10 @@ PlannedLecture::PlannedLecture(const LectureJob& job)
     scripts.three = find_three();
     if (!scripts.three)
       left_out += fmt::format("left out: turning by hand ({}); its films are shown\n", kNoThree);
+    if (scripts.three && has_sliders(work.deck)) {
+      scripts.core = find_page_core();
+      if (!scripts.core) left_out += fmt::format("left out: sliders ({})\n", kNoCore);
+    }
   }
   plan(work, data);
 }

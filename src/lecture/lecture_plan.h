@@ -58,7 +58,8 @@ std::vector<LectureTask*> tasks_of(LectureWork& work, const std::optional<Shard>
 // Scripts of others that documents contain.
 struct Scripts {
   std::optional<Reveal> reveal;
-  std::optional<Three> three;  // only if something is to be turned
+  std::optional<Three> three;            // only if something is to be turned
+  std::optional<std::string> core = {};  // find_page_core(), only if something has sliders
 };
 
 // What is to be made, and with what; nothing is written yet. Its work refers to the job.

@@ -45,7 +45,8 @@ bool has_pages(const std::vector<std::string>& outputs) {
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
                     bool formula_font,
-                    const std::optional<Three>& three) {
+                    const std::optional<Three>& three,
+                    bool computes) {
   std::string text = "Beside the lecture itself, its pages contain:\n";
   text += heading(fmt::format("Polhode {}: styles and scripts of the pages", program_version()));
   text += "Copyright (c) 2026 the Polhode authors\n\n" + std::string(kMit);
@@ -61,6 +62,15 @@ std::string notices(const std::vector<std::string>& outputs,
     text += three->licence.empty()
                 ? "Copyright (C) 2010-2024 three.js authors\n\n" + std::string(kMit)
                 : three->licence;
+  }
+  if (computes && (has(outputs, "html") || has(outputs, "slides"))) {
+    text += heading("What computes motions inside index.html and slides.html") +
+            "Polhode itself (as above), compiled to WebAssembly, with headers of Eigen (Mozilla "
+            "Public License 2.0, https://eigen.tuxfamily.org), GLM, fmt, toml++, JSON for Modern "
+            "C++ and tinygltf (MIT licence, as above), xxHash (BSD licence with 2 clauses, "
+            "Copyright (C) 2012-2021 Yann Collet), and the runtime of Emscripten: musl (MIT "
+            "licence, Copyright (C) 2005-2020 Rich Felker, et al.), libc++ and compiler-rt (Apache "
+            "License 2.0 with LLVM exceptions)\n";
   }
   if (formula_font) {
     text += heading("Latin Modern Math, the font of formulas") +

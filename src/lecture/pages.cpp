@@ -25,13 +25,17 @@ std::string environment(const char* name) {
 
 // Only the page's own script runs: the nonce depends on everything in it, so that no text of a deck
 // can know it. Nothing comes from elsewhere.
-std::string head(const DeckWords& words, const std::string& css, const std::string& nonce) {
+// `computes`: the page has WebAssembly, which runs in a worker.
+std::string head(const DeckWords& words,
+                 const std::string& css,
+                 const std::string& nonce,
+                 bool computes = false) {
   return fmt::format(
              "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
              "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
              "'self' data: file:; "
              "media-src 'self' data: file:; font-src data:; style-src 'unsafe-inline'; script-src "
-             "'nonce-{}'; "
+             "'nonce-{}'{}; "
              "base-uri 'none'; form-action 'none'\">\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<meta name=\"description\" content=\"{}\">\n<meta name=\"generator\" "
@@ -39,10 +43,15 @@ std::string head(const DeckWords& words, const std::string& css, const std::stri
              "<title>{}</title>\n<style>\n",
              escaped(words.lang),
              nonce,
+             computes ? " 'wasm-unsafe-eval'; worker-src blob:" : "",
              escaped(words.description),
              escaped(program_version()),
              escaped(words.title)) +
          css + "</style>\n</head>\n";
+}
+
+bool computes(const std::string& viewers) {
+  return viewers.find("\" data-core>") != std::string::npos;
 }
 
 std::string script(const std::string& nonce, const std::string& js) {
@@ -137,8 +146,8 @@ std::string lecture_page(const DeckWords& words,
   inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;
   const std::string nonce = content_hash(inside);
   const std::string css = lecture_css() + (viewers.empty() ? "" : turn_css());
-  const std::string js = viewers.empty() ? "" : script(nonce, turn_js());
-  return head(words, formula_font_css() + css, nonce) + "<body>\n" + inside +
+  const std::string js = viewers.empty() ? "" : script(nonce, turn_core_js() + turn_js());
+  return head(words, formula_font_css() + css, nonce, computes(viewers)) + "<body>\n" + inside +
          script(nonce, lecture_js()) + js + "</body>\n</html>\n";
 }
 
@@ -152,8 +161,8 @@ std::string slides_page(const DeckWords& words,
       "</div></div>\n<p class=\"hint\" aria-live=\"polite\"></p>\n" + viewers;
   const std::string nonce = content_hash(inside);
   const std::string css = reveal.css + slides_css() + (viewers.empty() ? "" : turn_css());
-  const std::string js = viewers.empty() ? "" : script(nonce, turn_js());
-  return head(words, formula_font_css() + css, nonce) + "<body>\n" + inside +
+  const std::string js = viewers.empty() ? "" : script(nonce, turn_core_js() + turn_js());
+  return head(words, formula_font_css() + css, nonce, computes(viewers)) + "<body>\n" + inside +
          script(nonce, reveal.js) + script(nonce, slides_js()) + js + "</body>\n</html>\n";
 }
 

@@ -13,8 +13,10 @@
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
+#include "export/viewer_data.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
+#include "lecture/sliders.h"
 #include "lecture/turning.h"
 #include "scene/scene_file.h"
 
@@ -295,6 +297,8 @@ Product turn_product(const DeckPicture& picture,
                      const LectureSettings& settings,
                      const Rights& rights) {
   const Product film = film_product(picture, scene, settings);
+  const std::vector<Slider> sliders = parse_sliders(text_of(picture, "vary").value_or(""));
+  check_sliders(sliders, scene.file, overrides_of(picture, settings));
   std::vector<std::string> words = words_of(picture, settings);
   words.insert(words.end(), {rights.author, rights.licence});
   return {name_of_product(scene, "turn"),
@@ -302,6 +306,7 @@ Product turn_product(const DeckPicture& picture,
           [=](const fs::path& folder, const std::string& stem) {
             Json facts = film.make(folder, stem);
             ExportJob job;
+            job.scene = scene.file;
             job.overrides = overrides_of(picture, settings);
             job.from = facts.at("from_s").get<double>();
             job.to = facts.at("to_s").get<double>();
@@ -309,7 +314,8 @@ Product turn_product(const DeckPicture& picture,
             job.licence = rights.licence;
             const Scene shown = load_single(scene.file, job.overrides);
             write_file(folder / (stem + ".glb"), glb_of_scene(shown, job).bytes);
-            const Json data = viewer_data(solve_alone(shown), *job.from, *job.to);
+            Json data = viewer_data(solve_alone(shown), *job.from, *job.to);
+            data.update(slider_data(sliders, job, read_file(scene.file)));
             write_file(folder / (stem + "-viewer.json"), data.dump());
             check_unchanged(scene);
             facts["glb"] = stem + ".glb";

@@ -5,19 +5,14 @@
 
 #include "base/base64.h"
 #include "base/system/atomic_file.h"
-#include "frame/elements.h"
-#include "frame/timeline.h"
 #include "html/escape.h"
 #include "lecture/script_folder.h"
-#include "motion/recorded.h"
+#include "lecture/sliders.h"
 
 namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kFewestReadings = 240, kMostReadings = 2000;  // of the numbers that are read out
-constexpr int kPlotSteps = 600;
 
 // What is between the tags of a script: nothing in it may end it.
 std::string for_script(const Json& data) {
@@ -25,25 +20,6 @@ std::string for_script(const Json& data) {
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
   return text;
-}
-
-Json plots_of(const Solved& solved, double to) {
-  Json plots = Json::array();
-  const Motion& motion = solved.simulation.motion;
-  for (const std::string& name : solved.scene.show.plots) {
-    for (const Recorded& quantity : recorded_quantities()) {
-      if (quantity.name != name) continue;
-      const int steps = steps_to_show(motion, to, kPlotSteps);
-      Json curves = Json::array();
-      const auto all = values_over_time(quantity, motion, to, steps);
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        curves.push_back(
-            {{"name", quantity.curves[k]}, {"values", extremes_of(all[k], kPlotSteps)}});
-      }
-      plots.push_back({{"title", quantity.title}, {"unit", quantity.unit}, {"curves", curves}});
-    }
-  }
-  return plots;
 }
 
 }  // namespace
@@ -63,44 +39,11 @@ bool has_viewers(const Deck& deck) {
   });
 }
 
-Json viewer_data(const Solved& solved, double from, double to) {
-  const Motion& motion = solved.simulation.motion;
-  const Scene& scene = solved.scene;
-  Json data = {{"from", from},
-               {"to", to},
-               {"scale", scene.video.time_scale},
-               {"fps", scene.video.fps.value()},
-               {"title", scene.title},
-               {"pauses", Json::array()},
-               {"captions", Json::array()},
-               {"plots", plots_of(solved, to)}};
-  const Timeline timeline(scene.story, motion.duration(), scene.video.time_scale);
-  for (const Pause& pause : timeline.pauses()) {
-    if (pause.at >= from && pause.at <= to)
-      data["pauses"].push_back({{"at", pause.at}, {"caption", pause.caption}});
-  }
-  for (const StoryStep& step : timeline.steps()) {
-    if (step.caption) data["captions"].push_back({{"at", step.at}, {"caption", *step.caption}});
-  }
-  const int steps =
-      std::clamp(steps_to_show(motion, to, kFewestReadings), kFewestReadings, kMostReadings);
-  Json omega = Json::array(), momentum = Json::array(), energy = Json::array();
-  for (int i = 0; i <= steps; ++i) {
-    const Sample now = motion.at(std::min(from + (to - from) * i / steps, motion.duration()));
-    omega.push_back(now.w_S.norm());
-    momentum.push_back(now.L_S.norm());
-    energy.push_back(now.energy);
-  }
-  data["series"] = {{"omega", omega}, {"momentum", momentum}, {"energy", energy}};
-  for (const ShowName& element : show_names())
-    data["elements"][element.name] = element.doc;
-  return data;
-}
-
 std::string viewer_blocks(const Deck& deck,
                           const FigureOf& figure_of,
                           const fs::path& folder,
-                          const Three& three) {
+                          const Three& three,
+                          const std::optional<std::string>& core) {
   std::string blocks;
   for (const DeckPicture& picture : deck.pictures) {
     if (picture.kind != PictureKind::turn) continue;
@@ -114,7 +57,10 @@ std::string viewer_blocks(const Deck& deck,
                           for_script(data));
   }
   if (blocks.empty()) return "";
-  return blocks + "<script type=\"text/plain\" id=\"three\">" + three.js + "</script>\n";
+  if (core && has_sliders(deck)) {
+    blocks += "<script type=\"text/plain\" data-core>" + base64(*core) + "</script>\n";
+  }
+  return blocks + "<script type=\"text/plain\" data-three>" + three.js + "</script>\n";
 }
 
 }  // namespace polhode

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "film/solved_scene.h"
 #include "lecture/documents.h"
 
 namespace polhode {
@@ -24,19 +23,15 @@ std::optional<Three> find_three();
 // Whether the deck has a picture that is to be turned.
 bool has_viewers(const Deck& deck);
 
-// What a viewer shows beside the model: its times ("from", "to", s of motion; "scale", s of motion
-// per s of film; "fps"), the stops of the story ("pauses": "at", s of motion, and "caption") and
-// its words ("captions", likewise), "series" of |Omega| (rad/s), |L| (kg m^2/s) and energy (J) at
-// equal steps from "from" to "to", the curves of show.plots ("plots"; values at equal steps from 0
-// to "to"), and what elements are ("elements"). Throws Error (check_failed) as Motion::at does.
-Json viewer_data(const Solved& solved, double from, double to);
-
-// The blocks of data for the viewers of a deck, as HTML: for each its model and its viewer_data(),
-// and three.js, none of which runs by itself. `folder`: that of the documents. Empty without
+// The blocks of data for the viewers of a deck, as HTML: for each its model and its viewer_data()
+// (export/viewer_data.h),
+// and three.js, and `core` (find_page_core() in lecture/sliders.h), if it is there and a viewer has
+// sliders; none of which runs by itself. `folder`: that of the documents. Empty without
 // viewers. Throws Error (input) if a file of a product cannot be read.
 std::string viewer_blocks(const Deck& deck,
                           const FigureOf& figure_of,
                           const std::filesystem::path& folder,
-                          const Three& three);
+                          const Three& three,
+                          const std::optional<std::string>& core = {});
 
 }  // namespace polhode

@@ -4,17 +4,20 @@
 
 #include "base/system/parallel.h"
 
-// the sanitizers do not know which stack is in use: with them calls follow one another
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// the sanitizers do not know which stack is in use, and WebAssembly has one: there calls follow one
+// another
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__wasm__)
 
 namespace polhode {
 
 void parallel_in_convoys(long count, int jobs, const std::function<void(long)>& work) {
   parallel_for(count, jobs, work);
 }
+#if !defined(__wasm__)
 bool step_in_convoy(StepMany, void*) {
   return false;
 }
+#endif
 bool in_convoy() {
   return false;
 }

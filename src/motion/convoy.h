@@ -22,7 +22,13 @@ using StepMany = void (*)(void* const* parts, int count);
 
 // Takes the step `part` by step_many(), together with those of other motions on this thread. False
 // if no other wants one of the kind: then nothing was done, and the caller takes it by itself.
+#if defined(__wasm__)
+inline bool step_in_convoy(StepMany /*step_many*/, void* /*part*/) {
+  return false;  // nothing steps together in pages
+}
+#else
 bool step_in_convoy(StepMany step_many, void* part);
+#endif
 
 // Whether the caller is one of the calls of parallel_in_convoys(), so that methods that step
 // together cost less than others (false in programs with a sanitizer, where calls follow one

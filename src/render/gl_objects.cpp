@@ -31,6 +31,9 @@ void delete_program(const Gl& gl, GLuint name) {
 
 void compile(const Gl& gl, GLuint shader, const std::string& file, const std::string& head) {
   std::string source = shader_source(file);
+  const std::string include = "#include \"surface.glsl\"\n";
+  if (const std::size_t at = source.find(include); at != std::string::npos)
+    source.replace(at, include.size(), shader_source("surface.glsl"));
   source.insert(source.find('\n') + 1, head);  // nothing may stand before #version
   const char* text = source.c_str();
   gl.ShaderSource(shader, 1, &text, nullptr);

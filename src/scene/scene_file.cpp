@@ -13,6 +13,16 @@ Scene parse_scene(std::string_view text, const std::string& name) {
   return scene_of(parse_toml(text, name), name);
 }
 
+Scene parse_scene(std::string_view text,
+                  const std::string& name,
+                  const std::vector<Setting>& settings) {
+  std::vector<Change> changes;
+  changes.reserve(settings.size());
+  for (const Setting& setting : settings)
+    changes.push_back(change_of(setting));
+  return changed_scene_of(parse_toml(text, name), name, changes);
+}
+
 Scene load_scene(const std::filesystem::path& file) {
   return load_scene(file, {}, {});
 }

@@ -43,6 +43,11 @@ std::optional<double> number_in_scene(const std::filesystem::path& file,
 // A scene from a text in memory; `name` is the file name for messages. Mesh files are not read.
 // Throws Error (input) as parse_toml and Reader do.
 Scene parse_scene(std::string_view text, const std::string& name);
+// The same with these settings, as load_scene() has them. Also throws Error (input) as that does
+// for settings.
+Scene parse_scene(std::string_view text,
+                  const std::string& name,
+                  const std::vector<Setting>& settings);
 
 // The files that a scene names, its meshes, without opening them; of a film file also its scenes,
 // which are read. As spelled there, relative to the folder of the file. Throws Error (input) as

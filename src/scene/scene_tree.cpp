@@ -88,14 +88,14 @@ Scene scene_of(const toml::table& tree, const std::string& name) {
   return scene;
 }
 
-Scene changed_scene(toml::table tree,
-                    const std::filesystem::path& file,
-                    const std::vector<Change>& changes) {
+Scene changed_scene_of(toml::table tree,
+                       const std::string& name,
+                       const std::vector<Change>& changes) {
   for (const Change& change : changes)
     at_place(change.place, [&] { change.apply(tree); });
   Scene scene;
   try {
-    scene = scene_of(tree, file.string());
+    scene = scene_of(tree, name);
   } catch (const Error& error) {
     throw blamed(error, changes);
   }
@@ -106,7 +106,13 @@ Scene changed_scene(toml::table tree,
     std::erase_if(scene.lines, [&](const auto& line) { return is_within(line.first, key); });
     scene.options[key] = change.place;
   }
+  return scene;
+}
 
+Scene changed_scene(toml::table tree,
+                    const std::filesystem::path& file,
+                    const std::vector<Change>& changes) {
+  Scene scene = changed_scene_of(std::move(tree), file.string(), changes);
   // the files that it names stand beside it
   try {
     load_meshes(scene.body, file.parent_path());

@@ -39,9 +39,13 @@ toml::table read_tree(const std::filesystem::path& file);
 // Error (input) as Reader does.
 Scene scene_of(const toml::table& tree, const std::string& name);
 
-// Changes the tree, the one after the other, and reads a scene and its mesh files from it;
-// Scene::options has the places of the changes. Throws Error (input) as scene_of and load_meshes
-// (model/solids.h) do; for what is wrong with a change, at its place.
+// Changes the tree, the one after the other, and reads a scene from it; Scene::options has the
+// places of the changes. Mesh files are not read. Throws Error (input) as scene_of does; for what
+// is wrong with a change, at its place.
+Scene changed_scene_of(toml::table tree,
+                       const std::string& name,
+                       const std::vector<Change>& changes);
+// The same with its mesh files. Also throws Error (input) as load_meshes (model/solids.h) does.
 Scene changed_scene(toml::table tree,
                     const std::filesystem::path& file,
                     const std::vector<Change>& changes);

@@ -454,12 +454,6 @@ std::string text_libraries() {
   return fmt::format("Pango {}, Cairo {}", pango_version_string(), cairo_version_string());
 }
 
-std::string plain_text(std::string_view text) {
-  const std::unique_ptr<gchar, decltype(&g_free)> escaped(
-      g_markup_escape_text(text.data(), static_cast<gssize>(text.size())), &g_free);
-  return escaped.get();
-}
-
 std::vector<FontFound> examine_fonts() {
   const GObjectPtr<PangoFontMap> fonts = make_font_map();
   const GObjectPtr<PangoContext> context = make_context(fonts.get());

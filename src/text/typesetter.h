@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/sprite.h"
+#include "text/markup.h"
 
 namespace polhode {
 
@@ -46,9 +47,6 @@ struct TextBox {
 
 // The versions of the libraries found at run time: "Pango 1.50.12, Cairo 1.16.0".
 std::string text_libraries();
-
-// Escapes plain text for use as markup.
-std::string plain_text(std::string_view text);
 
 // Lays out and renders text, and caches the results. Thread-safe. `markup` is Pango's: <b>, <i>,
 // <span …>; use plain_text() for text that is not markup. Markup that Pango cannot parse gives an

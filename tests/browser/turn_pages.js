@@ -37,9 +37,9 @@ title: "Turn it ${hostile.replaceAll('"', "'")}"
 
 # Tops
 
-## The free top
+## Three
 
-![The free top](free_symmetric_top.toml){ .turn ${small} clock=both }
+![The free top](free_symmetric_top.toml){ .turn ${small} clock=both vary="motion.spin.rates_deg_per_s[2] 10 800 Spin, °/s; motion.attitude.zxz_deg[1] 5 85" }
 
 ## Waves
 
@@ -51,7 +51,7 @@ title: "Turn it ${hostile.replaceAll('"', "'")}"
 
 ## Hostile
 
-![Hostile](hostile.toml){ #hostile .turn ${small} to=2 alt="</script><b>x" }
+![Hostile](hostile.toml){ #hostile .turn ${small} to=2 alt="</script><b>x" vary="motion.spin.rates_deg_per_s[2] 10 800 </script><img src=x onerror=hack()>" }
 
 ## Bare
 
@@ -60,13 +60,19 @@ title: "Turn it ${hostile.replaceAll('"', "'")}"
 ## Bare waves
 
 ![Bare waves](bare_waves.toml){ .turn ${small} to=0.2 }
+
+## Core
+
+![Both on one slide](bare_free.toml){ #left .turn ${small} to=2 clock=slide }
+
+![Both on one slide](heavy_top.toml){ #right .turn ${small} to=2 clock=slide }
 `);
   run("lecture", `${place}/deck.md`, "-o", `${place}/out`, "--to", "html,slides,pptx", "--quiet");
 };
 
 // rows of `simulate`: time, attitude
-const attitudeAt = (scene, t) => {
-  const table = run("simulate", `${place}/${scene}.toml`, "-o", "-", "--rate", String(1 / t)).split("\n");
+const attitudeAt = (scene, t, ...settings) => {
+  const table = run("simulate", `${place}/${scene}.toml`, "-o", "-", "--rate", String(1 / t), ...settings.flatMap((one) => ["--set", one])).split("\n");
   const [time, ...q] = table[2].split(",").map(Number);
   assert.ok(Math.abs(time - t) < 1e-9);
   return q.slice(0, 4);
@@ -110,6 +116,7 @@ const attitudeAt = (scene, t) => {
     await page.goto(`file://${place}/out/index.html`);
     const took = Date.now() - before;
     assert.strictEqual(await page.evaluate(() => typeof globalThis.THREE), "undefined");
+    assert.ok(took < 2000, `${took} ms`);
     return `in ${took} ms`;
   });
 
@@ -122,20 +129,109 @@ const attitudeAt = (scene, t) => {
   });
   await shot("free-top");
 
-  await check("the slider sets the time exactly", async () => {
-    const range = figure(0).getByRole("slider", { name: "Time" });
+  // how far the attitude that is shown is from that of `simulate`, at the worst of these times
+  const worstAttitude = async (index, scene, times, ...settings) => {
+    const range = figure(index).getByRole("slider", { name: "Time" });
     let worst = 0;
-    for (const t of [1.5, 3.7, 8.25]) {
+    for (const t of times) {
       await range.fill(String(t));
       await settled();
-      const matrix = await inPage(0, "return viewer.model.node('space').matrixWorld.clone().invert().multiply(viewer.body.matrixWorld).elements");
-      const [w, x, y, z] = attitudeAt("free_symmetric_top", t);
+      const matrix = await inPage(index, "return viewer.model.node('space').matrixWorld.clone().invert().multiply(viewer.body.matrixWorld).elements");
+      const [w, x, y, z] = attitudeAt(scene, t, ...settings);
       const exact = [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)];
       exact.forEach((value, i) => (worst = Math.max(worst, Math.abs(value - matrix[4 * Math.floor(i / 3) + (i % 3)]))));
     }
+    return worst;
+  };
+  await check("the slider sets the time exactly", async () => {
+    const worst = await worstAttitude(0, "free_symmetric_top", [1.5, 3.7, 8.25]);
     // between keys: a tenth of a pixel
     assert.ok(worst < 2e-4, `off by ${worst}`);
     return `within ${worst.toExponential(1)}`;
+  });
+
+  // the page computes with Polhode itself, where that was compiled for it
+  const computes = await page.evaluate(() => document.querySelector("script[data-core]") !== null);
+  const spin = figure(0).getByRole("slider", { name: "Spin, °/s" });
+  const answered = (index) => until("an answer", async () => inPage(index, "return viewer.told.textContent !== 'computing …'"));
+  if (!computes) console.log("no sliders: this program was built without Emscripten");
+  if (computes) await check("a slider computes the motion anew, as simulate does", async () => {
+    await spin.fill("310");
+    await answered(0);
+    const settings = ["motion.spin.rates_deg_per_s[2]=310"];
+    const worst = await worstAttitude(0, "free_symmetric_top", [1.5, 3.7, 8.25], ...settings);
+    assert.ok(worst < 2e-4, `off by ${worst}`);
+    // at key times: single precision
+    const keys = await inPage(0, "const track = viewer.model.tracks.find((one) => one.node === viewer.body && one.path === 'rotation'); return [40, 111, 222].map((i) => [track.times[i], ...track.values.slice(4 * i, 4 * i + 4)])");
+    for (const [t, ...q] of keys) {
+      const [w, x, y, z] = attitudeAt("free_symmetric_top", t, ...settings);
+      const far = Math.min(...[1, -1].map((sign) => Math.hypot(q[0] - sign * x, q[1] - sign * y, q[2] - sign * z, q[3] - sign * w)));
+      assert.ok(far < 3e-7, `${t}: ${far}`);
+    }
+    // the numbers beside it are those of the new motion, to 1e-13
+    const [omega, energy] = await inPage(0, "return [viewer.data.series.omega[0], viewer.data.series.energy[0]]");
+    const table = run("simulate", `${place}/free_symmetric_top.toml`, "-o", "-", "--set", settings[0]).split("\n").map((row) => row.split(","));
+    const of = (name) => Number(table[1][table[0].indexOf(name)]);
+    const exact = Math.hypot(of("wx"), of("wy"), of("wz"));
+    assert.ok(Math.abs(omega - exact) <= 1e-13 * exact, `${omega} is not ${exact}`);
+    assert.ok(Math.abs(energy - of("energy")) <= 1e-13 * of("energy"), `${energy} is not ${of("energy")}`);
+    await shot("slider");
+    const took = [];
+    for (let i = 0; i < 5; ++i) {
+      await spin.fill(String(320 + 20 * i));
+      await answered(0);
+      took.push(await inPage(0, "return viewer.took"));
+    }
+    return `${took.map((one) => one.toFixed(0)).join(" ")} ms each`;
+  });
+  if (computes) await check("it plays on while a slider is moved", async () => {
+    await inPage(0, "viewer.clock.loops = true; viewer.clock.play()");
+    const rate = await page.evaluate(async () => {
+      const viewer = document.querySelector("figure[data-turn]").viewer;
+      let drawn = 0;
+      const draw = viewer.draw.bind(viewer);
+      viewer.draw = () => { ++drawn; draw(); };
+      const before = performance.now();
+      for (let i = 0; i < 40; ++i) {
+        viewer.vary(0, 100 + 10 * i);
+        await new Promise((done) => setTimeout(done, 50));
+      }
+      delete viewer.draw;
+      return (1000 * drawn) / (performance.now() - before);
+    });
+    await answered(0);
+    assert.strictEqual(await inPage(0, "return viewer.values[0].value"), 490);
+    await inPage(0, "viewer.clock.pause(); viewer.clock.loops = false");
+    assert.ok(rate > 5);
+    return `${rate.toFixed(0)} frames/s`;
+  });
+  if (computes) await check("what cannot be computed is told, and the motion stays", async () => {
+    const before = await inPage(0, "return viewer.model.about.scene");
+    await inPage(0, "viewer.data.request.method = 'nonsense'; viewer.vary(0, 200)");
+    await answered(0);
+    assert.match(await figure(0).locator(".sliders > output").textContent(), /nonsense/);
+    assert.strictEqual(await inPage(0, "return viewer.model.about.scene"), before);
+    await inPage(0, "delete viewer.data.request.method");
+    await figure(0).getByRole("button", { name: "Starting values as in the film" }).click();
+    await answered(0);
+    const worst = await worstAttitude(0, "free_symmetric_top", [3.7]);
+    assert.ok(worst < 2e-4, `off by ${worst}`);
+    assert.strictEqual(await figure(0).locator(".sliders > output").textContent(), "");
+  });
+  if (computes) await check("keys move a slider, and a link brings it back", async () => {
+    await spin.focus();
+    await page.keyboard.press("ArrowRight");
+    await answered(0);
+    const value = await inPage(0, "return viewer.values[0].value");
+    assert.ok(Math.abs(value - (72 + 7.9)) < 1e-6, String(value));
+    const link = await inPage(0, "return viewer.link()");
+    const other = await newPage();
+    await other.goto(`file://${place}/out/index.html${link}`);
+    await other.waitForFunction(() => document.querySelector("figure[data-turn]").viewer?.told.textContent === "");
+    assert.strictEqual(await other.evaluate(() => document.querySelector("figure[data-turn]").viewer.values[0].value), value);
+    await other.context().close();
+    await figure(0).getByRole("button", { name: "Starting values as in the film" }).click();
+    await answered(0);
   });
 
   await check("a drag turns the camera by the angle that it should, the height of the picture by half a turn", async () => {
@@ -234,6 +330,23 @@ const attitudeAt = (scene, t) => {
     assert.strictEqual(await inPage(2, "return viewer.clock.time * viewer.data.scale + viewer.data.from"), await inPage(2, "return viewer.data.pauses[0].at"));
   });
 
+  await check("what the story shows and hides comes and goes with it, until a tick is used", async () => {
+    const shown = async (t) => {
+      await inPage(2, "viewer.clock.pause(); viewer.clock.set(given)", t);
+      await settled();
+      return inPage(2, "return ['omega', 'momentum'].map((name) => viewer.model.node(name).visible && viewer.ticks.get(name).tick.checked)");
+    };
+    assert.deepStrictEqual(await shown(1), [false, false]);
+    assert.deepStrictEqual(await shown(3), [true, false]);
+    assert.deepStrictEqual(await shown(4), [true, true]);
+    await figure(2).getByRole("checkbox", { name: "momentum", exact: true }).uncheck();
+    assert.deepStrictEqual(await shown(4), [true, false]);
+    await figure(2).getByRole("checkbox", { name: "momentum", exact: true }).check();
+    assert.deepStrictEqual(await shown(1), [false, true]);
+    await figure(2).getByRole("button", { name: "Turn back" }).click();
+    assert.deepStrictEqual(await shown(1), [false, false]);
+  });
+
   await check("hostile titles and labels stay words", async () => {
     await figure(3).getByRole("button", { name: "Turn it by hand" }).click();
     await until("viewer", async () => inPage(3, "return Boolean(viewer)"));
@@ -242,6 +355,8 @@ const attitudeAt = (scene, t) => {
     assert.strictEqual(await page.evaluate(() => globalThis.hacked), undefined);
     assert.ok((await inPage(3, "return viewer.labels.map((one) => one.tip.textContent)")).some((text) => text.includes("onerror")));
     assert.strictEqual(await figure(3).locator(".tip img, .tip script, .said img").count(), 0);
+    assert.strictEqual(await figure(3).locator(".sliders img").count(), 0);
+    if (computes) assert.match(await figure(3).locator(".sliders").textContent(), /onerror=hack/);
     await shot("hostile");
   });
 
@@ -305,6 +420,34 @@ const attitudeAt = (scene, t) => {
     await shot("phone");
   });
 
+  await check("one finger turns, two fingers zoom", async () => {
+    const phone = await newPage({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
+    await phone.goto(`file://${place}/out/index.html`);
+    await phone.getByRole("button", { name: "Turn it by hand" }).first().tap();
+    await phone.waitForFunction(() => document.querySelector("figure[data-turn]").viewer);
+    const canvas = phone.locator("figure[data-turn] canvas").first();
+    await canvas.scrollIntoViewIfNeeded();
+    const state = () => phone.evaluate(() => { const { yaw, pitch, zoom } = document.querySelector("figure[data-turn]").viewer; return { yaw, pitch, zoom }; });
+    const box = await canvas.boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const client = await phone.context().newCDPSession(phone);
+    const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+    const scrolled = await phone.evaluate(() => scrollY);
+    await touch("touchStart", [x, y]);
+    for (let i = 1; i <= 5; ++i) await touch("touchMove", [x - (i * box.height) / 20, y + (i * box.height) / 40]);
+    await touch("touchEnd");
+    const turned = await state();
+    assert.ok(Math.abs(turned.yaw - Math.PI / 4) < 0.02 && Math.abs(turned.pitch + Math.PI / 8) < 0.02, JSON.stringify(turned));
+    await touch("touchStart", [x - 20, y], [x + 20, y]);
+    for (let i = 1; i <= 5; ++i) await touch("touchMove", [x - 20 - 4 * i, y], [x + 20 + 4 * i, y]);
+    await touch("touchEnd");
+    const larger = await state();
+    assert.ok(Math.abs(larger.zoom - 2) < 0.05, JSON.stringify(larger));
+    assert.deepStrictEqual([larger.yaw, larger.pitch], [turned.yaw, turned.pitch]);
+    assert.strictEqual(await phone.evaluate(() => scrollY), scrolled);
+    await phone.context().close();
+  });
+
   await check("memory stays flat while it plays", async () => {
     await page.setViewportSize({ width: 1280, height: 900 });
     await figure(0).scrollIntoViewIfNeeded();
@@ -348,6 +491,24 @@ const attitudeAt = (scene, t) => {
     await slides.keyboard.press("ArrowRight");
     assert.strictEqual(await slides.evaluate(() => Reveal.getIndices().h), where);
     await shot("slide", slides);
+  });
+
+  await check("two viewers on one slide have one clock", async () => {
+    const slides = await newPage({ viewport: { width: 1280, height: 720 } });
+    await slides.goto(`file://${place}/out/slides.html`);
+    await slides.waitForTimeout(500);
+    await slides.evaluate(() => { const at = Reveal.getIndices(document.querySelector("figure[data-clock=slide]").closest("section")); Reveal.slide(at.h, at.v); });
+    const both = slides.locator("section.present figure[data-turn]");
+    assert.strictEqual(await both.count(), 2);
+    for (const i of [0, 1]) await both.nth(i).getByRole("button", { name: "Turn it by hand" }).click();
+    const clocks = () => slides.evaluate(() => [...document.querySelectorAll("section.present figure[data-turn]")].map(({ viewer }) => ({ time: viewer.clock.time, t: viewer.t, same: viewer.clock.watchers.length, width: viewer.canvas.getBoundingClientRect().width, height: viewer.canvas.getBoundingClientRect().height })));
+    await slides.waitForFunction(() => document.querySelector("section.present figure[data-turn]").viewer.clock.time > 0.2);
+    await slides.evaluate(() => document.querySelector("section.present figure[data-turn]").viewer.clock.pause());
+    const [a, b] = await clocks();
+    assert.ok(a.same === 2 && a.time === b.time && a.t === b.t, JSON.stringify([a, b]));
+    for (const one of [a, b]) assert.ok(one.width > 200 && one.height > 100, JSON.stringify(one));
+    await shot("slide-of-two", slides);
+    await slides.context().close();
   });
 
   await check("without WebGL the film is shown", async () => {

@@ -8,6 +8,7 @@
 #include "base/system/console.h"
 #include "base/system/overwriting.h"
 #include "export/gltf_file.h"
+#include "export/mark_picture.h"
 #include "film/error_places.h"
 #include "film/frame_times.h"
 
@@ -32,6 +33,7 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
   plan.to = job.to;
   plan.author = job.author;
   plan.licence = job.licence;
+  plan.paint = mark_picture;
   if (job.overrides.accuracy) {
     const Accuracy& accuracy = scene.numerics.accuracy;
     if (accuracy.pixels) {

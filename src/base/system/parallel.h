@@ -34,12 +34,16 @@ void parallel_for(long count, int jobs, const Work& work) {
       }
     }
   };
+#if defined(__wasm__)
+  take_pieces();  // pages have one thread
+#else
   {
     std::vector<std::jthread> crew;
     for (long i = 1; i < threads; ++i)
       crew.emplace_back(take_pieces);
     take_pieces();
   }
+#endif
   if (error) std::rethrow_exception(error);
 }
 

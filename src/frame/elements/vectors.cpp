@@ -9,7 +9,7 @@
 #include "frame/elements.h"
 #include "frame/elements/parts.h"
 #include "math/so3.h"
-#include "text/typesetter.h"
+#include "text/markup.h"
 
 namespace polhode {
 namespace {

@@ -14,7 +14,7 @@
       globalThis.THREE = {};
       const script = document.createElement("script");
       script.nonce = ownNonce;
-      script.textContent = "(function (exports) {" + document.getElementById("three").textContent + "\n})(globalThis.THREE);";
+      script.textContent = "(function (exports) {" + document.querySelector("script[data-three]").textContent + "\n})(globalThis.THREE);";
       document.head.append(script);
       script.remove();
     }
@@ -23,7 +23,7 @@
 
   const canDraw = () => {
     try {
-      return document.getElementById("three") !== null && document.createElement("canvas").getContext("webgl2") !== null;
+      return document.querySelector("script[data-three]") !== null && document.createElement("canvas").getContext("webgl2") !== null;
     } catch {
       return false;
     }
@@ -32,8 +32,8 @@
   const blockOf = (name) => [...document.querySelectorAll("script[data-viewer]")].find((one) => one.dataset.viewer === name);
 
   // binary glTF: a header, a piece of JSON, a piece of numbers
-  const readGlb = (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (one) => one.charCodeAt(0));
+  const bytesOf = (base64) => Uint8Array.from(atob(base64), (one) => one.charCodeAt(0));
+  const readGlb = (bytes) => {
     const size = new DataView(bytes.buffer).getUint32(12, true);
     const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + size)));
     const kinds = { 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
@@ -50,7 +50,7 @@
     return { json, numbers };
   };
 
-  // ---- surfaces, as shaders/scene.frag lights them ---------------------------------------------------------------
+  // ---- surfaces, as shaders/scene.frag lights them: the numbers are in the files of shaders/ ----------------------
 
   const corners = `
     attribute float density;
@@ -69,43 +69,20 @@
     uniform float alpha, gloss, strip, grain, dashes;
     varying vec3 v_normal, v_world, v_mesh;
     varying float v_density;
-    float bands(float x) {
-      float wave = abs(2.0 * fract(x) - 1.0);
-      return mix(wave, 0.5, clamp(2.0 * fwidth(x), 0.0, 1.0));
-    }
-    float strokes(float x) {
-      float wave = 2.0 * fract(x) - 1.0;
-      wave *= 4.0 * (1.0 - abs(wave));
-      return wave * clamp(2.0 - 8.0 * fwidth(x), 0.0, 1.0);
-    }
-    float brushed(float x) { return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7); }
-    float eased(float x) {
-      float t = clamp(x, 0.0, 1.0);
-      return t * t * (3.0 - 2.0 * t);
-    }
-    vec3 light_on(float key, float fill, float up, float facing) {
-      float sky = 0.5 + 0.5 * up, edge = (1.0 - facing) * (1.0 - facing);
-    #if LIGHT_GROUND
-      vec3 round_about = mix(vec3(0.33, 0.295, 0.255), vec3(0.40, 0.42, 0.46), sky);
-      return (round_about + key * vec3(0.86, 0.82, 0.76) + fill * vec3(0.09, 0.10, 0.12)) * (1.0 - 0.42 * edge);
-    #else
-      vec3 round_about = mix(vec3(0.12, 0.12, 0.14), vec3(0.26, 0.28, 0.33), sky);
-      return round_about + key * vec3(0.80, 0.77, 0.71) + fill * vec3(0.10, 0.12, 0.16) + edge * sky * vec3(0.20, 0.24, 0.30);
-    #endif
-    }
+    #include "light.glsl"
+    #include "surface.glsl"
     void main() {
       vec3 painted = color;
     #if MARKED
       float front = clamp(v_mesh.x / (fwidth(v_mesh.x) + 1e-9 * strip) + 0.5, 0.0, 1.0);
       float on = clamp((strip - abs(v_mesh.y)) / (fwidth(v_mesh.y) + 1e-9 * strip) + 0.5, 0.0, 1.0) * front;
-      painted = mix(color * mix(vec3(0.54, 0.71, 0.90), vec3(1.0), front), mark, on);
+      painted = mix(halved(color, front), mark, on);
     #endif
     #if FINISH == 1
-      float ring = bands(0.8 * length(v_mesh.xy) / grain + 0.25 * v_mesh.z / grain);
-      painted *= 0.88 + 0.17 * ring * ring;
+      painted = grained(painted, length(v_mesh.xy) / grain, v_mesh.z / grain);
     #elif FINISH == 2
       float across = TURNED == 1 ? brushed(length(v_mesh.xy) / grain) : brushed(v_mesh.y / grain);
-      painted *= 0.97 + 0.014 * (across + brushed(v_mesh.z / grain));
+      painted = stroked(painted, across, brushed(v_mesh.z / grain));
     #endif
     #if FLAT
       gl_FragColor = vec4(color, 1.0) * alpha;
@@ -116,33 +93,27 @@
       vec3 normal = normalize(v_normal) * (gl_FrontFacing ? 1.0 : -1.0);
       vec3 to_eye = normalize(cameraPosition - v_world);
       float facing = abs(dot(normal, to_eye));
-      vec3 light = light_on(max(dot(normal, key), 0.0), max(dot(normal, fill), 0.0), normal.y, facing);
+      // the vertical of glTF is y
+      vec3 light = light_on(vec2(dot(normal, key), dot(normal, fill)), normal.y, facing);
     #if VIVID
-      light = LIGHT_GROUND == 1 ? 0.62 + 0.5 * light : 0.54 + 0.48 * light;
+      light = vivid(light);
     #endif
       vec3 lit = painted * painted * light;
       vec3 halfway = normalize(key + to_eye);
       float glance = dot(normal, halfway);
     #if FINISH < 2
-      lit += vec3(gloss * 0.62 * eased(12.0 * glance - 11.0));
+      lit = glossy(lit, gloss, glance);
     #elif FINISH == 2
-      vec3 mirrored = 2.0 * dot(normal, to_eye) * normal - to_eye;
-      float c8 = pow(max(glance, 0.0), 8.0);
-      lit = lit * 0.55 + painted * painted * (0.08 + 0.42 * clamp(4.0 * mirrored.y + 0.5, 0.0, 1.0)) + vec3(0.30 * c8 + 0.25 * c8 * c8 * c8 * c8);
+      lit = mirroring(painted, lit, 2.0 * dot(normal, to_eye) * normal.y - to_eye.y, glance);
     #else
       vec3 across = normalize(cross(halfway, to_eye));
-      float lamp = eased(9.0 - 60.0 * abs(dot(normal, across))) * eased(9.0 - 60.0 * abs(dot(normal, cross(across, halfway))));
-      float rim = (1.0 - facing) * (1.0 - facing);
-      lit += vec3(0.9 * lamp * step(0.0, glance) + 0.22 * rim * rim);
+      lit = glazed(lit, vec2(dot(normal, across), dot(normal, cross(across, halfway))), glance, facing);
     #endif
-      vec3 most = min(lit, vec3(1.6));
-      vec3 shown = sqrt(most * (1.25 - 0.390625 * most));
+      vec3 shown = toned(lit);
     #if SHELL
-      float dense = min(1.0, alpha * (0.45 + 1.8 * (1.0 - facing) * (1.0 - facing)));
-      gl_FragColor = vec4(mix(painted, shown, 0.35) * dense, dense);
+      gl_FragColor = shell(painted, shown, alpha, facing);
     #elif HIDDEN
-      float along = v_mesh.z * dashes;
-      float gap = dashes > 0.0 ? clamp((0.25 - abs(fract(along) - 0.25)) / fwidth(along) + 0.5, 0.0, 1.0) : 1.0;
+      float gap = dashes > 0.0 ? dashed(v_mesh.z * dashes) : 1.0;
       gl_FragColor = vec4(dashes > 0.0 ? painted : shown, 1.0) * alpha * gap;
     #else
       gl_FragColor = vec4(shown, 1.0);
@@ -182,9 +153,9 @@
   // ---- the model ------------------------------------------------------------------------------------------------
 
   class Model {
-    constructor(base64) {
+    constructor(bytes) {
       const THREE = drawing();
-      const { json, numbers } = readGlb(base64);
+      const { json, numbers } = readGlb(bytes);
       this.about = json.asset.extras;
       this.lights = { key: { value: new THREE.Vector3() }, fill: { value: new THREE.Vector3() }, lightGround: this.about.light_ground };
       this.scene = new THREE.Scene();
@@ -242,6 +213,14 @@
       this.camera = json.cameras[0].perspective;
       this.turn = [new THREE.Quaternion(), new THREE.Quaternion()];
       this.show(0);
+    }
+
+    // frees what the graphics card holds of it
+    close() {
+      this.scene.traverse((part) => {
+        part.geometry?.dispose();
+        part.material?.dispose();
+      });
     }
 
     node(name) {
@@ -387,9 +366,8 @@
       const THREE = drawing();
       this.figure = figure;
       this.data = data;
-      this.model = new Model(data.glb);
-      delete data.glb;
       this.duration = (data.to - data.from) / data.scale;
+      this.byHand = new Map(); // element -> whether it is shown, where its tick was used
       this.yaw = this.pitch = 0; // rad, by hand
       this.zoom = 1;
       this.view = "film";
@@ -397,11 +375,8 @@
       this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false });
       this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the shader writes what is shown
       this.camera = new THREE.PerspectiveCamera();
-      this.film = this.model.node("camera");
-      this.body = this.model.node("body_frame");
-      this.middle = this.model.node("along_axis");
-      this.lightNodes = { key: this.model.node("key_light"), fill: this.model.node("fill_light") };
-      this.start = { camera: this.film.matrixWorld.clone(), body: this.body.matrixWorld.clone() };
+      this.take(new Model(bytesOf(data.glb)));
+      delete data.glb;
       this.temporary = { place: new THREE.Matrix4(), eye: new THREE.Vector3(), middle: new THREE.Vector3(), turn: new THREE.Quaternion(), other: new THREE.Quaternion(), axis: new THREE.Vector3(), up: new THREE.Vector3(), size: new THREE.Vector3() };
       this.renderer.setClearColor(new THREE.Color().setStyle(this.model.about.background, THREE.LinearSRGBColorSpace), 1);
       const name = figure.dataset.clock || ` ${figure.dataset.turn}`;
@@ -412,6 +387,18 @@
       this.build();
       this.watch();
       this.update();
+    }
+
+    // shows this model from now on
+    take(model) {
+      this.model?.close();
+      this.model = model;
+      this.film = model.node("camera");
+      this.body = model.node("body_frame");
+      this.middle = model.node("along_axis");
+      this.lightNodes = { key: model.node("key_light"), fill: model.node("fill_light") };
+      this.start = { camera: this.film.matrixWorld.clone(), body: this.body.matrixWorld.clone() };
+      this.startMiddle = undefined;
     }
 
     // motion time, s
@@ -429,16 +416,7 @@
       this.picture = make("div", { class: "turning" }, this.canvas);
       this.picture.style.aspectRatio = String(this.model.camera.aspectRatio);
       this.picture.style.background = this.model.about.background;
-      this.labels = this.model.labels.map((label) => {
-        const tip = make("span", { class: "tip", "aria-hidden": "true" });
-        tip.style.color = label.color;
-        tip.style.fontSize = `${1.15 * label.size}rem`;
-        setMarkup(tip, label.label);
-        this.picture.append(tip);
-        let element = label.node;
-        while (element && !this.isGroup(element)) element = element.parent;
-        return { ...label, tip, group: element };
-      });
+      this.setLabels();
 
       const step = (by) => {
         this.clock.pause();
@@ -466,7 +444,11 @@
       loop.setAttribute("aria-pressed", "false");
       this.viewList = make("select", { "aria-label": "View", onchange: () => this.look(this.viewList.value) }, ...views.map(([value, words]) => new Option(words, value)));
       this.frameList = make("select", { "aria-label": "Frame of reference", onchange: () => this.stand(this.frameList.value) }, new Option("Space stands still", "space"), new Option("The body stands still", "body"));
-      const reset = press("⌂", "Turn back", () => this.look(this.view));
+      const reset = press("⌂", "Turn back", () => {
+        this.byHand.clear();
+        for (const name of this.ticks.keys()) this.setShown(name, true);
+        this.look(this.view);
+      });
       const link = press("Link", "Link to this view and time: copy", () => {
         history.replaceState(null, "", this.link());
         if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
@@ -482,28 +464,114 @@
         this.clock.pause();
         this.clock.set((pause.at - data.from) / data.scale);
       }));
-      this.ticks = new Map([...this.model.elements].map(([name, { color, groups }]) => {
-        const tick = make("input", { type: "checkbox", onchange: () => this.show(name, tick.checked) });
-        tick.checked = true;
-        const swatch = make("span", { class: "swatch" });
-        swatch.style.background = color;
-        return [name, { tick, groups, label: make("label", { title: data.elements[name] ?? name }, tick, swatch, readable(name)) }];
-      }));
+      this.shown = make("fieldset");
+      this.setTicks();
       this.numbers = Object.fromEntries(["t", "|Ω|", "|L|", "E", "θ"].map((name) => [name, make("dd")]));
       const words = { t: "Time", "|Ω|": "Angular velocity", "|L|": "Angular momentum", E: "Energy", θ: "Tilt of the axis" };
       this.said = make("p", { class: "said", "aria-live": "polite" });
-      this.cursors = [];
+      this.curves = make("div", { class: "curves" });
+      this.setCurves();
       this.bar = make("div", { class: barClass, role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
         this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
-        make("fieldset", {}, make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label)),
+        this.shown, ...this.sliders(),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
-        ...(data.captions.length > 0 ? [this.said] : []), ...(data.plots.length > 0 ? [make("div", { class: "curves" }, ...data.plots.map((plot) => this.curve(plot)))] : []));
+        ...(data.captions.length > 0 ? [this.said] : []), ...(data.plots.length > 0 ? [this.curves] : []));
       this.hiddenParts = [...this.figure.querySelectorAll(".screen, .controls, .turn-bar")];
       for (const part of this.hiddenParts) part.hidden = true;
       for (const part of this.hiddenParts) part.style.display = "none";
       this.figure.classList.add("turn-figure");
       this.figure.querySelector(".screen").after(this.picture, this.bar);
       this.listen();
+    }
+
+    setLabels() {
+      for (const { tip } of this.labels ?? []) tip.remove();
+      this.labels = this.model.labels.map((label) => {
+        const tip = make("span", { class: "tip", "aria-hidden": "true" });
+        tip.style.color = label.color;
+        tip.style.fontSize = `${1.15 * label.size}rem`;
+        setMarkup(tip, label.label);
+        this.picture.append(tip);
+        let element = label.node;
+        while (element && !this.isGroup(element)) element = element.parent;
+        return { ...label, tip, group: element };
+      });
+    }
+
+    setTicks() {
+      this.ticks = new Map([...this.model.elements].map(([name, { color, groups }]) => {
+        const tick = make("input", { type: "checkbox", onchange: () => this.show(name, tick.checked) });
+        tick.checked = true;
+        const swatch = make("span", { class: "swatch" });
+        swatch.style.background = color;
+        return [name, { tick, groups, label: make("label", { title: this.data.elements[name] ?? name }, tick, swatch, readable(name)) }];
+      }));
+      this.shown.replaceChildren(make("legend", {}, "Shown"), ...[...this.ticks.values()].map((one) => one.label));
+    }
+
+    setCurves() {
+      this.cursors = [];
+      this.curves.replaceChildren(...this.data.plots.map((plot) => this.curve(plot)));
+    }
+
+    // what the reader may change of the scene, if the page can compute it
+    sliders() {
+      const { sliders } = this.data;
+      this.values = [];
+      if (!sliders || !turnCore.here()) return [];
+      this.told = make("output", { "aria-live": "polite" });
+      const rows = sliders.map((slider, i) => {
+        const number = make("output");
+        const range = make("input", { type: "range", min: String(slider.from), max: String(slider.to), step: "any", "aria-label": slider.words, oninput: () => this.vary(i, Number(range.value)), onkeydown: (event) => {
+          // any step for the mouse, a hundredth of the range for keys
+          const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+          event.stopPropagation();
+          if (!by) return;
+          event.preventDefault();
+          this.vary(i, this.values[i].value + (0.01 * by * (slider.to - slider.from)));
+        } });
+        this.values.push({ value: slider.value, range, number });
+        return make("div", {}, make("span", {}, slider.words), range, number);
+      });
+      const back = press("As in the film", "Starting values as in the film", () => this.startAnew(sliders.map((one) => one.value)));
+      this.values.forEach((_, i) => this.tellValue(i));
+      return [make("fieldset", { class: "sliders" }, make("legend", {}, "Start"), ...rows, back, this.told)];
+    }
+    tellValue(i) {
+      const { value, range, number } = this.values[i];
+      range.value = String(value);
+      number.textContent = short(value);
+      range.setAttribute("aria-valuetext", short(value));
+    }
+    vary(i, value) {
+      this.startAnew(this.values.map((one, k) => (k === i ? value : one.value)));
+    }
+    // the motion from other values on; nothing changes until it is there
+    async startAnew(values) {
+      const { sliders, request } = this.data;
+      values.forEach((value, i) => {
+        const { from, to } = sliders[i];
+        this.values[i].value = Number(Math.min(to, Math.max(from, value)).toPrecision(6));
+        this.tellValue(i);
+      });
+      this.told.textContent = "computing …";
+      const settings = sliders.map(({ key }, i) => [key, String(this.values[i].value)]);
+      const before = performance.now();
+      const answer = await turnCore.ask({ ...request, settings });
+      if (!answer) return;
+      this.took = performance.now() - before;
+      if (answer.about.error) {
+        this.told.textContent = answer.about.error;
+        return;
+      }
+      this.told.textContent = answer.about.doubts.join("; ");
+      Object.assign(this.data, answer.about.viewer);
+      this.take(new Model(answer.glb));
+      this.setLabels();
+      this.setTicks();
+      this.setCurves();
+      for (const [name, shown] of this.byHand) this.setShown(name, shown);
+      this.update();
     }
 
     isGroup(node) {
@@ -611,11 +679,26 @@
       this.frameList.value = this.frame;
       this.update();
     }
+    // by hand; what nobody touches is shown and hidden as the story says
     show(element, shown) {
+      this.byHand.set(element, shown);
+      this.setShown(element, shown);
+      this.update();
+    }
+    setShown(element, shown) {
+      if (!this.ticks.has(element)) return;
       const { tick, groups } = this.ticks.get(element);
       tick.checked = shown;
       for (const group of groups) group.visible = shown;
-      this.update();
+    }
+    followStory() {
+      for (const name of this.ticks.keys()) {
+        if (this.byHand.has(name)) continue;
+        const steps = this.data.story.filter(({ show, hide }) => show.includes(name) || hide.includes(name));
+        if (steps.length === 0) continue;
+        const last = steps.filter((one) => one.at <= this.t + 1e-9).pop();
+        this.setShown(name, last ? last.show.includes(name) : steps[0].hide.includes(name));
+      }
     }
 
     // The camera of the view, turned by hand about the reference point. A frame of reference in which the body
@@ -701,6 +784,7 @@
           this.renderer.setPixelRatio(ratio);
           this.renderer.setSize(width, height, false);
         }
+        this.followStory();
         this.model.show(Math.min(this.clock.time, this.duration));
         this.placeCamera();
         this.renderer.render(this.model.scene, this.camera);
@@ -762,8 +846,11 @@
 
     link() {
       const words = new URLSearchParams({ turn: this.figure.dataset.turn, t: this.t.toPrecision(9), view: this.view, frame: this.frame, yaw: this.yaw.toFixed(4), pitch: this.pitch.toFixed(4), zoom: this.zoom.toFixed(4) });
-      const hidden = [...this.ticks].filter(([, one]) => !one.tick.checked).map(([name]) => name);
-      if (hidden.length > 0) words.set("hide", hidden.join(" "));
+      for (const [key, wanted] of [["show", true], ["hide", false]]) {
+        const names = [...this.byHand].filter(([, shown]) => shown === wanted).map(([name]) => name);
+        if (names.length > 0) words.set(key, names.join(" "));
+      }
+      if (this.values.some((one, i) => one.value !== this.data.sliders[i].value)) words.set("start", this.values.map((one) => one.value).join(" "));
       return "#" + words;
     }
     follow(words) {
@@ -777,8 +864,13 @@
       this.yaw = number("yaw", 0);
       this.pitch = number("pitch", 0);
       this.zoom = Math.min(20, Math.max(0.05, number("zoom", 1)));
-      const hidden = (words.get("hide") ?? "").split(" ");
-      for (const name of this.ticks.keys()) this.show(name, !hidden.includes(name));
+      this.byHand.clear();
+      for (const name of this.ticks.keys()) this.setShown(name, true);
+      for (const [key, shown] of [["show", true], ["hide", false]]) {
+        for (const name of (words.get(key) ?? "").split(" ")) if (this.ticks.has(name)) this.show(name, shown);
+      }
+      const values = (words.get("start") ?? "").split(" ").map(Number);
+      if (this.values.length > 0 && values.length === this.values.length && values.every(Number.isFinite) && words.has("start")) this.startAnew(values);
       this.clock.set((number("t", this.data.from) - this.data.from) / this.data.scale);
     }
 

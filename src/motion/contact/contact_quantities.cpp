@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
+#include "model/contact_invariants.h"
 
 namespace polhode {
 namespace {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What viewers in pages show beside a model.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "film/solving.h"
+
+namespace polhode {
+
+// What a viewer shows beside the model: its times ("from", "to", s of motion; "scale", s of motion
+// per s of film; "fps"), the stops of the story ("pauses": "at", s of motion, and "caption") and
+// its words ("captions", likewise), what it shows and hides
+// ("story": "at", lists "show" and "hide" of elements), "series" of |Omega| (rad/s), |L| (kg m^2/s)
+// and energy (J) at equal steps from "from" to "to", the curves of show.plots ("plots"; values at
+// equal steps from 0 to "to"), and what elements are ("elements"). Throws Error (check_failed) as
+// Motion::at does.
+nlohmann::ordered_json viewer_data(const Solved& solved, double from, double to);
+
+}  // namespace polhode
