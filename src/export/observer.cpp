@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "frame/shadow.h"
 #include "math/so3.h"
 
@@ -82,6 +83,17 @@ double reach_of(const Thing& thing, const Pose& pose) {
   return far.maxCoeff();
 }
 
+// what is no element of the table
+constexpr const char *kPoints = "points", *kTrails = "trails";
+
+const Element& find_element(const std::string& name) {
+  const std::vector<Element>& all = elements();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Element& one) { return one.name == name; });
+  CHECK(found != all.end());
+  return *found;
+}
+
 double distance_of_arcs(const Pose& a, const Pose& b) {
   double most = 0.0;
   for (const double part : {0.0, 0.5, 1.0}) {
@@ -106,6 +118,9 @@ Observer::Observer(const Composer& composer, int segments)
 std::size_t Observer::index_of(const std::string& key, const Thing& thing) {
   const auto [found, added] = indices_.emplace(key, things_.size());
   if (added) {
+    Together& together = of_element_[thing.element];
+    places_.emplace_back(&together, together.things.size());
+    together.things.push_back(things_.size());
     things_.push_back(thing);
     measure(things_.back());
   }
@@ -270,33 +285,57 @@ void Observer::add_glyphs(const std::string& element,
   add_labels(element, glyphs, poses);
 }
 
+const Sample& Observer::sample_at(double t) {
+  const auto kept = samples_.find(t);
+  if (kept != samples_.end()) return kept->second;
+  return samples_.emplace(t, composer_.scenery().motion.at(t)).first->second;
+}
+
+void Observer::look_at(const std::string& name, double t, std::vector<Pose>& poses) {
+  const Scenery& scenery = composer_.scenery();
+  const Sample& sample = sample_at(t);
+  Glyphs glyphs;
+  if (name == kPoints) {
+    add_points(scenery, sample, composer_.shows("fixed_frame"), glyphs);
+  } else if (name == kTrails) {
+    add_point_trails(scenery, sample, glyphs);
+    add_tip_trails(scenery, sample, glyphs);
+  } else {
+    find_element(name).add(scenery, sample, glyphs);
+  }
+  add_glyphs(name, glyphs, poses);
+}
+
 const std::vector<Pose>& Observer::at(double t) {
   const auto kept = moments_.find(t);
   if (kept != moments_.end()) return kept->second;
-  const Scenery& scenery = composer_.scenery();
-  const Sample sample = scenery.motion.at(t);
   std::vector<Pose> poses(things_.size());
-  const auto add = [&](const std::string& name, const auto& drawn_by) {
-    Glyphs glyphs;
-    drawn_by(glyphs);
-    add_glyphs(name, glyphs, poses);
-  };
   for (const Element& element : elements()) {
-    if (!composer_.shows(element.name)) continue;
-    add(element.name, [&](Glyphs& glyphs) { element.add(scenery, sample, glyphs); });
+    if (composer_.shows(element.name)) look_at(element.name, t, poses);
   }
-  add("points",
-      [&](Glyphs& glyphs) { add_points(scenery, sample, composer_.shows("fixed_frame"), glyphs); });
-  add("trails", [&](Glyphs& glyphs) {
-    add_point_trails(scenery, sample, glyphs);
-    add_tip_trails(scenery, sample, glyphs);
-  });
+  look_at(kPoints, t, poses);
+  look_at(kTrails, t, poses);
   return moments_.emplace(t, std::move(poses)).first->second;
 }
 
+// most times are looked at for the sake of one thing, and the rest of the picture is not needed
 Pose Observer::pose(std::size_t thing, double t) {
-  const std::vector<Pose>& poses = at(t);
-  return thing < poses.size() ? poses[thing] : Pose{};
+  const auto whole = moments_.find(t);
+  if (whole != moments_.end()) return thing < whole->second.size() ? whole->second[thing] : Pose{};
+  const auto [together, place] = places_[thing];
+  const auto [kept, added] = together->seen.try_emplace(t);
+  if (added) {
+    std::vector<Pose> poses(things_.size());
+    look_at(std::string(things_[thing].element), t, poses);
+    // what has not been seen yet may come now
+    for (const Element& element : elements()) {
+      if (composer_.shows(element.name) && of_element_.count(element.name) == 0)
+        look_at(element.name, t, poses);
+    }
+    for (const std::size_t i : together->things)
+      kept->second.push_back(i < poses.size() ? poses[i] : Pose{});
+  }
+  return place < kept->second.size() ? kept->second[place] : Pose{};
 }
 
 Vec3 nearer_axis(const Thing& thing, const Pose& a, const Pose& b) {

@@ -5,6 +5,8 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "frame/compose.h"
@@ -69,7 +71,9 @@ class Observer {
   Pose pose(std::size_t thing, double t);
 
  private:
-  struct Seen;  // what was seen at one moment
+  const Sample& sample_at(double t);
+  // what the element of that name, or what stands beside the table of elements, draws
+  void look_at(const std::string& name, double t, std::vector<Pose>& poses);
   std::size_t index_of(const std::string& key, const Thing& thing);
   void add_meshes(const std::string& element,
                   const char* kind,
@@ -91,7 +95,15 @@ class Observer {
   std::vector<Thing> things_;
   std::vector<ObservedTrail> trails_;
   std::map<std::string, std::size_t> indices_;
-  std::map<double, std::vector<Pose>> moments_;
+  std::unordered_map<double, Sample> samples_;
+  std::unordered_map<double, std::vector<Pose>> moments_;  // of all things
+  // the things of one element, and where they were seen without the others
+  struct Together {
+    std::vector<std::size_t> things;
+    std::unordered_map<double, std::vector<Pose>> seen;
+  };
+  std::map<std::string, Together> of_element_;
+  std::vector<std::pair<Together*, std::size_t>> places_;  // of each thing: where, and which there
 };
 
 // Where the z of a round thing points to in b, S; the other way where that is nearer to how it

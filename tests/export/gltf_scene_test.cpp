@@ -7,6 +7,7 @@
 
 #include "base/system/log.h"
 #include "export/gltf_file.h"
+#include "film/solved_scene.h"
 #include "scene/scene_file.h"
 #include "support/expect_error.h"
 #include "support/scenes.h"

@@ -39,7 +39,8 @@ Json request_of(const std::string& scene) {
 // what a page computes is what `export --set` writes, to the bit
 TEST(Recomputed, IsWhatExportWritesWithTheseSettings) {
   Json request = request_of("free_symmetric_top");
-  request["settings"] = {{"motion.duration", "2"}, {"motion.spin.rates_deg_per_s[2]", "500"}};
+  request["settings"] = Json::array({Json::array({"motion.duration", "2"}),
+                                     Json::array({"motion.spin.rates_deg_per_s[2]", "500"})});
   request["from"] = 0.5;
   request["theme"] = "light";
   const Answer answer = ask(request);
@@ -58,7 +59,7 @@ TEST(Recomputed, IsWhatExportWritesWithTheseSettings) {
 
 TEST(Recomputed, SaysWhatIsWrong) {
   Json request = request_of("free_symmetric_top");
-  request["settings"] = {{"body.solid.mass", "-1"}};
+  request["settings"] = Json::array({Json::array({"body.solid.mass", "-1"})});
   const Answer answer = ask(request);
   EXPECT_NE(answer.about.at("error").get<std::string>().find("mass"), std::string::npos)
       << answer.about;

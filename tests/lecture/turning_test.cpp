@@ -5,6 +5,7 @@
 
 #include "base/base64.h"
 #include "export/viewer_data.h"
+#include "film/solved_scene.h"
 #include "lecture/decks.h"
 #include "scene/scene_file.h"
 #include "support/run.h"

@@ -11,6 +11,7 @@
 #include "export/mark_picture.h"
 #include "film/error_places.h"
 #include "film/frame_times.h"
+#include "film/solved_scene.h"
 
 namespace polhode {
 namespace {

@@ -267,10 +267,11 @@
 
   // ---- time -----------------------------------------------------------------------------------------------------
 
-  // One clock for all viewers of the same name. Times in s of animation.
+  // One clock for all viewers of the same name. Times in s of it, each of which is `scale` s of motion: that of the
+  // first viewer, so that motions side by side are at the same time.
   class Clock {
-    constructor(duration, pauses) {
-      Object.assign(this, { duration, pauses, time: 0, playing: false, speed: 1, loops: false, watchers: [], before: 0 });
+    constructor(scale) {
+      Object.assign(this, { scale, duration: 0, pauses: [], time: 0, playing: false, speed: 1, loops: false, watchers: [], before: 0 });
     }
     join(duration, pauses, watcher) {
       this.duration = Math.max(this.duration, duration);
@@ -366,7 +367,6 @@
       const THREE = drawing();
       this.figure = figure;
       this.data = data;
-      this.duration = (data.to - data.from) / data.scale;
       this.byHand = new Map(); // element -> whether it is shown, where its tick was used
       this.yaw = this.pitch = 0; // rad, by hand
       this.zoom = 1;
@@ -380,9 +380,10 @@
       this.temporary = { place: new THREE.Matrix4(), eye: new THREE.Vector3(), middle: new THREE.Vector3(), turn: new THREE.Quaternion(), other: new THREE.Quaternion(), axis: new THREE.Vector3(), up: new THREE.Vector3(), size: new THREE.Vector3() };
       this.renderer.setClearColor(new THREE.Color().setStyle(this.model.about.background, THREE.LinearSRGBColorSpace), 1);
       const name = figure.dataset.clock || ` ${figure.dataset.turn}`;
-      const pauses = data.pauses.map((one) => (one.at - data.from) / data.scale).filter((one) => one > 0 && one < this.duration);
-      if (!clocks.has(name)) clocks.set(name, new Clock(this.duration, []));
+      if (!clocks.has(name)) clocks.set(name, new Clock(data.scale));
       this.clock = clocks.get(name);
+      this.duration = (data.to - data.from) / this.clock.scale;
+      const pauses = data.pauses.map((one) => (one.at - data.from) / this.clock.scale).filter((one) => one > 0 && one < this.duration);
       this.clock.join(this.duration, pauses, () => this.update());
       this.build();
       this.watch();
@@ -403,7 +404,7 @@
 
     // motion time, s
     get t() {
-      return Math.min(this.data.to, this.data.from + this.clock.time * this.data.scale);
+      return Math.min(this.data.to, this.data.from + this.clock.time * this.clock.scale);
     }
 
     build() {
@@ -462,7 +463,7 @@
       const back = press("Film", "Back to the film", () => this.close());
       const stops = data.pauses.map((pause, i) => press(`❚❚ ${i + 1}`, `Pause point ${i + 1}, ${short(pause.at)} s${pause.caption ? ": " + pause.caption : ""}`, () => {
         this.clock.pause();
-        this.clock.set((pause.at - data.from) / data.scale);
+        this.clock.set((pause.at - data.from) / this.clock.scale);
       }));
       this.shown = make("fieldset");
       this.setTicks();
@@ -544,27 +545,26 @@
       range.setAttribute("aria-valuetext", short(value));
     }
     vary(i, value) {
-      this.startAnew(this.values.map((one, k) => (k === i ? value : one.value)));
+      const rounded = Number(value.toPrecision(6)); // what nobody has touched stays as it is
+      this.startAnew(this.values.map((one, k) => (k === i ? rounded : one.value)));
     }
     // the motion from other values on; nothing changes until it is there
     async startAnew(values) {
       const { sliders, request } = this.data;
       values.forEach((value, i) => {
         const { from, to } = sliders[i];
-        this.values[i].value = Number(Math.min(to, Math.max(from, value)).toPrecision(6));
+        this.values[i].value = Math.min(to, Math.max(from, value));
         this.tellValue(i);
       });
       this.told.textContent = "computing …";
       const settings = sliders.map(({ key }, i) => [key, String(this.values[i].value)]);
       const before = performance.now();
+      const question = (this.question = (this.question ?? 0) + 1);
       const answer = await turnCore.ask({ ...request, settings });
       if (!answer) return;
       this.took = performance.now() - before;
-      if (answer.about.error) {
-        this.told.textContent = answer.about.error;
-        return;
-      }
-      this.told.textContent = answer.about.doubts.join("; ");
+      if (question === this.question) this.told.textContent = answer.about.error ?? answer.about.doubts.join("; ");
+      if (answer.about.error) return;
       Object.assign(this.data, answer.about.viewer);
       this.take(new Model(answer.glb));
       this.setLabels();
@@ -600,7 +600,7 @@
         if (event.buttons === 0 && event.type === "pointermove") return;
         const box = picture.getBoundingClientRect();
         this.clock.pause();
-        this.clock.set((((event.clientX - box.left) / box.width) * this.data.to - this.data.from) / this.data.scale);
+        this.clock.set((((event.clientX - box.left) / box.width) * this.data.to - this.data.from) / this.clock.scale);
       };
       picture.addEventListener("pointerdown", follow);
       picture.addEventListener("pointermove", follow);
@@ -785,7 +785,7 @@
           this.renderer.setSize(width, height, false);
         }
         this.followStory();
-        this.model.show(Math.min(this.clock.time, this.duration));
+        this.model.show((this.t - this.data.from) / this.data.scale); // s of its animation
         this.placeCamera();
         this.renderer.render(this.model.scene, this.camera);
         this.placeLabels(width, height);
@@ -871,7 +871,7 @@
       }
       const values = (words.get("start") ?? "").split(" ").map(Number);
       if (this.values.length > 0 && values.length === this.values.length && values.every(Number.isFinite) && words.has("start")) this.startAnew(values);
-      this.clock.set((number("t", this.data.from) - this.data.from) / this.data.scale);
+      this.clock.set((number("t", this.data.from) - this.data.from) / this.clock.scale);
     }
 
     close() {
