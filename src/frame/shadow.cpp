@@ -24,6 +24,10 @@ struct Grid {
 };
 constexpr Grid kLampGrid{56, 2, 2};
 constexpr Grid kSkyGrid{16, 1, 4};
+Grid finer(Grid grid, double fineness) {
+  grid.per_radius = static_cast<int>(std::lround(grid.per_radius * fineness));
+  return grid;
+}
 constexpr float kRim = 0.08f;     // shadows fade so near the rim, in radii of the floor
 constexpr int kLights = 12;       // points of the light
 constexpr int kSkyPoints = 12;    // points of the sky
@@ -237,9 +241,12 @@ std::vector<Vec2> light_slopes(const Vec3& to_light) {
   return slopes;
 }
 
-MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light) {
+MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
+                    const Vec3& to_light,
+                    double fineness) {
+  const Grid grid = finer(kLampGrid, fineness);
   const std::vector<Vec2> slopes = light_slopes(to_light);
-  const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, kLampGrid.per_radius);
+  const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, grid.per_radius);
   glm::vec2 low(std::numeric_limits<float>::infinity());
   glm::vec2 high(-low);
   for (const std::vector<glm::vec3>& of_caster : points) {
@@ -252,7 +259,7 @@ MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_lig
     }
   }
   if (!(low.x <= high.x)) return nullptr;
-  Samples samples(kLampGrid, static_cast<int>(slopes.size()), low, high);
+  Samples samples(grid, static_cast<int>(slopes.size()), low, high);
   stop_light(casters, points, slopes, samples);
   const auto normal = [&](int x, int y) {
     const float in = 1.0f - glm::length(samples.place(x, y));
@@ -274,11 +281,12 @@ std::vector<Vec2> sky_slopes() {
   return slopes;
 }
 
-MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters) {
+MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters, double fineness) {
+  const Grid grid = finer(kSkyGrid, fineness);
   const std::vector<Vec2> slopes = sky_slopes();
-  const glm::vec2 corner(static_cast<float>(kSkyGrid.per_radius));
-  Samples samples(kSkyGrid, static_cast<int>(slopes.size()), -corner, corner);
-  stop_light(casters, all_in_samples(casters, kSkyGrid.per_radius), slopes, samples);
+  const glm::vec2 corner(static_cast<float>(grid.per_radius));
+  Samples samples(grid, static_cast<int>(slopes.size()), -corner, corner);
+  stop_light(casters, all_in_samples(casters, grid.per_radius), slopes, samples);
   const auto normal = [&](int x, int y) {
     const float out = glm::clamp(2.0f * glm::length(samples.place(x, y)) - 1.0f, 0.0f, 1.0f);
     return glm::vec3(samples.dark(x, y), 0.0f, 1.0f - out * out * (3.0f - 2.0f * out));

@@ -398,8 +398,8 @@ TEST(SceneNumbers, TheRattlebackReversesOnce) {
   EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_per_s"), 2.01, 0.01);
   EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_reversed_per_s"), 0.22, 0.01);
   const Motion& motion = solved.simulation.motion;
-  EXPECT_LT(motion.at(0.0).w_S.z(), -3.9);
-  EXPECT_GT(motion.at(7.0).w_S.z(), 3.9);
+  EXPECT_GT(motion.at(0.0).w_S.z(), 3.9);
+  EXPECT_LT(motion.at(7.0).w_S.z(), -3.9);
   EXPECT_NEAR(motion.at(7.0).energy, motion.at(0.0).energy, 1e-8);
 }
 
