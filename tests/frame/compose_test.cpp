@@ -316,7 +316,6 @@ MotionSpec rolling(double far) {
   MotionSpec spec;
   spec.hold = "table";
   spec.duration = 4.0;
-  spec.velocity = Vec3(far / 4.0, 0, 0);
   spec.spin.space = Vec3(0, far / 4.0 / 0.03, 0);
   spec.friction = FrictionSpec{};
   spec.friction->kind = "rolling";
@@ -350,7 +349,7 @@ TEST(Compose, ABodyThatTravelsOnATableIsFollowedAndLarge) {
     ASSERT_NE(middle, floor.grid.mesh->vertices.end());
     const Vec3 at = floor.grid.space_from_mesh *
                     Vec3(middle->position.x, middle->position.y, middle->position.z);
-    const double lines = at.y() / 0.03;
+    const double lines = at.y() / followed.scenery().scale.body;
     EXPECT_NEAR(lines, std::round(lines), 1e-4) << t;
   }
   CameraSpec still;
