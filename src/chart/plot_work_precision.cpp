@@ -18,10 +18,18 @@ constexpr int kPanelHeight = 700;
 
 // of families, in the order of MethodFamily: Okabe and Ito's without black and yellow, then darker
 // ones, told apart by the colour-blind
-constexpr std::array<const char*, 8> kColors = {
-    "#7F7F7F", "#0072B2", "#56B4E9", "#D55E00", "#5D3A9B", "#009E73", "#E69F00", "#CC79A7"};
-// of the methods of a family, marks of gnuplot: disc, square, triangles, diamond, open circle
-constexpr std::array<int, 6> kMarks = {7, 5, 9, 11, 13, 6};
+constexpr std::array<const char*, 9> kColors = {"#7F7F7F",
+                                                "#0072B2",
+                                                "#56B4E9",
+                                                "#D55E00",
+                                                "#5D3A9B",
+                                                "#009E73",
+                                                "#E69F00",
+                                                "#CC79A7",
+                                                "#8C4A2F"};
+// of the methods of a family, marks of gnuplot: disc, square, triangles, diamond, open circle and
+// square
+constexpr std::array<int, 7> kMarks = {7, 5, 9, 11, 13, 6, 4};
 
 // the methods of the points, in their order
 std::vector<std::string> methods_of(const std::vector<WorkPoint>& points) {

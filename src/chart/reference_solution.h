@@ -11,7 +11,8 @@
 namespace polhode {
 
 // The states at equally spaced times of a motion, from the closed form or, if there is none, from
-// two accurate runs with methods of different kinds. Immutable, so any thread may use it.
+// two accurate runs with methods of different kinds; on a table, from event to event at two
+// tolerances. Immutable, so any thread may use it.
 class ReferenceSolution {
  public:
   // Computes the states from t = 0 to `duration` (s, positive). Throws Error (interrupted) only: if
@@ -43,6 +44,7 @@ class ReferenceSolution {
  private:
   void by_closed_form(const State& start);
   void by_two_methods(const State& start);
+  void by_two_tolerances(const State& start);
 
   BodyModel model_;
   double duration_;

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
-#include "motion/grid_trajectory.h"
+#include "motion/refinement.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
 
@@ -29,6 +29,10 @@ double seconds_of(const std::function<void()>& run, long repeats) {
 
 // the bare integration: nothing is kept of it but its end
 State walk(const StepperInfo& method, const WorkProblem& problem, double fineness) {
+  // from event to event there is no bare walk
+  if (problem.model.table && method.adaptive)
+    return integrate_with(method, problem.model, problem.start, problem.duration, fineness)
+        .trajectory->at(problem.duration);
   const std::unique_ptr<Stepper> stepper =
       method.make(problem.model, momentum_scale(problem.model, problem.start));
   State s = problem.start;
@@ -58,9 +62,7 @@ WorkPoint point(const StepperInfo& method,
   WorkPoint p{method.name, method.order, fineness, 0, kUnknown, kUnknown, kUnknown, kUnknown, ""};
   try {
     const Integration run =
-        method.adaptive
-            ? integrate_adaptive(method, problem.model, problem.start, problem.duration, fineness)
-            : integrate_fixed(method, problem.model, problem.start, problem.duration, fineness);
+        integrate_with(method, problem.model, problem.start, problem.duration, fineness);
     p.evaluations = run.record.evaluations;
     p.energy_drift = run.record.drift.energy.value_or(kUnknown);
     p.momentum_drift = run.record.drift.momentum.value_or(kUnknown);

@@ -276,7 +276,7 @@ void Observer::add_glyphs(const std::string& element,
     sheets.push_back(sheet.mesh);
   for (const FloorGlyph& floor : glyphs.floors) {
     floors.push_back({floor_, floor.place, floor.material});
-    floors.push_back(floor.dial);
+    if (floor.dial.mesh != nullptr) floors.push_back(floor.dial);
   }
   add_meshes(element, "sheet", sheets, true, poses);
   add_meshes(element, "floor", floors, false, poses);

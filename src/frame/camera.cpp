@@ -126,6 +126,17 @@ Camera Camera::zoomed(double factor) const {
   return {R_CS_, eye_, 2.0 * std::atan(std::tan(0.5 * fov_) / factor), size_, clip_};
 }
 
+Camera Camera::seeing_farther(double more) const {
+  constexpr double kNearest = 1e-2;  // of the far distance: depth keeps its precision
+  const double far_plane = clip_.far_plane + more;
+  return {R_CS_,
+          eye_,
+          fov_,
+          size_,
+          {std::min(clip_.near_plane, std::max(clip_.near_plane - more, kNearest * far_plane)),
+           far_plane}};
+}
+
 Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3& focus) {
   if (part <= 0.0) return a;
   if (part >= 1.0) return b;

@@ -66,6 +66,8 @@ class Camera {
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
   // The camera with everything `factor` (positive) times as large in the picture, about its middle.
   Camera zoomed(double factor) const;
+  // The camera with clip planes that also contain what is up to `more` (m) beyond them.
+  Camera seeing_farther(double more) const;
   // The camera at the fraction `part` (0..1; outside, that of a or b) of the way from a to b: its
   // axes turn at a constant rate; field of view and the position of `focus` (S, m) in its axes
   // change linearly. a and b have the same picture size.

@@ -15,7 +15,8 @@
 namespace polhode {
 namespace {
 
-constexpr int kRoughArrow = 8;  // pieces of a full circle of arrows that throw shadows
+constexpr double kFarTable = 5.0;  // its radius at most, in that of the body and of where it goes
+constexpr int kRoughArrow = 8;     // pieces of a full circle of arrows that throw shadows
 
 // Does a camera turn with the body or with L? A floor would turn about it.
 bool turns(const Staging& staging) {
@@ -215,6 +216,12 @@ Composer::Composer(const Motion& motion,
       staging_(staging),
       beside_(shared.beside),
       rigs_(make_rigs(size)) {
+  if (scenery_.motion.model().table) {
+    scenery_.table_goes_along = std::any_of(
+        rigs_.begin(), rigs_.end(), [](const Rig& rig) { return rig.spec.follow != "none"; });
+    // its path is as thick as it is near
+    if (scenery_.table_goes_along) scenery_.paths = make_paths(scenery_);
+  }
   // now that the cameras are known: no triangle smaller than a pixel needs
   const Largest largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
@@ -332,9 +339,34 @@ bool Composer::is_larger_followed(CameraSpec spec, PictureSize size) const {
   return pixels_per_metre("center") > 1.1 * pixels_per_metre("none");
 }
 
+// would a camera that stands at the whole path on a table leave the body small?
+bool Composer::is_small_on_table(CameraSpec spec, PictureSize size) const {
+  constexpr double kSmall = 1.0 / 3.0;  // of the height of the picture
+  spec.follow = "none";
+  const Camera camera = make_camera(spec, points_to_frame(spec), size, staging_.margins);
+  double sum = 0.0;
+  const std::vector<double> times = film_times();
+  for (const double film : times) {
+    const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
+    sum += 2.0 * scenery_.scale.body *
+           camera.moved(rig_from_space(spec, film)).pixels_per_metre(sample.reference_S);
+  }
+  return sum < kSmall * size.height * static_cast<double>(times.size());
+}
+
 std::string Composer::follow_of(const CameraSpec& spec, PictureSize size) const {
   if (spec.follow != "auto") return spec.follow;
   if (spec.eye || spec.target) return "none";
+  if (scenery_.motion.model().table) {
+    // cameras of all panels go along if one of the bodies does
+    const bool any_travels =
+        travels(scenery_) || std::any_of(beside_.begin(), beside_.end(), [](const auto& other) {
+          return travels(other->scenery_);
+        });
+    const bool follows = any_travels && !shows("fixed_frame") && is_small_on_table(spec, size) &&
+                         is_larger_followed(spec, size);
+    return follows ? "center" : "none";
+  }
   if (!spec.direction && (shows("plane") || shows("herpolhode"))) return "upright";
   const bool follows =
       travels(scenery_) && !keeps_place_in_space() && is_larger_followed(spec, size);
@@ -360,6 +392,8 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
     }
     rig.linear() = turn;
     rig.translation() = start.reference_S - turn * now.reference_S;
+    // along a table, not up and down
+    if (spec.follow == "center" && scenery_.motion.model().table) rig.translation().z() = 0.0;
   }
   if (spec.orbit != 0.0) {
     const Vec3 center = spec.target.value_or(start.reference_S);
@@ -377,8 +411,11 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
     const Vec3 L = scenery_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
     if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
       spec.direction = L.normalized();
-    rigs.push_back(
-        {spec, begins, move, make_camera(spec, points_to_frame(spec), size, staging_.margins)});
+    Camera camera = make_camera(spec, points_to_frame(spec), size, staging_.margins);
+    // a table reaches farther than what is framed
+    if (scenery_.motion.model().table && shows("floor"))
+      camera = camera.seeing_farther(kFarTable * (scenery_.scale.body + scenery_.table_reach));
+    rigs.push_back({spec, begins, move, camera});
   };
   add(staging_.camera, 0.0, 0.0);
   for (std::size_t i = 0; i < staging_.shots.size(); ++i) {

@@ -130,6 +130,7 @@ class Composer {
   // What a camera follows: never "auto".
   std::string follow_of(const CameraSpec& spec, PictureSize size) const;
   bool is_larger_followed(CameraSpec spec, PictureSize size) const;
+  bool is_small_on_table(CameraSpec spec, PictureSize size) const;
   bool keeps_place_in_space() const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
   std::vector<Vec3> own_points(const CameraSpec& spec) const;

@@ -63,8 +63,10 @@ void add_floors(const Glyphs& glyphs,
       casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
     }
     // thin lines hide no sky
-    add_layer(floor_mesh(casters), floor.material);
-    list.translucent.push_back(item_of(floor.dial, frame, Faces::front));
+    add_layer(floor_mesh(casters, floor.fineness), floor.material);
+    for (const MeshGlyph* lines : {&floor.dial, &floor.grid}) {
+      if (lines->mesh != nullptr) list.translucent.push_back(item_of(*lines, frame, Faces::front));
+    }
     for (const ArrowGlyph& arrow : glyphs.arrows) {
       const std::optional<ArrowPlaces> places = arrow_places(arrow.from, arrow.tip, arrow.shape);
       if (!places) continue;
@@ -74,7 +76,7 @@ void add_floors(const Glyphs& glyphs,
           {meshes.rough_arrows.head, floor_from_space * places->head, arrow.material.fade});
     }
     const Vec3 to_light = floor_from_space.linear() * to_eigen(list.view.key_light);
-    add_layer(shadow_mesh(casters, to_light), floor.shadow);
+    add_layer(shadow_mesh(casters, to_light, floor.fineness), floor.shadow);
   }
 }
 
@@ -154,8 +156,9 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   for (std::size_t i = before.sheets; i < glyphs.sheets.size(); ++i)
     glyphs.sheets[i].mesh.material.fade *= fade;
   for (std::size_t i = before.floors; i < glyphs.floors.size(); ++i) {
+    FloorGlyph& floor = glyphs.floors[i];
     for (Material* material :
-         {&glyphs.floors[i].material, &glyphs.floors[i].shadow, &glyphs.floors[i].dial.material})
+         {&floor.material, &floor.shadow, &floor.dial.material, &floor.grid.material})
       material->fade *= fade;
   }
   for (std::size_t i = before.labels; i < glyphs.labels.size(); ++i)

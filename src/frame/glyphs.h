@@ -38,10 +38,12 @@ struct MeshGlyph {
 
 // A floor, with the shadows of the meshes that throw one.
 struct FloorGlyph {
-  Placement place;    // maps the coordinates of frame/shadow.h to S, m
-  Material material;  // of floor_mesh()
-  Material shadow;    // of shadow_mesh()
-  MeshGlyph dial;     // drawn on it
+  Placement place;        // maps the coordinates of frame/shadow.h to S, m
+  Material material;      // of floor_mesh()
+  Material shadow;        // of shadow_mesh()
+  MeshGlyph dial;         // drawn on it; its mesh may be null
+  MeshGlyph grid = {};    // lines on it that are made for this moment; its mesh may be null
+  double fineness = 1.0;  // of the shadows, see frame/shadow.h
 };
 
 // A straight thin tube.

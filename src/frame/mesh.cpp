@@ -190,22 +190,34 @@ Mesh unit_disc(int segments) {
   return mesh;
 }
 
+namespace {
+
+// a strip between corners, each with the strength of the line there, dense on its middle and gone
+// at its sides
+void add_strip(const std::array<Vec2, 3>& from,
+               const std::array<Vec2, 3>& to,
+               float strength_from,
+               float strength_to,
+               Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const std::array<Vec2, 3>* end : {&from, &to}) {
+    const float strength = end == &from ? strength_from : strength_to;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2& p = (*end)[i];
+      mesh.vertices.push_back(
+          {glm::vec3(p.x(), p.y(), 0.0), {0.0f, 0.0f, i == 1 ? strength : 0.0f}});
+    }
+  }
+  for (const std::uint32_t side : {first, first + 1})
+    mesh.indices.insert(mesh.indices.end(), {side, side + 1, side + 4, side, side + 4, side + 3});
+}
+
+}  // namespace
+
 Mesh dial(int segments, double half_width) {
   constexpr int kTicks = 12;
   constexpr double kShort = 0.05, kLong = 0.11;
   Mesh mesh;
-  // a strip between corners that are dense on its middle and gone at its sides
-  const auto add_strip = [&](const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const std::array<Vec2, 3>* end : {&from, &to}) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vec2& p = (*end)[i];
-        mesh.vertices.push_back({glm::vec3(p.x(), p.y(), 0.0), {0.0f, 0.0f, i == 1 ? 1.0f : 0.0f}});
-      }
-    }
-    for (const std::uint32_t side : {first, first + 1})
-      mesh.indices.insert(mesh.indices.end(), {side, side + 1, side + 4, side, side + 4, side + 3});
-  };
   const auto around = [](double angle) {
     return Vec2(std::cos(angle), std::sin(angle));
   };
@@ -213,13 +225,45 @@ Mesh dial(int segments, double half_width) {
     const Vec2 here = around(2.0 * kPi * k / segments),
                next = around(2.0 * kPi * (k + 1) / segments);
     const double in = 1.0 - half_width, out = 1.0 + half_width;
-    add_strip({in * here, here, out * here}, {in * next, next, out * next});
+    add_strip({in * here, here, out * here}, {in * next, next, out * next}, 1.0f, 1.0f, mesh);
   }
   for (int k = 0; k < kTicks; ++k) {
     const Vec2 along = around(2.0 * kPi * k / kTicks);
     const Vec2 aside = half_width * Vec2(-along.y(), along.x());
     const Vec2 from = (1.0 - (k % 3 == 0 ? kLong : kShort)) * along;
-    add_strip({from + aside, from, from - aside}, {along + aside, along, along - aside});
+    add_strip({from + aside, from, from - aside},
+              {along + aside, along, along - aside},
+              1.0f,
+              1.0f,
+              mesh);
+  }
+  return mesh;
+}
+
+Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_width) {
+  constexpr int kPieces = 24;  // of each line, along which it fades
+  Mesh mesh;
+  const auto strength = [](const Vec2& p) {
+    const double out = std::clamp(2.0 * p.norm() - 1.0, 0.0, 1.0);
+    return static_cast<float>(1.0 - out * out * (3.0 - 2.0 * out));
+  };
+  for (const double turn : {angle, angle + 0.5 * kPi}) {
+    const Vec2 along(std::cos(turn), std::sin(turn)), across(-along.y(), along.x());
+    const double offset = across.dot(through);
+    const Vec2 aside = half_width * across;
+    for (double k = std::ceil((-1.0 - offset) / spacing); offset + k * spacing < 1.0; k += 1.0) {
+      const double away = offset + k * spacing;
+      const double half = std::sqrt(std::max(0.0, 1.0 - away * away));
+      for (int i = 0; i < kPieces; ++i) {
+        const Vec2 from = away * across + half * (2.0 * i / kPieces - 1.0) * along;
+        const Vec2 to = away * across + half * (2.0 * (i + 1) / kPieces - 1.0) * along;
+        add_strip({from + aside, from, from - aside},
+                  {to + aside, to, to - aside},
+                  strength(from),
+                  strength(to),
+                  mesh);
+      }
+    }
   }
   return mesh;
 }

@@ -54,6 +54,10 @@ Mesh unit_disc(int segments);
 // every 30 degrees, long ones along the axes. The z of the normals falls from 1, in the middle of
 // each line, to 0 at its sides, `half_width` away.
 Mesh dial(int segments, double half_width);
+// A square grid of lines on a floor (frame/shadow.h), in the plane z = 0 for a material that is
+// `soft`, inside the unit circle: towards its rim the lines fade as the floor does. through: a
+// point where two lines cross; angle (rad): from +x to one of them.
+Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_width);
 // A torus about z. radius: distance of the tube's centre from the axis; tube: radius of the tube.
 Mesh torus(double radius, double tube, int segments);
 // The open cone r = z for z in 0..1 with its apex at the origin (half-angle 45 degrees, to be

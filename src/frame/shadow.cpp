@@ -24,6 +24,10 @@ struct Grid {
 };
 constexpr Grid kLampGrid{56, 2, 2};
 constexpr Grid kSkyGrid{16, 1, 4};
+Grid finer(Grid grid, double fineness) {
+  grid.per_radius = static_cast<int>(std::lround(grid.per_radius * fineness));
+  return grid;
+}
 constexpr int kLights = 12;       // points of the light
 constexpr int kSkyPoints = 12;    // points of the sky
 constexpr double kSkyPart = 0.8;  // of the light of the sky: what comes lower falls far away
@@ -241,9 +245,12 @@ std::vector<Vec2> light_slopes(const Vec3& to_light) {
   return slopes;
 }
 
-MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light) {
+MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
+                    const Vec3& to_light,
+                    double fineness) {
+  const Grid grid = finer(kLampGrid, fineness);
   const std::vector<Vec2> slopes = light_slopes(to_light);
-  const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, kLampGrid.per_radius);
+  const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, grid.per_radius);
   glm::vec2 low(std::numeric_limits<float>::infinity());
   glm::vec2 high(-low);
   for (const std::vector<glm::vec3>& of_caster : points) {
@@ -256,7 +263,7 @@ MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_lig
     }
   }
   if (!(low.x <= high.x)) return nullptr;
-  Samples samples(kLampGrid, static_cast<int>(slopes.size()), low, high);
+  Samples samples(grid, static_cast<int>(slopes.size()), low, high);
   stop_light(casters, points, slopes, samples);
   const auto normal = [&](int x, int y) {
     return glm::vec3(
@@ -278,11 +285,12 @@ std::vector<Vec2> sky_slopes() {
   return slopes;
 }
 
-MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters) {
+MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters, double fineness) {
+  const Grid grid = finer(kSkyGrid, fineness);
   const std::vector<Vec2> slopes = sky_slopes();
-  const glm::vec2 corner(static_cast<float>(kSkyGrid.per_radius));
-  Samples samples(kSkyGrid, static_cast<int>(slopes.size()), -corner, corner);
-  stop_light(casters, all_in_samples(casters, kSkyGrid.per_radius), slopes, samples);
+  const glm::vec2 corner(static_cast<float>(grid.per_radius));
+  Samples samples(grid, static_cast<int>(slopes.size()), -corner, corner);
+  stop_light(casters, all_in_samples(casters, grid.per_radius), slopes, samples);
   const auto normal = [&](int x, int y) {
     return glm::vec3(samples.dark(x, y), 0.0f, left_near_rim(samples.place(x, y), 0.5f));
   };

@@ -30,11 +30,14 @@ struct ShadowCaster {
 // the shadow of a point p falls on (p.x, p.y) - p.z * slope. Their mean is that of the middle.
 std::vector<Vec2> light_slopes(const Vec3& to_light);
 
-// The shadow, as a flat mesh in the plane z = 0 of the floor. Its normals are not unit: their z is
-// the darkness (0..1), for a material that is `soft`; their x is 0. Parts below the floor throw no
-// shadow; within kShadowRim of the rim the darkness falls smoothly to 0. Null if there is no
-// shadow.
-MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters, const Vec3& to_light);
+// The shadow, as a flat mesh in the plane z = 0 of the floor. fineness (at least 1): how many times
+// as fine, and as little smoothed, as is enough where the casters are as large as the floor. Its
+// normals are not unit: their z is the darkness (0..1), for a material that is `soft`; their x is
+// 0. Parts below the floor throw no shadow; within kShadowRim of the rim the darkness falls smoothly
+// to 0. Null if there is no shadow.
+MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
+                    const Vec3& to_light,
+                    double fineness = 1.0);
 
 // Directions to points of the sky but for its lowest part, from which equal parts of its light come
 // to a floor (Lambert's cosine law), as slopes.
@@ -45,7 +48,7 @@ inline constexpr double kSkyBlur = 0.35;
 // The floor itself, as a mesh in the plane z = 0. Its normals are not unit, for a material that is
 // `soft`: their z falls smoothly from 1, in the inner half, to 0 at the rim, and their x (0..1) is
 // the part of the light of the sky that the casters keep: large where something stands on the
-// floor, small and wide below what hovers.
-MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters);
+// floor, small and wide below what hovers. fineness: as of shadow_mesh().
+MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters, double fineness = 1.0);
 
 }  // namespace polhode

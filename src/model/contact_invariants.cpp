@@ -102,7 +102,7 @@ bool is_of_revolution(const BodyModel& model, Vec3& axis_P) {
   const double noise = kOnAxis * model.table->surface->reach();
   return std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& p) {
     const Vec3& a = p.semi_axes;
-    const bool round = p.ring == 0.0 && a.isZero(0.0);
+    const bool round = p.ring == 0.0 && a.isZero(0.0) && !p.outline;
     const bool about_axis =
         p.R_PD.col(2).cross(axis_P).norm() <= 1e-9 && std::abs(a.x() - a.y()) <= noise;
     return p.center_P.cross(axis_P).norm() <= noise && (round || about_axis);

@@ -12,16 +12,48 @@
 
 namespace polhode {
 
+// A convex curve in the plane through the axis of a solid of revolution, as its support function h
+// of the angle of a direction above the plane across the axis: how far the curve reaches that way.
+// Between nodes h is the polynomial of degree 5 that has its value and two derivatives there
+// (Hermite), so that contact rolls over the curve with a continuous radius of curvature h + h''.
+// Beyond its ends the curve has corners. Immutable.
+class SmoothOutline {
+ public:
+  // A place of the curve: distance from the axis and along it, and the radius of curvature, m.
+  struct Point {
+    double r = 0.0, z = 0.0, curvature = 0.0;
+  };
+  // points: (radius, z) of a convex curve, m, anticlockwise from low to high, at least three; where
+  // the first or the last is on the axis, the curve meets it at a right angle. Directions, and
+  // radii of curvature, are those of circles through three neighbours. Throws Error (input),
+  // without a key, if so many are not convex.
+  explicit SmoothOutline(const std::vector<Vec2>& points);
+  // Where it touches a line across the direction with this angle (rad, -pi/2..pi/2).
+  Point at(double angle) const;
+  double support(double angle) const;
+  double reach() const { return reach_; }  // the greatest distance from the origin, m
+
+ private:
+  struct Node {
+    double angle = 0.0;                       // rad, -pi/2..pi/2
+    double h = 0.0, slope = 0.0, bend = 0.0;  // h, h' and h'', m
+  };
+  std::vector<Node> nodes_;
+  double reach_ = 0.0;
+};
+
 // The sum, in the sense of Minkowski, of an ellipsoid, a circle about its own z axis and a ball: a
 // sphere is a ball, the edge of a disc a circle, a torus a circle and a ball, a tip none of them.
+// Or the surface of revolution of a smooth outline alone.
 struct SurfacePiece {
-  std::string name;               // of the solid, for messages
-  Vec3 center_P = Vec3::Zero();   // from the centre of mass, m
-  Mat3 R_PD = Mat3::Identity();   // its own axes as columns, in P
-  Vec3 semi_axes = Vec3::Zero();  // of the ellipsoid, m
-  double ring = 0.0;              // radius of the circle, m
-  double ball = 0.0;              // radius of the ball, m
-  int solid = 0;                  // pieces of one solid have the same number
+  std::string name;                                   // of the solid, for messages
+  Vec3 center_P = Vec3::Zero();                       // from the centre of mass, m
+  Mat3 R_PD = Mat3::Identity();                       // its own axes as columns, in P
+  Vec3 semi_axes = Vec3::Zero();                      // of the ellipsoid, m
+  double ring = 0.0;                                  // radius of the circle, m
+  double ball = 0.0;                                  // radius of the ball, m
+  std::shared_ptr<const SmoothOutline> outline = {};  // about its z axis; null: none
+  int solid = 0;                                      // pieces of one solid have the same number
 };
 
 // Where a body touches. Vectors in P.

@@ -187,7 +187,7 @@ constexpr double kCreepReach = 6.0;
 // down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2.
 template <class Rate>
 Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
-  constexpr int kMost = 12;
+  constexpr int kMost = 40;
   Vec3 way = start;
   for (int i = 0; i < kMost; ++i) {
     Vec3 next = friction * way + rate(way);
@@ -291,12 +291,19 @@ Reaction reaction_of(
   found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
   if (law.kind == Friction::Kind::coulomb && !touch.sticks &&
       found.slip_S.norm() < kCreepReach * touch.creep) {
-    const Vec3 own =
-        creep_direction(touch.slip_S, law.mu * model.gravity_S.norm(), [&](const Vec3& way) {
-          const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
-          const Accelerations gain = of_effort(model, arm, exerted);
-          return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
-        });
+    // what friction does to the slip, as a mean of all directions: so the iteration converges
+    const Mat3 K = mobility(model, arm);
+    const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
+    const double friction = level * mass * law.mu * model.gravity_S.norm();
+    const auto rate_along = [&](const Vec3& way) {
+      const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
+      const Accelerations gain = of_effort(model, arm, exerted);
+      return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
+    };
+    Vec3 own = creep_direction(touch.slip_S, friction, rate_along);
+    // a slip that clearly dies does so in its own direction
+    constexpr double kDies = 0.05;
+    if (rate_along(own).dot(own) < -kDies * friction) own = touch.slip_S;
     const double part = found.slip_S.norm() / touch.creep;
     found.slip_direction_S =
         (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();

@@ -142,7 +142,14 @@ Integration integrate_with(const StepperInfo& method,
                            double duration,
                            double fineness,
                            const Effort& effort) {
-  if (model.table) return integrate_on_table(method, model, start, duration, fineness, effort);
+  if (model.table && method.adaptive)
+    return integrate_on_table(method, model, start, duration, fineness, effort);
+  if (model.table) {
+    Integration run = integrate_fixed(method, model, start, duration, fineness, effort);
+    // what the table takes is not known
+    if (!model.table->friction.keeps_energy()) run.record.drift.energy.reset();
+    return run;
+  }
   return method.adaptive ? integrate_adaptive(method, model, start, duration, fineness, effort)
                          : integrate_fixed(method, model, start, duration, fineness, effort);
 }

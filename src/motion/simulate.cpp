@@ -64,7 +64,7 @@ Integration integrate_by(const StepperInfo& method,
                          double duration,
                          const Request& request,
                          SimulationReport& report) {
-  const auto& [numerics, watch, neighbour] = request;
+  const NumericsSpec& numerics = request.numerics;
   report.method = method.name;
   refuse_wrong_fineness(method, numerics);
   const std::optional<double> given = method.adaptive ? numerics.tolerance : numerics.step;
@@ -73,8 +73,8 @@ Integration integrate_by(const StepperInfo& method,
     report.tolerance = numerics.tolerance;
     return at_place({{}, 0, method.adaptive ? "numerics.tolerance" : "numerics.step"}, [&] {
       Effort effort{most_steps(numerics, kMostStepsGiven)};
-      if (watch) {
-        effort.watch = [&told = watch](double part) {
+      if (request.watch) {
+        effort.watch = [&told = request.watch](double part) {
           told(1, part);
         };
       }
@@ -89,6 +89,7 @@ Integration integrate_by(const StepperInfo& method,
         kLeastAccuracy)
         .at({{}, 0, "numerics.accuracy"});
   }
+  const SimulationReport* neighbour = request.neighbour;
   std::optional<double> likely;
   if (neighbour != nullptr && neighbour->method == method.name)
     likely = method.adaptive ? neighbour->tolerance : neighbour->step;
@@ -98,7 +99,7 @@ Integration integrate_by(const StepperInfo& method,
                   start,
                   duration,
                   report.accuracy_rad,
-                  most_steps(request.numerics, kMostStepsRefined),
+                  most_steps(numerics, kMostStepsRefined),
                   request.watch,
                   likely);
   });

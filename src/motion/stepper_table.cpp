@@ -18,6 +18,9 @@ namespace {
 std::string obstacle(const StepperInfo& method, const BodyModel& model) {
   if (model.table && !method.takes_table)
     return method.name + " does not find the events of a body on a table";
+  if (!model.table && method.only_table) return method.name + " is for bodies on a table";
+  if (model.table && method.only_table && !model.loads.empty())
+    return method.name + " takes no torques or forces besides those of the table";
   if (!method.takes_loads && (model.with_translation || model.loads.turn_body()))
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
@@ -49,6 +52,8 @@ std::string family_title(MethodFamily family) {
       return "Moser-Veselov";
     case MethodFamily::kicks:
       return "free motions and kicks";
+    case MethodFamily::table:
+      return "tables without events";
   }
   return {};
 }
@@ -150,6 +155,27 @@ const std::vector<StepperInfo>& stepper_table() {
       {.name = "kick_srkn11", .title = "Blanes-Moan splitting, order 6", .family = MethodFamily::kicks, .order = 6, .keeps_momentum_norm = true, .keeps_momentum_space = true, .symplectic = true, .reversible = true, .exact_when_free = true, .takes_heavy = true, .takes_rotator = true,
        .cost = "11 free motions, 12 kicks",
        .source = "Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 11b", .make = make_kick_srkn11},
+      {.name = "table_euler", .title = "Explicit Euler on a table", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "none; drifts off the table, and its energy grows",
+       .source = "accelerations that keep the constraint; kept to show how it fails", .make = make_table_euler},
+      {.name = "table_penalty", .title = "Penalty springs", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation", .limit = "the period of a stiff spring",
+       .source = "a spring with a damper instead of a table; kept to show how it fails", .make = make_table_penalty},
+      {.name = "table_smoothed", .title = "Smoothed friction", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "the time in which small slip is damped",
+       .source = "dry friction in proportion to small slip; kept to show how it creeps", .make = make_table_smoothed},
+      {.name = "table_baumgarte", .title = "Impulses, Baumgarte 0.2", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "none, but does not keep the energy",
+       .source = "game engines; Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1", .make = make_table_baumgarte},
+      {.name = "table_baumgarte_hard", .title = "Impulses, Baumgarte 1.8", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "close to unstable: a gain of 2 is",
+       .source = "the same with too large a gain; kept to show how it fails", .make = make_table_baumgarte_hard},
+      {.name = "table_projection", .title = "Impulses, position put right", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "1 evaluation, 3x3 solve", .limit = "none, but does not keep the energy",
+       .source = "position-level projection of game engines", .make = make_table_projection},
+      {.name = "table_rk4", .title = "RK4 without events", .family = MethodFamily::table, .order = 4, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+       .cost = "4 evaluations", .limit = "order 1 across events",
+       .source = "Kutta 1901, in reduced coordinates; kept to show what missed events do", .make = make_table_rk4},
   };
   // clang-format on
   return table;

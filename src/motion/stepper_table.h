@@ -24,6 +24,7 @@ enum class MethodFamily {
   rotations,      // compositions of turns about axes of the body
   moser_veselov,  // discrete mechanics
   kicks,          // exact free motions between kicks of gravity
+  table,          // of a body on a table without events, and kept to show how they fail
 };
 // its name in lists, such as "Runge-Kutta"
 std::string family_title(MethodFamily family);
@@ -45,7 +46,8 @@ struct StepperInfo {
   bool stiff = false;                 // L-stable: strong damping does not limit its step
   bool takes_heavy = false;           // gravity on a pivot
   bool takes_loads = false;           // other torques and forces, and six degrees of freedom
-  bool takes_table = false;           // bodies on a table, with events
+  bool takes_table = false;           // bodies on a table
+  bool only_table = false;            // and no others; without events
   bool takes_rotator = false;         // bodies with all mass on a line
   std::string cost = {};              // of a step, as text
   std::string limit = {};             // of the step, as text; empty: theory gives none

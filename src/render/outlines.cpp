@@ -101,6 +101,17 @@ MeshEdges::MeshEdges(const Mesh& mesh) {
   }
 }
 
+namespace {
+
+// p or, if the near plane is before it, where that cuts the way from there to q; clip coordinates
+glm::vec4 in_front(const glm::vec4& p, const glm::vec4& q) {
+  const float behind = -(p.z + p.w);
+  if (behind <= 0.0f) return p;
+  return p + (q - p) * (behind / (behind + q.z + q.w));
+}
+
+}  // namespace
+
 void OutlineSmoother::begin(const View& view, const PixelBox& place) {
   view_ = view;
   place_ = place;
@@ -141,9 +152,11 @@ void OutlineSmoother::add(const MeshEdges& edges, const DrawItem& item) {
     return 0.5f + 0.5f * (depth_scale_ + depth_offset_ / nearer);
   };
   edges.each_seen(eye, [&](const glm::vec3& a, const glm::vec3& b) {
-    const glm::vec4 from = clip_from_mesh * glm::vec4(a, 1.0f);
-    const glm::vec4 to = clip_from_mesh * glm::vec4(b, 1.0f);
-    if (from.w <= 0.0f || to.w <= 0.0f) return;  // behind the eye
+    const glm::vec4 begins = clip_from_mesh * glm::vec4(a, 1.0f);
+    const glm::vec4 ends = clip_from_mesh * glm::vec4(b, 1.0f);
+    // what is behind the near plane, as part of a large floor may be, is cut off
+    if (begins.z + begins.w <= 0.0f && ends.z + ends.w <= 0.0f) return;
+    const glm::vec4 from = in_front(begins, ends), to = in_front(ends, begins);
     pieces_.push_back({on_picture(from), on_picture(to), depth(from.w), depth(to.w)});
   });
 }

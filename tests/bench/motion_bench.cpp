@@ -49,6 +49,7 @@ test::Problem symmetric_top() {
 
 int main(int argc, char** argv) {
   for (const polhode::StepperInfo& method : polhode::stepper_table()) {
+    if (method.only_table) continue;
     benchmark::RegisterBenchmark(("step/" + method.name).c_str(),
                                  [&method](benchmark::State& run) { polhode::step(run, method); });
   }

@@ -393,13 +393,23 @@ TEST(SceneNumbers, TheTippeTopTurnsOver) {
   EXPECT_NEAR(-motion.at(5.0).w_B.z(), 106.7, 0.7);
 }
 
+TEST(SceneNumbers, ThePegTopRises) {
+  const Solved solved = solved_scene("rising_peg_top");
+  EXPECT_NEAR(number_of(solved, "vertical_spin_limit_rad_per_s"), 71.4, 0.1);
+  const Motion& motion = solved.simulation.motion;
+  EXPECT_NEAR(tilt_of(motion.at(0.0)) / kDegree, 25.0, 1e-6);
+  EXPECT_NEAR(tilt_of(motion.at(6.0)) / kDegree, 3.1, 0.2);
+  EXPECT_NEAR(motion.at(5.2).energy, motion.at(6.0).energy, 1e-8);
+  EXPECT_LT(motion.at(5.2).energy, motion.at(4.0).energy);
+}
+
 TEST(SceneNumbers, TheRattlebackReversesOnce) {
   const Solved solved = solved_scene("rattleback");
   EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_per_s"), 2.01, 0.01);
   EXPECT_NEAR(number_of(solved, "growth_rate_of_vertical_spin_reversed_per_s"), 0.22, 0.01);
   const Motion& motion = solved.simulation.motion;
-  EXPECT_LT(motion.at(0.0).w_S.z(), -3.9);
-  EXPECT_GT(motion.at(7.0).w_S.z(), 3.9);
+  EXPECT_GT(motion.at(0.0).w_S.z(), 3.9);
+  EXPECT_LT(motion.at(7.0).w_S.z(), -3.9);
   EXPECT_NEAR(motion.at(7.0).energy, motion.at(0.0).energy, 1e-8);
 }
 

@@ -311,6 +311,82 @@ TEST(Compose, AThrownBodyIsFollowedAndLarge) {
   EXPECT_LT(drift, 100.0);
 }
 
+// a ball that rolls `far` (m) on a table
+MotionSpec rolling(double far) {
+  MotionSpec spec;
+  spec.hold = "table";
+  spec.duration = 4.0;
+  spec.spin.space = Vec3(0, far / 4.0 / 0.03, 0);
+  spec.friction = FrictionSpec{};
+  spec.friction->kind = "rolling";
+  return spec;
+}
+
+BodySpec rolling_ball() {
+  BodySpec body;
+  body.solid = SolidSpec{};
+  body.solid->kind = "sphere";
+  body.solid->radius = 0.03;
+  body.solid->mass = 0.2;
+  return body;
+}
+
+// along the table, with the table around it and its lines, which stay where they are in space
+TEST(Compose, ABodyThatTravelsOnATableIsFollowedAndLarge) {
+  const Composer followed = composer(rolling_ball(), rolling(2.0), ShowSpec{});
+  EXPECT_LT(moved_in_picture(followed), 1e-6);
+  for (const double t : {0.0, 1.3, 4.0}) {
+    EXPECT_GT(height_in_picture(followed, t), 1.0 / 3.0) << t;
+    const Sample now = followed.scenery().motion.at(t);
+    const FloorGlyph floor = followed.glyphs_at(now).floors.at(0);
+    EXPECT_LT((floor.place.translation() - now.center_S).head<2>().norm(), 1e-9);
+    EXPECT_EQ(floor.dial.mesh, nullptr);
+    ASSERT_NE(floor.grid.mesh, nullptr);
+    // the middle of a line is a whole number of spacings from the origin of space
+    const auto middle = std::find_if(floor.grid.mesh->vertices.begin(),
+                                     floor.grid.mesh->vertices.end(),
+                                     [](const Vertex& vertex) { return vertex.normal.z > 0.9f; });
+    ASSERT_NE(middle, floor.grid.mesh->vertices.end());
+    const Vec3 at = floor.grid.space_from_mesh *
+                    Vec3(middle->position.x, middle->position.y, middle->position.z);
+    const double lines = at.y() / followed.scenery().scale.body;
+    EXPECT_NEAR(lines, std::round(lines), 1e-4) << t;
+  }
+  CameraSpec still;
+  still.follow = "none";
+  const Composer whole = composer(rolling_ball(), rolling(2.0), ShowSpec{}, still);
+  EXPECT_GT(moved_in_picture(whole), 100.0);
+  EXPECT_EQ((whole.glyphs_at(whole.scenery().motion.at(0.0)).floors.at(0).place.translation() -
+             whole.glyphs_at(whole.scenery().motion.at(4.0)).floors.at(0).place.translation())
+                .norm(),
+            0.0);
+  // one that stays about where it is needs nobody to follow, and has a dial below it
+  const Composer near = composer(rolling_ball(), rolling(0.03), ShowSpec{});
+  EXPECT_GT(moved_in_picture(near), 10.0);
+  EXPECT_NE(near.glyphs_at(near.scenery().motion.at(0.0)).floors.at(0).dial.mesh, nullptr);
+}
+
+// nothing of the table is cut off by the clip planes, wherever a camera stands
+TEST(Compose, TheWholeTableIsWithinTheClipPlanes) {
+  for (const char* follow : {"none", "center"}) {
+    CameraSpec spec;
+    spec.follow = follow;
+    const Composer picture = composer(rolling_ball(), rolling(2.0), ShowSpec{}, spec);
+    for (const double t : {0.0, 2.0, 4.0}) {
+      const Camera camera = picture.camera_at(t);
+      const FloorGlyph floor = picture.glyphs_at(picture.scenery().motion.at(t)).floors.at(0);
+      for (int k = 0; k < 24; ++k) {
+        const double angle = 2.0 * kPi * k / 24;
+        const Vec3 rim = floor.place * Vec3(std::cos(angle), std::sin(angle), 0.0);
+        if (!camera.sees(rim)) continue;
+        const double depth = -(camera.space_from_camera().inverse() * rim).z();
+        EXPECT_GT(depth, camera.nearest()) << follow << t;
+        EXPECT_LT(depth, camera.farthest()) << follow << t;
+      }
+    }
+  }
+}
+
 // ghosts of a throw that comes down again need less room where the camera stands
 TEST(Compose, ACameraFollowsOnlyToComeNearer) {
   MotionSpec spec = test::wobbling();

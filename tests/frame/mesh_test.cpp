@@ -69,6 +69,41 @@ TEST(Mesh, ClusteringKeepsTheShape) {
   EXPECT_EQ(clustered(unit_cone(8), 64).indices.size(), unit_cone(8).indices.size());
 }
 
+// lines of both directions, at equal distances, up to the rim, where they are gone
+TEST(Mesh, AGridIsOfLinesThatFadeOutwards) {
+  const double spacing = 0.3, width = 0.01;
+  const Mesh lines = floor_grid(Vec2(0.05, -0.1), 0.4, spacing, width);
+  const Vec2 along(std::cos(0.4), std::sin(0.4)), across(-along.y(), along.x());
+  const auto off_lines = [&](double x) {
+    return std::abs(x - spacing * std::round(x / spacing));
+  };
+  for (const Vertex& vertex : lines.vertices) {
+    const Vec2 p(vertex.position.x, vertex.position.y);
+    const Vec2 from = p - Vec2(0.05, -0.1);
+    const double off = std::min(off_lines(from.dot(along)), off_lines(from.dot(across)));
+    EXPECT_LT(off, 1.001 * width);
+    EXPECT_LT(p.norm(), 1.02);
+    if (p.norm() > 0.999) {
+      EXPECT_LT(vertex.normal.z, 1e-4f);
+    }
+  }
+  double length = 0.0;  // of lines of both directions
+  for (const Vec2& normal : {along, across}) {
+    for (int k = -10; k <= 10; ++k) {
+      const double away = normal.dot(Vec2(0.05, -0.1)) + k * spacing;
+      if (std::abs(away) < 1.0) length += 2.0 * std::sqrt(1.0 - away * away);
+    }
+  }
+  double area = 0.0;
+  for (std::size_t i = 0; i < lines.indices.size(); i += 3) {
+    const glm::vec3& a = lines.vertices[lines.indices[i]].position;
+    const glm::vec3& b = lines.vertices[lines.indices[i + 1]].position;
+    const glm::vec3& c = lines.vertices[lines.indices[i + 2]].position;
+    area += 0.5 * std::abs(glm::cross(b - a, c - a).z);
+  }
+  EXPECT_NEAR(area, 2.0 * width * length, 1e-4 * area);
+}
+
 // seen from above, a circle and twelve ticks of lines that are gone at their sides
 TEST(Mesh, ADialIsACircleWithTicks) {
   const Mesh lines = dial(72, 0.007);

@@ -245,6 +245,16 @@ TEST(Floor, IsDarkestWhereSomethingStands) {
     EXPECT_EQ(vertex.normal.x, 0.0f);
 }
 
+// a body that is small on its floor has as sharp a shadow as one that is large on a finer one
+TEST(Shadow, IsAsFineAsAsked) {
+  const ShadowCaster small = Block{{0, 0, 0.05}, {0.05, 0.05, 0.05}}.caster();
+  const auto corners = [&](double fineness) {
+    return shadow_mesh({small}, Vec3(0.3, 0.2, 1.0), fineness)->vertices.size();
+  };
+  EXPECT_GT(corners(4.0), 4 * corners(1.0));
+  EXPECT_GT(floor_mesh({small}, 4.0)->vertices.size(), 10 * floor_mesh({small})->vertices.size());
+}
+
 // opaque in the middle and gone at the rim
 TEST(Floor, FadesOutwards) {
   const MeshPtr floor = floor_mesh({});

@@ -34,7 +34,9 @@ TEST(StepperTable, EveryRowIsWhole) {
     EXPECT_FALSE(row.cost.empty());
     EXPECT_FALSE(row.source.empty());
     ASSERT_NE(row.make, nullptr);
-    EXPECT_NE(row.make(free_body({1, 2, 2.5}), 1.0), nullptr);
+    if (!row.only_table) {
+      EXPECT_NE(row.make(free_body({1, 2, 2.5}), 1.0), nullptr);
+    }
     // an angle of the step belongs to a limit in words
     EXPECT_EQ(row.limit_of != StepLimit::none, row.limit_turn > 0.0);
     EXPECT_TRUE(row.limit_turn == 0.0 || !row.limit.empty());
@@ -73,7 +75,7 @@ TEST(WhyNot, SaysWhatTheMethodCannotDoAndWhichCan) {
 // what can be stepped with gravity or loads can be stepped without
 TEST(WhyNot, AFreeBodyIsTakenByEveryMethod) {
   for (const StepperInfo& row : stepper_table())
-    EXPECT_EQ(why_not(row, free_body({1, 2, 2.5})), "") << row.name;
+    EXPECT_EQ(why_not(row, free_body({1, 2, 2.5})).empty(), !row.only_table) << row.name;
 }
 
 TEST(WhyNot, ABodyThatIsPushedNeedsAMethodThatTakesLoads) {
@@ -81,6 +83,7 @@ TEST(WhyNot, ABodyThatIsPushedNeedsAMethodThatTakesLoads) {
   pushed.with_translation = true;
   for (const StepperInfo& row : stepper_table()) {
     const std::string reason = why_not(row, pushed);
+    if (row.only_table) continue;
     EXPECT_EQ(reason.empty(), row.takes_loads) << row.name;
     EXPECT_EQ(reason.find("no torques or forces") == std::string::npos, row.takes_loads);
     EXPECT_EQ(reason.find("rk4_euler_angles,"), std::string::npos) << "it cannot either";

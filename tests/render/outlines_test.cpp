@@ -130,6 +130,32 @@ TEST(Outlines, PixelsGetTheShareThatIsCovered) {
   }
 }
 
+// a floor below the eye that reaches behind it covers all that is below the horizon
+TEST(Outlines, AFloorThatReachesBehindTheEyeIsCovered) {
+  Mesh floor;
+  for (const auto& [x, y] : {std::pair(-9.0f, -9.0f), {9.0f, -9.0f}, {9.0f, 9.0f}, {-9.0f, 9.0f}})
+    floor.vertices.push_back({{x, y, 0.0f}, {0.0f, 0.0f, 1.0f}});
+  floor.indices = {0, 1, 2, 0, 2, 3};
+  DrawItem item;
+  item.mesh = std::make_shared<const Mesh>(floor);
+  const Camera camera(Vec3(5, 1, 1), Vec3(0, 0.3, 0), 0.6, {kWidth, kHeight}, Vec3::Zero(), 1.0);
+  OutlineSmoother smoother;
+  smoother.begin(camera.seeing_farther(8.0).view(), {0, 0, kWidth, kHeight});
+  smoother.add(MeshEdges(floor), item);
+  const std::vector<PixelBox> boxes = smoother.covered();
+  for (int y = kHeight / 2; y < kHeight; ++y) {
+    for (const int x : {0, kWidth / 2, kWidth - 1}) {
+      EXPECT_TRUE(std::any_of(boxes.begin(),
+                              boxes.end(),
+                              [&](const PixelBox& box) {
+                                return x >= box.x && x < box.right() && y >= box.y &&
+                                       y < box.bottom();
+                              }))
+          << x << ' ' << y;
+    }
+  }
+}
+
 // an outline behind something nearer does not show
 TEST(Outlines, WhatIsHiddenStaysHidden) {
   Square square(0.35);

@@ -12,13 +12,6 @@ std::vector<const StepperInfo*> able_methods(const std::vector<const StepperInfo
                                              const BodyModel& model,
                                              const std::string& file) {
   std::vector<const StepperInfo*> able;
-  if (model.table) {
-    throw input_error(
-        "{}: bodies on a table are integrated from event to event, by one method; charts and maps "
-        "compare methods without events",
-        file)
-        .at({{}, 0, "motion.hold"});
-  }
   for (const StepperInfo* method : methods) {
     if (why_not(*method, model).empty()) able.push_back(method);
   }

@@ -20,6 +20,7 @@ const std::vector<NewKind>& new_kinds() {
       {"free_top", "a symmetric body in free flight, with its cones", {"free_top.toml"}},
       {"heavy_top", "a wooden top on its tip", {"heavy_top.toml"}},
       {"racket", "a tennis racket that flips over", {"racket.toml"}},
+      {"table_top", "a tippe top on a table, which turns over", {"table_top.toml"}},
       {"gyroscope", "a wheel with a level axle on a stand", {"gyroscope.toml"}},
       {"comparison", "one motion by three methods, side by side", {"comparison.toml"}},
       {"film",

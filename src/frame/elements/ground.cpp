@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the body stands on, and the body itself.
+#include <algorithm>
+#include <memory>
+
 #include <glm/common.hpp>
 
 #include "frame/elements/parts.h"
@@ -12,6 +15,13 @@ constexpr double kFloorRadius = 1.4;
 constexpr double kFreeFloorRadius = 1.8;   // under a free body
 constexpr double kFramedFloor = 0.65;      // the part of it that a picture has to show
 constexpr double kFramedFreeFloor = 0.45;  // of that under a free body
+constexpr double kTableAround = 4.5;    // radius of the part of a table that a camera takes along
+constexpr double kSeenOfTable = 0.9;    // so far around it the table is framed
+constexpr double kSeenOfTravels = 1.6;  // of a body whose path matters
+constexpr double kTravels = 2.0;        // a body that goes so far needs lines to be seen moving
+constexpr double kLinesOfTable = 7.0;   // at most, from the middle of the table to its rim
+constexpr double kFinestTable = 4.0;
+constexpr double kGridWidth = 2.0;                        // of its lines, in that of the dial's
 constexpr double kThin = 2.8 * kOmegaShape.shaft_radius;  // rods, beside which vectors are no lines
 constexpr double kDialRadius = 1.05;                      // in units of the body's radius
 constexpr double kFreeDialRadius = 0.8;                   // under a free body
@@ -42,14 +52,30 @@ FloorGlyph floor_at(
           {scenery.dial, disc_placement(center, up, of_dial), lines}};
 }
 
-// the table is seen all over where the body goes
+// The table is seen all over where the body goes or, if a camera goes along, around the body. Lines
+// on it show how a body that travels moves, and whether the table turns.
 void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const double size = scenery.scale.body;
-  const double radius = kFreeFloorRadius * size + scenery.table_reach;
-  glyphs.floors.push_back(
-      floor_at(scenery, scenery.table_middle, Vec3::UnitZ(), radius, kFreeDialRadius * size));
   const Vec3 below(sample.center_S.x(), sample.center_S.y(), 0.0);
-  add_rim_reach(disc_placement(below, Vec3::UnitZ(), 0.9 * size), 16, glyphs);
+  const bool along = scenery.table_goes_along;
+  const Vec3 middle = along ? below : scenery.table_middle;
+  const double radius = along ? kTableAround * size : kFreeFloorRadius * size + scenery.table_reach;
+  FloorGlyph floor = floor_at(scenery, middle, Vec3::UnitZ(), radius, kFreeDialRadius * size);
+  floor.fineness = std::clamp(radius / (kFreeFloorRadius * size), 1.0, kFinestTable);
+  if (along || scenery.table_reach > kTravels * size) {
+    const double spacing = along ? size : std::max(size, radius / kLinesOfTable);
+    const double width = kGridWidth * scenery.dial_line * std::max(size, radius / kTableAround);
+    const Vec2 origin = -middle.head<2>() / radius;
+    const double turned = scenery.motion.model().table->friction.turntable * sample.t;
+    floor.grid = floor.dial;
+    floor.grid.space_from_mesh = floor.place;
+    floor.grid.mesh =
+        std::make_shared<const Mesh>(floor_grid(origin, turned, spacing / radius, width / radius));
+    floor.dial.mesh = nullptr;
+  }
+  glyphs.floors.push_back(floor);
+  const double seen = scenery.table_reach > kTravels * size ? kSeenOfTravels : kSeenOfTable;
+  add_rim_reach(disc_placement(below, Vec3::UnitZ(), seen * size), 16, glyphs);
 }
 
 // wider where the body is higher above it

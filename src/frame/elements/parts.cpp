@@ -168,6 +168,7 @@ double twice_the_energy(const BodyModel& model, const Vec3& w_P) {
 
 bool has_cones(const Scenery& scenery) {
   const BodyModel& model = scenery.motion.model();
+  if (model.table) return false;
   if (model.chi_P.squaredNorm() > 0.0 || !model.loads.only_damp_momentum()) return false;
   if (!model.kind.symmetric()) return false;
   const Sample start = scenery.motion.at(0.0);

@@ -133,5 +133,7 @@ Vec3 lowest_point(const Motion& motion, const Sample& sample);
 
 // Adds the part of a path in S between two times (s of motion). color: sRGB-encoded, 0..1.
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
+// The camera frames that part too.
+void add_path_reach(const Trail& trail, double from, double to, Glyphs& glyphs);
 
 }  // namespace polhode

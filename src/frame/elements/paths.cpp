@@ -19,6 +19,8 @@ void add_tail(const Scenery& scenery,
               Glyphs& glyphs) {
   const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
   add_path(trail, std::max(0.0, from), sample.t, color, glyphs);
+  // what is not drawn yet needs no place: a camera that goes along comes nearer
+  add_path_reach(trail, std::max(0.0, from), sample.t, glyphs);
 }
 
 }  // namespace
@@ -27,13 +29,8 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
   if (trail.empty()) return;
   for (const MeshPtr& mesh : trail.part(from, to))
     glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f), {}, {&trail, from, to}});
-  // what is not drawn yet needs no place: a camera that goes along comes nearer
   const Path& path = trail.path();
   const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);
-  for (auto i = static_cast<std::size_t>(first - path.parameters.begin());
-       i < path.points.size() && path.parameters[i] <= to;
-       i += 8)
-    glyphs.reach.push_back(path.points[i]);
   constexpr std::size_t kPieces = 40;
   const auto last = std::upper_bound(first, path.parameters.end(), to);
   add_line(
@@ -43,6 +40,15 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
       static_cast<std::size_t>(last - first),
       kPieces,
       glyphs);
+}
+
+void add_path_reach(const Trail& trail, double from, double to, Glyphs& glyphs) {
+  const Path& path = trail.path();
+  const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);
+  for (auto i = static_cast<std::size_t>(first - path.parameters.begin());
+       i < path.points.size() && path.parameters[i] <= to;
+       i += 8)
+    glyphs.reach.push_back(path.points[i]);
 }
 
 // the path of the axis, and the axis from the body to where it writes: else the path would hover
@@ -142,7 +148,11 @@ void make_trails(const Scenery& scenery, Paths& paths) {
     const auto on_body = [&](const Sample& now) {
       return Vec3(motion.model().body.center + R_BP * lowest_point(motion, now));
     };
-    paths.contact = trail(kRimRadius, [&](const Sample& now) {
+    // a camera that stands sees it from afar, where the body goes far
+    constexpr double kFar = 0.0035;
+    const double whole = scenery.table_goes_along ? 0.0 : scenery.table_reach;
+    const double thick = std::max(kRimRadius, kFar * whole / scenery.scale.body);
+    paths.contact = trail(thick, [&](const Sample& now) {
       const Vec3 at = point_position(motion.model(), now, on_body(now));
       return Vec3(at.x(), at.y(), 0.0);
     });

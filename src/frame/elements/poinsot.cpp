@@ -136,6 +136,7 @@ void add_herpolhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
   const Trail& trail = scenery.paths.herpolhode;
   if (trail.empty()) return;
   add_path(trail, 0.0, sample.t, scenery.theme.herpolhode, glyphs);
+  add_path_reach(trail, 0.0, sample.t, glyphs);
   // beside all that it will be, as soon as there is something of it
   const double turned = sample.t * sample.w_S.norm();
   const auto fade = static_cast<float>(std::clamp(turned - 2.0, 0.0, 1.0));

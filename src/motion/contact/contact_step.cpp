@@ -103,7 +103,11 @@ Margins margins_of(const BodyModel& model,
       set(ContactEvent::slip_begins,
           (law.mu * normal - reaction.friction_S.norm()) / scales.weight);
     } else {
-      set(ContactEvent::slip_ends, reaction.slip_S.dot(touch.slip_S) / scales.speed);
+      // a slip that has just begun is of either sign by its error, and grows
+      const double along = reaction.slip_S.dot(touch.slip_S);
+      const bool begins =
+          std::abs(along) < touch.creep && reaction.slip_rate_S.dot(touch.slip_S) > 0.0;
+      set(ContactEvent::slip_ends, begins ? scales.stopped : along / scales.speed);
     }
   }
   if (law.rolling > 0.0 || law.boring > 0.0) {

@@ -43,5 +43,13 @@ std::unique_ptr<Stepper> make_kick_suzuki4(const BodyModel& model, double moment
 std::unique_ptr<Stepper> make_kick_chin4(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_kick_srkn6(const BodyModel& model, double momentum_scale);
 std::unique_ptr<Stepper> make_kick_srkn11(const BodyModel& model, double momentum_scale);
+// For models with a table only.
+std::unique_ptr<Stepper> make_table_euler(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_penalty(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_smoothed(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_baumgarte(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_baumgarte_hard(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_projection(const BodyModel& model, double momentum_scale);
+std::unique_ptr<Stepper> make_table_rk4(const BodyModel& model, double momentum_scale);
 
 }  // namespace polhode

@@ -77,6 +77,27 @@ TEST(OnTable, ABallOnATurningTableCircles) {
   }
 }
 
+// An egg on its side soon sticks, and slips again when its wobble needs more friction than there
+// is: the slip begins in the direction in which it grows by itself, also where the contact gives
+// way more easily in one direction than in the other. The times do not depend on the tolerance.
+TEST(OnTable, AnEggSticksAndSlipsAgain) {
+  BodySpec egg;
+  egg.solid = SolidSpec{};
+  egg.solid->kind = "ellipsoid";
+  egg.solid->semi_axes = Vec3(0.02, 0.02, 0.03);
+  egg.solid->mass = 0.06;
+  MotionSpec spec = on_table(1.0, coulomb(0.3));
+  spec.attitude.zxz = Vec3(0, 85.0 * kPi / 180.0, 0);
+  spec.spin.space = Vec3(0, 0, 150);
+  const Integration fine = integrated(egg, spec, 1e-11), loose = integrated(egg, spec, 1e-9);
+  for (const Integration* found : {&fine, &loose}) {
+    EXPECT_EQ(times_of(*found, "slip_ends").size(), 2u);
+    EXPECT_EQ(times_of(*found, "slip_begins").size(), 1u);
+    EXPECT_LT(found->record.steps, 5000);
+  }
+  EXPECT_NEAR(times_of(fine, "slip_begins").at(0), times_of(loose, "slip_begins").at(0), 1e-4);
+}
+
 // each bounce takes e times as long as the one before, and all of them a finite time
 TEST(OnTable, ABouncingBallEndsItsBounces) {
   MotionSpec spec = on_table(6.0, coulomb(0.2));
