@@ -38,13 +38,13 @@ void keep_larger(std::optional<double>& worst, const std::optional<double>& drif
   if (std::abs(*drift) > *worst || std::isnan(*drift)) worst = std::abs(*drift);
 }
 
-// the invariants of several states, each column one
-template <class Columns, std::size_t kCount>
+// the invariants of eight states, each column one
+using OfEight = std::array<double, 8>;
 POLHODE_WIDE_REGISTERS void find_invariants(const HeavyBody<double>& body,
-                                            const Columns& v,
-                                            std::array<double, kCount>& energies,
-                                            std::array<double, kCount>& momenta) {
-  for (std::size_t k = 0; k < kCount; ++k) {
+                                            const std::array<OfEight, 7>& v,
+                                            OfEight& energies,
+                                            OfEight& momenta) {
+  for (std::size_t k = 0; k < energies.size(); ++k) {
     const std::array<double, 7> of_one = {
         v[0][k], v[1][k], v[2][k], v[3][k], v[4][k], v[5][k], v[6][k]};
     const HeavyInvariants<double> found = heavy_invariants(body, of_one.data());

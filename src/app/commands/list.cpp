@@ -103,9 +103,10 @@ std::string list_torques() {
 
 std::string list_plots() {
   std::vector<TextRow> rows = {{"name", "over", "unit", "what it is"}};
-  for (const Recorded& quantity : recorded_quantities())
+  for (const Recorded& quantity : recorded_quantities()) {
     rows.push_back(
         {quantity.name, "time", quantity.unit.empty() ? "-" : quantity.unit, quantity.title});
+  }
   for (const DiagramKind& diagram : diagram_kinds())
     rows.push_back({diagram.name, "itself", "-", diagram.doc});
   return aligned(rows);
