@@ -72,9 +72,10 @@ TEST(Ensemble, TogetherMotionsAreWhatTheyAreAlone) {
     EXPECT_TRUE(together[i].report.reliability.doubts.empty());
     EXPECT_LE(together[i].report.error_estimate_rad.value(), kAccuracy);
     double apart = 0.0;
-    for (const double t : scattered_times(spec.duration, 100, 3))
-      apart = std::max(apart,
-                       deviation(model, together[i].motion.state_at(t), alone.motion.state_at(t)));
+    for (const double t : scattered_times(spec.duration, 100, 3)) {
+      apart = std::max(
+          apart, deviation(model, together[i].motion.state_at(t), alone.motion.state_at(t)));
+    }
     EXPECT_LE(apart, 2.0 * kAccuracy);
     // the same bits as alone from where the first one ended
     NumericsSpec numerics;
