@@ -73,8 +73,8 @@ TEST(Ensemble, TogetherMotionsAreWhatTheyAreAlone) {
     EXPECT_LE(together[i].report.error_estimate_rad.value(), kAccuracy);
     double apart = 0.0;
     for (const double t : scattered_times(spec.duration, 100, 3)) {
-      apart = std::max(
-          apart, deviation(model, together[i].motion.state_at(t), alone.motion.state_at(t)));
+      apart = std::max(apart,
+                       deviation(model, together[i].motion.state_at(t), alone.motion.state_at(t)));
     }
     EXPECT_LE(apart, 2.0 * kAccuracy);
     // the same bits as alone from where the first one ended
