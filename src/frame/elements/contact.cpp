@@ -18,6 +18,18 @@ Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
          sample.q_SB * (scenery.motion.model().R_BP * lowest_point(scenery.motion, sample));
 }
 
+// from when on the path has been near the body: the table around it, which a camera takes along
+double near_since(const Scenery& scenery, const Vec3& here, double t) {
+  constexpr double kNear = 4.2;  // in units of the body's radius
+  const Path& path = scenery.paths.contact.path();
+  auto i =
+      static_cast<std::size_t>(std::upper_bound(path.parameters.begin(), path.parameters.end(), t) -
+                               path.parameters.begin());
+  while (i > 0 && (path.points[i - 1] - here).norm() < kNear * scenery.scale.body)
+    --i;
+  return i > 0 ? path.parameters[i - 1] : 0.0;
+}
+
 Vec3 drawn_force(const Scenery& scenery, const Vec3& force_S) {
   const Vec3 arrow = scenery.scale.force * force_S;
   const double most = kLongestForce * scenery.scale.body;
@@ -74,7 +86,10 @@ void add_slip(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
   const double begins = std::max(0.0, from);
-  add_path(scenery.paths.contact, begins, sample.t, scenery.theme.trail, glyphs);
+  const double on_table =
+      scenery.table_goes_along ? near_since(scenery, contact_S(scenery, sample), sample.t) : 0.0;
+  add_path(
+      scenery.paths.contact, std::max(begins, on_table), sample.t, scenery.theme.trail, glyphs);
   const Trail& on_body = scenery.paths.contact_on_body;
   if (on_body.empty()) return;
   const Placement space_from_body = body_placement(scenery, sample);
