@@ -5,7 +5,6 @@
 
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -95,12 +94,12 @@ class Observer {
   std::vector<Thing> things_;
   std::vector<ObservedTrail> trails_;
   std::map<std::string, std::size_t> indices_;
-  std::unordered_map<double, Sample> samples_;
-  std::unordered_map<double, std::vector<Pose>> moments_;  // of all things
+  std::map<double, Sample> samples_;
+  std::map<double, std::vector<Pose>> moments_;  // of all things
   // the things of one element, and where they were seen without the others
   struct Together {
     std::vector<std::size_t> things;
-    std::unordered_map<double, std::vector<Pose>> seen;
+    std::map<double, std::vector<Pose>> seen;
   };
   std::map<std::string, Together> of_element_;
   std::vector<std::pair<Together*, std::size_t>> places_;  // of each thing: where, and which there
