@@ -33,8 +33,8 @@ std::vector<Vec2> light_slopes(const Vec3& to_light);
 // The shadow, as a flat mesh in the plane z = 0 of the floor. fineness (at least 1): how many times
 // as fine, and as little smoothed, as is enough where the casters are as large as the floor. Its
 // normals are not unit: their z is the darkness (0..1), for a material that is `soft`; their x is
-// 0. Parts below the floor throw no shadow; within kShadowRim of the rim the darkness falls smoothly
-// to 0. Null if there is no shadow.
+// 0. Parts below the floor throw no shadow; within kShadowRim of the rim the darkness falls
+// smoothly to 0. Null if there is no shadow.
 MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
                     const Vec3& to_light,
                     double fineness = 1.0);

@@ -3,7 +3,6 @@
 #include <optional>
 #include <sstream>
 
-
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/console.h"
