@@ -32,7 +32,7 @@ vec3 grained(vec3 color, float radius, float along) {
 }
 // Metal: each stroke, across and along, brightens and darkens a little.
 vec3 stroked(vec3 color, float across, float along) {
-  return color * (0.97 + 0.014 * (across + along));
+  return color * (0.97 + 0.018 * (across + along));
 }
 
 // Half of the light on vivid things comes from everywhere.
