@@ -30,7 +30,7 @@ noperspective in vec2 v_window;
 #endif
 in vec3 v_mesh;
 #if SOFT
-noperspective in vec2 v_density;  // alpha, how much of the mark
+in vec2 v_density;  // alpha, how much of the mark
 #endif
 #if FINISH == 2
 in float v_lengthways;

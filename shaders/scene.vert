@@ -35,7 +35,7 @@ noperspective out vec2 v_window;   // the normal's parts across that halfway dir
 #endif
 out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 #if SOFT
-noperspective out vec2 v_density;
+out vec2 v_density;
 #endif
 #if FINISH == 2
 out float v_lengthways;  // 0 on faces across x

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "render/gl_objects.h"
@@ -30,6 +31,14 @@ class Surface : public ::testing::Test {
     square.indices = {0, 1, 2, 0, 2, 3};
     glm::mat4 world_from_mesh(size), clip_from_world(1.0f / size);
     world_from_mesh[3][3] = clip_from_world[3][3] = 1.0f;
+    return drawn(material, square, size, world_from_mesh, clip_from_world);
+  }
+
+  Image drawn(const Material& material,
+              const Mesh& square,
+              float size,
+              const glm::mat4& world_from_mesh,
+              const glm::mat4& clip_from_world) {
     const GpuMesh mesh(gl_, square);
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
@@ -77,6 +86,43 @@ TEST_F(Surface, SoftOnesAreAsOpaqueAsTheirNormalsSay) {
     for (int x = 0; x < kSurfaceSide; x += 5) {
       const double part = (x + 0.5) / kSurfaceSide;
       EXPECT_NEAR(image.at(x, y)[3], 255.0 * 0.8 * (1.0 - 0.75 * part), 1.0) << x << ' ' << y;
+    }
+  }
+}
+
+// a floor below the eye and behind it: the part of it on the ray through each pixel says its alpha
+TEST_F(Surface, SoftOnesReachBehindTheEye) {
+  constexpr float kReach = 9.0f;
+  constexpr int kCells = 6;  // along each side
+  Mesh floor;
+  for (int j = 0; j <= kCells; ++j) {
+    for (int i = 0; i <= kCells; ++i) {
+      const glm::vec2 at = glm::vec2(i, j) * (2.0f / kCells) - 1.0f;
+      floor.vertices.push_back({{at.x, at.y, 0.0f}, {0.0f, 0.0f, 0.75f + 0.25f * at.x}});
+    }
+  }
+  for (std::uint32_t k = 0; k + kCells + 2 < floor.vertices.size(); ++k) {
+    if (k % (kCells + 1) == kCells) continue;
+    const std::uint32_t up = k + kCells + 1;
+    floor.indices.insert(floor.indices.end(), {k, k + 1, up + 1, k, up + 1, up});
+  }
+  Material material;
+  material.flat = material.soft = true;
+  const glm::mat4 world_from_mesh = glm::scale(glm::mat4(1.0f), {kReach, kReach, 1.0f});
+  const glm::vec3 eye(0.5f, -0.3f, 0.6f);
+  const glm::mat4 clip_from_world =
+      glm::perspective(0.9f, 1.0f, 0.1f, 30.0f) *
+      glm::lookAt(eye, eye + glm::vec3(1.0f, 0.6f, -0.9f), glm::vec3(0, 0, 1));
+  const Image image = drawn(material, floor, 1.0f, world_from_mesh, clip_from_world);
+  const glm::mat4 world_from_clip = glm::inverse(clip_from_world);
+  for (int y = 0; y < kSurfaceSide; y += 3) {
+    for (int x = 0; x < kSurfaceSide; x += 3) {
+      const glm::vec2 clip = (glm::vec2(x, y) + 0.5f) * (2.0f / kSurfaceSide) - 1.0f;
+      const glm::vec4 far = world_from_clip * glm::vec4(clip, 1.0f, 1.0f);
+      const glm::vec3 ray = glm::vec3(far) / far.w - eye;
+      const glm::vec3 floor_at = eye - ray * (eye.z / ray.z);
+      EXPECT_NEAR(image.at(x, y)[3], 255.0f * (0.75f + 0.25f * floor_at.x / kReach), 1.5f)
+          << x << ' ' << y;
     }
   }
 }
