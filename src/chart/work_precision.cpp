@@ -30,9 +30,10 @@ double seconds_of(const std::function<void()>& run, long repeats) {
 // the bare integration: nothing is kept of it but its end
 State walk(const StepperInfo& method, const WorkProblem& problem, double fineness) {
   // from event to event there is no bare walk
-  if (problem.model.table && method.adaptive)
+  if (problem.model.table && method.adaptive) {
     return integrate_with(method, problem.model, problem.start, problem.duration, fineness)
         .trajectory->at(problem.duration);
+  }
   const std::unique_ptr<Stepper> stepper =
       method.make(problem.model, momentum_scale(problem.model, problem.start));
   State s = problem.start;

@@ -246,9 +246,10 @@ LectureResult lecture(const LectureJob& job) {
       contents.push_back(make_document(output, work, folder, scripts, planned.printer));
   }
   const bool formula_font = pages && !formula_font_css().empty();
-  if (pages)
+  if (pages) {
     contents.push_back(
         notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value()));
+  }
   stop_if_interrupted();
   if (planned.wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
   documents.commit(contents);

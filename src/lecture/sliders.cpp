@@ -24,7 +24,7 @@ constexpr const char* kForm =
 std::string next_word(std::string& text) {
   text.erase(0, std::min(text.find_first_not_of(" \t\n"), text.size()));
   const std::size_t end = std::min(text.find_first_of(" \t\n"), text.size());
-  const std::string word = text.substr(0, end);
+  std::string word = text.substr(0, end);
   text.erase(0, end);
   return word;
 }

@@ -120,7 +120,7 @@ Vec3 contact_impulse(const Friction& law, const Mat3& K, const Vec3& before, dou
   const Vec3 slip = level_of(before);
   if (law.kind == Friction::Kind::none) return along(Vec3::UnitZ());
   if (law.kind == Friction::Kind::viscous) return along(Vec3::UnitZ() - law.c * slip);
-  const Vec3 held = K.inverse() * Vec3(-slip.x(), -slip.y(), rise);
+  Vec3 held = K.inverse() * Vec3(-slip.x(), -slip.y(), rise);
   if (held.z() <= 0.0) return along(Vec3::UnitZ());
   if (law.kind == Friction::Kind::rolling || level_of(held).norm() <= law.mu * held.z())
     return held;
