@@ -125,6 +125,7 @@ class Export {
     tracks_.set_poses(thing, keys, from, node);
     if (keys.still) return;
     report_.keys += keys.poses.size();
+    require_few_keys(report_.keys);
     report_.error = std::max(report_.error, keys.error);
   }
 

@@ -66,6 +66,14 @@ class Search {
 
 }  // namespace
 
+void require_few_keys(std::size_t count) {
+  if (count <= kMostKeys) return;
+  throw input_error(
+      "a table of this motion needs more than {} times; export a part of it with --from and --to, "
+      "or ask for less with --accuracy, such as 1px",
+      kMostKeys);
+}
+
 std::vector<double> first_times(const Motion& motion, const AnimationClock& clock) {
   double fastest = 0.0;
   for (const double t : framing_times(motion))

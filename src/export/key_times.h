@@ -28,6 +28,12 @@ struct KeyedPoses {
   bool still = false;         // it never moves: there is one pose
 };
 
+// How many key times a file may have, of all things: twice those of the largest example scene but
+// one, 10 to 30 MB.
+inline constexpr std::size_t kMostKeys = 600'000;
+// Throws Error (input) if there are more.
+void require_few_keys(std::size_t count);
+
 // Times (s of animation) at which everything is looked at first, in single precision: the body
 // turns by at most half a radian between them, and what is switched is switched at one of them.
 std::vector<double> first_times(const Motion& motion, const AnimationClock& clock);
