@@ -49,17 +49,6 @@ TEST(GltfScene, HasWhatTheFilmShowsAndNamesEachNodeOnce) {
   }
 }
 
-// a file has no room for a motion of millions of turns
-TEST(GltfScene, RefusesTooManyKeys) {
-  Scene scene = small_scene("free_symmetric_top");
-  scene.motion.duration = 60.0;
-  scene.motion.spin = {};
-  scene.motion.spin.body = Vec3(4000.0, 0.0, 2000.0);
-  const Solved solved = solve(scene);
-  test::expect_input_error(
-      [&] { export_scene(solved, {}); }, "", "more than 600000 times; export a part");
-}
-
 // what is fixed in the body needs no motion of its own
 TEST(GltfScene, WhatKeepsItsPlaceInTheBodyHangsBelowIt) {
   const GltfDocument document = export_scene(solve(small_scene("poinsot")), {}).document;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "math/so3.h"
+#include "support/expect_error.h"
 #include "support/motions.h"
 
 namespace polhode {
@@ -109,6 +110,13 @@ TEST(KeyTimes, FirstTimesFollowTheBody) {
     const Quat b = motion.at(clock.motion_time(times[i + 1])).q_SB;
     EXPECT_LT(rotation_angle_between(a, b), 0.51);
   }
+}
+
+// a file has no room for a motion of millions of turns
+TEST(KeyTimes, TooManyAreRefused) {
+  require_few_keys(kMostKeys);
+  test::expect_input_error(
+      [] { require_few_keys(kMostKeys + 1); }, "", "export a part of it with --from and --to");
 }
 
 }  // namespace
