@@ -478,6 +478,8 @@ class Export {
         {"origin", list_of(origin_)},
         {"units_per_metre", unit_},
         {"body_radius", composer_.scenery().scale.body},
+        {"dashes",
+         {{"length", kDashLength * composer_.scenery().scale.body}, {"breadth", kDashBreadth}}},
         {"background", hex(composer_.scenery().theme.background)},
         {"light_ground", is_light(composer_.scenery().theme.background)},
         {"accuracy",

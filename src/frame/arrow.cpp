@@ -24,8 +24,7 @@ DrawItem piece(const MeshPtr& mesh, const Placement& place, const Material& mate
 
 // what is hidden of a line is dashed from its foot on, if it is dashed at all
 Material dashed(Material material, double length) {
-  constexpr double kDash = 0.09;  // and gap, in the unit of drawing: the body's radius
-  if (material.dashes > 0.0f) material.dashes = static_cast<float>(length / kDash);
+  if (material.dashes > 0.0f) material.dashes = static_cast<float>(length / kDashLength);
   return material;
 }
 

@@ -29,8 +29,9 @@ struct ArrowShape {
   double head_length = 0.09;
 };
 
-// Hidden parts of shafts and tubes are dashed where material.dashes is not 0, whatever its value: a
-// dash and a gap take 0.09 drawing units, from the foot on.
+// Hidden parts of shafts and tubes are dashed where material.dashes is not 0, whatever its value.
+// What a dash and a gap take, from the foot on, in the unit of drawing: the body's radius.
+inline constexpr double kDashLength = 0.09;
 
 // The sizes with which an arrow of that length is drawn.
 ArrowShape fitting(const ArrowShape& shape, double length);

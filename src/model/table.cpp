@@ -204,6 +204,14 @@ Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
 
 }  // namespace
 
+Moving moving_of(const BodyModel& model, const State& state) {
+  return {state.q, state.y, state.place_S, state.linear_momentum_S / model.body.mass};
+}
+
+State state_of(const BodyModel& model, const Moving& now) {
+  return {now.q, now.y, now.place_S, model.body.mass * now.velocity_S};
+}
+
 Posed posed(const BodyModel& model, const Touch& touch, const Moving& now) {
   Posed pose;
   pose.R_SP = now.q.toRotationMatrix();
@@ -227,12 +235,7 @@ double gap_of(const BodyModel& model, const Touch& touch, const Moving& now) {
 }
 
 double energy_of(const BodyModel& model, const Moving& now) {
-  State s;
-  s.q = now.q;
-  s.y = now.y;
-  s.place_S = now.place_S;
-  s.linear_momentum_S = model.body.mass * now.velocity_S;
-  return energy(model, s);
+  return energy(model, state_of(model, now));
 }
 
 Reaction reaction_of(const BodyModel& model, const Touch& touch, double t, const Moving& now) {

@@ -34,6 +34,10 @@ struct Moving {
   Vec3 velocity_S = Vec3::Zero();  // m/s
 };
 
+// The motion that a state holds, and the state of a motion.
+Moving moving_of(const BodyModel& model, const State& state);
+State state_of(const BodyModel& model, const Moving& now);
+
 // What the table does to the body, and the accelerations that follow.
 struct Reaction {
   SurfacePoint point;              // where it touches

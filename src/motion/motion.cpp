@@ -110,12 +110,10 @@ Drift drift_at(const Motion& motion, double t) {
 std::optional<Reaction> reaction_at(const Motion& motion, double t) {
   const std::optional<ContactState> contact = motion.contact_at(t);
   if (!contact || contact->touch.phase == Touch::Phase::flying) return {};
-  const State s = motion.state_at(t);
-  const double mass = motion.model().body.mass;
-  Reaction found = reaction_of(
-      motion.model(), contact->touch, t, {s.q, s.y, s.place_S, s.linear_momentum_S / mass});
+  const BodyModel& model = motion.model();
+  Reaction found = reaction_of(model, contact->touch, t, moving_of(model, motion.state_at(t)));
   if (contact->touch.phase == Touch::Phase::lying)
-    found.normal = -mass * motion.model().gravity_S.z();
+    found.normal = -model.body.mass * model.gravity_S.z();
   return found;
 }
 

@@ -24,10 +24,6 @@ double energy_of_place(const BodyModel& model, const State& s) {
          std::abs(potential_of_place(model, s.place_S));
 }
 
-Moving moving_of(const BodyModel& model, const State& s) {
-  return {s.q, s.y, s.place_S, s.linear_momentum_S / model.body.mass};
-}
-
 std::array<double, 7> numbers_of(const State& s) {
   return {s.q.x(), s.q.y(), s.q.z(), s.q.w(), s.y.x(), s.y.y(), s.y.z()};
 }

@@ -75,7 +75,7 @@ TEST(TableSteppers, EulerDriftsOffTheTable) {
     const Integration run = run_of(p, "table_euler", h);
     const State s = run.trajectory->at(p.motion.duration);
     const BodyModel model = p.model();
-    const Moving now = {s.q, s.y, s.place_S, s.linear_momentum_S / model.body.mass};
+    const Moving now = moving_of(model, s);
     return std::abs(gap_of(model, Touch{}, now));
   };
   const double coarse = gap_after(1e-3), fine = gap_after(5e-4);

@@ -107,9 +107,7 @@ std::string as_text(const Json& facts) {
 // what a body on a table conserves, and the events of its motion
 void add_contact(Json& facts, const Solved& solved) {
   const Motion& motion = solved.simulation.motion;
-  const State start = motion.state_at(0.0);
-  const Moving now = {
-      start.q, start.y, start.place_S, start.linear_momentum_S / solved.model.body.mass};
+  const Moving now = moving_of(solved.model, motion.state_at(0.0));
   facts["conserved"] = Json::object();
   for (const ContactInvariant& law : contact_invariants()) {
     if (!law.holds(solved.model)) continue;

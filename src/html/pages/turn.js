@@ -192,7 +192,9 @@
             part.renderOrder = order;
             part.frustumCulled = false;
             made.add(part);
-            if (dashed) this.dashed.push(part);
+            if (!dashed) continue;
+            part.scale.set(this.about.dashes.breadth, this.about.dashes.breadth, 1);
+            this.dashed.push(part);
           }
         }
         const extras = node.extras ?? {};
@@ -260,8 +262,7 @@
         }
       }
       this.scene.updateMatrixWorld();
-      // a dash and a gap take 0.09 radii of the body (frame/arrow.h)
-      for (const part of this.dashed) part.material.uniforms.dashes.value = part.parent.scale.z / (0.09 * this.about.body_radius);
+      for (const part of this.dashed) part.material.uniforms.dashes.value = part.parent.scale.z / this.about.dashes.length;
     }
   }
 

@@ -22,15 +22,6 @@ constexpr double kNoiseOfStages = 1e-4;
 constexpr int kMostHalvings = 60;
 constexpr int kMostAtOneTime = 200;
 
-State state_of(const BodyModel& model, const Moving& now) {
-  State s;
-  s.q = now.q;
-  s.y = now.y;
-  s.place_S = now.place_S;
-  s.linear_momentum_S = model.body.mass * now.velocity_S;
-  return s;
-}
-
 // The grid of times, and at some of them what is known there: after events always, else of every
 // second, fourth ... step, so that memory is bounded.
 class ContactTrajectory final : public Trajectory {
@@ -151,7 +142,7 @@ class Walk {
         tolerance_(tolerance),
         effort_(effort) {
     const BodyModel& model = path_->stepper.model();
-    now_.moving = {start.q, start.y, start.place_S, start.linear_momentum_S / model.body.mass};
+    now_.moving = moving_of(model, start);
     touch_ = first_touch(path_->stepper, 0.0, now_);
     path_->times.push_back(0.0);
     path_->keep(touch_, now_, true);
@@ -282,9 +273,8 @@ Integration integrate_on_table(const StepperInfo& method,
                                double duration,
                                double tolerance,
                                const Effort& effort) {
-  const Moving begins = {
-      start.q, start.y, start.place_S, start.linear_momentum_S / model.body.mass};
-  auto path = std::make_shared<ContactTrajectory>(model, table_scales(model, begins, tolerance));
+  auto path = std::make_shared<ContactTrajectory>(
+      model, table_scales(model, moving_of(model, start), tolerance));
   Walk walk(method, path, start, duration, tolerance, effort);
   const IntegrationRecord record = walk.run();
   return {path, record};

@@ -218,7 +218,7 @@ class SmoothedStep final : public Stepper {
     const Vec3 down_P = -(s.q.conjugate() * Vec3::UnitZ());
     touch.piece = model_.table->surface->lowest(down_P);
     touch.sticks = touch.keeps_from_rolling = touch.keeps_from_boring = false;
-    Moving now = {s.q, s.y, s.place_S, s.linear_momentum_S / model_.body.mass};
+    Moving now = moving_of(model_, s);
     if (gap_of(model_, touch, now) > kAbove * model_.table->surface->reach())
       touch.phase = Touch::Phase::flying;
     // as viscous friction that is as strong at this slip
@@ -241,10 +241,7 @@ class SmoothedStep final : public Stepper {
       touch.phase = Touch::Phase::touching;
       hold_to_table(slipping, touch, now);
     }
-    s.q = now.q;
-    s.y = now.y;
-    s.place_S = now.place_S;
-    s.linear_momentum_S = model_.body.mass * now.velocity_S;
+    s = state_of(model_, now);
   }
 
  private:

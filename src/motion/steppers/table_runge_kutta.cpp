@@ -52,7 +52,7 @@ class TableRungeKutta final : public Stepper {
   void step(double t, double h, State& s, Work& work) const override {
     const BodyModel& model = stepper_.model();
     OnTable begins;
-    begins.moving = {s.q, s.y, s.place_S, s.linear_momentum_S / model.body.mass};
+    begins.moving = moving_of(model, s);
     OnTable known = begins;
     // what has drifted off the table is still taken to touch it
     if (!held_) put_down(known.moving);
@@ -60,10 +60,7 @@ class TableRungeKutta final : public Stepper {
     if (held_) begins = known;
     Moving now = after(touch, t, h, begins.moving, work);
     end_flight(touch, now);
-    s.q = now.q;
-    s.y = now.y;
-    s.place_S = now.place_S;
-    s.linear_momentum_S = model.body.mass * now.velocity_S;
+    s = state_of(model, now);
   }
 
  private:
