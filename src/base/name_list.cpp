@@ -7,21 +7,18 @@
 #include "base/nearest.h"
 
 namespace polhode {
-namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
-
-}  // namespace
 
 std::vector<std::string> split_names(std::string_view list) {
   std::vector<std::string> names;
   for (std::size_t start = 0; start < list.size();) {
     const std::size_t end = std::min(list.find(',', start), list.size());
-    names.emplace_back(trimmed(list.substr(start, end - start)));
+    names.emplace_back(trimmed(list.substr(start, end - start), " "));
     start = end + 1;
   }
   return names;

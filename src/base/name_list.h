@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splits and checks options that take a list of names, such as "--cases a,b".
+// Trims texts; splits and checks options that take a list of names, such as "--cases a,b".
 #pragma once
 
 #include <set>
@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace polhode {
+
+// The part of `text` between the `blanks` at its ends.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\n");
 
 // The names between the commas, without the blanks around them: "a, b" gives {"a", "b"}, and ""
 // gives an empty list. "a,,b" gives an empty name in the middle; a comma at the end is ignored.

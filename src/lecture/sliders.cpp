@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/name_list.h"
 #include "base/numbers.h"
 #include "base/shipped_files.h"
 #include "base/system/atomic_file.h"
@@ -29,12 +30,6 @@ std::string next_word(std::string& text) {
   return word;
 }
 
-std::string without_blanks(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\n");
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\n") + 1 - begin);
-}
-
 Slider parse_slider(std::string text) {
   Slider slider;
   slider.key = next_word(text);
@@ -45,7 +40,7 @@ Slider parse_slider(std::string text) {
     throw input_error("vary: the range of {} must rise, got {} {}", slider.key, *from, *to);
   slider.from = *from;
   slider.to = *to;
-  slider.words = without_blanks(text);
+  slider.words = trimmed(text);
   if (slider.words.empty()) slider.words = slider.key;
   return slider;
 }
@@ -65,8 +60,8 @@ std::vector<Slider> parse_sliders(const std::string& text) {
   std::vector<Slider> sliders;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t end = std::min(text.find(';', from), text.size());
-    const std::string one = without_blanks(text.substr(from, end - from));
-    if (!one.empty()) sliders.push_back(parse_slider(one));
+    const std::string_view one = trimmed(std::string_view(text).substr(from, end - from));
+    if (!one.empty()) sliders.push_back(parse_slider(std::string(one)));
     from = end + 1;
   }
   if (sliders.size() > kMostSliders)

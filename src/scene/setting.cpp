@@ -2,6 +2,7 @@
 #include "scene/setting.h"
 
 #include "base/error.h"
+#include "base/name_list.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
@@ -12,13 +13,10 @@ Setting parse_setting(const std::string& text) {
     throw input_error("'{}' is no KEY=VALUE; write motion.spin.body[2]=40 or the like",
                       cut(text, 60));
   }
-  const auto trimmed = [](const std::string& part) {
-    const std::size_t first = part.find_first_not_of(" \t");
-    return first == std::string::npos
-               ? std::string()
-               : part.substr(first, part.find_last_not_of(" \t") + 1 - first);
+  const auto part = [&](std::size_t from, std::size_t length) {
+    return std::string(trimmed(std::string_view(text).substr(from, length), " \t"));
   };
-  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+  return {part(0, equals), part(equals + 1, std::string::npos)};
 }
 
 std::string option_of(const Setting& setting) {

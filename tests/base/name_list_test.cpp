@@ -10,6 +10,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+TEST(Trimmed, KeepsWhatIsBetweenTheBlanks) {
+  EXPECT_EQ(trimmed(" \n a b\t"), "a b");
+  EXPECT_EQ(trimmed("\ta ", " "), "\ta");
+  EXPECT_EQ(trimmed(" \t\n"), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
 TEST(SplitNames, TakesWhatIsBetweenCommas) {
   EXPECT_EQ(split_names(""), Names());
   EXPECT_EQ(split_names("a"), Names{"a"});
