@@ -49,19 +49,6 @@ double size_of_error(const Vector& v, const TableScales& scales, bool touching) 
                    part(10) / scales.speed});
 }
 
-// Is the step far longer than the direction of slip takes to turn to where friction lets it?
-// Friction mu g, times what the rotation adds to the mobility of the contact, over the speed of
-// slip.
-bool is_stiff(const BodyModel& model, const Touch& touch, double h, const Moving& now) {
-  constexpr double kMobility = 3.5;  // of a ball, times its mass
-  constexpr double kExplicit = 4.0;  // what explicit steps bear
-  const Friction& law = model.table->friction;
-  if (law.kind != Friction::Kind::coulomb || touch.sticks) return false;
-  if (touch.phase != Touch::Phase::touching) return false;
-  const double slip = slip_of(model, touch, now).head<2>().norm() + touch.creep;
-  return std::abs(h) * law.mu * model.gravity_S.norm() * kMobility > kExplicit * slip;
-}
-
 }  // namespace
 
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance) {
@@ -73,6 +60,7 @@ TableScales table_scales(const BodyModel& model, const Moving& start, double tol
   scales.speed = std::max(std::sqrt(g * scales.length), start.velocity_S.norm());
   scales.rate = std::sqrt(g / scales.length);
   scales.momentum = std::max(start.y.norm(), model.moments.maxCoeff() * scales.rate);
+  scales.tolerance = tolerance;
   scales.stopped = std::max(std::pow(tolerance, 2.0 / 3.0), kLeastStopped);
   return scales;
 }
@@ -153,6 +141,15 @@ double least_of(const Margins& margins) {
   return *std::min_element(margins.begin(), margins.end());
 }
 
+double ContactStepper::turning_rate(const Touch& touch, const Moving& now) const {
+  constexpr double kMobility = 3.5;  // of a ball, times its mass
+  const Friction& law = model_.table->friction;
+  if (law.kind != Friction::Kind::coulomb || touch.sticks) return 0.0;
+  if (touch.phase != Touch::Phase::touching) return 0.0;
+  const double slip = slip_of(model_, touch, now).head<2>().norm() + touch.creep;
+  return law.mu * model_.gravity_S.norm() * kMobility / slip;
+}
+
 ContactStepper::Result ContactStepper::step(const Touch& touch,
                                             double t,
                                             double h,
@@ -173,9 +170,17 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
   };
   const Vector v = vector_of(from);
   Vector change = Vector::Zero();
-  if (is_stiff(model_, touch, h, from.moving)) {
+  // of the tolerance, how exactly Radau's equations are solved
+  constexpr double kSolved = 0.01;
+  // well below the slips, relative to a fall's speed, that have a direction of their own
+  constexpr double kDifference = 1e-10;
+  if (std::abs(h) * turning_rate(touch, from.moving) > kExplicit) {
     result.order = 5;
-    change = RadauStep<Vector, decltype(slope), decltype(size)>(slope, size)(t, h, v, result.error);
+    // the direction of a slip turns the slower, the faster the slip has become within the step
+    const RadauSettings settings{
+        .enough = kSolved * scales_.tolerance, .difference = kDifference, .place = 0.5};
+    change = RadauStep<Vector, decltype(slope), decltype(size)>(slope, size, settings)(
+        t, h, v, result.error);
   }
   if (result.order == 8 || std::isinf(result.error)) {
     result.order = 8;

@@ -44,6 +44,7 @@ struct TableScales {
   // Velocities below this part of `speed` and `rate` are zero at an event. So small a slip moves
   // nothing within the error of the steps: what it does is as its power 3/2.
   double stopped = 0.0;
+  double tolerance = 0.0;  // the local error of a step, relative
 };
 // tolerance: the local error of a step, relative.
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance);
@@ -78,6 +79,11 @@ class ContactStepper {
   };
   // From t by h (s). Throws Error (check_failed) as reaction_of does.
   Result step(const Touch& touch, double t, double h, const OnTable& from) const;
+  // How fast the direction of a slip turns to where dry friction lets it, 1/s: mu g, times what the
+  // rotation adds to the mobility of the contact, over the speed of slip. Zero without such a slip.
+  double turning_rate(const Touch& touch, const Moving& now) const;
+  // Explicit steps bear this much of it in a step; longer ones are Radau's.
+  static constexpr double kExplicit = 6.0;
   // All margins of a state.
   Margins margins(const Touch& touch, double t, const OnTable& now) const;
 

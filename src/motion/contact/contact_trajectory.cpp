@@ -21,6 +21,11 @@ constexpr double kNoise = 1e-12;
 constexpr double kNoiseOfStages = 1e-4;
 constexpr int kMostHalvings = 60;
 constexpr int kMostAtOneTime = 200;
+// Radau's steps are taken where they are longer than so many explicit ones, and grow by no more
+// than this, so that the solution of one is near that of the next
+constexpr double kWorthRadau = 3.0;
+constexpr double kGrowthOfRadau = 1.5;
+constexpr double kShorterRadau = 0.4;  // where their equations could not be solved
 
 // The grid of times, and at some of them what is known there: after events always, else of every
 // second, fourth ... step, so that memory is bounded.
@@ -154,13 +159,26 @@ class Walk {
     const double rate =
         scales.rate + angular_velocity(path_->stepper.model(), now_.moving.y).norm();
     double h = std::min(duration_, 0.5 * std::pow(tolerance_, 1.0 / method_.order) / rate);
+    bool grows = true;
     while (t_ < duration_) {
+      const double turning = path_->stepper.turning_rate(touch_, now_.moving);
+      const double most = ContactStepper::kExplicit / turning;
+      const bool stiff = h > kWorthRadau * most;
+      if (!stiff) h = std::min(h, most);
       const double next = t_ + h < duration_ ? t_ + h : duration_;
       const ContactStepper::Result trial = path_->stepper.step(touch_, t_, next - t_, now_);
       record_.evaluations += 12;
+      if (stiff && trial.order == 8) {
+        // Newton's method did not converge
+        h = kShorterRadau * (next - t_);
+        grows = false;
+        ++record_.rejected;
+        continue;
+      }
       const double ratio = std::pow(tolerance_ / std::max(trial.error, 1e-300), 1.0 / trial.order);
       if (!(trial.error <= tolerance_)) {
         h = shorter(next, std::clamp(0.9 * ratio, 0.1, 0.9), trial);
+        grows = false;
         continue;
       }
       const double margin = least_of(path_->stepper.margins(touch_, next, trial.end));
@@ -174,7 +192,10 @@ class Walk {
         h = std::min(h, std::max(duration_ - t_, 1e-300));
         continue;
       }
-      const double proposed = (next - t_) * std::clamp(0.9 * ratio, 0.2, 5.0);
+      // after a rejected step the next one is no longer than that which was taken
+      const double most_growth = !grows ? 1.0 : stiff ? kGrowthOfRadau : 5.0;
+      const double proposed = (next - t_) * std::clamp(0.9 * ratio, 0.2, most_growth);
+      grows = true;
       h = next == duration_ ? std::max(h, proposed) : proposed;
       now_ = trial.end;
       touch_ = refreshed(path_->stepper.model(), touch_, now_.moving);

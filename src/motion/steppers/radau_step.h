@@ -14,17 +14,29 @@
 
 namespace polhode {
 
+// How a step's equations are solved.
+struct RadauSettings {
+  // Newton's method ends when its last change is as small as this; as round-off, if that is more.
+  double enough = 0.0;
+  // Numbers are changed by this part of their typical size to find the Jacobian.
+  double difference = 1e-8;
+  // Where the Jacobian is taken, as a part of the step: 0 for damping that is the same over the
+  // step, 0.5 for one that is not, from a start on which it has worked already.
+  double place = 0.0;
+};
+
 // Steps of dv/dt = slope(t, v), where size(v) is the norm of an error.
 template <class Vector, class Slope, class Size>
 class RadauStep {
  public:
-  RadauStep(const Slope& slope, const Size& size) : slope_(slope), size_(size) {}
+  RadauStep(const Slope& slope, const Size& size, const RadauSettings& settings = {})
+      : slope_(slope), size_(size), settings_(settings) {}
 
   // The change of v in a step h (s) from t (s). Sets `error` to the estimate of the local error;
   // infinite if Newton's method does not converge.
   Vector operator()(double t, double h, const Vector& v, double& error) const {
     const Vector rate = slope_(t, v);
-    const Square jacobian = jacobian_at(t, v, rate);
+    const Square jacobian = jacobian_at(t, h, v, rate);
 
     // (1 - h A x J) dz = h (A x 1) f(v + z) - z, with one Jacobian for all iterations
     System system = System::Identity();
@@ -73,15 +85,19 @@ class RadauStep {
   static constexpr double kE[kStages] = {
       -(13.0 + 7.0 * kRoot6) / 3.0, (-13.0 + 7.0 * kRoot6) / 3.0, -1.0 / 3.0};
 
-  // by differences, each number changed by the root of its round-off
-  Square jacobian_at(double t, const Vector& v, const Vector& rate) const {
+  // by differences
+  Square jacobian_at(double t, double h, const Vector& v, const Vector& rate) const {
     const double typical = size_(v);
+    const double ahead = settings_.place * h;
+    const Vector middle = v + ahead * rate;
+    const Vector middle_rate = ahead != 0.0 ? slope_(t + ahead, middle) : rate;
     Square jacobian;
     for (int i = 0; i < kNumbers; ++i) {
       const Vector unit = Vector::Unit(i);
       const double scale = typical / size_(unit);
-      const double change = 1e-8 * (scale > 0.0 && std::isfinite(scale) ? scale : 1.0);
-      jacobian.col(i) = (slope_(t, Vector(v + change * unit)) - rate) / change;
+      const double change =
+          settings_.difference * (scale > 0.0 && std::isfinite(scale) ? scale : 1.0);
+      jacobian.col(i) = (slope_(t + ahead, Vector(middle + change * unit)) - middle_rate) / change;
     }
     return jacobian;
   }
@@ -92,6 +108,7 @@ class RadauStep {
              const Vector& v,
              const Eigen::PartialPivLU<System>& inverse,
              Stages& z) const {
+    const double enough = std::max(settings_.enough, kRoundOff);
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
       Stages rates;
@@ -111,7 +128,7 @@ class RadauStep {
       }
       if (!std::isfinite(size)) return false;
       // round-off stops the descent
-      if (size <= kRoundOff || (size >= 0.5 * last && size <= 1e3 * kRoundOff)) return true;
+      if (size <= enough || (size >= 0.5 * last && size <= 1e3 * kRoundOff)) return true;
       if (size >= 2.0 * last) return false;
       last = size;
     }
@@ -121,6 +138,7 @@ class RadauStep {
   static constexpr double kRoundOff = 4.0 * std::numeric_limits<double>::epsilon();
   const Slope& slope_;
   const Size& size_;
+  RadauSettings settings_;
 };
 
 }  // namespace polhode

@@ -98,6 +98,29 @@ TEST(OnTable, AnEggSticksAndSlipsAgain) {
   EXPECT_NEAR(times_of(fine, "slip_begins").at(0), times_of(loose, "slip_begins").at(0), 1e-4);
 }
 
+// A coin that leans and wobbles with dry friction slips and sticks in turn: the same events by every
+// tolerance, and where slips begin, the equations of stiff steps are solved.
+TEST(OnTable, AWobblingCoinSlipsAndSticksInTurn) {
+  BodySpec coin;
+  coin.solid = SolidSpec{};
+  coin.solid->kind = "disc";
+  coin.solid->radius = 0.0125;
+  coin.solid->mass = 0.008;
+  MotionSpec spec = on_table(2.5, coulomb(0.3));
+  spec.friction->rolling = 5e-5;
+  spec.friction->boring = 3e-4;
+  spec.attitude.zxz = Vec3(0, 89.5 * kPi / 180.0, 0);
+  spec.spin.rates = Vec3(120, 0, 0);
+  const Integration fine = integrated(coin, spec, 1e-9), loose = integrated(coin, spec, 1e-7);
+  for (const char* event : {"slip_begins", "slip_ends"}) {
+    const std::vector<double> exact = times_of(fine, event), found = times_of(loose, event);
+    ASSERT_EQ(found.size(), exact.size());
+    EXPECT_GT(exact.size(), 10u);
+    for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(found[i], exact[i], 1e-4) << event;
+  }
+  EXPECT_LT(fine.record.rejected, fine.record.steps / 2);
+}
+
 // each bounce takes e times as long as the one before, and all of them a finite time
 TEST(OnTable, ABouncingBallEndsItsBounces) {
   MotionSpec spec = on_table(6.0, coulomb(0.2));
