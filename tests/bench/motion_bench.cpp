@@ -6,6 +6,7 @@
 #include "motion/exact/exact.h"
 #include "motion/stepper_table.h"
 #include "support/motions.h"
+#include "support/on_table.h"
 #include "support/tops.h"
 
 namespace polhode {
@@ -44,6 +45,51 @@ test::Problem symmetric_top() {
   return {model, start_state(model, test::wobbling())};
 }
 
+// a coin that rolls in a circle and wobbles, scenes/rolling_coin.toml
+MotionSpec rolling_coin() {
+  MotionSpec spec = test::on_table(6.0, test::rolling());
+  spec.attitude.zxz = Vec3(0, 80.0 * kPi / 180.0, 0);
+  spec.spin.rates = Vec3(3, 0, 30);
+  return spec;
+}
+
+// its whole motion by steps
+void rolls(benchmark::State& run) {
+  for (auto _ : run)
+    benchmark::DoNotOptimize(test::integrated(test::disc_body(), rolling_coin(), 1e-9));
+}
+
+// one state of it
+void rolls_at(benchmark::State& run) {
+  const Integration coin = test::integrated(test::disc_body(), rolling_coin(), 1e-9);
+  double t = 0.0;
+  for (auto _ : run) {
+    t = std::fmod(t + 0.37, 6.0);
+    benchmark::DoNotOptimize(coin.trajectory->at(t));
+  }
+}
+
+// What its quadrature evaluates at each point: the spins are combinations of two of Gauss's series
+// in sin(tilt / 2)^2 (Appell; Korteweg 1899). For a uniform disc both coefficients are real:
+// n (n + 1) + 4/3 over (n + 1)^2 from one term to the next.
+void gauss_series(benchmark::State& run) {
+  const auto series = [](double x) {
+    double sum = 1.0, term = 1.0;
+    for (int n = 0; std::abs(term) > 1e-16 * sum; ++n) {
+      const double next = n + 1.0;
+      term *= (n * next + 4.0 / 3.0) / (next * next) * x;
+      sum += term;
+    }
+    return sum;
+  };
+  double tilt = 0.4;
+  for (auto _ : run) {
+    tilt = 0.4 + std::fmod(tilt, 1.0);
+    const double half = std::sin(0.5 * tilt);
+    benchmark::DoNotOptimize(series(half * half) + series(1.0 - half * half));
+  }
+}
+
 }  // namespace
 }  // namespace polhode
 
@@ -61,6 +107,9 @@ int main(int argc, char** argv) {
   add("symmetric", polhode::symmetric_top());
   add("asymmetric", polhode::test::hairer_vilmart());
   add("heavy_symmetric", polhode::test::gni_heavy_top());
+  benchmark::RegisterBenchmark("table/rolling_coin_of_6_s", polhode::rolls);
+  benchmark::RegisterBenchmark("table/rolling_coin_at_t", polhode::rolls_at);
+  benchmark::RegisterBenchmark("table/gauss_series", polhode::gauss_series);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

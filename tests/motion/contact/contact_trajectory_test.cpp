@@ -101,11 +101,7 @@ TEST(OnTable, AnEggSticksAndSlipsAgain) {
 // A coin that leans and wobbles with dry friction slips and sticks in turn: the same events by every
 // tolerance, and where slips begin, the equations of stiff steps are solved.
 TEST(OnTable, AWobblingCoinSlipsAndSticksInTurn) {
-  BodySpec coin;
-  coin.solid = SolidSpec{};
-  coin.solid->kind = "disc";
-  coin.solid->radius = 0.0125;
-  coin.solid->mass = 0.008;
+  const BodySpec coin = disc_body(0.0125, 0.008);
   MotionSpec spec = on_table(2.5, coulomb(0.3));
   spec.friction->rolling = 5e-5;
   spec.friction->boring = 3e-4;
