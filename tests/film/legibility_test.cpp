@@ -36,63 +36,76 @@ void expect_large(const std::vector<PlacedText>& texts) {
   }
 }
 
+// names keep off arrow heads and stand by their tips, or have a line to them in their own panel
+void expect_names_by_their_tips(const PreparedFilm& prepared, const PlacedPage& page) {
+  const Typesetter typesetter;
+  for (const PlacedText& text : page.texts) {
+    if (text.role != TextRole::label) continue;
+    for (const TextRoom& mark : page.marks)
+      EXPECT_FALSE(overlap(text.room, mark)) << text.markup << " over the head of an arrow";
+    if (!text.tip) continue;
+    const double letter = typesetter.measure("L", text.style).ink_height();
+    if (distance(text.room, *text.tip) <= kFarthest * letter) continue;
+    ASSERT_TRUE(text.leader) << text.markup << " is far from its tip";
+    EXPECT_EQ(text.leader->opacity, 1.0);
+    EXPECT_LT(distance(text.room, text.leader->from), 1.0);
+    EXPECT_EQ(text.leader->to, *text.tip);
+    for (const FilmPanel& panel : prepared.film().panels()) {
+      const PixelBox& place = panel.place;
+      const TextRoom around{
+          1.0 * place.x, 1.0 * place.y, 1.0 * place.right(), 1.0 * place.bottom()};
+      if (!overlap(around, text.room)) continue;
+      EXPECT_LT(distance(around, *text.tip), 1e-6) << text.markup << " has its line elsewhere";
+    }
+  }
+}
+
+// the names at some moment, each with its number among equal ones
+using Names = std::map<std::string, PlacedText>;
+Names names_at(const PreparedFilm& prepared, double now) {
+  Names names;
+  for (const PlacedText& text : prepared.film().placed(now).texts) {
+    if (text.role == TextRole::label && text.tip)
+      names[fmt::format("{} {}", text.markup, names.count(text.markup))] = text;
+  }
+  return names;
+}
+
+// from one frame to the next, names stay beside their tips: where they change sides, nobody sees
+// them
+void expect_no_jump(const Names& before, const Names& here) {
+  constexpr double kJump = 25.0;     // px
+  constexpr double kVisible = 0.25;  // opacity
+  constexpr double kFlies = 30.0;    // px that a tip goes in a frame
+  for (const auto& [name, text] : here) {
+    const auto found = before.find(name);
+    if (found == before.end()) continue;
+    const PlacedText& old = found->second;
+    const Vec2 moved = (text.room.center() - *text.tip) - (old.room.center() - *old.tip);
+    // nobody can read what flies
+    if (moved.norm() <= kJump || (*text.tip - *old.tip).norm() > kFlies) continue;
+    EXPECT_LT(std::min(text.opacity, old.opacity), kVisible)
+        << name << " by " << moved.norm() << " px";
+  }
+}
+
 class LegibleFilm : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(LegibleFilm, TextIsLargeAndNamesStandByTheirTips) {
+TEST_P(LegibleFilm, TextIsLargeAndNamesStayByTheirTips) {
+  constexpr double kSeconds = 6.0;  // of film, frame by frame
   const PreparedFilm prepared(plan_with_text(load_scene(scene_path(GetParam()))));
   const double end = prepared.frames().timeline.film_duration();
-  const Typesetter typesetter;
   for (double now = 0.0; now <= end; now += kLook) {
     SCOPED_TRACE(testing::Message() << now << " s");
     const PlacedPage page = prepared.film().placed(now);
     expect_large(page.texts);
-    for (const PlacedText& text : page.texts) {
-      if (text.role != TextRole::label) continue;
-      for (const TextRoom& mark : page.marks)
-        EXPECT_FALSE(overlap(text.room, mark)) << text.markup << " over the head of an arrow";
-      if (!text.tip) continue;
-      const double letter = typesetter.measure("L", text.style).ink_height();
-      if (distance(text.room, *text.tip) <= kFarthest * letter) continue;
-      ASSERT_TRUE(text.leader) << text.markup << " is far from its tip";
-      EXPECT_EQ(text.leader->opacity, 1.0);
-      EXPECT_LT(distance(text.room, text.leader->from), 1.0);
-      EXPECT_EQ(text.leader->to, *text.tip);
-      for (const FilmPanel& panel : prepared.film().panels()) {
-        const PixelBox& place = panel.place;
-        const TextRoom around{
-            1.0 * place.x, 1.0 * place.y, 1.0 * place.right(), 1.0 * place.bottom()};
-        if (!overlap(around, text.room)) continue;
-        EXPECT_LT(distance(around, *text.tip), 1e-6) << text.markup << " has its line elsewhere";
-      }
-    }
+    expect_names_by_their_tips(prepared, page);
   }
-}
-// Beside their tips, names stay: where they change sides, nobody sees them.
-TEST_P(LegibleFilm, NamesDoNotJump) {
-  constexpr double kJump = 25.0;     // px
-  constexpr double kVisible = 0.25;  // opacity
-  constexpr double kFlies = 30.0;    // px that a tip goes in a frame
-  constexpr double kSeconds = 6.0;   // of film
-  const PreparedFilm prepared(plan_with_text(load_scene(scene_path(GetParam()))));
-  const double rate = 60.0;
-  const double end = std::min(kSeconds, prepared.frames().timeline.film_duration());
-  std::map<std::string, PlacedText> before;
-  for (double now = 0.0; now <= end; now += 1.0 / rate) {
-    std::map<std::string, PlacedText> here;
-    for (const PlacedText& text : prepared.film().placed(now).texts) {
-      if (text.role == TextRole::label && text.tip)
-        here[fmt::format("{} {}", text.markup, here.count(text.markup))] = text;
-    }
-    for (const auto& [name, text] : here) {
-      const auto found = before.find(name);
-      if (found == before.end()) continue;
-      const PlacedText& old = found->second;
-      const Vec2 moved = (text.room.center() - *text.tip) - (old.room.center() - *old.tip);
-      // nobody can read what flies
-      if (moved.norm() <= kJump || (*text.tip - *old.tip).norm() > kFlies) continue;
-      EXPECT_LT(std::min(text.opacity, old.opacity), kVisible)
-          << name << " by " << moved.norm() << " px at " << now << " s";
-    }
+  Names before;
+  for (double now = 0.0; now <= std::min(kSeconds, end); now += 1.0 / 60.0) {
+    SCOPED_TRACE(testing::Message() << now << " s");
+    Names here = names_at(prepared, now);
+    expect_no_jump(before, here);
     before = std::move(here);
   }
 }
