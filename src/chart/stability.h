@@ -61,8 +61,8 @@ struct StabilityCell {
 // times of the reference. The outcome is `fine` if the deviation never exceeds allowed_rad or,
 // without a usable reference, if energy and momentum, where the loads conserve them, drift by at
 // most 1e-3. A run whose energy drift exceeds 1e6 is ended as energy_grows. The method must be able
-// to integrate the model (why_not() in motion/stepper_table.h). Throws Error (interrupted) only.
-// Thread-safe.
+// to integrate the model so (why_not_by_fixed_steps() in motion/stepper_table.h). Throws Error
+// (interrupted) only. Thread-safe.
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,

@@ -81,11 +81,12 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion);
 // on a pivot.
 Vec3 gravity_of(const MotionSpec& spec);
 
-// The state at t = 0, with place and linear momentum. Throws Error (input), naming motion.spin or a
+// The state at t = 0, with place and linear momentum; `times_spin`: a factor on the spin, which
+// rings and, on a table, the velocity follow. Throws Error (input), naming motion.spin or a
 // key in it, for a rotator that spins about its own axis, for steady precession or a sleeping top
 // that this body cannot have, and for an axial spin without them; naming
 // motion.attitude.momentum_up without a spin in body axes; naming motion.position or
 // motion.velocity if it is not zero for a body on a pivot.
-State start_state(const BodyModel& model, const MotionSpec& spec);
+State start_state(const BodyModel& model, const MotionSpec& spec, double times_spin = 1.0);
 
 }  // namespace polhode

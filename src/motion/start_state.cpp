@@ -226,24 +226,17 @@ void set_start_of_rings(const BodyModel& model, const MotionSpec& spec, State& s
   }
 }
 
-}  // namespace
-
-State start_state(const BodyModel& model, const MotionSpec& spec) {
-  refuse_flight_on_pivot(model, spec);
-  const Quat q_SB = start_attitude_SB(model, spec);
+// the angular momentum in P that the scene gives, or that its angular velocity has
+Vec3 start_momentum_P(const BodyModel& model,
+                      const MotionSpec& spec,
+                      const Quat& q_SB,
+                      const Quat& q_SP) {
   const Mat3 R_PB = model.R_BP.transpose();
-  State start;
-  start.q = q_SB * Quat(model.R_BP);
-  start.place_S = spec.position;
-  start.linear_momentum_S = model.body.mass * spec.velocity;
   if (spec.spin.momentum_body) {
-    start.y = R_PB * *spec.spin.momentum_body;
-    refuse_spin_about_line(model, start.y);
-    set_start_of_rings(model, spec, start);
-    put_on_table(model, spec, start);
-    return start;
+    const Vec3 y = R_PB * *spec.spin.momentum_body;
+    refuse_spin_about_line(model, y);
+    return y;
   }
-
   Vec3 w_B = Vec3::Zero();
   if (spec.spin.body) w_B = *spec.spin.body;
   if (spec.spin.space) w_B = q_SB.conjugate() * *spec.spin.space;
@@ -251,13 +244,27 @@ State start_state(const BodyModel& model, const MotionSpec& spec) {
     w_B = body_rate_from_zxz_rates(start_angles(spec.attitude, q_SB), *spec.spin.rates);
   }
   Vec3 w_P = R_PB * w_B;
-  if (spec.spin.steady) w_P = steady_rotation_P(model, spec.spin, start.q);
-  if (spec.spin.sleeping) w_P = sleeping_rotation_P(model, *spec.spin.sleeping, start.q);
+  if (spec.spin.steady) w_P = steady_rotation_P(model, spec.spin, q_SP);
+  if (spec.spin.sleeping) w_P = sleeping_rotation_P(model, *spec.spin.sleeping, q_SP);
   if (spec.spin.axial && !spec.spin.steady)
     throw input_error("is for steady = \"slow\" or \"fast\"").at({{}, 0, "motion.spin.axial"});
   refuse_spin_about_line(model, w_P);
-  start.y = model.moments.cwiseProduct(w_P);
+  return model.moments.cwiseProduct(w_P);
+}
+
+}  // namespace
+
+State start_state(const BodyModel& model, const MotionSpec& spec, double times_spin) {
+  refuse_flight_on_pivot(model, spec);
+  const Quat q_SB = start_attitude_SB(model, spec);
+  State start;
+  start.q = q_SB * Quat(model.R_BP);
+  start.y = start_momentum_P(model, spec, q_SB, start.q);
+  start.place_S = spec.position;
+  start.linear_momentum_S = model.body.mass * spec.velocity;
   set_start_of_rings(model, spec, start);
+  start.y *= times_spin;
+  start.rings.rates *= times_spin;
   put_on_table(model, spec, start);
   return start;
 }

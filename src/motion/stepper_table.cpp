@@ -32,6 +32,34 @@ std::string obstacle(const StepperInfo& method, const BodyModel& model) {
   return {};
 }
 
+std::string obstacle_to_fixed_steps(const StepperInfo& method, const BodyModel& model) {
+  if (model.table && method.takes_table && !method.only_table)
+    return method.name + " goes from event to event on a table, by a tolerance";
+  return obstacle(method, model);
+}
+
+// the obstacle and the names of methods that have none; "" if there is none
+std::string with_names_of_others(const StepperInfo& method,
+                                 const BodyModel& model,
+                                 std::string (*obstacle_of)(const StepperInfo&, const BodyModel&)) {
+  const std::string reason = obstacle_of(method, model);
+  if (reason.empty()) return {};
+  // of those that can, the highest orders first
+  std::vector<const StepperInfo*> able;
+  for (const StepperInfo& row : stepper_table()) {
+    if (obstacle_of(row, model).empty()) able.push_back(&row);
+  }
+  std::stable_sort(
+      able.begin(), able.end(), [](const auto* a, const auto* b) { return a->order > b->order; });
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(able.size(), 4); ++i)
+    names.push_back(able[i]->name);
+  return fmt::format("{}; {} can{}",
+                     reason,
+                     fmt::join(names, ", "),
+                     able.size() > names.size() ? ", and others of `polhode list methods`" : "");
+}
+
 }  // namespace
 
 std::string family_title(MethodFamily family) {
@@ -207,22 +235,11 @@ std::vector<const StepperInfo*> parse_methods(const std::string& names) {
 }
 
 std::string why_not(const StepperInfo& method, const BodyModel& model) {
-  const std::string reason = obstacle(method, model);
-  if (reason.empty()) return {};
-  // of those that can, the highest orders first
-  std::vector<const StepperInfo*> able;
-  for (const StepperInfo& row : stepper_table()) {
-    if (obstacle(row, model).empty()) able.push_back(&row);
-  }
-  std::stable_sort(
-      able.begin(), able.end(), [](const auto* a, const auto* b) { return a->order > b->order; });
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(able.size(), 4); ++i)
-    names.push_back(able[i]->name);
-  return fmt::format("{}; {} can{}",
-                     reason,
-                     fmt::join(names, ", "),
-                     able.size() > names.size() ? ", and others of `polhode list methods`" : "");
+  return with_names_of_others(method, model, obstacle);
+}
+
+std::string why_not_by_fixed_steps(const StepperInfo& method, const BodyModel& model) {
+  return with_names_of_others(method, model, obstacle_to_fixed_steps);
 }
 
 }  // namespace polhode

@@ -74,5 +74,8 @@ std::vector<const StepperInfo*> parse_methods(const std::string& names);
 // "" if the method can integrate the model, else the reason why not and the names of methods that
 // can.
 std::string why_not(const StepperInfo& method, const BodyModel& model);
+// Likewise with steps that are given: an adaptive method that goes from event to event on a table
+// has none.
+std::string why_not_by_fixed_steps(const StepperInfo& method, const BodyModel& model);
 
 }  // namespace polhode

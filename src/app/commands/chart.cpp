@@ -48,7 +48,7 @@ Task make_task(const std::filesystem::path& file,
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};
-    task.methods = able_methods(methods, job.methods, model, file.string());
+    task.methods = able_methods(methods, job.methods, model, file.string(), why_not);
     task.panel.accuracy_rad = accuracy_in_radians(scene, model);
     task.panel.free_body = model.chi_P.isZero() && !model.loads.turn_body();
   });

@@ -47,9 +47,7 @@ Begun begin_cell(const MappedScene& place, double x, double y, const StabilityJo
   const Scene scene = load_scene(place.file, job.settings, numbers);
   return with_place(scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
-    State start = start_state(model, scene.motion);
-    start.y *= spin;
-    start.rings.rates *= spin;
+    const State start = start_state(model, scene.motion, spin);
     const double rate = typical_rate(model, start);
     if (rate <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
@@ -107,7 +105,8 @@ MappedScene make_place(const std::filesystem::path& file,
   refuse_panels(place.scene);
   const double rate = with_place(place.scene, [&] {
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
-    place.methods = able_methods(methods, job.methods, model, file.string());
+    place.methods =
+        able_methods(methods, job.methods, model, file.string(), why_not_by_fixed_steps);
     const double found = typical_rate(model, start_state(model, place.scene.motion));
     if (found <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});

@@ -117,6 +117,40 @@ TEST_F(SceneOfMaps, WrongAxesSizesAndBodiesAreRefused) {
   EXPECT_THROW(place(), Error) << "at rest nothing can fail";
 }
 
+// a hoop that rolls, on a table: cells of maps have steps, and what goes from event to event has
+// none
+constexpr const char* kRollingHoop = R"(format = 1
+body.solid = { kind = "ring", radius = 0.1, mass = 0.2 }
+[motion]
+hold = "table"
+friction = { kind = "rolling" }
+attitude = { zxz_deg = [0, 80, 0] }
+spin = { rates = [1, 0, 10] }
+duration = 2
+)";
+TEST_F(SceneOfMaps, OnATableHasMethodsOfFixedStepsAlone) {
+  test::write_text(folder_ / "scene.toml", kRollingHoop);
+  const MappedScene made = place("");
+  ASSERT_FALSE(made.methods.empty());
+  for (const StepperInfo* method : made.methods)
+    EXPECT_TRUE(method->only_table) << method->name;
+  test::expect_input_error([&] { place("dop853"); },
+                           "--methods",
+                           "dop853 goes from event to event on a table, by a tolerance");
+}
+
+// it rolls in every cell: its velocity follows the factor on its spin
+TEST_F(SceneOfMaps, AFactorOnTheSpinSetsTheVelocityOfARollingBody) {
+  test::write_text(folder_ / "scene.toml", kRollingHoop);
+  const MappedScene made = prepared("table_rk4");
+  for (const StabilitySetup& setup : made.setups) {
+    const BodyModel& model = setup.problem->model;
+    const Moving start = moving_of(model, setup.problem->start);
+    EXPECT_GT(start.velocity_S.norm(), 0.05);
+    EXPECT_LT(slip_of(model, Touch{}, start).norm(), 1e-13);
+  }
+}
+
 TEST_F(SceneOfMaps, HasTheMethodsThatCanTakeTheScene) {
   EXPECT_EQ(place("rk4,dmv2,rk2").methods.size(), 3U);
   std::string heavy = test::kSmallScene;
