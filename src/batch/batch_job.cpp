@@ -2,6 +2,7 @@
 #include "batch/batch_job.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJobFile = "job.json";
+constexpr int kMostTasks = 4'000'000;  // of an array of Slurm
 
 Json json_of(const BatchJob& job) {
   Json submissions = Json::array();
@@ -50,6 +52,12 @@ std::string slurm_number(const std::string& text) {
   return is_number ? text : "";
 }
 
+// a whole number from 1 to `most`; 0: something else
+int count_in(const Json& json, int most) {
+  const auto number = json.get<double>();
+  return number >= 1.0 && number <= most ? static_cast<int>(number) : 0;
+}
+
 BatchJob job_from(const Json& json) {
   BatchJob job;
   json.at("hash").get_to(job.hash);
@@ -63,8 +71,8 @@ BatchJob job_from(const Json& json) {
   json.at("has_jobs").get_to(job.has_jobs);
   json.at("alone").get_to(job.alone);
   json.at("things").get_to(job.things);
-  json.at("pieces").get_to(job.pieces);
-  json.at("tasks").get_to(job.tasks);
+  job.pieces = count_in(json.at("pieces"), std::numeric_limits<int>::max());
+  job.tasks = count_in(json.at("tasks"), kMostTasks);
   json.at("longest_s").get_to(job.longest_s);
   for (const Json& one : json.at("submissions")) {
     job.submissions.push_back({slurm_number(one.at("array")),
@@ -77,7 +85,7 @@ BatchJob job_from(const Json& json) {
 }  // namespace
 
 fs::path job_folder_of(const fs::path& output) {
-  fs::path whole = fs::absolute(output).lexically_normal();
+  fs::path whole = absolute_path(output);
   if (!whole.has_filename()) whole = whole.parent_path();  // "maps/"
   whole += ".job";
   return whole;
@@ -85,12 +93,18 @@ fs::path job_folder_of(const fs::path& output) {
 
 BatchJob read_job(const fs::path& folder) {
   const fs::path file = folder / kJobFile;
-  try {
-    return job_from(Json::parse(read_file(file)));
-  } catch (const Json::exception&) {
+  const auto refuse = [&] {
     throw input_error("was not written by `polhode submit`; delete the folder to start again")
         .at({file.string(), 0, {}});
+  };
+  BatchJob job;
+  try {
+    job = job_from(Json::parse(read_file(file)));
+  } catch (const Json::exception&) {
+    refuse();
   }
+  if (job.tasks == 0 || job.pieces == 0) refuse();
+  return job;
 }
 
 void write_job(const fs::path& folder, const BatchJob& job) {
@@ -104,7 +118,7 @@ void write_job(const fs::path& folder, const BatchJob& job) {
 }
 
 fs::path find_job(const fs::path& named) {
-  for (const fs::path& folder : {fs::absolute(named), job_folder_of(named)}) {
+  for (const fs::path& folder : {absolute_path(named), job_folder_of(named)}) {
     if (is_there(folder / kJobFile)) return folder;
   }
   throw input_error("is not the folder of a job of `polhode submit`, which is called OUTPUT.job")
@@ -163,7 +177,7 @@ std::vector<int> numbers_in(const std::string& ranges) {
     const std::optional<int> first = parse_integer(range.substr(0, dash));
     const std::optional<int> last =
         dash == std::string::npos ? first : parse_integer(range.substr(dash + 1));
-    if (!first || !last) continue;
+    if (!first || !last || *first < 0 || *last > kMostTasks) continue;
     for (int number = *first; number <= *last; ++number)
       numbers.push_back(number);
   }

@@ -27,6 +27,7 @@ constexpr int kAroundTube = 20;            // pieces of a circle of shafts and r
 constexpr int kAroundHead = 36;            // of heads of arrows
 constexpr int kPiecesOfArc = 32;
 constexpr std::size_t kFewestPieces = 24, kMostPieces = 240, kPointsOfPiece = 6;  // of a path
+constexpr std::size_t kMostThings = 100;  // that may move before their keys are counted
 constexpr double kSmallestScene = 1e-3, kLargestScene = 1e3;  // m; others are scaled to 1 m
 
 json list_of(const Vec3& v) {
@@ -54,8 +55,6 @@ class Export {
     clock_.to = plan.to.value_or(motion_.duration());
     clock_.scale = solved.scene.video.time_scale;
     first_ = first_times(motion_, clock_);
-    for (const double played : first_)
-      observer_.at(clock_.motion_time(played));
     measure_pictures();
     const double size = composer.scenery().scale.body;
     report_.tolerance =
@@ -63,6 +62,9 @@ class Export {
     // single precision has seven digits
     report_.tolerance = std::max(report_.tolerance, kFinestPlayback * size);
     unit_ = size >= kSmallestScene && size <= kLargestScene ? 1.0 : 1.0 / size;
+    refuse_long_table();
+    for (const double played : first_)
+      observer_.at(clock_.motion_time(played));
   }
 
   ExportedScene make() {
@@ -103,6 +105,32 @@ class Export {
     // where cameras see nothing, the body fills the picture
     if (!(report_.pixels_per_metre > 0.0))
       report_.pixels_per_metre = kPictureHeight / (2.0 * composer_.scenery().scale.body);
+  }
+
+  // Each of the first times is a key of whatever moves, in space and over the body. What does so at
+  // a few of them tells before they all are looked at.
+  void refuse_long_table() {
+    constexpr std::size_t kLooks = 8;
+    if (first_.size() <= kMostKeys / kMostThings) return;
+    Observer few(composer_, composer_.scenery().segments);
+    std::vector<double> looks;
+    for (std::size_t i = 0; i < kLooks; ++i)
+      looks.push_back(clock_.motion_time(first_[i * first_.size() / kLooks]));
+    for (const double t : looks)
+      few.at(t);
+    std::size_t moving = 0;
+    for (std::size_t i = 0; i < few.things().size(); ++i) {
+      const Pose at_first = few.pose(i, looks.front());
+      const Pose in_body = seen_from(body_frame(looks.front()), at_first);
+      const auto moves = [&](const Pose& from, const auto& pose_at) {
+        return std::any_of(looks.begin(), looks.end(), [&](double t) {
+          return distance(few.things()[i], from, pose_at(t)) > report_.tolerance;
+        });
+      };
+      moving += moves(at_first, [&](double t) { return few.pose(i, t); }) &&
+                moves(in_body, [&](double t) { return seen_from(body_frame(t), few.pose(i, t)); });
+    }
+    require_few_keys(moving * first_.size());
   }
 
   int add_node(GltfNode node) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/system/interrupt.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -30,7 +31,10 @@ class Search {
          double tolerance)
       : thing_(thing), pose_at_(pose_at), clock_(clock), tolerance_(tolerance) {}
 
-  Pose exact(double played) const { return pose_at_(clock_.motion_time(played)); }
+  Pose exact(double played) const {
+    stop_if_interrupted();
+    return pose_at_(clock_.motion_time(played));
+  }
   double error_at(double a, const Pose& pose_a, double b, const Pose& pose_b, double part) const {
     const double played = in_single_precision(a + part * (b - a));
     const double exact_part = (played - a) / (b - a);

@@ -41,7 +41,8 @@ std::vector<double> first_times(const Motion& motion, const AnimationClock& cloc
 // The poses at the first times and, where playback would be farther than `tolerance` (m) from the
 // exact motion, at times halfway between, again and again. It is tested at the quarters of each
 // interval, and measured at other places. A jump takes a hundred-thousandth of the animation, and
-// is not counted as an error. `pose_at`: the exact pose at a time of motion.
+// is not counted as an error. `pose_at`: the exact pose at a time of motion. Throws Error
+// (interrupted).
 KeyedPoses keyed(const Thing& thing,
                  const std::function<Pose(double)>& pose_at,
                  const std::vector<double>& first,

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/system/interrupt.h"
 #include "frame/shadow.h"
 #include "math/so3.h"
 
@@ -309,6 +310,7 @@ void Observer::look_at(const std::string& name, double t, std::vector<Pose>& pos
 const std::vector<Pose>& Observer::at(double t) {
   const auto kept = moments_.find(t);
   if (kept != moments_.end()) return kept->second;
+  stop_if_interrupted();
   std::vector<Pose> poses(things_.size());
   for (const Element& element : elements()) {
     if (composer_.shows(element.name)) look_at(element.name, t, poses);
@@ -320,6 +322,7 @@ const std::vector<Pose>& Observer::at(double t) {
 
 // most times are looked at for the sake of one thing, and the rest of the picture is not needed
 Pose Observer::pose(std::size_t thing, double t) {
+  stop_if_interrupted();
   const auto whole = moments_.find(t);
   if (whole != moments_.end()) return thing < whole->second.size() ? whole->second[thing] : Pose{};
   const auto [together, place] = places_[thing];

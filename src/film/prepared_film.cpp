@@ -13,8 +13,11 @@
 namespace polhode {
 namespace {
 
-// the wheels of coaches in films
-void warn_of_backward_turning(const Scene& scene, const Motion& motion, const FrameTimes& frames) {
+// the wheels of coaches in films; `scene`: of the motion, which may be one of several in turn
+void warn_of_backward_turning(const Scene& scene,
+                              const Motion& motion,
+                              const FrameTimes& frames,
+                              bool in_turn) {
   constexpr double kBlurring = kPi;  // an angle of the shutter beyond which nothing seems to turn
   if (frames.count < 2 || scene.video.shutter >= kBlurring) return;
   double fastest = 0.0;
@@ -22,7 +25,7 @@ void warn_of_backward_turning(const Scene& scene, const Motion& motion, const Fr
   for (int i = 0; i < looks; ++i) {
     const double shown = frames.from + (frames.to - frames.from) * i / looks;
     // of panels in turn, each shows the whole motion
-    const double t = scene.in_turn ? motion.duration() * i / looks : shown;
+    const double t = in_turn ? motion.duration() * i / looks : shown;
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
   const std::optional<std::string> words =
@@ -141,7 +144,7 @@ void PreparedFilm::warn() const {
     const Solved& one = solved_[i];
     for (const Error& warning : film_->panels()[i].composer->warnings())
       spdlog::warn("{}", placed(one.scene, warning).what());
-    warn_of_backward_turning(one.scene, one.simulation.motion, frames_);
+    warn_of_backward_turning(one.scene, one.simulation.motion, frames_, scene.in_turn);
   }
 }
 

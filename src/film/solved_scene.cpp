@@ -5,9 +5,13 @@
 
 #include <spdlog/spdlog.h>
 
+#include "film/error_places.h"
+#include "motion/ensemble.h"
+
 namespace polhode {
 
 Solved solve_alone(const Scene& scene, ProgressKind progress) {
+  with_place(scene, [&] { check_ensemble(scene.motion); });
   Scene alone = scene;
   alone.motion.ensemble.reset();
   Solved solved = solve(alone, progress);

@@ -7,6 +7,7 @@
 #include "base/base64.h"
 #include "base/hash.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/system/scratch_folder.h"
 #include "base/version.h"
 #include "html/escape.h"
@@ -206,7 +207,7 @@ std::string print_page(const std::string& printer, const fs::path& html) {
                                       "--print-to-pdf=" + pdf};
   // it refuses its own sandbox to root
   if (geteuid() == 0) command.emplace_back("--no-sandbox");
-  command.push_back("file://" + percent_encoded(fs::absolute(html).string()));
+  command.push_back("file://" + percent_encoded(absolute_path(html).string()));
   const ChildResult ran = run_child(command, "");
   if (!ended_well(ran)) {
     throw environment_error("the handout cannot be printed: {} {}", printer, how_it_ended(ran));

@@ -332,7 +332,7 @@ Product compare_product(const DeckPicture& picture,
   std::vector<std::string> words = words_of(picture, settings);
   double longest = 0.0;
   for (const DeckScene& scene : scenes) {
-    film += fmt::format("[[panel]]\nscene = {}\n", Json(fs::absolute(scene.file).string()).dump());
+    film += fmt::format("[[panel]]\nscene = {}\n", Json(absolute_path(scene.file).string()).dump());
     words.push_back(scene.hash);
     longest = std::max(longest, scene.scene.motion.duration);
   }

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "model/mobility.h"
 
 namespace polhode {
 namespace {
@@ -86,21 +87,6 @@ class Contact {
   std::array<double, kMostUnknowns> wanted_{};
 };
 
-// The velocity of the contact point that a unit impulse there gives, in P, 1/kg.
-Mat3 mobility(const BodyModel& m, const Vec3& arm) {
-  const Vec3& w = m.inverse_moments;
-  const Vec3 q = arm.cwiseProduct(arm);
-  const double inverse = 1.0 / m.body.mass;
-  Mat3 K;
-  K(0, 0) = inverse + w.y() * q.z() + w.z() * q.y();
-  K(1, 1) = inverse + w.z() * q.x() + w.x() * q.z();
-  K(2, 2) = inverse + w.x() * q.y() + w.y() * q.x();
-  K(0, 1) = K(1, 0) = -w.z() * arm.x() * arm.y();
-  K(1, 2) = K(2, 1) = -w.x() * arm.y() * arm.z();
-  K(2, 0) = K(0, 2) = -w.y() * arm.z() * arm.x();
-  return K;
-}
-
 // The normal force with what is in proportion to it, so that the contact point is accelerated by
 // `missing` along `up`.
 Effort slide(const BodyModel& m,
@@ -158,49 +144,8 @@ Effort friction_per_newton(const Friction& law,
   return effort;
 }
 
-// The impulse of viscous friction: per newton second of vertical impulse the point at the contact
-// gains K (z - c v), until its vertical velocity has gone from `before` to `after`. Classical
-// Runge-Kutta steps in that velocity.
-Vec3 viscous_impulse(const Mat3& K, double c, const Vec3& before, double after) {
-  constexpr int kSteps = 200;
-  const auto per_newton = [&](const Vec3& v) -> Vec3 {
-    return Vec3::UnitZ() - c * horizontal(v);
-  };
-  const auto slope = [&](const Vec3& v) -> Vec3 {
-    const Vec3 gain = K * per_newton(v);
-    return gain / gain.z();
-  };
-  const double h = (after - before.z()) / kSteps;
-  Vec3 v = before;
-  for (int i = 0; i < kSteps; ++i) {
-    const Vec3 k1 = slope(v), k2 = slope(v + 0.5 * h * k1);
-    const Vec3 k3 = slope(v + 0.5 * h * k2), k4 = slope(v + h * k3);
-    v += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-  }
-  return K.partialPivLu().solve(Vec3(v - before));
-}
-
 // beyond this many times Touch::creep, the direction of slip is that of the slip alone
 constexpr double kCreepReach = 6.0;
-
-// The direction along which the slip changes if friction acts against it: rate(u) is along u, up or
-// down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2.
-template <class Rate>
-Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
-  constexpr int kMost = 40;
-  Vec3 way = start;
-  for (int i = 0; i < kMost; ++i) {
-    Vec3 next = friction * way + rate(way);
-    next.z() = 0.0;
-    const double size = next.norm();
-    if (!(size > 0.0)) break;
-    next /= size;
-    const double apart = (next - way).norm();
-    way = next;
-    if (apart < 1e-14) break;
-  }
-  return way;
-}
 
 }  // namespace
 
@@ -339,7 +284,8 @@ Reaction reaction_of(
   if (!total.force.allFinite()) {
     throw Error(Fault::check_failed,
                 "the equations of friction have no solution here (the body jams: Painleve's "
-                "paradox); take less friction");
+                "paradox); take less friction",
+                {{}, 0, "motion.friction"});
   }
   const Vec3 force_S = R_SP * total.force;
   found.normal = force_S.z();
@@ -391,34 +337,6 @@ void hold_to_table(const BodyModel& model, const Touch& touch, Posed& pose, Movi
   if (law.turntable == 0.0) return;
   const Vec3 table_speed_S = Vec3(0.0, 0.0, law.turntable).cross(now.place_S + pose.R_SP * arm);
   now.velocity_S.head<2>() += table_speed_S.head<2>();
-}
-
-void fall_on_table(const BodyModel& model, const Touch& touch, double restitution, Moving& now) {
-  const Friction& law = model.table->friction;
-  const Posed pose = posed(model, touch, now);
-  const Vec3& arm_P = pose.point.arm_P;
-  const Mat3& R_SP = pose.R_SP;
-  // velocity of the contact point per impulse there, in S
-  const Mat3 K = R_SP * mobility(model, arm_P) * R_SP.transpose();
-  const Vec3 before = slip_of(model, touch, now);
-  const double rebound = -(1.0 + restitution) * before.z();
-  Vec3 impulse(0.0, 0.0, rebound / K(2, 2));
-  if (law.kind == Friction::Kind::viscous)
-    impulse = viscous_impulse(K, law.c, before, before.z() + rebound);
-  if (law.kind == Friction::Kind::rolling || law.kind == Friction::Kind::coulomb) {
-    impulse = K.partialPivLu().solve(Vec3(-before.x(), -before.y(), rebound));
-    if (law.kind == Friction::Kind::coulomb && horizontal(impulse).norm() > law.mu * impulse.z()) {
-      const Vec3 level = horizontal(before);
-      const Vec3 way =
-          level.norm() > 0.0 ? Vec3(-level.normalized()) : Vec3(horizontal(impulse).normalized());
-      const Vec3 per_newton = Vec3::UnitZ() + law.mu * way;
-      const double change = K.row(2).dot(per_newton);
-      impulse =
-          change > 0.0 ? Vec3(rebound / change * per_newton) : Vec3(0.0, 0.0, rebound / K(2, 2));
-    }
-  }
-  now.velocity_S += impulse / model.body.mass;
-  now.y += arm_P.cross(R_SP.transpose() * impulse);
 }
 
 }  // namespace polhode

@@ -83,11 +83,4 @@ void hold_to_table(const BodyModel& model, const Touch& touch, Moving& now);
 // Kinetic plus potential energy, J.
 double energy_of(const BodyModel& model, const Moving& now);
 
-// The velocities after a fall on the table at `now`, with touch.piece lowest: the normal velocity
-// is reversed and multiplied by `restitution`. Without friction the impulse is vertical; rolling
-// ends all slip; viscous friction damps it while the impulse builds up (Routh's equations of
-// impact); Coulomb's law ends it if the impulse stays within the cone of friction, else the
-// horizontal impulse is mu times the vertical one against the slip.
-void fall_on_table(const BodyModel& model, const Touch& touch, double restitution, Moving& now);
-
 }  // namespace polhode

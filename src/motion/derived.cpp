@@ -36,13 +36,16 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
                               : potential_of_place(model, place_S);
   double kinetic = model.on_pivot ? turning : turning + travel;
   const double turning_about_center = kinetic - travel;
+  double of_rings = 0.0;
   if (model.loads.gimbals) {
-    kinetic += kinetic_energy_of_gimbals(model, start);
+    of_rings = kinetic_energy_of_gimbals(model, start);
+    kinetic += of_rings;
     potential += frame_potential(*model.loads.gimbals, start.rings.angles);
   }
   list.push_back({"kinetic_energy", Q::energy, kinetic});
   list.push_back({"kinetic_energy_of_center_of_mass", Q::energy, travel});
   list.push_back({"kinetic_energy_about_center_of_mass", Q::energy, turning_about_center});
+  if (model.loads.gimbals) list.push_back({"kinetic_energy_of_gimbals", Q::energy, of_rings});
   list.push_back({"potential_energy", Q::energy, potential});
   list.push_back({"total_energy", Q::energy, kinetic + potential});
   list.push_back({"angular_momentum", Q::momentum, start.y.norm()});

@@ -28,13 +28,16 @@ Vec3 point_in_ball(std::mt19937& numbers) {
 
 }  // namespace
 
+void check_ensemble(const MotionSpec& spec) {
+  if (!spec.ensemble || spec.ensemble->tilt != 0.0 || spec.ensemble->momentum != 0.0) return;
+  throw input_error("all its motions begin alike; give tilt_deg or momentum")
+      .at({{}, 0, "motion.ensemble"});
+}
+
 std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& spec) {
+  check_ensemble(spec);
   if (!spec.ensemble) return {};
   const EnsembleSpec& ensemble = *spec.ensemble;
-  if (ensemble.tilt == 0.0 && ensemble.momentum == 0.0) {
-    throw input_error("all its motions begin alike; give tilt_deg or momentum")
-        .at({{}, 0, "motion.ensemble"});
-  }
   const State start = start_state(model, spec);
   const Vec3 L_S = start.q * start.y;
   const Quat q_SB = start.q * Quat(model.R_BP).conjugate();

@@ -10,12 +10,14 @@
 
 namespace polhode {
 
+// Throws Error (input), with motion.ensemble as key, for an ensemble whose starts are all the same.
+void check_ensemble(const MotionSpec& spec);
+
 // The motions of spec.ensemble: like `spec`, but each turned by a rotation vector from a ball of
 // radius EnsembleSpec::tilt, and with an angular momentum that differs by a vector from a ball of
 // the radius EnsembleSpec::momentum times its length. The points fill the balls evenly and are the
 // same on every machine. `model` is that of `spec`. Empty without an ensemble. Throws Error (input)
-// as start_state does, and with motion.ensemble as key for an ensemble whose starts are all the
-// same.
+// as start_state and check_ensemble do.
 std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& spec);
 
 // The motions of `members`, which begin near each other, on all processors (motion/convoy.h) or as

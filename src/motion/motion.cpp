@@ -11,6 +11,17 @@ namespace {
 
 constexpr double kStandardGravity = 9.80665;  // m/s^2, the defined standard value
 
+// a ring has mass, and all of it at distances from its axes
+void check_inner_ring(const Vec3& moments) {
+  constexpr double kRoundOff =
+      1e-9;  // of a flat ring, whose largest moment is the sum of the others
+  if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + kRoundOff)) return;
+  throw input_error(
+      "no ring has these moments: the largest, {}, is greater than the sum of the other two",
+      moments.maxCoeff())
+      .at({{}, 0, "motion.gimbals.inner"});
+}
+
 Gimbals make_gimbals(const GimbalsSpec& spec, const BodyModel& model, const Vec3& frame) {
   Gimbals gimbals;
   // for a body whose axle is z under gravity along -Z, the zxz angles of the scene
@@ -154,6 +165,7 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
           "the body a thickness")
           .at({{}, 0, "motion.gimbals"});
     }
+    if (!body.mathematical) check_inner_ring(motion.gimbals->inner);
     const Gimbals gimbals = make_gimbals(*motion.gimbals, model, frame);
     if (!gimbals.idle()) model.loads.gimbals = gimbals;
   }

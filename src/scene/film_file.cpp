@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/at_place.h"
+#include "base/system/files.h"
 #include "scene/key_path.h"
 #include "scene/reader.h"
 #include "scene/scene_tree.h"
@@ -120,7 +121,7 @@ struct Asked {
   std::string scene;
   std::optional<std::string> caption;
   Changes changes;
-  Place place;
+  Place names_scene;  // where the file names its scene
 };
 
 std::vector<Asked> panels_of(const FilmFile& film,
@@ -130,7 +131,9 @@ std::vector<Asked> panels_of(const FilmFile& film,
   for (std::size_t i = 0; i < film.panel.size(); ++i) {
     const PanelSpec& spec = film.panel[i];
     const int line = line_of_panel(tree, i);
-    Asked panel{spec.scene, spec.caption, {}, {file, line, fmt::format("panel[{}]", i)}};
+    const Place names_scene{
+        file, line_of(tree["panel"][i]["scene"]), fmt::format("panel[{}].scene", i)};
+    Asked panel{spec.scene, spec.caption, {}, names_scene};
     add_changes(spec.set, "", {file, line, fmt::format("panel[{}].set", i)}, panel.changes);
     panels.push_back(std::move(panel));
   }
@@ -146,10 +149,11 @@ std::vector<Asked> panels_of(const FilmFile& film,
       change.apply = [at_key, apply = change.apply](toml::table& scene) {
         at_place(at_key, [&] { apply(scene); });
       };
+      const Place names_scene{file, line_of(tree["sweep"]["scene"]), "sweep.scene"};
       panels.push_back({sweep.scene,
                         filled(sweep.caption.value_or(sweep.key + " ="), text_of(value)),
                         {change},
-                        place});
+                        names_scene});
     }
   }
   if (panels.size() > kMostPanels) {
@@ -245,10 +249,12 @@ Scene load_film(toml::table tree,
     changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());
     changes.insert(changes.end(), from_options.begin(), from_options.end());
     const std::filesystem::path scene_file = file.parent_path() / asked.scene;
+    if (!is_there(scene_file))
+      throw input_error("the file '{}' does not exist", asked.scene).at(asked.names_scene);
     toml::table scene_tree = read_tree(scene_file);
     if (is_film(scene_tree)) {
       throw input_error("'{}' is a film of several scenes itself; name a scene", asked.scene)
-          .at(asked.place);
+          .at(asked.names_scene);
     }
     ScenePanel panel;
     panel.scene = changed_scene(std::move(scene_tree), scene_file, changes);

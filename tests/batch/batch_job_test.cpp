@@ -39,7 +39,13 @@ TEST(BatchJob, IsFoundByItsFolderOrItsOutput) {
 TEST(BatchJob, ThatIsNoneIsToldWithItsFile) {
   const TemporaryFolder folder;
   const std::filesystem::path place = test::make_job_folder(test::small_job(folder));
-  for (const char* text : {"", "{", "[]", R"({"hash": 3})"}) {
+  // whole, but for its number of tasks
+  const std::string good = test::read_text(place / "job.json");
+  const std::size_t tasks = good.find("\"tasks\": ") + 9;
+  std::vector<std::string> texts = {"", "{", "[]", R"({"hash": 3})"};
+  for (const char* number : {"-1", "0", "2147483647", "1e300"})
+    texts.push_back(good.substr(0, tasks) + number + good.substr(good.find(',', tasks)));
+  for (const std::string& text : texts) {
     test::write_text(place / "job.json", text);
     try {
       read_job(place);
@@ -63,6 +69,7 @@ TEST(Ranges, AreWrittenAndReadAsSlurmDoes) {
   EXPECT_EQ(ranges_of({}), "");
   EXPECT_EQ(numbers_in("1-3,7%2"), (std::vector<int>{1, 2, 3, 7}));
   EXPECT_EQ(numbers_in("N/A"), (std::vector<int>{}));
+  EXPECT_EQ(numbers_in("1-2147483647,-5,4"), (std::vector<int>{4}));
 }
 
 TEST(MissingTasks, AreThoseWithoutAMark) {

@@ -345,6 +345,17 @@ TEST(Environment, ClosedStreamsChangeNothingElse) {
   EXPECT_EQ(test::read_text(folder / "a.png"), test::read_text(folder / "b.png"));
 }
 
+TEST(Environment, AFolderThatIsGoneIsTold) {
+  const TemporaryFolder folder;
+  const std::string gone = folder / "gone";
+  for (const char* words : {"status x", "cancel x"}) {
+    const Ran ran =
+        run_polhode(words, "mkdir '" + gone + "' && cd '" + gone + "' && rmdir '" + gone + "' &&");
+    EXPECT_EQ(ran.code, 3) << words;
+    EXPECT_NE(ran.err.find("the working folder cannot be found"), std::string::npos) << ran.err;
+  }
+}
+
 TEST(Environment, WhatIsNoFileIsNotWaitedFor) {
   const TemporaryFolder folder;
   const std::string pipe = folder / "pipe";

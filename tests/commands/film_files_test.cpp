@@ -122,6 +122,19 @@ TEST_F(SeveralScenes, FollowOneAnotherInTurn) {
   run(fmt::format("render {} -o {} --still 2.1", at("turns.toml"), at("b.png")), 2);
 }
 
+// a body that turns ever faster, and too fast for the film after its end
+TEST_F(SeveralScenes, InTurnAreLookedAtWithinTheirMotions) {
+  write_text(folder_ / "spun.toml",
+             "[body]\nmoments = [1, 1, 2]\n[motion]\nduration = 1\n"
+             "torque = [{ kind = \"constant\", body = [0, 0, 52] }]\n");
+  write_text(folder_ / "film.toml",
+             "arrange = \"in_turn\"\n[[panel]]\nscene = \"spun.toml\"\n"
+             "[[panel]]\nscene = \"spun.toml\"\n[video]\nsize = \"64x36\"\nfps = 10\n");
+  const Ran ran = run_polhode(fmt::format("render {} -o {}", at("film.toml"), at("a.mp4")));
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err.find("from frame to frame"), std::string::npos) << ran.err;
+}
+
 TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
   run(fmt::format("preview {} -o {}", at("film.toml"), at("sheet.png")));
   for (const char* command : {"simulate -o -", "chart", "stability"}) {

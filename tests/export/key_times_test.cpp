@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "export/key_times.h"
 
+#include <csignal>
+
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "base/system/interrupt.h"
 #include "math/so3.h"
 #include "support/expect_error.h"
+#include "support/in_child.h"
 #include "support/motions.h"
 
 namespace polhode {
@@ -110,6 +115,22 @@ TEST(KeyTimes, FirstTimesFollowTheBody) {
     const Quat b = motion.at(clock.motion_time(times[i + 1])).q_SB;
     EXPECT_LT(rotation_angle_between(a, b), 0.51);
   }
+}
+
+// in a process of its own: an interrupt stays
+TEST(KeyTimes, AreNotSoughtAfterAnInterrupt) {
+  const auto work = [] {
+    watch_for_interrupt();
+    raise(SIGINT);
+    try {
+      keyed(
+          {}, [](double) { return Pose{}; }, looks(8), kSecond, 1e-6);
+    } catch (const Error& error) {
+      return static_cast<int>(error.fault());
+    }
+    return 0;
+  };
+  EXPECT_EQ(test::exit_code_in_child(work), 130);
 }
 
 // a file has no room for a motion of millions of turns

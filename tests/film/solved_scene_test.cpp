@@ -57,6 +57,18 @@ TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfItsEnsemble) {
   EXPECT_EQ(solve(scene).ensemble.size(), 3U);
 }
 
+// where only the motion of the scene is asked for, too
+TEST(SolvedScene, AnEnsembleWhoseMotionsBeginAlikeIsRefused) {
+  Scene scene = small_scene();
+  scene.motion.ensemble = EnsembleSpec{3, 0.0, 0.0};
+  const auto says = [](const auto& work) {
+    return test::message_of(work);
+  };
+  for (const std::string& message :
+       {says([&] { solve(scene); }), says([&] { solve_alone(scene, ProgressKind::none); })})
+    EXPECT_NE(message.find("motion.ensemble: all its motions begin alike"), std::string::npos);
+}
+
 // each motion keeps its states
 TEST(SolvedScene, AnEnsembleThatFillsTheMemoryIsRefused) {
   Scene scene = small_scene("[numerics]\nmodel = \"ode\"\nmethod = \"rk4\"\nstep = 1e-4\n");

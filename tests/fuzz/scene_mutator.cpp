@@ -64,7 +64,7 @@ class SceneMutator {
   void change(std::vector<std::string>& lines) {
     const std::size_t place = below(lines.size() + 1);
     const bool inside = place < lines.size();
-    switch (below(6)) {
+    switch (below(7)) {
       case 0:
         if (inside) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(place));
         break;
@@ -74,6 +74,10 @@ class SceneMutator {
       case 2:
       case 3:
         if (inside) replace_value(lines[place]);
+        break;
+      case 4:
+        if (one_in(4))
+          lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place), film_line());
         break;
       // a dotted key belongs to the table that is open: at the beginning it is that of the scene
       default:
@@ -118,6 +122,41 @@ class SceneMutator {
       node = &properties[step.key()];
     }
     return path + " = " + value(*node, 0);
+  }
+
+  // a line of a film file: its keys are not in the schema of scenes
+  std::string film_line() {
+    static constexpr std::array<const char*, 8> kScenes = {"heavy_top.toml",
+                                                           "free_symmetric_top.toml",
+                                                           "tippe_top.toml",
+                                                           "ball_on_a_turntable.toml",
+                                                           "spin_in_steps.toml",
+                                                           "gyrocompass.toml",
+                                                           "none.toml",
+                                                           "../README.md"};
+    static constexpr std::array<const char*, 8> kKeys = {"motion.duration",
+                                                         "motion.spin.rates[2]",
+                                                         "motion.friction",
+                                                         "motion.attitude.zxz_deg[1]",
+                                                         "show.trail",
+                                                         "numerics.method",
+                                                         "body.solid",
+                                                         "video.fps"};
+    const std::string scene = fmt::format("scene = \"{}\"\n", any_of(kScenes));
+    const std::string list = fmt::format("[{}, {}]", number(Json()), number(Json()));
+    switch (below(5)) {
+      case 0:
+        return "[[panel]]\n" + scene;
+      case 1:
+        return fmt::format("[sweep]\n{}key = \"{}\"\nvalues = {}\n", scene, any_of(kKeys), list);
+      case 2:
+        return one_in(2) ? "arrange = \"in_turn\"" : "arrange = \"side_by_side\"";
+      case 3:
+        return fmt::format("set = {{ \"{}\" = {} }}", any_of(kKeys), number(Json()));
+      default:
+        return fmt::format(
+            R"({} = "{}")", one_in(2) ? "cameras" : "scales", one_in(2) ? "own" : "same");
+    }
   }
 
   // a whole scene

@@ -202,6 +202,25 @@ TEST(Derived, PendulumAndEnergies) {
   EXPECT_NEAR(swung("total_energy_J"), s.energy, 1e-14);
 }
 
+// the rings have energy of their own
+TEST(Derived, EnergiesOfABodyInGimbals) {
+  BodySpec body;
+  body.moments = Vec3(0.02, 0.02, 0.03);
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.attitude.zxz = Vec3(0.1, 0.7, 0.0);
+  spec.spin.rates = Vec3(2.0, 3.0, 5.0);
+  spec.gimbals = GimbalsSpec{0.5, Vec3(0.2, 0.3, 0.25), Vec3::Zero(), {}};
+  const Case found = case_of(body, spec);
+  const double up = std::sin(0.7) * std::sin(0.7) * 0.3 + std::cos(0.7) * std::cos(0.7) * 0.25;
+  const double rings = 0.5 * (0.2 * 9.0 + (0.5 + up) * 4.0);
+  EXPECT_NEAR(found("kinetic_energy_of_gimbals_J"), rings, 1e-14);
+  EXPECT_NEAR(found("kinetic_energy_J"),
+              found("kinetic_energy_of_center_of_mass_J") +
+                  found("kinetic_energy_about_center_of_mass_J") + rings,
+              1e-14);
+}
+
 // PHYSICS: a published top (Hairer, Lubich, Wanner, VII.5.3), its numbers by two methods
 TEST(Derived, NutationOfAPublishedTop) {
   BodySpec body;

@@ -272,6 +272,11 @@ TEST(GimbalsMotion, RefusesWhatRingsCannotDo) {
   MotionSpec spec = on_pivot({0.0, 0.0, 0.0}, {0.0, 0.0, 5.0}, 1.0);
   spec.gimbals = GimbalsSpec{1.0, Vec3::Zero(), Vec3::Zero(), {}};
   start(spec);
+  spec.gimbals->inner = Vec3(1.0, 1.0, 2.0);  // flat
+  start(spec);
+  spec.gimbals->inner = Vec3(1.0, 1.0, 2.1);
+  expect_input_error([&] { start(spec); }, "motion.gimbals.inner", "no ring has these moments");
+  spec.gimbals->inner = Vec3::Zero();
   spec.spin = {};
   spec.spin.body = Vec3(0.0, 0.0, 5.0);
   expect_input_error([&] { start(spec); }, "motion.attitude", "gimbal lock");

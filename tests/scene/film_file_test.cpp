@@ -110,11 +110,13 @@ TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
             "'motion.spin.body[7]'");
   EXPECT_EQ(why(kTwo + "set = { \"not a key\" = 1 }\n").substr(0, 31),
             "film.toml:5: panel[1].set.not a");
-  EXPECT_NE(why("[[panel]]\nscene = \"c.toml\"\n").find("c.toml: the file does not exist"),
+  EXPECT_EQ(why(kTwo + "[[panel]]\nscene = \"c.toml\"\n"),
+            "film.toml:6: panel[2].scene: the file 'c.toml' does not exist");
+  EXPECT_EQ(why("[sweep]\nscene = \"c.toml\"\nkey = \"x\"\nvalues = [1, 2]\n"),
+            "film.toml:2: sweep.scene: the file 'c.toml' does not exist");
+  EXPECT_NE(why("[[panel]]\nscene = \"film.toml\"\n")
+                .find("film.toml:2: panel[0].scene: 'film.toml' is a"),
             std::string::npos);
-  EXPECT_NE(
-      why("[[panel]]\nscene = \"film.toml\"\n").find("film.toml:1: panel[0]: 'film.toml' is a"),
-      std::string::npos);
   EXPECT_NE(
       why(kTwo + "[sweep]\nscene = \"a.toml\"\nkey = \"x\"\nvalues = [1]\n").find("exactly one"),
       std::string::npos);

@@ -11,6 +11,7 @@
 #include "app/piecewise.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
+#include "base/system/files.h"
 #include "base/system/overwriting.h"
 #include "base/system/scratch_folder.h"
 #include "film/frame_workers.h"
@@ -44,7 +45,7 @@ double process_cpu_seconds() {
 // whether the file has the name of a frame of the sequence, whatever its number
 bool is_frame_of(const std::string& sequence, const std::string& file) {
   const auto whole = [](const std::string& name) {
-    return std::filesystem::absolute(name).lexically_normal().string();
+    return absolute_path(name).string();
   };
   const NumberedName name = parse_numbered_name(whole(sequence));
   std::string number = whole(file);
@@ -176,9 +177,19 @@ int suitable_pieces(const RenderPlan& plan, int frames, double of_frame) {
 }  // namespace
 
 DividedWork divided_film(RenderJob job) {
+  const bool asked = job.resume;
   job.resume = true;
   job.jobs = 1;
-  const RenderPlan plan = plan_render(job);
+  const RenderPlan plan = [&] {
+    try {
+      return plan_render(job);
+    } catch (const Error& error) {
+      if (asked || error.place().key != "--resume") throw;
+      throw input_error("'{}' cannot be divided into tasks: choose a .mp4, .webm or .mov",
+                        job.output)
+          .at({{}, 0, "--output"});
+    }
+  }();
   refuse_overwriting(job, plan);
   if (job.report == "-") {
     throw input_error("goes into the log of the collecting job; name a file")

@@ -23,6 +23,16 @@ std::vector<fs::path> entries_of(const fs::path& folder, Fault fault) {
   return found;
 }
 
+fs::path absolute_path(const fs::path& file) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(file, failed);
+  if (failed) {
+    throw environment_error("the working folder cannot be found: {}; change to another folder",
+                            failed.message());
+  }
+  return whole.lexically_normal();
+}
+
 bool is_there(const fs::path& file) {
   std::error_code failed;
   const bool there = fs::exists(file, failed);

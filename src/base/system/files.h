@@ -19,6 +19,10 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 // place, if that cannot be found out, for example without the right to look into its folder.
 bool is_there(const std::filesystem::path& file);
 
+// The path from the root, without `.` and `..`. Throws Error (environment) if the working folder is
+// gone.
+std::filesystem::path absolute_path(const std::filesystem::path& file);
+
 // Makes a folder and those above it; one that is there is no error. Throws as system_error() does,
 // with `place`, if that fails.
 void make_folder(const std::filesystem::path& folder, const Place& place = {});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "model/fall_on_table.h"
 
 namespace polhode {
 namespace {
@@ -122,7 +123,8 @@ Error two_contacts(double t) {
           fmt::format("at {:.6g} s a second point of the body comes down on the table; how it goes "
                       "on along an edge or on two points is not computed: end the motion before, "
                       "or round the body",
-                      t)};
+                      t),
+          {{}, 0, "motion.duration"}};
 }
 
 ContactChange land(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
@@ -138,9 +140,11 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   const double restitution = model.table->friction.restitution;
   const double speed = -slip_of(model, touch, now.moving).z();
   const double had = energy_of(model, now.moving);
-  if (speed > 0.0) fall_on_table(model, touch, restitution, now.moving);
   const double rebound = restitution * speed;
-  if (rebound > kLastRebound * scales.speed) {
+  const double least = kLastRebound * scales.speed;
+  // the impulses of endless bounces together are that of a fall that ends in contact
+  fall_on_table(model, touch, rebound > least ? restitution : 0.0, now.moving);
+  if (rebound > least && slip_of(model, touch, now.moving).z() > least) {
     now.work += energy_of(model, now.moving) - had;
     return change;
   }
@@ -167,7 +171,8 @@ ContactChange lie_down(const ContactStepper& stepper, const Touch& before, doubl
                             "turns ({:.2g} J); how it slides on a face is not computed: end the "
                             "motion before, or round the body",
                             t,
-                            left));
+                            left),
+                {{}, 0, "motion.duration"});
   }
   ContactChange change{before};
   change.touch.phase = Touch::Phase::lying;

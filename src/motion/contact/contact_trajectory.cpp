@@ -240,7 +240,8 @@ class Walk {
                               "or change friction or restitution",
                               t,
                               words_for(crossing.event),
-                              events_));
+                              events_),
+                  {{}, 0, "motion.friction"});
     }
     arrive(t, true);
   }

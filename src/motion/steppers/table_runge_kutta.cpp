@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "math/so3.h"
+#include "model/fall_on_table.h"
 #include "motion/contact/contact_change.h"
 #include "motion/steppers/all.h"
 

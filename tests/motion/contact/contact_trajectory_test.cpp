@@ -136,6 +136,63 @@ TEST(OnTable, ABouncingBallEndsItsBounces) {
   EXPECT_EQ(found.trajectory->contact_at(5.0)->touch.phase, Touch::Phase::touching);
 }
 
+// a rod that falls on its end with friction
+TEST(OnTable, BouncesWithFrictionMakeNoEnergy) {
+  BodySpec rod = ball_body();
+  rod.solid->kind = "rod";
+  rod.solid->length = 1.0;
+  rod.solid->radius = 0.02;
+  MotionSpec spec = on_table(0.33, coulomb(1.0));
+  spec.friction->restitution = 1.0;
+  spec.position = Vec3(0, 0, 0.8);
+  spec.velocity = Vec3(0, -1.0, 0);
+  for (const double tilt : {0.3, 0.6, 0.9}) {
+    spec.attitude.zxz = Vec3(0, tilt, 0);
+    const Integration found = integrated(rod, spec, 1e-10);
+    ASSERT_EQ(times_of(found, "landing").size(), 1u);
+    EXPECT_LE(found.trajectory->contact_at(spec.duration)->work, 1e-12) << tilt;
+  }
+}
+
+// friction that damps all slip at once is that which lets none
+TEST(OnTable, StrongViscousFrictionIsThatOfRolling) {
+  const auto energy_after = [](const FrictionSpec& friction) {
+    MotionSpec spec = on_table(0.6, friction);
+    spec.friction->restitution = 0.5;
+    spec.position = Vec3(0, 0, 0.5);
+    spec.velocity = Vec3(1.0, 0, 0);
+    return integrated(ball_body(), spec, 1e-10).trajectory->contact_at(0.6)->work;
+  };
+  // 0.9e-6 of it is left
+  EXPECT_NEAR(energy_after(viscous(1e6)) / energy_after(rolling()), 1.0, 3e-6);
+}
+
+// the last of endless bounces is an impulse at the contact
+TEST(OnTable, EndsBouncesAtTheContact) {
+  BodySpec egg = ball_body();
+  egg.solid->kind = "ellipsoid";
+  egg.solid->radius.reset();
+  egg.solid->semi_axes = Vec3(0.03, 0.03, 0.05);
+  MotionSpec spec = on_table(1.0, {});
+  spec.friction = coulomb(0.1);
+  spec.friction->restitution = 0.9;
+  spec.attitude.zxz = Vec3(0, 1.0, 0);
+  const BodyModel model = with_needed_degrees(make_model(egg, spec));
+  OnTable now;
+  now.moving = moving_of(model, start_state(model, spec));
+  now.moving.velocity_S.z() -= 1e-6;
+  const Moving before = now.moving;
+  const ContactStepper stepper(model, table_scales(model, before, 1e-9));
+  Touch touch;
+  touch.phase = Touch::Phase::flying;
+  change_at(stepper, ContactEvent::landing, touch, 0.0, now);
+  const Vec3 impulse = model.body.mass * (now.moving.velocity_S - before.velocity_S);
+  const Vec3 arm_P = posed(model, touch, before).point.arm_P;
+  const Vec3 expected = arm_P.cross(before.q.conjugate() * impulse);
+  EXPECT_GT(impulse.z(), 1e-9);
+  EXPECT_NEAR((now.moving.y - before.y - expected).norm() / expected.norm(), 0.0, 1e-9);
+}
+
 // rolling friction stops a ball after a way v^2 (7/5) R / (2 g rho), in a uniform deceleration
 TEST(OnTable, RollingFrictionStopsABall) {
   MotionSpec spec = on_table(8.0, rolling());
@@ -324,8 +381,10 @@ TEST(OnTable, RefusesWhatItCannotFollow) {
   cone.solid->height = 0.06;
   MotionSpec spec = on_table(5.0, rolling());
   spec.attitude.tilt = 0.3;
-  expect_error(
-      [&] { integrated(cone, spec, 1e-9); }, Fault::check_failed, "", "end the motion before");
+  expect_error([&] { integrated(cone, spec, 1e-9); },
+               Fault::check_failed,
+               "motion.duration",
+               "end the motion before");
 }
 
 }  // namespace

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "model/fall_on_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "model/mobility.h"
+
+namespace polhode {
+namespace {
+
+using Mat2 = Eigen::Matrix2d;
+using Array2 = Eigen::Array2d;
+
+Vec3 level_part(const Vec3& v) {
+  return {v.x(), v.y(), 0.0};
+}
+
+// A number between 0 and 1 at which `passed` becomes true, which it is at 1.
+template <class Passed>
+double first_part(const Passed& passed) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (passed(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+// A fall while its normal impulse grows.
+class Fall {
+ public:
+  Fall(const Mat3& mobility, const Friction& law, double restitution, const Vec3& before)
+      : K_(mobility), law_(law), restitution_(restitution), speed_(-before.z()), v_(before) {}
+
+  Vec3 after() {
+    switch (law_.kind) {
+      case Friction::Kind::none:
+        end_with(K_.col(2));
+        break;
+      case Friction::Kind::rolling:
+        stop_slip();
+        if (v_.z() < 0.0) end_with(K_ * held());
+        break;
+      case Friction::Kind::viscous:
+        end_damped();
+        break;
+      case Friction::Kind::coulomb:
+        if (slide()) end_after_slip();
+        break;
+    }
+    return v_;
+  }
+
+ private:
+  // the velocity per normal impulse stays the same from now on
+  void end_with(const Vec3& gain) {
+    if (!(gain.z() > 0.0)) return;
+    if (!rising_) {
+      taken_ += 0.5 * v_.z() * v_.z() / gain.z();
+      v_ -= v_.z() / gain.z() * gain;
+      rise();
+    }
+    const double end = std::sqrt(v_.z() * v_.z() + 2.0 * gain.z() * left_);
+    v_ += (end - v_.z()) / gain.z() * gain;
+  }
+
+  void rise() {
+    rising_ = true;
+    left_ = restitution_ * restitution_ * taken_;
+  }
+
+  void stop_slip() {
+    const Eigen::Vector2d level =
+        K_.topLeftCorner<2, 2>().inverse() * Eigen::Vector2d(-v_.head<2>());
+    v_ += K_ * Vec3(level.x(), level.y(), 0.0);
+    v_.head<2>().setZero();
+  }
+
+  // the force per newton of normal force that keeps slip from beginning
+  Vec3 held() const {
+    const Eigen::Vector2d level =
+        K_.topLeftCorner<2, 2>().inverse() * Eigen::Vector2d(-K_.topRightCorner<2, 1>());
+    return {level.x(), level.y(), 1.0};
+  }
+
+  void end_after_slip() {
+    v_.head<2>().setZero();
+    const Vec3 force = held();
+    if (force.head<2>().norm() <= law_.mu) {
+      end_with(K_ * force);
+      return;
+    }
+    // it begins in a direction that it keeps
+    const auto gain_along = [&](const Vec3& way) {
+      return Vec3(K_ * (Vec3::UnitZ() - law_.mu * way));
+    };
+    const double friction = 0.5 * law_.mu * (K_(0, 0) + K_(1, 1));
+    const Vec3 start = -level_part(force).normalized();
+    end_with(gain_along(creep_direction(start, friction, gain_along)));
+  }
+
+  // Velocity and work of the normal force while the body slides, in steps of normal impulse over
+  // slip, in which the velocity stays smooth until the slip ends.
+  struct Sliding {
+    Vec3 v;
+    double work;
+  };
+  Sliding slope(const Vec3& v) const {
+    const Vec3 slip = level_part(v);
+    return {slip.norm() * K_.col(2) - law_.mu * (K_ * slip), slip.norm() * v.z()};
+  }
+  Sliding slid(double h) const {
+    const Sliding a = slope(v_), b = slope(v_ + 0.5 * h * a.v), c = slope(v_ + 0.5 * h * b.v),
+                  d = slope(v_ + h * c.v);
+    return {v_ + h / 6.0 * (a.v + 2.0 * b.v + 2.0 * c.v + d.v),
+            h / 6.0 * (a.work + 2.0 * b.work + 2.0 * c.work + d.work)};
+  }
+  void take(const Sliding& step) {
+    v_ = step.v;
+    if (rising_) {
+      left_ -= step.work;
+    } else {
+      taken_ -= step.work;
+    }
+  }
+
+  // whether the slip has ended, rather than the fall
+  bool slide() {
+    constexpr int kMost = 1'000'000;
+    constexpr double kFine = 0.01;      // of what changes the velocity, in a step
+    constexpr double kStopped = 1e-11;  // of the speed of the fall
+    const double rate = K_.norm() * (1.0 + law_.mu);
+    for (int i = 0; i < kMost; ++i) {
+      const double slip = level_part(v_).norm();
+      if (slip <= kStopped * speed_) return true;
+      const double h = kFine * std::min(1.0 / rate, speed_ / (rate * slip));
+      const auto ends = [&](const Sliding& step) {
+        return rising_ ? step.work >= left_ || step.v.z() < 0.0 : step.v.z() >= 0.0;
+      };
+      const Sliding step = slid(h);
+      if (!ends(step)) {
+        take(step);
+        continue;
+      }
+      take(slid(h * first_part([&](double part) { return ends(slid(h * part)); })));
+      if (rising_) return false;
+      rise();
+      if (restitution_ == 0.0) return false;
+    }
+    return true;
+  }
+
+  // viscous friction: linear equations, in closed form along the principal directions of the level
+  // part of K
+  void end_damped() {
+    const Eigen::SelfAdjointEigenSolver<Mat2> principal(K_.topLeftCorner<2, 2>());
+    const Mat2& Q = principal.eigenvectors();
+    const Array2 rate = law_.c * principal.eigenvalues().array();
+    const Array2 slip = Q.transpose() * v_.head<2>();
+    const Array2 across = Q.transpose() * K_.topRightCorner<2, 1>();
+    const Vec3 before = v_;
+    // integrals of exp(-rate p): once, twice, three times
+    const auto integrals = [&](double p) {
+      std::array<Array2, 3> found;
+      for (int i = 0; i < 2; ++i) {
+        const double x = rate[i] * p;
+        const bool small = x < 1e-2;
+        found[0][i] = rate[i] > 0.0 ? -std::expm1(-x) / rate[i] : p;
+        found[1][i] = small ? p * p * (1.0 / 2 - x * (1.0 / 6 - x * (1.0 / 24 - x / 120)))
+                            : (p - found[0][i]) / rate[i];
+        found[2][i] = small ? p * p * p * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x / 720)))
+                            : (0.5 * p * p - found[1][i]) / rate[i];
+      }
+      return found;
+    };
+    const auto at = [&](double p) {
+      const auto [once, twice, thrice] = integrals(p);
+      const Array2 now = slip * (-rate * p).exp() + across * once;
+      const double z =
+          before.z() + K_(2, 2) * p - law_.c * (across * (slip * once + across * twice)).sum();
+      const double work = before.z() * p + 0.5 * K_(2, 2) * p * p -
+                          law_.c * (across * (slip * twice + across * thrice)).sum();
+      Vec3 v;
+      v << Q * now.matrix(), z;
+      return Sliding{v, work};
+    };
+    const auto first_from = [&](double from, const auto& passed) {
+      double step = speed_ / K_(2, 2) / 64.0;
+      while (!passed(from + step) && std::isfinite(step))
+        step *= 1.25;
+      return from + step * first_part([&](double part) { return passed(from + step * part); });
+    };
+    const double lowest = first_from(0.0, [&](double p) { return at(p).v.z() >= 0.0; });
+    taken_ = -at(lowest).work;
+    rise();
+    v_ = at(lowest).v;
+    if (restitution_ == 0.0) return;
+    v_ = at(first_from(lowest, [&](double p) { return at(p).work + taken_ >= left_; })).v;
+  }
+
+  const Mat3& K_;
+  const Friction& law_;
+  double restitution_, speed_;
+  Vec3 v_;              // of the point that touches, m/s
+  double taken_ = 0.0;  // work that the normal force has taken, J
+  double left_ = 0.0;   // that it still has to give back
+  bool rising_ = false;
+};
+
+}  // namespace
+
+Vec3 impulse_of_fall(const Mat3& mobility,
+                     const Friction& law,
+                     double restitution,
+                     const Vec3& before) {
+  if (!(before.z() < 0.0)) return Vec3::Zero();
+  const Vec3 after = Fall(mobility, law, restitution, before).after();
+  return mobility.partialPivLu().solve(Vec3(after - before));
+}
+
+void fall_on_table(const BodyModel& model, const Touch& touch, double restitution, Moving& now) {
+  const Posed pose = posed(model, touch, now);
+  const Vec3& arm_P = pose.point.arm_P;
+  const Mat3 K = pose.R_SP * mobility(model, arm_P) * pose.R_SP.transpose();
+  const Vec3 impulse =
+      impulse_of_fall(K, model.table->friction, restitution, slip_of(model, touch, now));
+  now.velocity_S += impulse / model.body.mass;
+  now.y += arm_P.cross(pose.R_SP.transpose() * impulse);
+}
+
+}  // namespace polhode
