@@ -117,17 +117,8 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   return plot;
 }
 
-// A diagram of the motion, or of each of the panels in turn, which then have the same axes.
+// A diagram of each motion, on the same axes.
 std::vector<Diagram> diagrams_of(const DiagramKind& kind, const std::vector<Solved>& solved) {
-  const Scene& scene = solved.front().scene;
-  if (solved.size() > 1 && !scene.in_turn) {
-    throw input_error(
-        "'{}' shows one motion, not those of {} panels; give them arrange = "
-        "\"in_turn\", one after the other",
-        kind.name,
-        solved.size())
-        .at({{}, 0, "show.plots"});
-  }
   std::vector<Diagram> found;
   for (const Solved& one : solved) {
     const Motion& motion = one.simulation.motion;
@@ -159,13 +150,39 @@ std::vector<Diagram> diagrams_of(const DiagramKind& kind, const std::vector<Solv
   return found;
 }
 
+// In the place of one diagram stands that of the motion or of the panel whose turn it is; those of
+// panels side by side stand one below the other, under their captions.
+void add_diagrams(const DiagramKind& kind, const std::vector<Solved>& solved, FilmCharts& charts) {
+  constexpr std::size_t kMost = 2;  // which are large enough to be read
+  const Scene& scene = solved.front().scene;
+  std::vector<Diagram> found = diagrams_of(kind, solved);
+  if (found.size() == 1 || scene.in_turn) {
+    charts.diagrams.push_back(std::move(found));
+    return;
+  }
+  if (charts.diagrams.size() + found.size() > kMost) {
+    throw input_error(
+        "'{}' of {} panels side by side needs too much room: there is enough for {} diagrams; give "
+        "them arrange = \"in_turn\", one after the other",
+        kind.name,
+        found.size(),
+        kMost)
+        .at({{}, 0, "show.plots"});
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i < scene.panels.size() && !scene.panels[i].caption.empty())
+      found[i].title = scene.panels[i].caption + ": " + found[i].title;
+    charts.diagrams.push_back({std::move(found[i])});
+  }
+}
+
 }  // namespace
 
 FilmCharts make_charts(const std::vector<Solved>& solved) {
   FilmCharts charts;
   for (const std::string& name : solved.front().scene.show.plots) {
     if (const DiagramKind* kind = find_diagram(name)) {
-      charts.diagrams.push_back(diagrams_of(*kind, solved));
+      add_diagrams(*kind, solved, charts);
       continue;
     }
     for (const Recorded& quantity : recorded_quantities()) {

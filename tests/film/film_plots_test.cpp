@@ -86,8 +86,34 @@ TEST(FilmPlots, DiagramsStandBesideThem) {
   test::expect_input_error([&] { make_charts({asked}); },
                            "show.plots",
                            "'polhode_map' needs a turning body on which no torque");
-  asked.scene.show.plots = {"phase"};
-  test::expect_input_error([&] { make_charts({asked, asked}); }, "show.plots", "2 panels");
+}
+
+// one for each, under its caption, on the same axes; as many as can be read
+TEST(FilmPlots, DiagramsOfPanelsSideBySideStandBelowOneAnother) {
+  Solved slow = solve(load_scene(test::scene_path("nutation_plots")));
+  Scene faster = slow.scene;
+  faster.motion.spin.rates->z() *= 1.5;
+  Solved fast = solve(faster);
+  slow.scene.panels.resize(2);
+  slow.scene.panels[0].caption = "slow";
+  slow.scene.panels[1].caption = "fast";
+  slow.scene.show.plots = {"tilt", "phase"};
+  const FilmCharts charts = make_charts({slow, fast});
+  EXPECT_EQ(charts.count(), 3);
+  ASSERT_EQ(charts.diagrams.size(), 2U);
+  const Diagram &first = charts.diagrams[0].at(0), &second = charts.diagrams[1].at(0);
+  EXPECT_EQ(first.title, "slow: phase portrait");
+  EXPECT_EQ(second.title, "fast: phase portrait");
+  EXPECT_EQ(first.across.low, second.across.low);
+  EXPECT_EQ(first.up.high, second.up.high);
+  EXPECT_GT((first.now(0.03) - second.now(0.03)).norm(), 0.01);
+  slow.scene.show.plots = {"phase", "potential"};
+  test::expect_input_error(
+      [&] {
+        make_charts({slow, fast});
+      },
+      "show.plots",
+      "'potential' of 2 panels side by side");
 }
 
 // one for each, on the same axes, with its own point

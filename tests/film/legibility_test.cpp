@@ -93,8 +93,11 @@ class LegibleFilm : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(LegibleFilm, TextIsLargeAndNamesStayByTheirTips) {
   constexpr double kSeconds = 6.0;  // of film, frame by frame
-  const PreparedFilm prepared(plan_with_text(load_scene(scene_path(GetParam()))));
+  const Scene scene = load_scene(scene_path(GetParam()));
+  const PreparedFilm prepared(plan_with_text(scene));
   const double end = prepared.frames().timeline.film_duration();
+  // panels in turn follow one another by cuts
+  const double shot = scene.in_turn ? end / static_cast<double>(scene.panels.size()) : end;
   for (double now = 0.0; now <= end; now += kLook) {
     SCOPED_TRACE(testing::Message() << now << " s");
     const PlacedPage page = prepared.film().placed(now);
@@ -105,7 +108,8 @@ TEST_P(LegibleFilm, TextIsLargeAndNamesStayByTheirTips) {
   for (double now = 0.0; now <= std::min(kSeconds, end); now += 1.0 / 60.0) {
     SCOPED_TRACE(testing::Message() << now << " s");
     Names here = names_at(prepared, now);
-    expect_no_jump(before, here);
+    const bool cut = std::floor((now + 1e-9) / shot) > std::floor((now - 1.0 / 60.0 + 1e-9) / shot);
+    if (!cut) expect_no_jump(before, here);
     before = std::move(here);
   }
 }
