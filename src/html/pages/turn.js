@@ -947,7 +947,8 @@
         const off = 16;
         dx *= off / length;
         dy *= off / length;
-        tip.style.transform = `translate(${(x + dx).toFixed(1)}px, ${(y + dy).toFixed(1)}px) translate(-50%, -50%)`;
+        const inside = (at, size) => Math.min(size - off, Math.max(off, at));
+        tip.style.transform = `translate(${inside(x + dx, width).toFixed(1)}px, ${inside(y + dy, height).toFixed(1)}px) translate(-50%, -50%)`;
       }
     }
 
