@@ -21,13 +21,21 @@
     return globalThis.THREE;
   };
 
-  const canDraw = () => {
+  // what draws here: the words of WebGL, null without it
+  const graphics = () => {
     try {
-      return document.querySelector("script[data-three]") !== null && document.createElement("canvas").getContext("webgl2") !== null;
+      const gl = document.createElement("canvas").getContext("webgl2");
+      const more = gl?.getExtension("WEBGL_debug_renderer_info");
+      const words = gl && String(gl.getParameter(more ? more.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+      gl?.getExtension("WEBGL_lose_context")?.loseContext();
+      return words;
     } catch {
-      return false;
+      return null;
     }
   };
+  const drawnBy = document.querySelector("script[data-three]") && document.querySelector("figure[data-turn]") ? graphics() : null;
+  // without a graphics card, several samples of a pixel cost more than all else: only pictures that rest get them
+  const bySoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(drawnBy ?? "");
 
   const blockOf = (name) => [...document.querySelectorAll("script[data-viewer]")].find((one) => one.dataset.viewer === name);
 
@@ -162,6 +170,7 @@
       this.elements = new Map(); // name -> { color, groups }
       this.labels = [];
       this.dashed = [];
+      this.paths = []; // as joinedPath makes them
       const passes = (json.materials ?? []).map((one) => passesOf(one.extras, this.lights));
       const shapes = new Map();
       const shapeOf = (primitive) => {
@@ -179,13 +188,40 @@
         }
         return shapes.get(key);
       };
-      this.nodes = json.nodes.map((node) => {
+      // pieces of paths: leaves that are not moved, only come and go
+      const moves = new Map();
+      for (const { channels, samplers } of json.animations ?? []) {
+        for (const { sampler, target } of channels) moves.set(target.node, moves.has(target.node) ? null : { path: target.path, ...samplers[sampler] });
+      }
+      const comesAndGoes = (node, i) => {
+        const move = moves.get(i);
+        return node.mesh !== undefined && !node.children && !node.extras && !node.translation && !node.rotation && move?.path === "scale" &&
+          move.interpolation === "STEP" && numbers(move.output).every((value) => value === 0 || value === 1) && json.meshes[node.mesh].primitives.length === 1;
+      };
+      const inPath = new Set();
+      const joined = []; // { parent, material, pieces }
+      json.nodes.forEach(({ children = [] }, parent) => {
+        const byMaterial = new Map();
+        for (const child of children.filter((one) => comesAndGoes(json.nodes[one], one))) {
+          const { material } = json.meshes[json.nodes[child].mesh].primitives[0];
+          const { soft, flat, alpha, dashes } = json.materials[material].extras;
+          if (soft || flat || alpha < 1 || dashes > 0) continue;
+          if (!byMaterial.has(material)) byMaterial.set(material, []);
+          byMaterial.get(material).push(child);
+        }
+        for (const [material, pieces] of byMaterial) {
+          if (pieces.length < 2) continue;
+          joined.push({ parent, material, pieces });
+          for (const piece of pieces) inPath.add(piece);
+        }
+      });
+      this.nodes = json.nodes.map((node, index) => {
         const made = new THREE.Object3D();
         made.name = node.name;
         if (node.translation) made.position.fromArray(node.translation);
         if (node.rotation) made.quaternion.fromArray(node.rotation);
         if (node.scale) made.scale.fromArray(node.scale);
-        for (const primitive of node.mesh === undefined ? [] : json.meshes[node.mesh].primitives) {
+        for (const primitive of node.mesh === undefined || inPath.has(index) ? [] : json.meshes[node.mesh].primitives) {
           for (const { order, material, dashed } of passes[primitive.material]) {
             const part = new THREE.Mesh(shapeOf(primitive), dashed ? material.clone() : material);
             if (dashed) Object.assign(part.material.uniforms, { key: this.lights.key, fill: this.lights.fill });
@@ -207,6 +243,17 @@
       });
       json.nodes.forEach((node, i) => (node.children ?? []).forEach((child) => this.nodes[i].add(this.nodes[child])));
       for (const root of json.scenes[0].nodes) this.scene.add(this.nodes[root]);
+      for (const { parent, material, pieces } of joined) {
+        const parts = pieces.map((piece) => shapeOf(json.meshes[json.nodes[piece].mesh].primitives[0]));
+        const path = this.joinedPath(parts, pieces.map((piece) => this.nodes[piece]));
+        for (const { order, material: look } of passes[material]) {
+          const part = new THREE.Mesh(path.shape, look);
+          part.renderOrder = order;
+          part.frustumCulled = false;
+          this.nodes[parent].add(part);
+        }
+        this.paths.push(path);
+      }
       this.tracks = (json.animations ?? []).flatMap((animation) =>
         animation.channels.map(({ sampler, target }) => {
           const { input, output, interpolation } = animation.samplers[sampler];
@@ -215,6 +262,45 @@
       this.camera = json.cameras[0].perspective;
       this.turn = [new THREE.Quaternion(), new THREE.Quaternion()];
       this.show(0);
+    }
+
+    // One shape of many, for one call: of its triangles those are drawn whose pieces are there.
+    joinedPath(parts, pieces) {
+      const THREE = drawing();
+      const all = (name) => {
+        const lists = parts.map((one) => one.getAttribute(name).array);
+        const together = new Float32Array(lists.reduce((sum, one) => sum + one.length, 0));
+        let at = 0;
+        for (const list of lists) {
+          together.set(list, at);
+          at += list.length;
+        }
+        return new THREE.BufferAttribute(together, 3);
+      };
+      const shape = new THREE.BufferGeometry();
+      for (const name of ["position", "normal"]) shape.setAttribute(name, all(name));
+      let before = 0;
+      const triangles = parts.map((one) => {
+        const list = Uint32Array.from(one.index.array, (corner) => corner + before);
+        before += one.getAttribute("position").count;
+        return list;
+      });
+      const index = new THREE.BufferAttribute(new Uint32Array(triangles.reduce((sum, one) => sum + one.length, 0)), 1);
+      index.setUsage(THREE.DynamicDrawUsage);
+      shape.setIndex(index);
+      return { pieces, triangles, shape, shown: pieces.map(() => null) };
+    }
+    showPath({ pieces, triangles, shape, shown }) {
+      if (pieces.every((piece, i) => piece.visible === shown[i])) return;
+      let count = 0;
+      pieces.forEach((piece, i) => {
+        shown[i] = piece.visible;
+        if (!piece.visible) return;
+        shape.index.array.set(triangles[i], count);
+        count += triangles[i].length;
+      });
+      shape.index.needsUpdate = true;
+      shape.setDrawRange(0, count);
     }
 
     // frees what the graphics card holds of it
@@ -261,6 +347,7 @@
           if (path === "scale") node.visible = node.scale.x !== 0 || node.scale.y !== 0 || node.scale.z !== 0;
         }
       }
+      for (const path of this.paths) this.showPath(path);
       this.scene.updateMatrixWorld();
       for (const part of this.dashed) part.material.uniforms.dashes.value = part.parent.scale.z / this.about.dashes.length;
     }
@@ -295,15 +382,20 @@
       if (this.time >= this.duration) this.time = 0;
       this.playing = true;
       this.before = performance.now();
-      requestAnimationFrame((now) => this.tick(now));
+      this.askNext();
       this.tell();
+    }
+    // once, even if it was paused and played again since the last one
+    askNext() {
+      cancelAnimationFrame(this.next);
+      this.next = requestAnimationFrame((now) => this.tick(now));
     }
     // a hidden page gets no frames: time stands still there
     tick(now) {
       if (!this.playing) return;
       const passed = Math.min(0.25, Math.max(0, (now - this.before) / 1000)) * this.speed;
       this.before = now;
-      const stop = this.pauses.find((one) => one > this.time + 1e-9 && one <= this.time + passed);
+      const stop = this.pauses.find((one) => one > this.time + 1e-9 && one <= this.time + passed + 1e-9);
       let time = this.time + passed;
       if (stop !== undefined) {
         time = stop;
@@ -313,7 +405,7 @@
         this.playing = this.loops;
       }
       this.set(time);
-      if (this.playing) requestAnimationFrame((next) => this.tick(next));
+      if (this.playing) this.askNext();
     }
   }
   const clocks = new Map();
@@ -363,6 +455,18 @@
 
   const views = [["film", "As in the film"], ["along_momentum", "Along L"], ["along_omega", "Along Ω"], ["along_axis", "Along the axis"]];
 
+  const NUMBERS_EVERY = 60; // ms, while it plays
+  const SCREEN = 1000 / 60, SLOW = 18.5; // ms from picture to picture: of screens, and from where on fewer pixels are drawn by software
+  const COARSEST = 0.6; // pixels of the picture for each of the page
+
+  // a page is laid out anew only where something changes
+  const say = (place, text) => {
+    if (place.textContent !== text) place.textContent = text;
+  };
+  const setOn = (place, name, value) => {
+    if (place.getAttribute(name) !== value) place.setAttribute(name, value);
+  };
+
   class Viewer {
     constructor(figure, data) {
       const THREE = drawing();
@@ -371,11 +475,14 @@
       this.byHand = new Map(); // element -> whether it is shown, where its tick was used
       this.yaw = this.pitch = 0; // rad, by hand
       this.zoom = 1;
+      this.coarse = 1; // of pixels drawn by software
+      this.pace = SCREEN; // ms from picture to picture
       this.view = "film";
       this.frame = "space";
-      this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false });
+      this.renderer = new THREE.WebGLRenderer({ antialias: !bySoftware, alpha: false });
       this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the shader writes what is shown
       this.camera = new THREE.PerspectiveCamera();
+      this.past = []; // models that are no longer shown
       this.take(new Model(bytesOf(data.glb)));
       delete data.glb;
       this.temporary = { place: new THREE.Matrix4(), eye: new THREE.Vector3(), middle: new THREE.Vector3(), turn: new THREE.Quaternion(), other: new THREE.Quaternion(), axis: new THREE.Vector3(), up: new THREE.Vector3(), size: new THREE.Vector3() };
@@ -393,7 +500,7 @@
 
     // shows this model from now on
     take(model) {
-      this.model?.close();
+      if (this.model) this.past.push(this.model); // until the new one is drawn, so that its shaders are still there
       this.model = model;
       this.film = model.node("camera");
       this.body = model.node("body_frame");
@@ -766,8 +873,19 @@
       }).observe(this.picture);
     }
 
-    // at most one picture for each frame of the screen
     update() {
+      if (bySoftware) {
+        this.rests = false;
+        clearTimeout(this.resting);
+        this.resting = setTimeout(() => {
+          this.rests = !this.clock.playing;
+          this.ask();
+        }, 250);
+      }
+      this.ask();
+    }
+    // at most one picture for each frame of the screen
+    ask() {
       if (this.wanted) return;
       this.wanted = true;
       requestAnimationFrame(() => {
@@ -780,7 +898,7 @@
       if (this.closed) return;
       const width = this.picture.clientWidth, height = this.picture.clientHeight;
       if (width > 0 && height > 0 && this.seen) {
-        const ratio = Math.min(devicePixelRatio, 2);
+        const ratio = bySoftware ? this.softwareRatio() : Math.min(devicePixelRatio, 2);
         if (this.canvas.width !== Math.floor(width * ratio) || this.canvas.height !== Math.floor(height * ratio)) {
           this.renderer.setPixelRatio(ratio);
           this.renderer.setSize(width, height, false);
@@ -789,9 +907,28 @@
         this.model.show((this.t - this.data.from) / this.data.scale); // s of its animation
         this.placeCamera();
         this.renderer.render(this.model.scene, this.camera);
+        for (const model of this.past.splice(0)) model.close();
         this.placeLabels(width, height);
       }
+      // nobody reads numbers that change with every frame
+      const now = performance.now();
+      if (this.clock.playing && this.toldNumbers?.playing && now - this.toldNumbers.at < NUMBERS_EVERY) return;
+      this.toldNumbers = { at: now, playing: this.clock.playing };
       this.tellNumbers();
+    }
+
+    // Pixels of the picture for each of the page: by software fewer if it plays too slowly, and enough for smooth edges
+    // when it rests.
+    softwareRatio() {
+      if (this.rests) return 2 * Math.min(devicePixelRatio, 1.5);
+      const now = performance.now(), passed = now - (this.drawnAt ?? 0);
+      this.drawnAt = now;
+      if (this.clock.playing && passed < 500) this.pace += 0.05 * (passed - this.pace);
+      if (this.pace > SLOW && this.coarse > COARSEST) {
+        this.coarse = Math.max(COARSEST, 0.8 * this.coarse);
+        this.pace = SCREEN;
+      }
+      return this.coarse * Math.min(devicePixelRatio, 1);
     }
 
     placeLabels(width, height) {
@@ -810,7 +947,8 @@
         const off = 16;
         dx *= off / length;
         dy *= off / length;
-        tip.style.transform = `translate(${(x + dx).toFixed(1)}px, ${(y + dy).toFixed(1)}px) translate(-50%, -50%)`;
+        const inside = (at, size) => Math.min(size - off, Math.max(off, at));
+        tip.style.transform = `translate(${inside(x + dx, width).toFixed(1)}px, ${inside(y + dy, height).toFixed(1)}px) translate(-50%, -50%)`;
       }
     }
 
@@ -823,23 +961,21 @@
         return list[i] + (at - i) * (list[i + 1] - list[i]);
       };
       axis.set(0, 0, 1).transformDirection(this.middle.matrixWorld);
-      const numbers = this.numbers;
-      numbers.t.textContent = `${this.t.toPrecision(5)} s`;
-      numbers["|Ω|"].textContent = `${short(value(data.series.omega))} rad/s`;
-      numbers["|L|"].textContent = `${short(value(data.series.momentum))} kg m²/s`;
-      numbers.E.textContent = `${short(value(data.series.energy))} J`;
-      numbers["θ"].textContent = `${((Math.acos(Math.max(-1, Math.min(1, axis.y))) * 180) / Math.PI).toFixed(1)}°`;
+      const { numbers } = this;
+      say(numbers.t, `${this.t.toPrecision(5)} s`);
+      say(numbers["|Ω|"], `${short(value(data.series.omega))} rad/s`);
+      say(numbers["|L|"], `${short(value(data.series.momentum))} kg m²/s`);
+      say(numbers.E, `${short(value(data.series.energy))} J`);
+      say(numbers["θ"], `${((Math.acos(Math.max(-1, Math.min(1, axis.y))) * 180) / Math.PI).toFixed(1)}°`);
       this.range.value = String(clock.time);
-      this.range.setAttribute("aria-valuetext", `${short(this.t)} s`);
-      this.play.textContent = clock.playing ? "❚❚" : "▶";
-      this.play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
-      this.play.title = clock.playing ? "Pause (space)" : "Play (space)";
-      const said = data.captions.filter((one) => one.at <= this.t + 1e-9).pop();
-      if (this.said.textContent !== (said?.caption ?? "")) this.said.textContent = said?.caption ?? "";
+      setOn(this.range, "aria-valuetext", `${short(this.t)} s`);
+      say(this.play, clock.playing ? "❚❚" : "▶");
+      setOn(this.play, "aria-label", clock.playing ? "Pause" : "Play");
+      setOn(this.play, "title", clock.playing ? "Pause (space)" : "Play (space)");
+      say(this.said, data.captions.filter((one) => one.at <= this.t + 1e-9).pop()?.caption ?? "");
       for (const cursor of this.cursors) {
         const x = String((100 * this.t) / data.to);
-        cursor.setAttribute("x1", x);
-        cursor.setAttribute("x2", x);
+        for (const end of ["x1", "x2"]) cursor.setAttribute(end, x);
       }
     }
 
@@ -919,7 +1055,7 @@
     if (!still.matches) viewer.clock.play();
   };
 
-  if (canDraw()) {
+  if (drawnBy !== null) {
     for (const figure of document.querySelectorAll("figure[data-turn]")) {
       if (!blockOf(figure.dataset.turn)) continue;
       figure.opener = press("Turn it", "Turn it by hand", () => start(figure));

@@ -54,7 +54,10 @@ const turnCore = (() => {
   };
 
   const PATIENCE = 3000; // ms that an answer nobody wants any more may take
-  let worker = null, working = null, waiting = null, impatience = 0;
+  const LONGEST_REST = 500; // ms
+  // with two processors or fewer, what draws needs its turn: as long as an answer took, none is computed
+  const rests = (navigator.hardwareConcurrency ?? 1) <= 2;
+  let worker = null, working = null, waiting = null, impatience = 0, began = 0, resting = false;
 
   const bytes = async () => {
     const packed = Uint8Array.from(atob(document.querySelector("script[data-core]").textContent), (one) => one.charCodeAt(0));
@@ -78,7 +81,8 @@ const turnCore = (() => {
     if (worker === mine) mine.postMessage({ core }, [core]);
   };
   const next = async () => {
-    if (working || !waiting) return;
+    if (working || !waiting || resting) return;
+    began = performance.now();
     working = waiting;
     waiting = null;
     const asked = working;
@@ -92,7 +96,15 @@ const turnCore = (() => {
     const asked = working;
     working = null;
     asked?.done(answer);
-    next();
+    if (rests) {
+      resting = true;
+      setTimeout(() => {
+        resting = false;
+        next();
+      }, Math.min(LONGEST_REST, performance.now() - began));
+    } else {
+      next();
+    }
   };
 
   return {
