@@ -118,7 +118,7 @@ class Export {
       looks.push_back(clock_.motion_time(first_[i * first_.size() / kLooks]));
     for (const double t : looks)
       few.at(t);
-    std::size_t moving = 0;
+    std::size_t moving = 1;  // the frame of the body, whose turns make the times so many
     for (std::size_t i = 0; i < few.things().size(); ++i) {
       const Pose at_first = few.pose(i, looks.front());
       const Pose in_body = seen_from(body_frame(looks.front()), at_first);

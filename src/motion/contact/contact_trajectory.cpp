@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -166,7 +167,7 @@ class Walk {
       const bool stiff = h > kWorthRadau * most;
       if (!stiff) h = std::min(h, most);
       const double next = t_ + h < duration_ ? t_ + h : duration_;
-      const ContactStepper::Result trial = path_->stepper.step(touch_, t_, next - t_, now_);
+      const ContactStepper::Result trial = tried(next);
       record_.evaluations += 12;
       if (stiff && trial.order == 8) {
         // Newton's method did not converge
@@ -207,6 +208,20 @@ class Walk {
   }
 
  private:
+  // A step; its error is infinite where friction has no solution at a stage that is too far off.
+  ContactStepper::Result tried(double next) const {
+    constexpr double kNear = 1e-6;
+    try {
+      return path_->stepper.step(touch_, t_, next - t_, now_);
+    } catch (const Error& error) {
+      if (error.fault() != Fault::check_failed) throw;
+      if (next - t_ < kNear / path_->stepper.scales().rate) throw;
+    }
+    ContactStepper::Result none{now_};
+    none.error = std::numeric_limits<double>::infinity();
+    return none;
+  }
+
   double shorter(double next, double factor, const ContactStepper::Result& trial) {
     ++record_.rejected;
     const double h = (next - t_) * factor;

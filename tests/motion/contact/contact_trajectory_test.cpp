@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "math/so3.h"
+#include "motion/contact/contact_change.h"
 #include "support/contact_oracle.h"
 #include "support/expect_error.h"
 #include "support/on_table.h"
@@ -98,8 +99,8 @@ TEST(OnTable, AnEggSticksAndSlipsAgain) {
   EXPECT_NEAR(times_of(fine, "slip_begins").at(0), times_of(loose, "slip_begins").at(0), 1e-4);
 }
 
-// A coin that leans and wobbles with dry friction slips and sticks in turn: the same events by every
-// tolerance, and where slips begin, the equations of stiff steps are solved.
+// A coin that leans and wobbles with dry friction slips and sticks in turn: the same events by
+// every tolerance, and where slips begin, the equations of stiff steps are solved.
 TEST(OnTable, AWobblingCoinSlipsAndSticksInTurn) {
   const BodySpec coin = disc_body(0.0125, 0.008);
   MotionSpec spec = on_table(2.5, coulomb(0.3));
@@ -112,7 +113,8 @@ TEST(OnTable, AWobblingCoinSlipsAndSticksInTurn) {
     const std::vector<double> exact = times_of(fine, event), found = times_of(loose, event);
     ASSERT_EQ(found.size(), exact.size());
     EXPECT_GT(exact.size(), 10u);
-    for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(found[i], exact[i], 1e-4) << event;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      EXPECT_NEAR(found[i], exact[i], 1e-4) << event;
   }
   EXPECT_LT(fine.record.rejected, fine.record.steps / 2);
 }
@@ -165,6 +167,14 @@ TEST(OnTable, StrongViscousFrictionIsThatOfRolling) {
   };
   // 0.9e-6 of it is left
   EXPECT_NEAR(energy_after(viscous(1e6)) / energy_after(rolling()), 1.0, 3e-6);
+}
+
+TEST(OnTable, StrongViscousFrictionLetsABallRoll) {
+  MotionSpec spec = on_table(0.2, viscous(1000.0));
+  spec.velocity = Vec3(1.0, 0, 0);
+  const Integration found = integrated(ball_body(), spec, 1e-9);
+  const double mass = ball_body().solid->mass.value_or(0.0);
+  EXPECT_NEAR(found.trajectory->at(0.2).linear_momentum_S.x() / mass, 5.0 / 7.0, 1e-8);
 }
 
 // the last of endless bounces is an impulse at the contact
