@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What `status` and `cancel` read of work on a cluster: job.json, and ranges of tasks as Slurm
 // writes them.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
