@@ -165,7 +165,7 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
           "the body a thickness")
           .at({{}, 0, "motion.gimbals"});
     }
-    if (!body.mathematical) check_inner_ring(motion.gimbals->inner);
+    check_inner_ring(motion.gimbals->inner);
     const Gimbals gimbals = make_gimbals(*motion.gimbals, model, frame);
     if (!gimbals.idle()) model.loads.gimbals = gimbals;
   }

@@ -184,7 +184,8 @@ TEST(OnTable, EndsBouncesAtTheContact) {
   egg.solid->radius.reset();
   egg.solid->semi_axes = Vec3(0.03, 0.03, 0.05);
   MotionSpec spec = on_table(1.0, {});
-  spec.friction = coulomb(0.1);
+  spec.friction = FrictionSpec{};
+  spec.friction->kind = "none";
   spec.friction->restitution = 0.9;
   spec.attitude.zxz = Vec3(0, 1.0, 0);
   const BodyModel model = with_needed_degrees(make_model(egg, spec));
@@ -393,8 +394,14 @@ TEST(OnTable, RefusesWhatItCannotFollow) {
   spec.attitude.tilt = 0.3;
   expect_error([&] { integrated(cone, spec, 1e-9); },
                Fault::check_failed,
-               "motion.duration",
+               "motion.friction",
                "end the motion before");
+  cone.solid->kind = "cylinder";
+  spec.friction.reset();
+  expect_error([&] { integrated(cone, spec, 1e-9); },
+               Fault::check_failed,
+               "motion.duration",
+               "a second point");
 }
 
 }  // namespace
