@@ -398,10 +398,8 @@ TEST(OnTable, RefusesWhatItCannotFollow) {
                "end the motion before");
   cone.solid->kind = "cylinder";
   spec.friction.reset();
-  expect_error([&] { integrated(cone, spec, 1e-9); },
-               Fault::check_failed,
-               "motion.duration",
-               "a second point");
+  expect_error(
+      [&] { integrated(cone, spec, 1e-9); }, Fault::check_failed, "motion.duration", "a flat face");
 }
 
 }  // namespace
