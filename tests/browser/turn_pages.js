@@ -307,6 +307,24 @@ const attitudeAt = (scene, t, ...settings) => {
     assert.strictEqual(await inPage(0, "return viewer.labels.find((one) => one.label.includes('Ω')).tip.style.display"), "");
   });
 
+  await check("names stay in the picture, and do not cover each other", async () => {
+    const boxes = await inPage(0, `viewer.look("film"); const found = [];
+      for (let i = 0; i <= 20; ++i) {
+        viewer.clock.set((i / 20) * viewer.duration);
+        viewer.magnify(1.06); // out of the picture at last
+        viewer.draw();
+        const all = viewer.picture.getBoundingClientRect();
+        found.push(viewer.labels.filter((one) => one.tip.style.display === "").map(({ tip }) => { const box = tip.getBoundingClientRect(); return [box.left + box.width / 2 - all.left, box.top + box.height / 2 - all.top, all.right - box.left - box.width / 2, all.bottom - box.top - box.height / 2]; }));
+      }
+      viewer.look("film");
+      return found;`);
+    for (const moment of boxes) {
+      for (const box of moment) assert.ok(Math.min(...box) > 15, String(box));
+      for (const [i, a] of moment.entries()) for (const b of moment.slice(0, i)) assert.ok(Math.abs(a[0] - b[0]) > 11 || Math.abs(a[1] - b[1]) > 13, `${a} ${b}`);
+    }
+    assert.ok(boxes[0].length > 3 && boxes[20].length < boxes[0].length, String(boxes.map((one) => one.length)));
+  });
+
   await check("two viewers have one clock; a plot shows the time and sets it", async () => {
     await figure(1).getByRole("button", { name: "Turn it by hand" }).click();
     await until("second viewer", async () => inPage(1, "return Boolean(viewer)"));

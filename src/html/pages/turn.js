@@ -933,14 +933,13 @@
 
     placeLabels(width, height) {
       const { eye, axis } = this.temporary;
-      for (const { node, tip, group } of this.labels) {
+      const placed = []; // where names stand: of two that would cover each other, the later one of the model stays
+      for (const { node, tip, group } of [...this.labels].reverse()) {
         eye.setFromMatrixPosition(node.matrixWorld);
         axis.set(0, 0, 1).transformDirection(node.matrixWorld).multiplyScalar(0.05 * this.model.about.body_radius * this.model.about.units_per_metre).add(eye);
         eye.project(this.camera);
         axis.project(this.camera);
-        const shown = node.visible && group.visible && Math.abs(eye.x) < 1 && Math.abs(eye.y) < 1 && eye.z < 1;
-        tip.style.display = shown ? "" : "none";
-        if (!shown) continue;
+        let shown = node.visible && group.visible && Math.abs(eye.x) < 1 && Math.abs(eye.y) < 1 && eye.z < 1;
         const x = (0.5 + 0.5 * eye.x) * width, y = (0.5 - 0.5 * eye.y) * height;
         let dx = (axis.x - eye.x) * width, dy = -(axis.y - eye.y) * height;
         const length = Math.hypot(dx, dy) || 1;
@@ -948,7 +947,12 @@
         dx *= off / length;
         dy *= off / length;
         const inside = (at, size) => Math.min(size - off, Math.max(off, at));
-        tip.style.transform = `translate(${inside(x + dx, width).toFixed(1)}px, ${inside(y + dy, height).toFixed(1)}px) translate(-50%, -50%)`;
+        const [left, top] = [inside(x + dx, width), inside(y + dy, height)];
+        shown &&= !placed.some((one) => Math.abs(one.left - left) < 0.75 * off && Math.abs(one.top - top) < 0.9 * off);
+        tip.style.display = shown ? "" : "none";
+        if (!shown) continue;
+        placed.push({ left, top });
+        tip.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
       }
     }
 
