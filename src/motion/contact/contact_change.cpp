@@ -181,6 +181,29 @@ ContactChange lie_down(const ContactStepper& stepper, const Touch& before, doubl
   return change;
 }
 
+// Ideal rolling holds a body sideways also where nothing presses it to the table. Let go, it may
+// come down at once; then there is no motion that goes on.
+ContactChange lift_off(const ContactStepper& stepper,
+                       const Touch& before,
+                       double t,
+                       const OnTable& now) {
+  constexpr double kFalls = 1e-6;  // of gravity: beyond the round-off of the normal force
+  const BodyModel& model = stepper.model();
+  ContactChange change{before};
+  change.touch.phase = Touch::Phase::flying;
+  const Reaction free = reaction_of(model, change.touch, t, now.moving);
+  if (free.slip_rate_S.z() < -kFalls * model.gravity_S.norm()) {
+    throw Error(
+        Fault::check_failed,
+        fmt::format("at {:.6g} s rolling needs a friction that holds the body while nothing "
+                    "presses it to the table, and without it the body comes down again: "
+                    "take kind = \"coulomb\", with which it slips before",
+                    t),
+        {{}, 0, "motion.friction"});
+  }
+  return change;
+}
+
 }  // namespace
 
 std::string words_for(ContactEvent event) {
@@ -218,11 +241,8 @@ ContactChange change_at(const ContactStepper& stepper,
       return lie_down(stepper, before, t, now);
     case ContactEvent::second_contact:
       throw two_contacts(t);
-    case ContactEvent::lift_off: {
-      ContactChange change{before};
-      change.touch.phase = Touch::Phase::flying;
-      return change;
-    }
+    case ContactEvent::lift_off:
+      return lift_off(stepper, before, t, now);
     default:
       return {touch_now(stepper, before, t, now, &event)};
   }
