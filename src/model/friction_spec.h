@@ -45,9 +45,8 @@ void fields(Visitor& v, FrictionSpec& s) {
               kNonNegative});
   v.field("restitution",
           s.restitution,
-          Doc{"speed after over speed before a fall on the table (with friction, its square is the "
-              "part of "
-              "the work given back); absent: 0, it does not bounce",
+          Doc{"speed after over speed before a fall on the table; with friction, its square is the "
+              "part of the work that is given back; absent: 0, it does not bounce",
               Unit::none,
               Range{0.0, 1.0}});
   v.field("turntable",

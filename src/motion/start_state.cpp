@@ -233,7 +233,7 @@ Vec3 start_momentum_P(const BodyModel& model,
                       const Quat& q_SP) {
   const Mat3 R_PB = model.R_BP.transpose();
   if (spec.spin.momentum_body) {
-    const Vec3 y = R_PB * *spec.spin.momentum_body;
+    Vec3 y = R_PB * *spec.spin.momentum_body;
     refuse_spin_about_line(model, y);
     return y;
   }
