@@ -44,7 +44,7 @@ BatchJob batch_job_of(const SubmitJob& job, const DividedWork& work, const TaskS
   batch.options = work.options;
   batch.arguments = job.arguments;
   batch.program = own_program();
-  batch.working_folder = absolute_path("any").parent_path().string();
+  batch.working_folder = working_folder().string();
   batch.output = absolute_path(work.output).string();
   batch.proof = work.proof;
   batch.has_jobs = work.has_jobs;

@@ -16,10 +16,6 @@ namespace {
 using Mat2 = Eigen::Matrix2d;
 using Array2 = Eigen::Array2d;
 
-Vec3 level_part(const Vec3& v) {
-  return {v.x(), v.y(), 0.0};
-}
-
 // A number between 0 and 1 at which `passed` becomes true, which it is at 1.
 template <class Passed>
 double first_part(const Passed& passed) {
@@ -100,7 +96,7 @@ class Fall {
       return Vec3(K_ * (Vec3::UnitZ() - law_.mu * way));
     };
     const double friction = 0.5 * law_.mu * (K_(0, 0) + K_(1, 1));
-    const Vec3 start = -level_part(force).normalized();
+    const Vec3 start = -horizontal(force).normalized();
     end_with(gain_along(creep_direction(start, friction, gain_along)));
   }
 
@@ -111,7 +107,7 @@ class Fall {
     double work;
   };
   Sliding slope(const Vec3& v) const {
-    const Vec3 slip = level_part(v);
+    const Vec3 slip = horizontal(v);
     return {slip.norm() * K_.col(2) - law_.mu * (K_ * slip), slip.norm() * v.z()};
   }
   Sliding slid(double h) const {
@@ -136,7 +132,7 @@ class Fall {
     constexpr double kStopped = 1e-11;  // of the speed of the fall
     const double rate = K_.norm() * (1.0 + law_.mu);
     for (int i = 0; i < kMost; ++i) {
-      const double slip = level_part(v_).norm();
+      const double slip = horizontal(v_).norm();
       if (slip <= kStopped * speed_) return true;
       const double h = kFine * std::min(1.0 / rate, speed_ / (rate * slip));
       const auto ends = [&](const Sliding& step) {

@@ -123,10 +123,6 @@ Vec3 direction_near(const Vec3& v, const Vec3& reference) {
   return v.dot(reference) < 0.0 ? Vec3(-v / size) : Vec3(v / size);
 }
 
-Vec3 horizontal(const Vec3& v) {
-  return {v.x(), v.y(), 0.0};
-}
-
 // the force and moment of the laws of friction per newton of normal force, in S, where nothing is
 // held
 Effort friction_per_newton(const Friction& law,

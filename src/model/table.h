@@ -34,6 +34,11 @@ struct Moving {
   Vec3 velocity_S = Vec3::Zero();  // m/s
 };
 
+// The part of a vector of S along the table.
+inline Vec3 horizontal(const Vec3& v_S) {
+  return {v_S.x(), v_S.y(), 0.0};
+}
+
 // The motion that a state holds, and the state of a motion.
 Moving moving_of(const BodyModel& model, const State& state);
 State state_of(const BodyModel& model, const Moving& now);

@@ -13,8 +13,7 @@ constexpr double kStandardGravity = 9.80665;  // m/s^2, the defined standard val
 
 // a ring has mass, and all of it at distances from its axes
 void check_inner_ring(const Vec3& moments) {
-  constexpr double kRoundOff =
-      1e-9;  // of a flat ring, whose largest moment is the sum of the others
+  constexpr double kRoundOff = 1e-9;  // the largest moment of a flat ring is the sum of the others
   if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + kRoundOff)) return;
   throw input_error(
       "no ring has these moments: the largest, {}, is greater than the sum of the other two",

@@ -41,7 +41,7 @@ std::string obstacle_to_fixed_steps(const StepperInfo& method, const BodyModel& 
 // the obstacle and the names of methods that have none; "" if there is none
 std::string with_names_of_others(const StepperInfo& method,
                                  const BodyModel& model,
-                                 std::string (*obstacle_of)(const StepperInfo&, const BodyModel&)) {
+                                 MethodObstacle obstacle_of) {
   const std::string reason = obstacle_of(method, model);
   if (reason.empty()) return {};
   // of those that can, the highest orders first

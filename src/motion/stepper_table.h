@@ -71,6 +71,8 @@ const StepperInfo& find_stepper(const std::string& name);
 // Throws Error (input), naming --methods, for an unknown or empty name.
 std::vector<const StepperInfo*> parse_methods(const std::string& names);
 
+// Tells why a method cannot integrate a model; "" if it can.
+using MethodObstacle = std::string (*)(const StepperInfo& method, const BodyModel& model);
 // "" if the method can integrate the model, else the reason why not and the names of methods that
 // can.
 std::string why_not(const StepperInfo& method, const BodyModel& model);

@@ -56,12 +56,13 @@ MotionSpec rolling_coin() {
 // its whole motion by steps
 void rolls(benchmark::State& run) {
   for (auto _ : run)
-    benchmark::DoNotOptimize(test::integrated(test::disc_body(), rolling_coin(), 1e-9));
+    benchmark::DoNotOptimize(
+        test::integrated(test::disc_body(0.0125, 0.008), rolling_coin(), 1e-9));
 }
 
 // one state of it
 void rolls_at(benchmark::State& run) {
-  const Integration coin = test::integrated(test::disc_body(), rolling_coin(), 1e-9);
+  const Integration coin = test::integrated(test::disc_body(0.0125, 0.008), rolling_coin(), 1e-9);
   double t = 0.0;
   for (auto _ : run) {
     t = std::fmod(t + 0.37, 6.0);

@@ -11,8 +11,7 @@ std::vector<const StepperInfo*> able_methods(const std::vector<const StepperInfo
                                              const std::string& asked,
                                              const BodyModel& model,
                                              const std::string& file,
-                                             std::string (*obstacle)(const StepperInfo&,
-                                                                     const BodyModel&)) {
+                                             MethodObstacle obstacle) {
   std::vector<const StepperInfo*> able;
   for (const StepperInfo* method : methods) {
     if (obstacle(*method, model).empty()) able.push_back(method);

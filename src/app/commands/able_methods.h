@@ -17,7 +17,6 @@ std::vector<const StepperInfo*> able_methods(const std::vector<const StepperInfo
                                              const std::string& asked,
                                              const BodyModel& model,
                                              const std::string& file,
-                                             std::string (*obstacle)(const StepperInfo&,
-                                                                     const BodyModel&));
+                                             MethodObstacle obstacle);
 
 }  // namespace polhode

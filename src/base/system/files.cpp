@@ -23,13 +23,18 @@ std::vector<fs::path> entries_of(const fs::path& folder, Fault fault) {
   return found;
 }
 
-fs::path absolute_path(const fs::path& file) {
+fs::path working_folder() {
   std::error_code failed;
-  const fs::path whole = fs::absolute(file, failed);
+  fs::path folder = fs::current_path(failed);
   if (failed) {
     throw environment_error("the working folder cannot be found: {}; change to another folder",
                             failed.message());
   }
+  return folder;
+}
+
+fs::path absolute_path(const fs::path& file) {
+  const fs::path whole = file.is_absolute() ? file : working_folder() / file;
   return whole.lexically_normal();
 }
 

@@ -19,8 +19,10 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 // place, if that cannot be found out, for example without the right to look into its folder.
 bool is_there(const std::filesystem::path& file);
 
-// The path from the root, without `.` and `..`. Throws Error (environment) if the working folder is
-// gone.
+// Throws Error (environment) if it is gone.
+std::filesystem::path working_folder();
+
+// The path from the root, without `.` and `..`. Throws as working_folder() does.
 std::filesystem::path absolute_path(const std::filesystem::path& file);
 
 // Makes a folder and those above it; one that is there is no error. Throws as system_error() does,

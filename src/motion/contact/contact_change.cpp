@@ -32,22 +32,18 @@ constexpr std::array<EventWords, kContactEvents> kWords = {{
     {"lies_flat", "a face lies on the table"},
 }};
 
-Vec3 level(const Vec3& v) {
-  return {v.x(), v.y(), 0.0};
-}
-
 // what moves is let go on in its direction; what is at rest is held, if a law can hold it
 Touch by_velocities(const ContactStepper& stepper, Touch touch, const Moving& now) {
   const BodyModel& model = stepper.model();
   const TableScales& scales = stepper.scales();
   const Friction& law = model.table->friction;
-  const Vec3 slip = level(slip_of(model, touch, now));
+  const Vec3 slip = horizontal(slip_of(model, touch, now));
   const Vec3 w_S = now.q * angular_velocity(model, now.y) - Vec3(0, 0, law.turntable);
   touch.creep = scales.stopped * scales.speed;
   touch.sticks = slip.norm() <= touch.creep;
   if (!touch.sticks) touch.slip_S = slip.normalized();
-  touch.keeps_from_rolling = level(w_S).norm() <= scales.stopped * scales.rate;
-  if (!touch.keeps_from_rolling) touch.roll_S = level(w_S).normalized();
+  touch.keeps_from_rolling = horizontal(w_S).norm() <= scales.stopped * scales.rate;
+  if (!touch.keeps_from_rolling) touch.roll_S = horizontal(w_S).normalized();
   touch.keeps_from_boring = std::abs(w_S.z()) <= scales.stopped * scales.rate;
   if (!touch.keeps_from_boring) touch.bore = std::copysign(1.0, w_S.z());
   return touch;
@@ -76,9 +72,9 @@ Touch let_go(const ContactStepper& stepper,
       changed = true;
     }
     if (law.rolling > 0.0 && touch.keeps_from_rolling &&
-        (level(r.moment_S).norm() > law.rolling * limit || is(ContactEvent::rolling_begins))) {
+        (horizontal(r.moment_S).norm() > law.rolling * limit || is(ContactEvent::rolling_begins))) {
       touch.keeps_from_rolling = false;
-      touch.roll_S = -level(r.moment_S).normalized();
+      touch.roll_S = -horizontal(r.moment_S).normalized();
       changed = true;
     }
     if (law.boring > 0.0 && touch.keeps_from_boring &&

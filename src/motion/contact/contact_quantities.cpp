@@ -222,8 +222,7 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
     return;
   }
   if (law.kind != Friction::Kind::coulomb || law.turntable != 0.0) return;
-  Vec3 slip = slip_of(model, Touch{}, moving_of(model, start));
-  slip.z() = 0.0;
+  const Vec3 slip = horizontal(slip_of(model, Touch{}, moving_of(model, start)));
   // friction mu m g slows the slip by mu g (1 + m R^2 / I)
   const double slows = law.mu * along_up(model) * (1.0 + mR2 / I);
   list.push_back({"sliding_time", Q::time, slip.norm() / slows});

@@ -171,9 +171,8 @@ class Walk {
       record_.evaluations += 12;
       if (stiff && trial.order == 8) {
         // Newton's method did not converge
-        h = kShorterRadau * (next - t_);
+        h = shorter(next, kShorterRadau, trial);
         grows = false;
-        ++record_.rejected;
         continue;
       }
       const double ratio = std::pow(tolerance_ / std::max(trial.error, 1e-300), 1.0 / trial.order);

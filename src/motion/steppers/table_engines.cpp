@@ -62,10 +62,6 @@ LowestPoint lowest_of(const BodyModel& m, const State& s) {
   return {R_SP * point.arm_P, s.place_S.z() - point.height};
 }
 
-Vec3 level_of(const Vec3& v) {
-  return {v.x(), v.y(), 0.0};
-}
-
 // the velocity of the table under a point
 Vec3 table_velocity(const BodyModel& m, const State& s, const Vec3& arm_S) {
   return Vec3(0, 0, m.table->friction.turntable).cross(s.place_S + arm_S);
@@ -80,7 +76,7 @@ void resist_turning(const BodyModel& m, double normal_impulse, FreeFlight& now) 
     const double stops = speed / way.dot(now.inverse_S * way);
     now.turn(-std::min(moment * normal_impulse, stops) * way);
   };
-  const Vec3 rolling = level_of(w);
+  const Vec3 rolling = horizontal(w);
   if (rolling.norm() > 0.0) against(rolling.normalized(), rolling.norm(), law.rolling);
   against(Vec3(0, 0, std::copysign(1.0, w.z())), std::abs(w.z()), law.boring);
 }
@@ -117,14 +113,14 @@ Vec3 contact_impulse(const Friction& law, const Mat3& K, const Vec3& before, dou
     const double normal = gain > 0.0 ? rise / gain : 0.0;
     return normal > 0.0 ? Vec3(normal * per_newton) : Vec3::Zero();
   };
-  const Vec3 slip = level_of(before);
+  const Vec3 slip = horizontal(before);
   if (law.kind == Friction::Kind::none) return along(Vec3::UnitZ());
   if (law.kind == Friction::Kind::viscous) return along(Vec3::UnitZ() - law.c * slip);
   Vec3 held = K.inverse() * Vec3(-slip.x(), -slip.y(), rise);
   if (held.z() <= 0.0) return along(Vec3::UnitZ());
-  if (law.kind == Friction::Kind::rolling || level_of(held).norm() <= law.mu * held.z())
+  if (law.kind == Friction::Kind::rolling || horizontal(held).norm() <= law.mu * held.z())
     return held;
-  return along(Vec3::UnitZ() + law.mu * level_of(held).normalized());
+  return along(Vec3::UnitZ() + law.mu * horizontal(held).normalized());
 }
 
 // Velocities are put right by impulses. Gap: what is done about a gap (m) that has opened or
@@ -189,7 +185,7 @@ class PenaltyStep final : public Stepper {
     const double normal =
         low.gap < 0.0 ? std::max(0.0, -stiffness_ * low.gap - damping_ * slip.z()) : 0.0;
     const Vec3 per_newton =
-        Vec3::UnitZ() + smoothed_friction(model_.table->friction, small_, level_of(slip));
+        Vec3::UnitZ() + smoothed_friction(model_.table->friction, small_, horizontal(slip));
     now.push(model_, low.arm_S, h * normal * per_newton);
     resist_turning(model_, h * normal, now);
     move(model_, h, now, s);
@@ -223,7 +219,7 @@ class SmoothedStep final : public Stepper {
       touch.phase = Touch::Phase::flying;
     // as viscous friction that is as strong at this slip
     BodyModel slipping = model_;
-    const Vec3 slip = level_of(slip_of(model_, touch, now));
+    const Vec3 slip = horizontal(slip_of(model_, touch, now));
     const double size = slip.norm();
     slipping.table->friction.c =
         size > 0.0 ? smoothed_friction(law_, small_, slip).norm() / size : 0.0;
