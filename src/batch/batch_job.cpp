@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJobFile = "job.json";
-constexpr int kMostTasks = 4'000'000;  // of an array of Slurm
 
 Json json_of(const BatchJob& job) {
   Json submissions = Json::array();
@@ -178,7 +177,7 @@ std::vector<int> numbers_in(const std::string& ranges) {
     const std::optional<int> last =
         dash == std::string::npos ? first : parse_integer(range.substr(dash + 1));
     if (!first || !last || *first < 0 || *last > kMostTasks) continue;
-    for (int number = *first; number <= *last; ++number)
+    for (int number = *first; number <= *last && numbers.size() < kMostTasks; ++number)
       numbers.push_back(number);
   }
   return numbers;

@@ -9,6 +9,9 @@
 
 namespace polhode {
 
+// How many tasks a job may have.
+inline constexpr int kMostTasks = 100'000;
+
 // The folder of the job that makes an output: maps.job beside the folder maps. It holds job.json,
 // the scripts tasks.sh and collect.sh, logs/task-K.log and logs/collect.log, and state/, where the
 // scripts leave K.done or K.failed (with the exit code) for each task, and collected or
@@ -62,7 +65,7 @@ std::vector<int> missing_tasks(const std::filesystem::path& folder, const BatchJ
 
 // "1-3,7" for 1, 2, 3, 7, as `sbatch --array` reads it.
 std::string ranges_of(const std::vector<int>& numbers);
-// The reverse; what is no number is left out.
+// The reverse; what is no number, or more than kMostTasks, is left out.
 std::vector<int> numbers_in(const std::string& ranges);
 
 }  // namespace polhode

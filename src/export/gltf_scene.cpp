@@ -27,7 +27,6 @@ constexpr int kAroundTube = 20;            // pieces of a circle of shafts and r
 constexpr int kAroundHead = 36;            // of heads of arrows
 constexpr int kPiecesOfArc = 32;
 constexpr std::size_t kFewestPieces = 24, kMostPieces = 240, kPointsOfPiece = 6;  // of a path
-constexpr std::size_t kMostThings = 100;  // that may move before their keys are counted
 constexpr double kSmallestScene = 1e-3, kLargestScene = 1e3;  // m; others are scaled to 1 m
 
 json list_of(const Vec3& v) {
@@ -86,6 +85,14 @@ class Export {
     return pose;
   }
 
+  // what stands for the body where its frame is looked at
+  Thing body_thing() const {
+    Thing solid;
+    solid.high = Vec3::Constant(composer_.scenery().scale.body);
+    solid.low = -solid.high;
+    return solid;
+  }
+
   // how large the film's cameras see what they see
   void measure_pictures() {
     const double height = solved_.scene.video.size.height;
@@ -107,30 +114,25 @@ class Export {
       report_.pixels_per_metre = kPictureHeight / (2.0 * composer_.scenery().scale.body);
   }
 
-  // Each of the first times is a key of whatever moves, in space and over the body. What does so at
-  // a few of them tells before they all are looked at.
+  // Some of the intervals tell before they all are looked at.
   void refuse_long_table() {
-    constexpr std::size_t kLooks = 8;
-    if (first_.size() <= kMostKeys / kMostThings) return;
+    constexpr double kSurely = 1.1 * kMostKeys;  // few intervals err
+    double keys = 0.0;
+    const auto expected = [&](const Thing& thing, const auto& pose_at) {
+      return expected_keys(thing, pose_at, first_, clock_, report_.tolerance, kSurely - keys);
+    };
+    keys += expected(body_thing(), [&](double t) { return body_frame(t); });
     Observer few(composer_, composer_.scenery().segments);
-    std::vector<double> looks;
-    for (std::size_t i = 0; i < kLooks; ++i)
-      looks.push_back(clock_.motion_time(first_[i * first_.size() / kLooks]));
-    for (const double t : looks)
-      few.at(t);
-    std::size_t moving = 1;  // the frame of the body, whose turns make the times so many
-    for (std::size_t i = 0; i < few.things().size(); ++i) {
-      const Pose at_first = few.pose(i, looks.front());
-      const Pose in_body = seen_from(body_frame(looks.front()), at_first);
-      const auto moves = [&](const Pose& from, const auto& pose_at) {
-        return std::any_of(looks.begin(), looks.end(), [&](double t) {
-          return distance(few.things()[i], from, pose_at(t)) > report_.tolerance;
-        });
-      };
-      moving += moves(at_first, [&](double t) { return few.pose(i, t); }) &&
-                moves(in_body, [&](double t) { return seen_from(body_frame(t), few.pose(i, t)); });
+    few.at(clock_.from);
+    for (std::size_t i = 0; i < few.things().size() && keys <= kSurely; ++i) {
+      const Thing thing = few.things()[i];
+      const double in_body =
+          expected(thing, [&](double t) { return seen_from(body_frame(t), few.pose(i, t)); });
+      keys += in_body == 1.0
+                  ? in_body
+                  : std::min(in_body, expected(thing, [&](double t) { return few.pose(i, t); }));
     }
-    require_few_keys(moving * first_.size());
+    if (keys > kSurely) require_few_keys(static_cast<std::size_t>(keys));
   }
 
   int add_node(GltfNode node) {
@@ -172,9 +174,7 @@ class Export {
     GltfNode body;
     body.name = "body_frame";
     body.parent = space_;
-    Thing solid;
-    solid.high = Vec3::Constant(composer_.scenery().scale.body);
-    solid.low = -solid.high;
+    const Thing solid = body_thing();
     set_poses(
         solid,
         keyed(
@@ -387,11 +387,11 @@ class Export {
     for (const ObservedTrail& one : observer_.trails()) {
       const Trail& trail = *one.trail;
       const int material = material_in(document_, one.material, false, one.element);
-      const int group = group_of(one.element, false, one.material.color);
+      const int group = group_of(one.element, one.on_body, one.material.color);
       GltfNode path;
       path.name = one.element + ".path";
       path.parent = group;
-      path.translation = trail.place().translation() - origin_;
+      path.translation = trail.place().translation() - (one.on_body ? Vec3(Vec3::Zero()) : origin_);
       path.scale = Vec3::Constant(trail.place().linear()(0, 0));
       const int parent = add_node(path);
       const std::size_t count =

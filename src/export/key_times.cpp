@@ -17,6 +17,8 @@ constexpr double kMostLooks = 1e6;
 constexpr double kJump = 1e-5;    // of the animation
 constexpr double kSafety = 0.75;  // of the tolerance: what is between the tested places is more
 constexpr double kStill = 1e-3;   // of the tolerance
+constexpr std::size_t kFewestTried = 4, kMostTried = 32;  // intervals
+constexpr std::size_t kOneTriedOf = 8;
 
 double in_single_precision(double value) {
   return static_cast<double>(static_cast<float>(value));
@@ -59,6 +61,7 @@ class Search {
     }
     keys.times.push_back(b);
     keys.poses.push_back(pose_b);
+    require_few_keys(keys.times.size());
   }
 
  private:
@@ -128,6 +131,32 @@ KeyedPoses keyed(const Thing& thing,
     }
   }
   return keys;
+}
+
+double expected_keys(const Thing& thing,
+                     const std::function<Pose(double)>& pose_at,
+                     const std::vector<double>& first,
+                     const AnimationClock& clock,
+                     double tolerance,
+                     double enough) {
+  const Search search(thing, pose_at, clock, tolerance);
+  const std::size_t intervals = first.size() - 1;
+  const std::size_t tried =
+      std::min(intervals, std::clamp(intervals / kOneTriedOf, kFewestTried, kMostTried));
+  const double each = static_cast<double>(intervals) / static_cast<double>(tried);
+  KeyedPoses keys;
+  const Pose start = search.exact(first.front());
+  bool still = true;
+  const auto found = [&] {
+    return static_cast<double>(keys.times.size()) * each;
+  };
+  for (std::size_t i = 0; i < tried && found() <= enough; ++i) {
+    const std::size_t at = (2 * i + 1) * intervals / (2 * tried);
+    const Pose pose = search.exact(first[at]);
+    still = still && distance(thing, start, pose) <= kStill * tolerance;
+    search.add(first[at], pose, first[at + 1], search.exact(first[at + 1]), keys);
+  }
+  return still ? 1.0 : found();
 }
 
 }  // namespace polhode

@@ -28,9 +28,9 @@ struct KeyedPoses {
   bool still = false;         // it never moves: there is one pose
 };
 
-// How many key times a file may have, of all things: twice those of the largest example scene but
-// one, 10 to 30 MB.
-inline constexpr std::size_t kMostKeys = 600'000;
+// How many key times a file may have, of all things: three times those of the largest
+// example scene but one, up to 80 MB.
+inline constexpr std::size_t kMostKeys = 1'000'000;
 // Throws Error (input) if there are more.
 void require_few_keys(std::size_t count);
 
@@ -41,12 +41,21 @@ std::vector<double> first_times(const Motion& motion, const AnimationClock& cloc
 // The poses at the first times and, where playback would be farther than `tolerance` (m) from the
 // exact motion, at times halfway between, again and again. It is tested at the quarters of each
 // interval, and measured at other places. A jump takes a hundred-thousandth of the animation, and
-// is not counted as an error. `pose_at`: the exact pose at a time of motion. Throws Error
-// (interrupted).
+// is not counted as an error. `pose_at`: the exact pose at a time of motion. Throws Error (input)
+// if there are more than kMostKeys, and (interrupted).
 KeyedPoses keyed(const Thing& thing,
                  const std::function<Pose(double)>& pose_at,
                  const std::vector<double>& first,
                  const AnimationClock& clock,
                  double tolerance);
+
+// About how many key times keyed() finds, from some of the intervals between the first times,
+// evenly spread. Ends as soon as it is sure of `enough`. Throws Error (interrupted).
+double expected_keys(const Thing& thing,
+                     const std::function<Pose(double)>& pose_at,
+                     const std::vector<double>& first,
+                     const AnimationClock& clock,
+                     double tolerance,
+                     double enough);
 
 }  // namespace polhode

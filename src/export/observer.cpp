@@ -14,7 +14,8 @@
 namespace polhode {
 namespace {
 
-constexpr double kSmallestSize = 1e-300;  // what divides must not be zero
+constexpr double kSmallestSize = 1e-300;   // what divides must not be zero
+constexpr std::size_t kMostKept = 50'000;  // times; more are computed again
 
 // an affine map as turn and factors along the axes of the mesh
 Pose pose_of(const Placement& place) {
@@ -144,13 +145,15 @@ void Observer::add_meshes(const std::string& element,
   std::map<const Mesh*, int> counts;
   for (auto glyph = glyphs.rbegin(); glyph != glyphs.rend(); ++glyph) {
     if (glyph->of.trail != nullptr) {
+      of_element_[element];  // it has been seen, though it has no thing
       const auto found = std::find_if(trails_.begin(), trails_.end(), [&](const auto& one) {
         return one.trail == glyph->of.trail;
       });
       ObservedTrail& trail =
           found != trails_.end()
               ? *found
-              : trails_.emplace_back(ObservedTrail{element, glyph->of.trail, glyph->material});
+              : trails_.emplace_back(ObservedTrail{
+                    element, glyph->of.trail, glyph->material, 0.0, glyph->of.on_body});
       trail.length = std::max(trail.length, glyph->of.to - glyph->of.from);
       continue;
     }
@@ -289,6 +292,7 @@ void Observer::add_glyphs(const std::string& element,
 const Sample& Observer::sample_at(double t) {
   const auto kept = samples_.find(t);
   if (kept != samples_.end()) return kept->second;
+  if (samples_.size() >= kMostKept) samples_.clear();
   return samples_.emplace(t, composer_.scenery().motion.at(t)).first->second;
 }
 
@@ -326,6 +330,7 @@ Pose Observer::pose(std::size_t thing, double t) {
   const auto whole = moments_.find(t);
   if (whole != moments_.end()) return thing < whole->second.size() ? whole->second[thing] : Pose{};
   const auto [together, place] = places_[thing];
+  if (together->seen.size() >= kMostKept) together->seen.clear();
   const auto [kept, added] = together->seen.try_emplace(t);
   if (added) {
     std::vector<Pose> poses(things_.size());

@@ -49,7 +49,8 @@ struct ObservedTrail {
   std::string element;
   const Trail* trail = nullptr;  // of the composer's scenery
   Material material = {};
-  double length = 0.0;  // the longest part that was seen, s of motion
+  double length = 0.0;   // the longest part that was seen, s of motion
+  bool on_body = false;  // the path is in B, else in S
 };
 
 // Everything that a composer draws but shadows, as things. Elements are seen as if the story hid

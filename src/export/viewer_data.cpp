@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "frame/elements.h"
 #include "frame/timeline.h"
 #include "motion/recorded.h"
@@ -19,17 +20,18 @@ Json plots_of(const Solved& solved, double to) {
   Json plots = Json::array();
   const Motion& motion = solved.simulation.motion;
   for (const std::string& name : solved.scene.show.plots) {
-    for (const Recorded& quantity : recorded_quantities()) {
-      if (quantity.name != name) continue;
-      const int steps = steps_to_show(motion, to, kPlotSteps);
-      Json curves = Json::array();
-      const auto all = values_over_time(quantity, motion, to, steps);
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        curves.push_back(
-            {{"name", quantity.curves[k]}, {"values", extremes_of(all[k], kPlotSteps)}});
-      }
-      plots.push_back({{"title", quantity.title}, {"unit", quantity.unit}, {"curves", curves}});
+    const Recorded* quantity = find_recorded(name);
+    if (quantity == nullptr) continue;  // a diagram
+    if (const std::string wrong = why_not(*quantity, motion); !wrong.empty())
+      throw input_error("'{}' {}", name, wrong).at({{}, 0, "show.plots"});
+    const int steps = steps_to_show(motion, to, kPlotSteps);
+    Json curves = Json::array();
+    const auto all = values_over_time(*quantity, motion, to, steps);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      curves.push_back(
+          {{"name", quantity->curves[k]}, {"values", extremes_of(all[k], kPlotSteps)}});
     }
+    plots.push_back({{"title", quantity->title}, {"unit", quantity->unit}, {"curves", curves}});
   }
   return plots;
 }

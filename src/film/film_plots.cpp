@@ -78,6 +78,16 @@ FilmPlot plot_in_turn(const Recorded& quantity, const std::vector<Solved>& solve
   return plot;
 }
 
+// panels without the quantity have no curve, but one panel must have it
+void require_any(const Recorded& quantity, const std::vector<Solved>& solved) {
+  std::string wrong;
+  for (const Solved& one : solved) {
+    wrong = why_not(quantity, one.simulation.motion);
+    if (wrong.empty()) return;
+  }
+  throw input_error("'{}' {}", quantity.name, wrong).at({{}, 0, "show.plots"});
+}
+
 FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   if (solved.front().scene.in_turn) return plot_in_turn(quantity, solved);
   if (quantity.curves.size() * solved.size() > kMostCurves) {
@@ -95,6 +105,7 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   const std::vector<ScenePanel>& panels = solved.front().scene.panels;
   std::vector<Motion> motions;
   for (std::size_t i = 0; i < solved.size(); ++i) {
+    if (!why_not(quantity, solved[i].simulation.motion).empty()) continue;
     motions.push_back(solved[i].simulation.motion);
     for (std::size_t k = 0; k < quantity.curves.size(); ++k)
       plot.curves.push_back({curve_name(quantity, k, panels.empty() ? "" : panels[i].caption), {}});
@@ -185,8 +196,9 @@ FilmCharts make_charts(const std::vector<Solved>& solved) {
       add_diagrams(*kind, solved, charts);
       continue;
     }
-    for (const Recorded& quantity : recorded_quantities()) {
-      if (quantity.name == name) charts.plots.push_back(plot_of(quantity, solved));
+    if (const Recorded* quantity = find_recorded(name)) {
+      require_any(*quantity, solved);
+      charts.plots.push_back(plot_of(*quantity, solved));
     }
   }
   return charts;

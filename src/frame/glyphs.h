@@ -25,6 +25,7 @@ struct ArrowGlyph {
 struct TrailPart {
   const Trail* trail = nullptr;  // of the scenery, which it must not outlive; null: no path
   double from = 0.0, to = 0.0;
+  bool on_body = false;  // the path is in B, else in S
 };
 
 // A mesh at its position.

@@ -22,6 +22,9 @@ Vec3 axis_S(const Motion& motion, const Sample& sample) {
   return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
 }
 
+constexpr double kNoPeriod = 0.0;
+constexpr bool kOfATable = true;
+
 }  // namespace
 
 // Long, because it is one table: a row for each.
@@ -124,10 +127,13 @@ const std::vector<Recorded>& recorded_quantities() {
        "N",
        {"N", "F"},
        [](const Motion& motion, const Sample& now) {
+         if (!motion.model().table) return std::vector<double>{NAN, NAN};
          const std::optional<Reaction> found = reaction_at(motion, now.t);
          if (!found) return std::vector<double>{0.0, 0.0};
          return std::vector<double>{found->normal, found->friction_S.norm()};
-       }},
+       },
+       kNoPeriod,
+       kOfATable},
       {"slip",
        "slip on the table",
        "m/s",
@@ -135,7 +141,9 @@ const std::vector<Recorded>& recorded_quantities() {
        [](const Motion& motion, const Sample& now) {
          const std::optional<Reaction> found = reaction_at(motion, now.t);
          return std::vector<double>{found ? found->slip_S.norm() : NAN};
-       }},
+       },
+       kNoPeriod,
+       kOfATable},
       {"jellett",
        "Jellett's constant −L·r",
        "kg m³/s",
@@ -145,7 +153,9 @@ const std::vector<Recorded>& recorded_quantities() {
          if (!found) return std::vector<double>{NAN};
          const Vec3 L_P = (now.q_SB * Quat(motion.model().R_BP)).conjugate() * now.L_S;
          return std::vector<double>{-L_P.dot(found->point.arm_P)};
-       }},
+       },
+       kNoPeriod,
+       kOfATable},
       {"position",
        "centre of mass",
        "m",
@@ -155,6 +165,17 @@ const std::vector<Recorded>& recorded_quantities() {
        }},
   };
   return table;
+}
+
+const Recorded* find_recorded(const std::string& name) {
+  for (const Recorded& quantity : recorded_quantities()) {
+    if (quantity.name == name) return &quantity;
+  }
+  return nullptr;
+}
+
+std::string why_not(const Recorded& quantity, const Motion& motion) {
+  return quantity.of_a_table && !motion.model().table ? "needs a body on a table" : "";
 }
 
 std::vector<std::vector<double>> values_over_time(const Recorded& quantity,

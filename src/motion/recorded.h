@@ -20,6 +20,7 @@ struct Recorded {
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
   // The values are angles in `unit` that begin again after this much; 0: no.
   double period = 0.0;
+  bool of_a_table = false;  // only bodies on a table have it
 };
 
 // How many equal steps up to `end` (s) show what the quantities of a motion do: at least `least`,
@@ -43,6 +44,10 @@ std::vector<double> extremes_of(const std::vector<double>& values, int most);
 
 // All quantities; the table exists until the program ends.
 const std::vector<Recorded>& recorded_quantities();
+// The one of this name; null if there is none.
+const Recorded* find_recorded(const std::string& name);
+// Why the motion does not have the quantity, as in "needs a body on a table"; empty: it does.
+std::string why_not(const Recorded& quantity, const Motion& motion);
 // Their names, for show.plots and the schema.
 std::vector<std::string> recorded_names();
 

@@ -70,6 +70,11 @@ TEST(Ranges, AreWrittenAndReadAsSlurmDoes) {
   EXPECT_EQ(numbers_in("1-3,7%2"), (std::vector<int>{1, 2, 3, 7}));
   EXPECT_EQ(numbers_in("N/A"), (std::vector<int>{}));
   EXPECT_EQ(numbers_in("1-2147483647,-5,4"), (std::vector<int>{4}));
+  // a record that names the same tasks again and again fills no memory
+  std::string often;
+  for (int i = 0; i < 1000; ++i)
+    often += "1-100000,";
+  EXPECT_EQ(numbers_in(often).size(), 100'000U);
 }
 
 TEST(MissingTasks, AreThoseWithoutAMark) {

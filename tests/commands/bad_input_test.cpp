@@ -164,6 +164,7 @@ const BadCall kBadCalls[] = {
     {"simulate SCENE -o DIR/a.xlsx", 2, "name a .csv, not '.xlsx'"},
     {"plot SCENE tlt -o DIR/a.svg", 2, "no plot is called 'tlt' (did you mean 'tilt'?)"},
     {"plot SCENE phase -o DIR/a.svg", 2, "PLOT: 'phase' needs a heavy symmetric top"},
+    {"plot SCENE slip -o DIR/a.csv", 2, "PLOT: 'slip' needs a body on a table"},
     {"plot SCENE tilt -o DIR/a.xlsx", 2, ".svg, .png, .pdf or .csv, not as '.xlsx'"},
     {"plot SCENE tilt -o DIR/a.svg --at 0.1", 2, "--at: marks a point in a diagram"},
     {"plot SCENE polhode_map -o DIR/a.csv --at 99", 2, "--at: must be a time within the motion"},

@@ -80,6 +80,21 @@ TEST(GltfScene, APathGrowsInPieces) {
   }
 }
 
+// the path of the contact on the body turns with it
+TEST(GltfScene, APathOnTheBodyHangsBelowIt) {
+  const GltfDocument document = export_scene(solve(small_scene("rattleback")), {}).document;
+  std::set<std::string> parents;
+  for (const GltfNode& node : document.nodes) {
+    if (node.name.starts_with("contact_trail.path") && node.name.find("piece") == std::string::npos)
+      parents.insert(document
+                         .nodes[static_cast<std::size_t>(
+                             document.nodes[static_cast<std::size_t>(node.parent)].parent)]
+                         .name);
+  }
+  EXPECT_EQ(parents, (std::set<std::string>{"body_frame", "space"}));
+  EXPECT_EQ(count(document, "contact_trail.mesh"), 0u);
+}
+
 // the copies of a thrown body come one after the other
 TEST(GltfScene, WhatIsNotThereYetHasNoSize) {
   const GltfDocument document = export_scene(solve(small_scene("book_ghosts")), {}).document;

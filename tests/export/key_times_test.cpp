@@ -140,5 +140,25 @@ TEST(KeyTimes, TooManyAreRefused) {
       [] { require_few_keys(kMostKeys + 1); }, "", "export a part of it with --from and --to");
 }
 
+// of a vibration, parts tell how many there will be, and no more is looked at than is needed
+TEST(KeyTimes, AreExpectedFromAFewIntervals) {
+  int looked = 0;
+  const auto pose_at = [&](double t) {
+    ++looked;
+    return Pose{Vec3(0.1 * std::sin(300.0 * t), 0, 0), Quat::Identity(), Vec3::Ones()};
+  };
+  const auto expected = [&](double enough) {
+    looked = 0;
+    return expected_keys(ball(), pose_at, looks(400), kSecond, 1e-4, enough);
+  };
+  const auto found =
+      static_cast<double>(keyed(ball(), pose_at, looks(400), kSecond, 1e-4).times.size());
+  EXPECT_GT(found, 1000.0);
+  EXPECT_NEAR(expected(1e9), found, 0.15 * found);
+  const int all = looked;
+  EXPECT_GT(expected(100.0), 100.0);
+  EXPECT_LT(looked, all / 4);
+}
+
 }  // namespace
 }  // namespace polhode

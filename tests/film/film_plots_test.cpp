@@ -72,6 +72,35 @@ TEST(FilmPlots, MotionsInTurnFollowOneAnother) {
   EXPECT_NEAR(values.back(), plot.now(2.0 * each)[0], 1.0);
 }
 
+TEST(FilmPlots, PanelsWithoutTheQuantityHaveNoCurve) {
+  const auto for_a_second = [](const char* name) {
+    Scene scene = load_scene(test::scene_path(name));
+    scene.motion.duration = 1.0;
+    return solve(scene);
+  };
+  const Solved free = for_a_second("heavy_top"), on_a_table = for_a_second("tippe_top");
+  Solved asked = free;
+  asked.scene.show.plots = {"slip"};
+  test::expect_input_error(
+      [&] { make_charts({asked}); }, "show.plots", "'slip' needs a body on a table");
+
+  asked.scene.panels.resize(2);
+  asked.scene.panels[1].caption = "tippe top";
+  const FilmPlot plot = make_charts({asked, on_a_table}).plots.at(0);
+  ASSERT_EQ(plot.curves.size(), 1U);
+  EXPECT_EQ(plot.curves[0].name, "tippe top");
+  ASSERT_EQ(plot.now(0.1).size(), 1U);
+  EXPECT_GT(plot.now(0.1)[0], 0.0);
+
+  // one after the other: nothing while the body is not on a table
+  asked.scene.panels.clear();
+  asked.scene.in_turn = true;
+  const FilmPlot in_turn = make_charts({asked, on_a_table}).plots.at(0);
+  EXPECT_TRUE(std::isnan(in_turn.now(0.1)[0]));
+  EXPECT_GT(in_turn.now(1.1)[0], 0.0);
+  EXPECT_TRUE(std::isnan(in_turn.curves[0].values.front()));
+}
+
 TEST(FilmPlots, DiagramsStandBesideThem) {
   const Solved solved = solve(load_scene(test::scene_path("nutation_plots")));
   Solved asked = solved;

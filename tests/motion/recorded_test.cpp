@@ -14,9 +14,8 @@ namespace polhode::test {
 namespace {
 
 std::vector<double> recorded(const std::string& name, const Motion& motion, double t) {
-  for (const Recorded& row : recorded_quantities()) {
-    if (row.name == name) return row.values(motion, motion.at(t));
-  }
+  const Recorded* row = find_recorded(name);
+  if (row != nullptr) return row->values(motion, motion.at(t));
   ADD_FAILURE() << name;
   return {};
 }
@@ -36,6 +35,16 @@ TEST(Recorded, EveryRowHasANameOfItsOwnAndAValueForEachCurve) {
   }
   const std::vector<std::string> listed = recorded_names();
   EXPECT_EQ(std::set<std::string>(listed.begin(), listed.end()), names);
+}
+
+TEST(Recorded, ForcesOfATableNeedATable) {
+  const Motion motion = moving(prolate_body(), wobbling());
+  for (const char* name : {"contact_force", "slip", "jellett"}) {
+    EXPECT_EQ(why_not(*find_recorded(name), motion), "needs a body on a table") << name;
+    for (const double value : recorded(name, motion, 1.0))
+      EXPECT_TRUE(std::isnan(value)) << name;
+  }
+  EXPECT_EQ(why_not(*find_recorded("tilt"), motion), "");
 }
 
 TEST(Recorded, OmegaAndMomentumInBothAxes) {

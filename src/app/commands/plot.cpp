@@ -88,13 +88,6 @@ PlotSheet sheet_of(const Diagram& diagram, const std::string& title, std::option
   return sheet;
 }
 
-const Recorded* find_recorded(const std::string& name) {
-  for (const Recorded& quantity : recorded_quantities()) {
-    if (quantity.name == name) return &quantity;
-  }
-  return nullptr;
-}
-
 // absent: a table
 std::optional<PlotFormat> format_of(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
@@ -130,7 +123,7 @@ void draw_plot(const PlotJob& job) {
   if (format) require_gnuplot();
   const Solved solved = solve_alone(scene, ProgressKind::automatic);
   const Motion& motion = solved.simulation.motion;
-  const std::string wrong = kind != nullptr ? kind->why_not(motion) : "";
+  const std::string wrong = kind != nullptr ? kind->why_not(motion) : why_not(*quantity, motion);
   if (!wrong.empty()) throw input_error("'{}' {}", job.name, wrong).at({{}, 0, "PLOT"});
   const PlotSheet sheet = kind != nullptr ? sheet_of(kind->make(motion), scene.title, job.at)
                                           : sheet_of(*quantity, motion, scene.title, !format);

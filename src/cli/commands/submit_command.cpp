@@ -94,6 +94,10 @@ Action define_submit(CLI::App& command) {
         throw input_error("must be greater than 0, got {}", *value).at({{}, 0, option});
     };
     positive(options->most_tasks, "--max-tasks");
+    if (options->most_tasks.value_or(1) > kMostTasks) {
+      throw input_error("must be at most {}, got {}", kMostTasks, *options->most_tasks)
+          .at({{}, 0, "--max-tasks"});
+    }
     positive(options->tasks, "--tasks");
     positive(options->at_once, "--at-once");
     job.tasks = options->tasks.value_or(0);

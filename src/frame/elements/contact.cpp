@@ -94,8 +94,11 @@ void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& gly
   if (on_body.empty()) return;
   const Placement space_from_body = body_placement(scenery, sample);
   for (const MeshPtr& mesh : on_body.part(begins, sample.t)) {
-    glyphs.meshes.push_back(
-        {mesh, space_from_body * on_body.place(), plain(scenery.theme.force, 0.1f)});
+    glyphs.meshes.push_back({mesh,
+                             space_from_body * on_body.place(),
+                             plain(scenery.theme.force, 0.1f),
+                             {},
+                             {&on_body, begins, sample.t, true}});
   }
 }
 
