@@ -53,14 +53,13 @@ void states_at(const std::vector<double>& times,
                double h,
                const Visit& visit) {
   long i = 0;
-  Work work;
   for (std::size_t k = 0; k < times.size(); ++k) {
     for (; (static_cast<double>(i) + 1.0) * h <= times[k] * (1.0 + 1e-12); ++i)
-      stepper.step(static_cast<double>(i) * h, h, s, work);
+      stepper.step(static_cast<double>(i) * h, h, s);
     stop_if_interrupted();
     State now = s;
     const double t = static_cast<double>(i) * h;
-    if (times[k] - t > 1e-9 * h) stepper.step(t, times[k] - t, now, work);
+    if (times[k] - t > 1e-9 * h) stepper.step_within(t, times[k] - t, h, now);
     if (!visit(k, now)) return;
   }
 }

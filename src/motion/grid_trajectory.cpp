@@ -98,7 +98,7 @@ class GridTrajectory final : public Trajectory {
   State at(double t) const override {
     const long index = last_grid_time(t);
     State s = grid_state(index);
-    if (time(index) != t) stepper->step(time(index), t - time(index), s);
+    if (time(index) != t) stepper->step_within(time(index), t - time(index), step_length(index), s);
     return s;
   }
 
@@ -111,7 +111,8 @@ class GridTrajectory final : public Trajectory {
     for (const double t : asked) {
       index = last_grid_time(t, index);
       found.push_back(grid_state(index));
-      if (time(index) != t) leaps.push_back({time(index), t - time(index), &found.back()});
+      if (time(index) != t)
+        leaps.push_back({time(index), t - time(index), step_length(index), &found.back()});
     }
     stepper->leap(leaps.data(), static_cast<int>(leaps.size()));
     return found;
@@ -173,7 +174,9 @@ class GridTrajectory final : public Trajectory {
   }
 
   // the very step that the integration took, so that walking again gives the same bits
-  double step_length(long i) const { return times.empty() ? h : time(i + 1) - time(i); }
+  double step_length(long i) const {
+    return times.empty() ? h : time(std::min(i + 1, last)) - time(i);
+  }
 
   std::unique_ptr<Stepper> stepper;
   double h = 0.0;

@@ -98,9 +98,11 @@ const std::vector<Recorded>& recorded_quantities() {
        "rad/s",
        {"φ′", "θ′", "ψ′"},
        [](const Motion& motion, const Sample& now) {
-         if (!motion.model().loads.gimbals)
-           return parts(zxz_rates_from_body_rate(zxz_angles(now.q_SB), now.w_B));
-         return parts(motion.state_at(now.t).rings.rates);
+         // rings, which know their rates in gimbal lock too, turn about the vertical
+         const BodyModel& model = motion.model();
+         if (model.loads.gimbals && model.up_S == Vec3::UnitZ())
+           return parts(motion.state_at(now.t).rings.rates);
+         return parts(zxz_rates_from_body_rate(zxz_angles(now.q_SB), now.w_B));
        }},
       {"energy",
        "energy",

@@ -7,7 +7,11 @@ namespace polhode {
 
 void Stepper::leap(const Leap* leaps, int count) const {
   for (const Leap* one = leaps; one != leaps + count; ++one)
-    step(one->t, one->h, *one->s);
+    step_within(one->t, one->h, one->whole, *one->s);
+}
+
+void Stepper::step_within(double t, double h, double, State& s) const {
+  step(t, h, s);
 }
 
 double Stepper::step_with_error(double, double, State&, Work&) const {

@@ -62,9 +62,9 @@ struct Stretch {
   int tried = 0;  // these and others
 };
 
-// A step of h (s) from the time t (s), which advances s.
+// A part of h (s) of a step of `whole` (s) from the time t (s), which advances s.
 struct Leap {
-  double t, h;
+  double t, h, whole;
   State* s;
 };
 
@@ -83,7 +83,10 @@ class Stepper {
     Work uncounted;
     step(t, h, s, uncounted);
   }
-  // Takes `count` steps that have nothing to do with each other, each as step() would.
+  // Advances s to what the method says of a moment within a step of `whole` (s), h after its
+  // beginning at the time t: by default what a step of h gives.
+  virtual void step_within(double t, double h, double whole, State& s) const;
+  // Takes `count` such parts of steps that have nothing to do with each other.
   virtual void leap(const Leap* leaps, int count) const;
   // For adaptive methods only; aborts for others. Does the same as step() and returns an estimate
   // of the local error, the larger of |error of q| and |error of y| / momentum_scale()

@@ -49,6 +49,7 @@ std::string with_names_of_others(const StepperInfo& method,
   for (const StepperInfo& row : stepper_table()) {
     if (obstacle_of(row, model).empty()) able.push_back(&row);
   }
+  if (able.empty()) return reason;
   std::stable_sort(
       able.begin(), able.end(), [](const auto* a, const auto* b) { return a->order > b->order; });
   std::vector<std::string> names;

@@ -209,6 +209,8 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: compare[0].method is ");
   with([](Json& r) { r["compare"].erase(1); });
   expect("a.mp4", 1, "was altered: compare is ");
+  with([](Json& r) { r["compare"][1]["doubts"][0] = "nothing at all"; });
+  expect("a.mp4", 1, "was altered: compare[1].doubts[0] is ");
   with([](Json& r) { r["energy_drift"] = 0.5; });
   expect("a.mp4", 1, "was altered: energy_drift is ");
   with([](Json& r) { r["conditioning"]["exceeds_accuracy"] = true; });

@@ -134,7 +134,7 @@ TEST(Convoy, LeapsAreSteps) {
         s.y.x() += 10.0 * h;
         alone.push_back(s);
         stepper->step(0.0, h, alone.back());
-        leaps.push_back({0.0, h, &s});
+        leaps.push_back({0.0, h, h, &s});
       }
       stepper->leap(leaps.data(), count);
       for (std::size_t i = 0; i < states.size(); ++i) {

@@ -97,6 +97,21 @@ TEST(Recorded, RatesAreThoseOfTheAngles) {
   EXPECT_NEAR(turned, change[0], 1e-8) << "the axis goes round with phi";
 }
 
+// rings turn about a vertical that leans, angles and their rates are about Z
+TEST(Recorded, RatesInGimbalsAreThoseOfTheAngles) {
+  MotionSpec spec = spinning_on_pivot();
+  spec.gravity = Vec3(3, 0, -9);
+  GimbalsSpec gimbals;
+  gimbals.outer = 0.001;
+  spec.gimbals = gimbals;
+  const Motion motion = moving(cone_body(), spec);
+  const double t = 0.2, h = 1e-5;
+  const Vec3 change = vector(recorded("euler_angles", motion, t + h)) -
+                      vector(recorded("euler_angles", motion, t - h));
+  const Vec3 rates = vector(recorded("euler_rates", motion, t));
+  EXPECT_LE((change * kPi / 180.0 / (2.0 * h) - rates).norm(), 1e-4);
+}
+
 TEST(Recorded, EnergyIsKineticAndPotential) {
   const Motion top = moving(cone_body(), spinning_on_pivot());
   const double m = 0.1, g = gravity_of(spinning_on_pivot()).norm(),

@@ -50,6 +50,26 @@ OnTableProblem sliding_ball(double duration = 0.5) {
   return p;
 }
 
+// between two steps the body moves on with the velocities of the step, however short the time is
+TEST(TableSteppers, ImpulsesActOnceInAStep) {
+  const OnTableProblem p = rolling_disc();
+  const double h = 0.001;
+  for (const char* method : {"table_baumgarte", "table_baumgarte_hard", "table_projection"}) {
+    const Integration run = run_of(p, method, h);
+    for (const double part : {1e-12, 1e-6, 0.3, 0.999}) {
+      for (const int step : {0, 7, 400}) {
+        const double after = energy_at(p, run, h * (step + 1));
+        // within a step it falls or rises, which at this speed is little
+        EXPECT_NEAR(energy_at(p, run, h * (step + part)), after, 0.01 * std::abs(after))
+            << method << ' ' << step << ' ' << part;
+      }
+    }
+    const State end = run.trajectory->at(h * 8.0);
+    const State before = run.trajectory->at(h * 8.0 - 1e-10);
+    EXPECT_LT((end.place_S - before.place_S).norm(), 1e-8) << method;
+  }
+}
+
 // on a smooth motion its order is that of the book
 TEST(TableSteppers, RungeKuttaHasItsOrderWithoutEvents) {
   const double coarse = error_of(rolling_disc(), "table_rk4", 0.002);

@@ -50,12 +50,18 @@ struct Drawn {
   double time_ms = 0.0;  // median of a frame
 };
 
+Composer composer_for(const Solved& solved, const PictureSize& size) {
+  const Scene& scene = solved.scene;
+  return {solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, size};
+}
+
 Drawn draw(const Solved& solved, const Context& context, const DrawingSetting& setting) {
   const Scene& scene = solved.scene;
   const int k = setting.supersampling;
   const PictureSize size{scene.video.size.width * k, scene.video.size.height * k};
-  const Composer composer(
-      solved.simulation.motion, scene.body, scene.camera, scene.show, scene.theme, size);
+  const Composer composer = composer_for(solved, size);
+  // an automatic camera finds another place for pictures of another size
+  const Composer framing = composer_for(solved, scene.video.size);
   Renderer renderer(context, {size.width, size.height, setting.samples, false, setting.edges});
   Drawn drawn;
   std::vector<double> times;
@@ -64,8 +70,11 @@ Drawn draw(const Solved& solved, const Context& context, const DrawingSetting& s
   for (int i = -1; i < kMoments; ++i) {
     stop_if_interrupted();
     const double t = scene.motion.duration * std::max(i, 0) / (kMoments - 1);
+    const View view = framing.at(t).view;
     const auto start = std::chrono::steady_clock::now();
-    renderer.draw(composer.at(t), large);
+    DrawList list = composer.at(t);
+    list.view = view;
+    renderer.draw(list, large);
     Image picture = k == 1 ? large : shrunk(large, k);
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;

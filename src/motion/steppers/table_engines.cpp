@@ -81,7 +81,7 @@ void resist_turning(const BodyModel& m, double normal_impulse, FreeFlight& now) 
   against(Vec3(0, 0, std::copysign(1.0, w.z())), std::abs(w.z()), law.boring);
 }
 
-// attitude and place by the new velocities
+// attitude and place after h seconds with the new velocities
 void move(const BodyModel& m, double h, const FreeFlight& now, State& s) {
   s.q = normalized(exp_rotation(h * now.w_S) * s.q);
   s.y = s.q.conjugate() * now.L_S;
@@ -132,6 +132,16 @@ class ImpulseStep final : public Stepper {
 
   void step(double, double h, State& s, Work& work) const override {
     ++work.evaluations;
+    advance(h, h, s);
+  }
+  // the body has the velocities of the whole step from its beginning
+  void step_within(double, double h, double whole, State& s) const override {
+    advance(h, whole, s);
+  }
+
+ private:
+  // the body moves for `moves` of the h seconds of a step
+  void advance(double moves, double h, State& s) const {
     const LowestPoint low = lowest_of(model_, s);
     FreeFlight now(model_, s);
     now.velocity_S += h * model_.gravity_S;
@@ -144,11 +154,10 @@ class ImpulseStep final : public Stepper {
       now.push(model_, low.arm_S, impulse);
       resist_turning(model_, impulse.z(), now);
     }
-    move(model_, h, now, s);
+    move(model_, moves, now, s);
     s.place_S.z() += Gap::lift(lowest_of(model_, s).gap);
   }
 
- private:
   BodyModel model_;
 };
 
