@@ -67,6 +67,10 @@ void check_times(const DeckPicture& picture,
           .at({{}, 0, key});
     }
   }
+  const double from = number_in(picture, "from").value_or(0.0);
+  const std::optional<double> to = number_in(picture, "to");
+  if (to && *to <= from)
+    throw input_error("must be later than from ({} s), got {}", from, *to).at({{}, 0, "to"});
 }
 
 // what the picture and the command line say in place of the scene

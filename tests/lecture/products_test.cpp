@@ -97,6 +97,10 @@ TEST(Products, NumbersThatAreNoneAreToldAtOnce) {
                              key,
                              "must be a time within the motion, 0 to");
   }
+  const DeckPicture back = picture_of(PictureKind::film, {{"from", "0.2"}, {"to", "0.1"}});
+  test::expect_input_error([&] { film_product(back, folder.scene, {}); },
+                           "to",
+                           "must be later than from (0.2 s), got 0.1");
   const DeckPicture map = picture_of(PictureKind::stability, {{"turns", "0"}});
   test::expect_input_error(
       [&] { stability_product(map, folder.scene); }, "", "turns must be greater than 0");
