@@ -197,12 +197,10 @@ Reaction reaction_of(
   found.acceleration_S = model.gravity_S;
   found.momentum_rate_P = now.y.cross(w_P);
   if (!model.loads.empty()) {
-    State s;
-    s.q = now.q;
-    s.y = now.y;
-    s.place_S = now.place_S;
+    const State s = state_of(model, now);
     found.momentum_rate_P += torque_of_loads(model, t, s);
     found.acceleration_S = force(model, t, s) / mass;
+    found.power = power_of_loads(model, t, s);
   }
 
   // the contact moves over the body: d down / dt = w x up. The material point that touches keeps
@@ -294,7 +292,7 @@ Reaction reaction_of(
       R_SP * Vec3(total.force / mass +
                   Vec3(model.inverse_moments.cwiseProduct(moment_P)).cross(arm) - missing_P);
   if (!law.keeps_energy())
-    found.power = total.force.dot(velocity_P + turning_P) + total.moment.dot(w_P);
+    found.power += total.force.dot(velocity_P + turning_P) + total.moment.dot(w_P);
   return found;
 }
 
