@@ -236,7 +236,10 @@ Reaction reaction_of(
     // what friction does to the slip, as a mean of all directions: so the iteration converges
     const Mat3 K = mobility(model, arm);
     const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
-    const double friction = level * mass * law.mu * model.gravity_S.norm();
+    const Effort at_first = slide(model, arm, up_P, per_newton_along(touch.slip_S), missing_P);
+    const double normal = std::abs(up_P.dot(at_first.force));
+    const double weight = mass * model.gravity_S.norm();
+    const double friction = level * law.mu * (normal > 0.0 ? normal : weight);
     const auto rate_along = [&](const Vec3& way) {
       const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
       const Accelerations gain = of_effort(model, arm, exerted);
