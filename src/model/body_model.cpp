@@ -351,6 +351,15 @@ double energy(const BodyModel& m, const State& s) {
          potential_of_place(m, s.place_S);
 }
 
+double power_of_loads(const BodyModel& m, double t, const State& s) {
+  const Vec3 w_P = angular_velocity(m, s.y);
+  Wrench sum = wrench_without_potential(m.loads.turning, t, s.q, s.y, w_P, s.place_S);
+  for (const Push& push : m.loads.pushes) {
+    if (push.rate != 0.0) sum.force_S += push.force_S * std::cos(push.rate * t + push.phase);
+  }
+  return sum.torque_P.dot(w_P) + sum.force_S.dot(s.linear_momentum_S) / m.body.mass;
+}
+
 double kinetic_energy_of_gimbals(const BodyModel& m, const State& s) {
   if (!m.loads.gimbals) return 0.0;
   return kinetic_energy(*m.loads.gimbals, s.rings);

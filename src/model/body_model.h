@@ -128,6 +128,10 @@ Vec3 force(const BodyModel& m, double t, const State& s);
 // freedom also the kinetic energy of the centre of mass and potential_of_place().
 double energy(const BodyModel& m, const State& s);
 
+// What the loads without a potential in energy() do at time t (s), with six degrees of freedom, W:
+// where nothing else does work, the rate of energy().
+double power_of_loads(const BodyModel& m, double t, const State& s);
+
 // The angular velocity at which space turns, in S, rad/s; none if it does not.
 std::optional<Vec3> frame_rotation_of(const BodyModel& m);
 

@@ -125,6 +125,13 @@ Wrench wrench_of(const std::vector<Load>& loads,
                  const Vec3& y,
                  const Vec3& w_P,
                  const Vec3& place_S);
+// The sum of those that are not conservative: what they do is not in potential_of().
+Wrench wrench_without_potential(const std::vector<Load>& loads,
+                                double t,
+                                const Quat& q,
+                                const Vec3& y,
+                                const Vec3& w_P,
+                                const Vec3& place_S);
 
 // The force of one load at its point of action, in S, N. Zero for torques and damping. t in s; q
 // rotates P to S; place_S: reference point, m.

@@ -23,11 +23,13 @@ inline Mat3 mobility(const BodyModel& m, const Vec3& arm) {
 }
 
 // The direction along which the slip changes if friction acts against it: rate(u) is along u, up or
-// down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2.
+// down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2, with
+// which the iteration goes towards it; where it goes past it, it is held back.
 template <class Rate>
 Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
   constexpr int kMost = 40;
   Vec3 way = start;
+  double last = 2.0;
   for (int i = 0; i < kMost; ++i) {
     Vec3 next = friction * way + rate(way);
     next.z() = 0.0;
@@ -37,6 +39,8 @@ Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
     const double apart = (next - way).norm();
     way = next;
     if (apart < 1e-14) break;
+    if (apart >= last) friction *= 2.0;
+    last = apart;
   }
   return way;
 }

@@ -197,12 +197,10 @@ Reaction reaction_of(
   found.acceleration_S = model.gravity_S;
   found.momentum_rate_P = now.y.cross(w_P);
   if (!model.loads.empty()) {
-    State s;
-    s.q = now.q;
-    s.y = now.y;
-    s.place_S = now.place_S;
+    const State s = state_of(model, now);
     found.momentum_rate_P += torque_of_loads(model, t, s);
     found.acceleration_S = force(model, t, s) / mass;
+    found.power = power_of_loads(model, t, s);
   }
 
   // the contact moves over the body: d down / dt = w x up. The material point that touches keeps
@@ -238,7 +236,10 @@ Reaction reaction_of(
     // what friction does to the slip, as a mean of all directions: so the iteration converges
     const Mat3 K = mobility(model, arm);
     const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
-    const double friction = level * mass * law.mu * model.gravity_S.norm();
+    const Effort at_first = slide(model, arm, up_P, per_newton_along(touch.slip_S), missing_P);
+    const double normal = std::abs(up_P.dot(at_first.force));
+    const double weight = mass * model.gravity_S.norm();
+    const double friction = level * law.mu * (normal > 0.0 ? normal : weight);
     const auto rate_along = [&](const Vec3& way) {
       const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
       const Accelerations gain = of_effort(model, arm, exerted);
@@ -294,7 +295,7 @@ Reaction reaction_of(
       R_SP * Vec3(total.force / mass +
                   Vec3(model.inverse_moments.cwiseProduct(moment_P)).cross(arm) - missing_P);
   if (!law.keeps_energy())
-    found.power = total.force.dot(velocity_P + turning_P) + total.moment.dot(w_P);
+    found.power += total.force.dot(velocity_P + turning_P) + total.moment.dot(w_P);
   return found;
 }
 

@@ -54,11 +54,13 @@ struct Reaction {
   Vec3 slip_rate_S = Vec3::Zero();       // its rate, m/s^2; in flight with the vertical part
   Vec3 momentum_rate_P = Vec3::Zero();   // dy/dt, N m
   Vec3 acceleration_S = Vec3::Zero();    // of the centre of mass, m/s^2
-  double power = 0.0;                    // of normal force, friction and moments on the body, W
+  // what normal force, friction, moments and the loads without a potential do to the body, W
+  double power = 0.0;
 };
 
 // Throws Error (check_failed) if no normal force solves the equations (Painleve's paradox: friction
-// jams the body). t in s. In flight and lying nothing is exerted, and lying nothing accelerates.
+// jams the body). t in s. In flight and lying the table exerts nothing, and lying nothing
+// accelerates.
 Reaction reaction_of(const BodyModel& model, const Touch& touch, double t, const Moving& now);
 
 // The velocity of the body's lowest point against the table, S, m/s; its vertical part is that of

@@ -16,7 +16,7 @@ namespace polhode {
 // How a body on a table touches it at a moment.
 struct ContactState {
   Touch touch;
-  double work = 0.0;  // what the table has done on the body since the start, J
+  double work = 0.0;  // of the table and of loads without a potential since the start, J
 };
 
 // Immutable. at() may be called from any thread, for any t in [0, duration] (s), in any order.
@@ -41,7 +41,8 @@ class Trajectory {
 struct Drift {
   // Of energy() (model/body_model.h), relative to the kinetic energy at the start + |chi| + the
   // sizes of the other potential energies, or to 1 J if all of them are 0. On a table the work of
-  // the table counts as lost, so that the sum stays whatever the friction.
+  // the table and of loads without a potential does not count, so that the rest stays whatever they
+  // do.
   std::optional<double> energy;
   // Of the vector L or, with a torque of gravity, of L.up; relative to |L| at the start or, if that
   // is larger, to sqrt(greatest moment * |chi|), or to 1 kg m^2/s if both are 0. On a table the
@@ -58,7 +59,7 @@ class DriftWatch {
   // gravity are looked at by eights.
   void look_at(const State& s, const ContactState& contact = {});
   // The drift of one state; that of energy is signed, that of momentum is not. On a table `contact`
-  // tells the work of the table.
+  // tells the work.
   Drift of(const State& s, const ContactState& contact = {}) const;
   // The largest drift so far, without sign.
   Drift worst();

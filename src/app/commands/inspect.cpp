@@ -117,7 +117,7 @@ void add_contact(Json& facts, const Solved& solved) {
                                     {"value", is_vector ? list_of(value) : Json(value[0])},
                                     {"unit", law.unit}};
   }
-  if (solved.model.table->friction.keeps_energy()) {
+  if (keeps_energy(solved.model)) {
     facts["conserved"]["energy"] = {
         {"what", "kinetic and potential energy"}, {"value", motion.at(0.0).energy}, {"unit", "J"}};
   }

@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-// What is stepped: the motion and the work that the table has done on the body since the start, J.
+// What is stepped: the motion and the work that the table and the loads without a potential have
+// done on the body since the start, J.
 struct OnTable {
   Moving moving;
   double work = 0.0;

@@ -99,6 +99,27 @@ TEST(OnTable, AnEggSticksAndSlipsAgain) {
   EXPECT_NEAR(times_of(fine, "slip_begins").at(0), times_of(loose, "slip_begins").at(0), 1e-4);
 }
 
+// A wide disc that is pressed to the table with more than twice its weight begins to slip: it goes
+// on in one direction, rather than by many ends of slips, and comes to the same place by every
+// tolerance.
+TEST(OnTable, AHeavilyPressedDiscSlipsOnce) {
+  MotionSpec spec = on_table(0.2, coulomb(0.8));
+  spec.attitude.zxz = Vec3(0, 0.43, 1.26);
+  spec.spin.body = Vec3(-3.5, 5.7, 3.7);
+  spec.velocity = Vec3(-1.0, 0, 0);
+  const BodySpec disc = disc_body(1.0, 1.0);
+  const Integration fine = integrated(disc, spec, 1e-10), loose = integrated(disc, spec, 1e-8);
+  for (const Integration* found : {&fine, &loose}) {
+    EXPECT_EQ(times_of(*found, "slip_ends").size(), 1u);
+    EXPECT_EQ(times_of(*found, "slip_begins").size(), 1u);
+    EXPECT_EQ(times_of(*found, "lift_off").size(), 1u);
+    EXPECT_LT(found->record.steps, 1000);
+    EXPECT_LT(*found->record.drift.energy, 1e-8);
+  }
+  const Vec3 apart = fine.trajectory->at(0.2).place_S - loose.trajectory->at(0.2).place_S;
+  EXPECT_LT(apart.norm(), 1e-8);
+}
+
 // A coin that leans and wobbles with dry friction slips and sticks in turn: the same events by
 // every tolerance, and where slips begin, the equations of stiff steps are solved.
 TEST(OnTable, AWobblingCoinSlipsAndSticksInTurn) {

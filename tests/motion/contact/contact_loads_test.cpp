@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Loads on a body on a table: energy less the work of the table and of loads without a potential
+// stays, so that a right motion is trusted.
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "motion/contact/contact_trajectory.h"
+#include "support/on_table.h"
+
+namespace polhode::test {
+namespace {
+
+LoadSpec load_of(const char* kind) {
+  LoadSpec load;
+  load.kind = kind;
+  return load;
+}
+
+LoadSpec damping(const char* of, double c) {
+  LoadSpec load = load_of("damping");
+  load.of = of;
+  load.c = c;
+  return load;
+}
+
+// a torque or force of that size, in axes of space or of the body; `rate`: it swings, rad/s
+LoadSpec directed(const char* kind, bool in_body, double size, double rate) {
+  LoadSpec load = load_of(kind);
+  const Vec3 vector = size * Vec3(0.6, -0.48, 0.64);
+  (in_body ? load.body : load.space) = vector;
+  if (kind == std::string("couple")) load.opposite = Vec3(0.0, -0.03, 0.02);
+  if (kind != std::string("constant")) load.at = Vec3(0.05, 0.02, 0.03);
+  if (rate != 0.0) load.rate = rate;
+  return load;
+}
+
+using NamedLoad = std::pair<std::string, LoadSpec>;
+
+std::vector<NamedLoad> loads_of_every_kind() {
+  std::vector<NamedLoad> loads = {{"damping of momentum", damping("momentum", 1.0)},
+                                  {"damping of spin", damping("spin", 0.005)},
+                                  {"damping about an axis", damping("spin", 0.005)},
+                                  {"spring", load_of("spring")},
+                                  {"gravity gradient", load_of("gravity_gradient")}};
+  loads[2].second.about = Vec3(0.0, 1.0, 1.0);
+  loads[3].second.k = 2.0;
+  loads[3].second.length = 0.05;
+  loads[4].second.rate = 2.0;
+  for (const char* kind : {"constant", "couple", "force"}) {
+    const double size = kind == std::string("constant") ? 0.02 : 0.3;
+    for (const bool in_body : {false, true}) {
+      for (const double rate : {0.0, 9.0}) {
+        const std::string where = in_body ? " in the body" : " in space";
+        loads.emplace_back(kind + where + (rate != 0.0 ? ", swinging" : ""),
+                           directed(kind, in_body, size, rate));
+      }
+    }
+  }
+  LoadSpec central = directed("force", false, 0.3, 9.0);
+  central.at.reset();
+  loads.emplace_back("force on the centre, swinging", central);
+  return loads;
+}
+
+std::vector<std::pair<std::string, FrictionSpec>> laws_of_friction() {
+  FrictionSpec none, moments = coulomb(0.3), turning = rolling();
+  none.kind = "none";
+  moments.rolling = 1e-3;
+  moments.boring = 1e-3;
+  turning.turntable = 1.5;
+  return {{"none", none},
+          {"rolling", rolling()},
+          {"viscous", viscous(0.4)},
+          {"coulomb", moments},
+          {"turntable", turning}};
+}
+
+class LoadsOnTable : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(LoadsOnTable, AreCountedAsWork) {
+  BodySpec egg;
+  egg.solid = SolidSpec{};
+  egg.solid->kind = "ellipsoid";
+  egg.solid->semi_axes = Vec3(0.1, 0.11, 0.12);
+  egg.solid->mass = 1.0;
+  const auto [law, friction] = laws_of_friction()[GetParam()];
+  for (const auto& [name, load] : loads_of_every_kind()) {
+    for (const double height : {0.0, 3.0}) {
+      SCOPED_TRACE(law + ", " + name + (height > 0.0 ? ", in flight" : ""));
+      MotionSpec spec = on_table(0.7, friction);
+      spec.spin.space = Vec3(3.0, 0.0, 5.0);
+      if (height > 0.0) spec.position = Vec3(0.0, 0.0, height);
+      if (height > 0.0 || friction.kind != "rolling") spec.velocity = Vec3(0.2, 0.1, 0.0);
+      spec.torque = {load};
+      const Simulation found = simulated(egg, spec, 1e-7);
+      EXPECT_EQ(found.report.reliability.doubts, std::vector<std::string>());
+      ASSERT_TRUE(found.report.record.drift.energy);
+      EXPECT_LT(*found.report.record.drift.energy, 1e-7);
+      const Drift end = drift_at(found.motion, spec.duration);
+      EXPECT_LT(std::abs(end.energy.value()), 1e-7);
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, LoadsOnTable, testing::Range<std::size_t>(0, 5));
+
+}  // namespace
+}  // namespace polhode::test
