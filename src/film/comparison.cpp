@@ -90,12 +90,13 @@ std::string degrees(const std::string& number, std::size_t digits_and_point) {
   return number + "\u00b0" + free;
 }
 
-// "+20.3 %", "\u221226.3 %", "+3\u00b710\u2077 %"
+// "+20.3 %", "\u221226.3 %", "0.0 %", "+3\u00b710\u2077 %"
 std::string percent(double part) {
   const double value = 100.0 * part;
   if (!(std::abs(value) >= 1e4)) {
     const std::string number = number_text(value, 0, 1);
-    return (number.front() >= '0' && number.front() <= '9' ? "+" : "") + number + " %";
+    const bool zero = number == number_text(0.0, 0, 1);
+    return (value > 0.0 && !zero ? "+" : "") + number + " %";
   }
   const char* sign = value < 0.0 ? "\u2212" : "+";
   const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));

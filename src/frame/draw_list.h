@@ -33,7 +33,8 @@ struct Material {
   bool soft = false;    // of a mesh in the plane z = 0, if flat: the z of normals multiplies alpha,
                         // and their x mixes the colour with mark_color
   float fade = 1.0f;    // multiplies alpha; below 1 while the item appears or disappears
-  bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`
+  bool covers = false;  // parts of other items behind it are hidden, in the sense of `hidden`; of
+                        // translucent items, soft ones alone can do that
   bool thin = false;    // hides no items with `hidden`, which are drawn over it
   float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen
   float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1, which are narrower

@@ -30,13 +30,13 @@ struct Scale {
 // The curves of a film that the scene asks for, made once; those that it does not ask for, and
 // curves that are a single point, are empty or null.
 struct Paths {
-  Trail axis;                      // of the body's axis
-  std::vector<Trail> points;       // of the points in ShowSpec::trail_points
-  Trail contact;                   // of the lowest point of a body on a table
-  Trail contact_on_body;           // the same on the body, in B
-  Trail omega_tip, momentum_tip;   // of the vectors in ShowSpec::trail_tips
-  Trail herpolhode;                // of the tip of omega, in space
-  double herpolhode_radius = 0.0;  // how far it goes from the line of L, m
+  Trail axis;                  // of the body's axis
+  std::vector<Trail> points;   // of the points in ShowSpec::trail_points
+  std::vector<Trail> contact;  // of the lowest point of a body on a table, each time it touches
+  std::vector<Trail> contact_on_body;  // the same on the body, in B
+  Trail omega_tip, momentum_tip;       // of the vectors in ShowSpec::trail_tips
+  Trail herpolhode;                    // of the tip of omega, in space
+  double herpolhode_radius = 0.0;      // how far it goes from the line of L, m
   // The curves of omega on the inertia ellipsoid and of L on Binet's ellipsoid, in principal axes
   // from the reference point, in units of the body's radius.
   MeshPtr polhode, binet;

@@ -22,6 +22,7 @@ namespace polhode {
   X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                       \
   X(PFNGLCLEARPROC, Clear)                                                                         \
   X(PFNGLCLEARCOLORPROC, ClearColor)                                                               \
+  X(PFNGLCOLORMASKPROC, ColorMask)                                                                 \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                                                         \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                         \
   X(PFNGLCREATESHADERPROC, CreateShader)                                                           \

@@ -22,6 +22,9 @@
 namespace polhode {
 namespace {
 
+// in the stencil, where a table is in front; 1 is for thin items
+constexpr int kBehindTable = 2;
+
 int integer(const Gl& gl, GLenum name) {
   GLint value = 0;
   gl.GetIntegerv(name, &value);
@@ -223,9 +226,11 @@ class Renderer::Implementation {
   void draw_panel(const Panel& panel, const PixelBox& box) {
     const StageTimer timer(times_.draw);
     const std::vector<DrawItem>& opaque = panel.list.opaque;
+    const std::vector<DrawItem>& translucent = panel.list.translucent;
     const bool any_thin = std::any_of(
         opaque.begin(), opaque.end(), [](const DrawItem& item) { return item.material.thin; });
-    if (any_thin) buffers_ = Buffers::depth_and_stencil;
+    const bool any_table = std::any_of(translucent.begin(), translucent.end(), is_table);
+    if (any_thin || any_table) buffers_ = Buffers::depth_and_stencil;
     begin(panel, box);
     for (const DrawItem& item : opaque) {
       if (item.material.covers && !item.material.thin) draw_item(item);
@@ -253,11 +258,32 @@ class Renderer::Implementation {
     // translucent shells come back to front and leave the depth of what is behind them
     gl_.Enable(GL_BLEND);
     gl_.DepthMask(GL_FALSE);
-    for (const DrawItem& item : panel.list.translucent)
+    for (const DrawItem& item : translucent)
       draw_item(item);
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_BLEND);
+    if (any_table) draw_hidden_by_tables(panel.list);
     gl_.Finish();
+  }
+
+  // a floor behind which lines are seen as they are behind bodies
+  static bool is_table(const DrawItem& item) { return item.material.covers && item.material.soft; }
+
+  // Where a table is in front of all else, its depth becomes that of the picture. This comes last:
+  // what is translucent below a floor is drawn over it.
+  void draw_hidden_by_tables(const DrawList& list) {
+    gl_.Enable(GL_STENCIL_TEST);
+    gl_.StencilFunc(GL_ALWAYS, kBehindTable, 0xff);
+    gl_.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const DrawItem& item : list.translucent) {
+      if (is_table(item)) draw_item(item);
+    }
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.StencilFunc(GL_EQUAL, kBehindTable, 0xff);
+    gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    draw_hidden(list);
+    gl_.Disable(GL_STENCIL_TEST);
   }
 
   // over what covers them, before anything else is drawn; by the distance of their feet, so that of

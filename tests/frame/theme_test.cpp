@@ -154,6 +154,21 @@ TEST(Theme, VectorsAreToldApartByEveryEye) {
   }
 }
 
+// the rates of Euler's angles, by the vertical, the tilt and the body's axis, and Omega, their sum
+TEST(Theme, RatesAreToldApartByEveryEye) {
+  for (const Theme& theme : themes()) {
+    const glm::vec3 colors[] = {theme.omega, theme.space_axes, theme.position, theme.body_axes};
+    for (const Mat3& eye : all_eyes()) {
+      for (std::size_t i = 0; i < std::size(colors); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          EXPECT_GE(ciede2000(seen_by(eye, colors[i]), seen_by(eye, colors[j])), 11.5)
+              << theme.name << ' ' << i << ' ' << j;
+        }
+      }
+    }
+  }
+}
+
 // in a Poinsot picture ellipsoid, plane and vectors are told apart, also by those who do not see
 // red, green or blue
 TEST(Theme, PoinsotsSurfacesHaveTheirOwnColours) {

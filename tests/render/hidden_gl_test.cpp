@@ -111,6 +111,50 @@ TEST_F(HiddenLine, HasDashesOfEqualLengthsFromItsFootOn) {
   EXPECT_GT(changes, 60);
 }
 
+// A rod along Z through the ball, and through a table on which its middle lies: what is below it
+// and what is in the ball are seen alike, once.
+TEST_F(HiddenLine, IsSeenThroughATable) {
+  for (const bool covers : {true, false}) {
+    DrawList list;
+    list.view = camera_.view(DrawingFrame{Vec3::Zero(), 1.0});
+    Material red;
+    red.color = {1, 0, 0};
+    red.flat = true;
+    red.hidden = 0.4f;
+    add_tube(list.opaque, arrow_meshes(32, 32), Vec3(0, 0, -1), Vec3(0, 0, 1), kRod, red);
+    Material black;
+    black.color = {0, 0, 0};
+    black.flat = true;
+    black.covers = true;
+    list.opaque.push_back(
+        {std::make_shared<const Mesh>(unit_sphere(128)),
+         to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
+         black,
+         Faces::front});
+    Mesh square;
+    for (const glm::vec2 corner : {glm::vec2(-5, -5), {5, -5}, {5, 5}, {-5, 5}})
+      square.vertices.push_back({{corner, 0.0f}, {0, 0, 1}});
+    square.indices = {0, 1, 2, 0, 2, 3};
+    Material table = black;
+    table.soft = true;
+    table.covers = covers;
+    list.translucent.push_back(
+        {std::make_shared<const Mesh>(square), glm::mat4(1.0f), table, Faces::front});
+    Image image;
+    renderer_.draw(list, image);
+    const auto red_of = [&](double z) {
+      const Vec2 at = camera_.project(Vec3(0, 0, z));
+      return image.at(static_cast<int>(at.x()), static_cast<int>(at.y()))[0];
+    };
+    for (double z = -0.95; z < -0.1; z += 0.05)
+      EXPECT_NEAR(red_of(z), covers ? 0.4 * 255 : 0.0, 2) << z;
+    for (double z = 0.1; z < 0.4; z += 0.05)
+      EXPECT_NEAR(red_of(z), 0.4 * 255, 2) << z << ": in the ball";
+    for (double z = 0.65; z < 0.95; z += 0.05)
+      EXPECT_EQ(red_of(z), 255) << z;
+  }
+}
+
 TEST_F(HiddenLine, HasNarrowerDashes) {
   const auto red_beside = [&](double dashes, double beside) {
     int most = 0;

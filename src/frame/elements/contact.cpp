@@ -21,13 +21,16 @@ Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
 // from when on the path has been near the body: the table around it, which a camera takes along
 double near_since(const Scenery& scenery, const Vec3& here, double t) {
   constexpr double kNear = 4.2;  // in units of the body's radius
-  const Path& path = scenery.paths.contact.path();
-  auto i =
-      static_cast<std::size_t>(std::upper_bound(path.parameters.begin(), path.parameters.end(), t) -
-                               path.parameters.begin());
-  while (i > 0 && (path.points[i - 1] - here).norm() < kNear * scenery.scale.body)
-    --i;
-  return i > 0 ? path.parameters[i - 1] : 0.0;
+  for (auto trail = scenery.paths.contact.rbegin(); trail != scenery.paths.contact.rend();
+       ++trail) {
+    const Path& path = trail->path();
+    const auto end = std::upper_bound(path.parameters.begin(), path.parameters.end(), t);
+    for (auto i = static_cast<std::size_t>(end - path.parameters.begin()); i > 0; --i) {
+      if ((path.points[i - 1] - here).norm() >= kNear * scenery.scale.body)
+        return path.parameters[i - 1];
+    }
+  }
+  return 0.0;
 }
 
 Vec3 drawn_force(const Scenery& scenery, const Vec3& force_S) {
@@ -88,17 +91,17 @@ void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& gly
   const double begins = std::max(0.0, from);
   const double on_table =
       scenery.table_goes_along ? near_since(scenery, contact_S(scenery, sample), sample.t) : 0.0;
-  add_path(
-      scenery.paths.contact, std::max(begins, on_table), sample.t, scenery.theme.trail, glyphs);
-  const Trail& on_body = scenery.paths.contact_on_body;
-  if (on_body.empty()) return;
+  for (const Trail& trail : scenery.paths.contact)
+    add_path(trail, std::max(begins, on_table), sample.t, scenery.theme.trail, glyphs);
   const Placement space_from_body = body_placement(scenery, sample);
-  for (const MeshPtr& mesh : on_body.part(begins, sample.t)) {
-    glyphs.meshes.push_back({mesh,
-                             space_from_body * on_body.place(),
-                             plain(scenery.theme.force, 0.1f),
-                             {},
-                             {&on_body, begins, sample.t, true}});
+  for (const Trail& on_body : scenery.paths.contact_on_body) {
+    for (const MeshPtr& mesh : on_body.part(begins, sample.t)) {
+      glyphs.meshes.push_back({mesh,
+                               space_from_body * on_body.place(),
+                               plain(scenery.theme.force, 0.1f),
+                               {},
+                               {&on_body, begins, sample.t, true}});
+    }
   }
 }
 

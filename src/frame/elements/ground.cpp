@@ -61,6 +61,7 @@ void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 middle = along ? below : scenery.table_middle;
   const double radius = along ? kTableAround * size : kFreeFloorRadius * size + scenery.table_reach;
   FloorGlyph floor = floor_at(scenery, middle, Vec3::UnitZ(), radius, kFreeDialRadius * size);
+  floor.material.covers = true;  // vectors through it are seen as those in bodies
   floor.fineness = std::clamp(radius / (kFreeFloorRadius * size), 1.0, kFinestTable);
   if (along || scenery.table_reach > kTravels * size) {
     const double spacing = along ? size : std::max(size, radius / kLinesOfTable);

@@ -2,6 +2,9 @@
 // Paths of points in space, and curves of a whole film.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "frame/elements.h"
 #include "frame/elements/parts.h"
@@ -119,21 +122,85 @@ int sides_of(const Scenery& scenery, double radius) {
   return std::max(8, static_cast<int>(std::ceil(scenery.segments * std::sqrt(radius))));
 }
 
+// when something begins and ends, s of motion
+using Stretch = std::pair<double, double>;
+
+// The path of a point during a stretch of the film. pieces: those of a path through all of it;
+// radius: in units of the body's radius.
+Trail trail_during(const Scenery& scenery,
+                   const Stretch& stretch,
+                   int pieces,
+                   double radius,
+                   const std::function<Vec3(const Sample& now)>& point) {
+  const Motion& motion = scenery.motion;
+  const auto& [from, to] = stretch;
+  // a quarter of a pixel where the body is as high as the frame
+  const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
+  const int of_stretch = static_cast<int>(std::ceil(pieces * (to - from) / motion.duration()));
+  return Trail(
+      sampled([&](double t) { return point(motion.at(t)); }, from, to, of_stretch, tolerance),
+      radius * scenery.scale.body,
+      scenery.scale.body,
+      sides_of(scenery, radius));
+}
+
+// when a body is on its table, or so near that nobody sees it fly
+std::vector<Stretch> touching(const Scenery& scenery, int looks) {
+  constexpr double kTouches = 0.01;  // in units of the body's radius
+  const Motion& motion = scenery.motion;
+  const auto touches = [&](double t) {
+    const Sample now = motion.at(t);
+    const Vec3 lowest = motion.model().R_BP * lowest_point(motion, now);
+    return now.center_S.z() + (now.q_SB * lowest).z() <= kTouches * scenery.scale.body;
+  };
+  const auto edge = [&](double on, double off) {
+    for (int i = 0; i < 20; ++i) {
+      const double middle = 0.5 * (on + off);
+      (touches(middle) ? on : off) = middle;
+    }
+    return on;
+  };
+  std::vector<Stretch> stretches;
+  bool touched = false;
+  double before = 0.0;
+  for (int i = 0; i <= looks; ++i) {
+    const double t = motion.duration() * i / looks;
+    const bool now = touches(t);
+    if (now && !touched) stretches.emplace_back(i > 0 ? edge(t, before) : t, t);
+    if (now) stretches.back().second = t;
+    if (!now && touched) stretches.back().second = edge(before, t);
+    touched = now;
+    before = t;
+  }
+  return stretches;
+}
+
+// paths of the contact on the table and on the body, with gaps where it flies
+void make_contact_trails(const Scenery& scenery, int pieces, Paths& paths) {
+  const BodyModel& model = scenery.motion.model();
+  const auto on_body = [&](const Sample& now) {
+    return Vec3(model.body.center + model.R_BP * lowest_point(scenery.motion, now));
+  };
+  // a camera that stands sees it from afar, where the body goes far
+  constexpr double kFar = 0.0035;
+  const double whole = scenery.table_goes_along ? 0.0 : scenery.table_reach;
+  const double thick = std::max(kRimRadius, kFar * whole / scenery.scale.body);
+  for (const Stretch& stretch : touching(scenery, pieces)) {
+    if (stretch.second <= stretch.first) continue;
+    paths.contact.push_back(trail_during(scenery, stretch, pieces, thick, [&](const Sample& now) {
+      const Vec3 at = point_position(model, now, on_body(now));
+      return Vec3(at.x(), at.y(), 0.0);
+    }));
+    paths.contact_on_body.push_back(trail_during(scenery, stretch, pieces, kRimRadius, on_body));
+  }
+}
+
 // paths of points in space, which grow with the motion
 void make_trails(const Scenery& scenery, Paths& paths) {
   const Motion& motion = scenery.motion;
-  // a quarter of a pixel where the body is as high as the frame
-  const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
   const int pieces = pieces_of_trail(motion);
   const auto trail = [&](double radius, const auto& point) {
-    return Trail(sampled([&](double t) { return Vec3(point(motion.at(t))); },
-                         0.0,
-                         motion.duration(),
-                         pieces,
-                         tolerance),
-                 radius * scenery.scale.body,
-                 scenery.scale.body,
-                 sides_of(scenery, radius));
+    return trail_during(scenery, {0.0, motion.duration()}, pieces, radius, point);
   };
   if (is_asked(scenery.options, "trail")) {
     const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
@@ -143,21 +210,7 @@ void make_trails(const Scenery& scenery, Paths& paths) {
   const auto contact_trail = scenery.options.asked.find("contact_trail");
   const bool shows_contact =
       contact_trail == scenery.options.asked.end() || contact_trail->second.value_or(true);
-  if (motion.model().table && shows_contact) {
-    const Mat3& R_BP = motion.model().R_BP;
-    const auto on_body = [&](const Sample& now) {
-      return Vec3(motion.model().body.center + R_BP * lowest_point(motion, now));
-    };
-    // a camera that stands sees it from afar, where the body goes far
-    constexpr double kFar = 0.0035;
-    const double whole = scenery.table_goes_along ? 0.0 : scenery.table_reach;
-    const double thick = std::max(kRimRadius, kFar * whole / scenery.scale.body);
-    paths.contact = trail(thick, [&](const Sample& now) {
-      const Vec3 at = point_position(motion.model(), now, on_body(now));
-      return Vec3(at.x(), at.y(), 0.0);
-    });
-    paths.contact_on_body = trail(kRimRadius, on_body);
-  }
+  if (motion.model().table && shows_contact) make_contact_trails(scenery, pieces, paths);
   for (const Vec3& point_B : scenery.options.trail_points) {
     paths.points.push_back(trail(kRimRadius, [&](const Sample& now) {
       return point_position(motion.model(), now, point_B);

@@ -55,6 +55,20 @@ void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
   }
 }
 
+// The name of a position vector beside its middle, on the side to which `aside` points.
+void add_name_beside(const Scenery& scenery,
+                     const Vec3& from,
+                     const Vec3& to,
+                     const Vec3& aside,
+                     const char* name,
+                     Glyphs& glyphs) {
+  const Vec3 along = (to - from).stableNormalized();
+  const Vec3 across = aside.stableNormalized() - along.dot(aside.stableNormalized()) * along;
+  if (across.norm() < 0.1) return;
+  glyphs.labels.push_back(
+      {0.5 * (from + to), 0.05 * scenery.scale.body * across, name, scenery.theme.position});
+}
+
 // A spring from `from` to `to` (S, m), as a coil whose turns and thickness are always the same.
 void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs& glyphs) {
   const double size = scenery.scale.body;
@@ -105,14 +119,13 @@ void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyph
              kAxisShape,
              plain(scenery.theme.position, 0.2f),
              glyphs);
-  // its name stands above its middle: at its tip are the feet of all the others
-  const Vec3 along = sample.reference_S.stableNormalized();
-  const Vec3 aside = Vec3::UnitZ() - along.z() * along;
-  if (sample.reference_S.norm() < scenery.scale.body || aside.norm() < 0.1) return;
-  glyphs.labels.push_back({0.5 * sample.reference_S,
-                           0.05 * scenery.scale.body * aside,
-                           "<b>R</b>",
-                           scenery.theme.position});
+  // at its tip are the feet of all the others
+  if (sample.reference_S.norm() < scenery.scale.body) return;
+  Vec3 aside = Vec3::UnitZ();
+  if (!scenery.options.points.empty())
+    aside = sample.reference_S -
+            point_position(scenery.motion.model(), sample, scenery.options.points.front());
+  add_name_beside(scenery, Vec3::Zero(), sample.reference_S, aside, "<b>R</b>", glyphs);
 }
 
 void add_omega(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -150,7 +163,8 @@ void add_omega_components(const Scenery& scenery, const Sample& sample, Glyphs& 
 }
 
 // about the vertical, the line of nodes and the third body axis: they too add up to the angular
-// velocity (Landau and Lifshitz, Mechanics, section 35). Upright, the line of nodes is any.
+// velocity (Landau and Lifshitz, Mechanics, section 35). Upright, the line of nodes is any. Each
+// has the colour of what it belongs to: the vertical, the angle of the tilt, the body's axis.
 void add_euler_rates(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 angles = zxz_angles(sample.q_SB);
   if (std::sin(angles.y()) < 1e-3) return;
@@ -162,13 +176,15 @@ void add_euler_rates(const Scenery& scenery, const Sample& sample, Glyphs& glyph
   for (int i = 0; i < 3; ++i)
     basis.col(i) = axes_S[static_cast<std::size_t>(i)];
   const Vec3 rates = basis.inverse() * sample.w_S;
+  const std::array<glm::vec3, 3> colors = {
+      scenery.theme.space_axes, scenery.theme.position, scenery.theme.body_axes};
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     add_at_reference(scenery,
                      sample,
                      scenery.scale.omega * rates[i] * axes_S[k],
                      kComponentShape,
-                     plain(scenery.theme.omega, 0.2f),
+                     plain(colors[k], 0.2f),
                      glyphs,
                      kRateNames[k]);
   }
@@ -254,7 +270,7 @@ void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     }
     if (load.kind == Load::Kind::couple) {
       const Vec3 opposite = at - q_SP * load.arm_P;
-      add_vector(scenery, opposite, opposite - force, kForceShape, material, glyphs);
+      add_vector(scenery, opposite, opposite - force, kForceShape, material, glyphs, "<b>−F</b>");
     }
   }
 }
@@ -272,8 +288,11 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
       glyphs.reach.push_back(place * Vec3::Unit(i));
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
-    add_vector(scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>");
-    if (from_origin) add_vector(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
+    const char* name = from_origin ? "<b>r̃</b>" : "<b>r</b>";
+    add_vector(scenery, sample.reference_S, at, kAxisShape, material, glyphs, name);
+    if (!from_origin) continue;
+    add_vector(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
+    add_name_beside(scenery, Vec3::Zero(), at, at - sample.reference_S, "<b>r</b>", glyphs);
   }
 }
 

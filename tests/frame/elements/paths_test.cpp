@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Paths that a film reveals, and the curves of a whole film.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,33 @@ TEST(Paths, TrailEndsWhereThePointIs) {
     EXPECT_LT((rods[0].from - now.reference_S).norm(), 1e-12);
     EXPECT_LT((rods[0].to - tip).norm(), 1e-12);
   }
+}
+
+// a ball that is dropped leaves no path in the air: it begins where the ball has come down to a
+// hundredth of its radius, and goes on to the end
+TEST(Paths, OfTheContactBeginWhereTheBodyTouches) {
+  const double radius = 0.1, fall = 0.2, g = 9.80665;
+  MotionSpec spec;
+  spec.hold = "table";
+  spec.duration = 0.6;
+  spec.position = Vec3(0.0, 0.0, radius + fall);
+  spec.velocity = Vec3(0.3, 0.0, 0.0);
+  const BodySpec body = test::ellipsoid_body(Vec3::Constant(radius));
+  const Composer picture(test::moving(body, spec),
+                         body,
+                         CameraSpec{},
+                         test::show_only("contact_trail"),
+                         {},
+                         {640, 360});
+  const Scenery& scenery = picture.scenery();
+  ASSERT_EQ(scenery.paths.contact.size(), 1u);
+  const Path& path = scenery.paths.contact.front().path();
+  const double near = std::sqrt(2.0 * (fall - 0.01 * scenery.scale.body) / g);
+  EXPECT_NEAR(path.parameters.front(), near, 1e-6);
+  EXPECT_NEAR(path.points.front().x(), 0.3 * near, 1e-6);
+  EXPECT_EQ(path.parameters.back(), spec.duration);
+  EXPECT_TRUE(picture.glyphs_at(scenery.motion.at(0.9 * near)).meshes.empty());
+  EXPECT_FALSE(picture.glyphs_at(scenery.motion.at(0.5)).meshes.empty());
 }
 
 // the tips of vectors are on their paths at any time, to half a pixel

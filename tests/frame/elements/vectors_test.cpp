@@ -77,6 +77,17 @@ TEST(Vectors, PositionsCloseATriangle) {
   EXPECT_EQ(r_tilde.from, s.reference_S);
   EXPECT_LT(((R.tip - R.from) + (r_tilde.tip - r_tilde.from) - (r.tip - r.from)).norm(), 1e-15);
   EXPECT_LT((glyphs.meshes[0].space_from_mesh.translation() - r.tip).norm(), 1e-15);
+
+  // each by its name: r~ at its tip, r and R beside their middles, away from one another
+  const auto label = [&](const char* name) {
+    return *std::find_if(glyphs.labels.begin(), glyphs.labels.end(), [&](const LabelGlyph& l) {
+      return l.markup == name;
+    });
+  };
+  EXPECT_EQ(label("<b>r̃</b>").at, r_tilde.tip);
+  EXPECT_EQ(label("<b>r</b>").at, Vec3(0.5 * r.tip));
+  EXPECT_EQ(label("<b>R</b>").at, Vec3(0.5 * R.tip));
+  EXPECT_LT(label("<b>r</b>").away.dot(label("<b>R</b>").away), 0.0);
 }
 
 // a spring reaches from the point of the body to where it is held, in any direction and however
