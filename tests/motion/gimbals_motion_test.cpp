@@ -38,7 +38,7 @@ MotionSpec on_pivot(const Vec3& angles, const Vec3& rates, double duration) {
   return motion;
 }
 
-Motion moving(const BodySpec& body, const MotionSpec& spec, double accuracy_rad = 1e-10) {
+Motion trusted_motion(const BodySpec& body, const MotionSpec& spec, double accuracy_rad = 1e-10) {
   const Simulation done = simulate(make_model(body, spec), spec, NumericsSpec{}, accuracy_rad);
   EXPECT_EQ(fmt::format("{}", fmt::join(done.report.reliability.doubts, "; ")), "");
   return done.motion;
@@ -63,8 +63,8 @@ TEST(FrameRotation, IsTheMotionAgainstTheStarsSeenFromTheFrame) {
   const Vec3 w_S = q * body_rate_from_zxz_rates(*seen.attitude.zxz, *seen.spin.rates);
   stars.spin.rates = {};
   stars.spin.space = w_S + frame;
-  const Motion turning = moving(rotor(), seen);
-  const Motion exact = moving(rotor(), stars);
+  const Motion turning = trusted_motion(rotor(), seen);
+  const Motion exact = trusted_motion(rotor(), stars);
   for (double t = 0.0; t <= 8.0; t += 0.5) {
     const Sample a = turning.at(t), b = exact.at(t);
     const Quat back = exp_rotation(-t * frame);
@@ -81,8 +81,8 @@ TEST(FrameRotation, OfATurntableIsThatOfATopOnFirmGround) {
   MotionSpec ground = on_pivot({0.0, 0.8, 0.0}, {1.3, 0.0, 9.0}, 6.0);
   seen.frame_rotation = frame;
   const BodySpec top = rotor({0.0, 0.0, 0.4});
-  const Motion turning = moving(top, seen);
-  const Motion exact = moving(top, ground);
+  const Motion turning = trusted_motion(top, seen);
+  const Motion exact = trusted_motion(top, ground);
   for (double t = 0.0; t <= 6.0; t += 0.5) {
     const Quat back = exp_rotation(-t * frame);
     EXPECT_LT((back * exact.at(t).q_SB).angularDistance(turning.at(t).q_SB), 1e-9) << t;
@@ -107,7 +107,7 @@ TEST(Gyrocompass, FindsNorthWithThePeriodOfTheory) {
       kAlong * against_stars * level - (kAcross + inner.x() - inner.z()) * level * level;
   const double period = 2.0 * kPi * std::sqrt(about_vertical / pull);
   spec.duration = 3.0 * period;
-  const Motion motion = moving(rotor(), spec, 1e-9);
+  const Motion motion = trusted_motion(rotor(), spec, 1e-9);
   const auto azimuth = [&](double t) {
     const Vec3 axle = motion.at(t).q_SB * Vec3::UnitZ();
     EXPECT_LT(std::abs(axle.z()), 1e-9) << "the axle stays level";
@@ -129,7 +129,7 @@ TEST(Gyrocompass, ThatTiltsInTheMeridianFindsThePole) {
   MotionSpec spec = on_pivot({0.0, pole + 0.2, 0.0}, {0.0, 0.0, spin}, 20.0);
   spec.frame_rotation = rate * Vec3(0.0, -std::cos(latitude), std::sin(latitude));
   spec.gimbals = GimbalsSpec{0.1, Vec3(0.1, 0.1, 0.1), Vec3(0.0, 3.0, 0.0), "outer"};
-  const Motion motion = moving(rotor(), spec, 1e-9);
+  const Motion motion = trusted_motion(rotor(), spec, 1e-9);
   const Vec3 axle = motion.at(20.0).q_SB * Vec3::UnitZ();
   EXPECT_LT(std::abs(axle.x()), 1e-9);
   EXPECT_NEAR(angle_between(axle, *spec.frame_rotation), 0.0, 2e-4);
@@ -139,7 +139,7 @@ TEST(Gyrocompass, ThatTiltsInTheMeridianFindsThePole) {
 TEST(GimbalsMotion, KeepsEnergyAndMomentumAboutTheVertical) {
   MotionSpec spec = on_pivot({0.3, 1.0, 0.0}, {1.5, -0.8, 6.0}, 10.0);
   spec.gimbals = GimbalsSpec{0.7, Vec3(0.3, 0.5, 0.4), Vec3::Zero(), {}};
-  const Motion motion = moving(rotor({0.0, 0.0, 0.2}), spec);
+  const Motion motion = trusted_motion(rotor({0.0, 0.0, 0.2}), spec);
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
   const auto about_vertical = [&](double t) {
     const State s = motion.state_at(t);
@@ -157,7 +157,7 @@ TEST(GimbalsMotion, FrictionTakesItsPower) {
   MotionSpec spec = on_pivot({0.3, 1.0, 0.0}, {1.5, -0.8, 6.0}, 4.0);
   const Vec3 friction(0.3, 0.2, 0.1);
   spec.gimbals = GimbalsSpec{0.7, Vec3(0.3, 0.5, 0.4), friction, {}};
-  const Motion motion = moving(rotor(), spec);
+  const Motion motion = trusted_motion(rotor(), spec);
   const auto power = [&](double t) {
     const State s = motion.state_at(t);
     const GimbalPose pose = s.rings;
@@ -179,7 +179,7 @@ TEST(GimbalsMotion, FrictionTakesItsPower) {
 TEST(GimbalsMotion, PassesGimbalLock) {
   MotionSpec spec = on_pivot({0.3, 0.6, 0.1}, {0.5, -1.0, 2.0}, 3.0);
   spec.gimbals = GimbalsSpec{0.5, Vec3(0.2, 0.3, 0.25), Vec3::Zero(), {}};
-  const Motion motion = moving(rotor({0.0, 0.0, 0.1}), spec);
+  const Motion motion = trusted_motion(rotor({0.0, 0.0, 0.1}), spec);
   double least = 1.0;
   for (double t = 0.0; t < 3.0; t += 0.01)
     least = std::min(least, motion.state_at(t).rings.angles[1]);
@@ -191,7 +191,7 @@ TEST(GimbalsMotion, PassesGimbalLock) {
   const GimbalPose end = motion.state_at(3.0).rings;
   MotionSpec back = on_pivot(end.angles, -end.rates, 3.0);
   back.gimbals = spec.gimbals;
-  const Quat home = moving(rotor({0.0, 0.0, 0.1}), back).at(3.0).q_SB;
+  const Quat home = trusted_motion(rotor({0.0, 0.0, 0.1}), back).at(3.0).q_SB;
   EXPECT_LT(home.angularDistance(motion.at(0.0).q_SB), 1e-8);
 }
 
@@ -199,7 +199,7 @@ TEST(GimbalsMotion, PassesGimbalLock) {
 TEST(GimbalsMotion, BeginsInGimbalLock) {
   MotionSpec spec = on_pivot({0.3, 0.0, 0.0}, {0.5, 1.0, 2.0}, 1.0);
   spec.gimbals = GimbalsSpec{0.5, Vec3(0.2, 0.3, 0.25), Vec3::Zero(), {}};
-  const Motion motion = moving(rotor(), spec);
+  const Motion motion = trusted_motion(rotor(), spec);
   EXPECT_EQ(motion.state_at(0.0).rings.rates, *spec.spin.rates);
   EXPECT_LT(greatest_energy_error(motion), 1e-9);
 }
@@ -312,7 +312,7 @@ TEST(BearingDamping, ActsAboutItsAxis) {
   spec.torque = {bearing};
   spec.spin = {};
   spec.spin.body = Vec3(1.0, 0.5, 6.0);
-  const Motion motion = moving(rotor(), spec);
+  const Motion motion = trusted_motion(rotor(), spec);
   for (double t = 0.0; t <= 3.0; t += 0.5) {
     const Vec3 w = motion.at(t).w_B;
     EXPECT_NEAR(w.z(), 6.0 * std::exp(-0.9 * t / kAlong), 1e-9) << t;
