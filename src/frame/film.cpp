@@ -411,7 +411,8 @@ void Film::add_frame_text(double film, Page& page) const {
     bottom = size_.height - 0.6 * edge;
   }
   if (text_.clock) {
-    const TextStyle style = style_of(theme, clock_size(text_, size_), theme.space_axes);
+    const TextStyle style =
+        style_of(theme, clock_size(text_, size_), readable(theme.space_axes, theme.background));
     const std::string markup = clock_text(t, text_.time_scale);
     const TextBox box = typesetter_->measure(markup, style);
     add(TextRole::clock, markup, style, size_.width - edge - box.width, bottom - box.height);

@@ -131,7 +131,9 @@ TEST(LegiblePlots, TextIsLarge) {
   stacks.push_back({"polhode_map", "energy", "omega"});
   for (const std::vector<std::string>& plots : stacks) {
     SCOPED_TRACE(testing::Message() << plots.size() << " of " << plots.front());
-    Scene scene = test::small_scene();
+    const Recorded* quantity = find_recorded(plots.front());
+    const bool of_a_table = quantity != nullptr && quantity->of_a_table;
+    Scene scene = of_a_table ? load_scene(test::scene_path("billiard_ball")) : test::small_scene();
     scene.show.plots = plots;
     expect_large(PreparedFilm(plan_with_text(scene)).film().placed(0.5).texts);
   }
