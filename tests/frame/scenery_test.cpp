@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/motions.h"
+#include "support/on_table.h"
 #include "support/show_only.h"
 
 namespace polhode {
@@ -81,6 +82,19 @@ TEST(Scenery, RoundingErrorsAreNoVectors) {
   // but a slow turn is one
   hanging.spin.body = Vec3(1e-7, 0.0, 0.0);
   EXPECT_GT(small_scenery(test::cone_body(), hanging).scale.omega, 0.0);
+}
+
+// a ball that bounces slips during its falls only, which are over in no time
+TEST(Scenery, RoundingErrorsAreNoSlip) {
+  FrictionSpec friction = test::coulomb(0.2);
+  MotionSpec bouncing = test::on_table(1.0, friction);
+  bouncing.friction->restitution = 0.6;
+  bouncing.position = Vec3(0.0, 0.0, 0.2);
+  bouncing.velocity = Vec3(0.3, 0.0, 0.0);
+  EXPECT_EQ(small_scenery(test::ball_body(), bouncing).scale.slip, 0.0);
+  MotionSpec sliding = test::on_table(0.1, friction);
+  sliding.velocity = Vec3(0.3, 0.0, 0.0);
+  EXPECT_GT(small_scenery(test::ball_body(), sliding).scale.slip, 0.0);
 }
 
 // over the whole film the longest omega has 1.3 body radii; L of a free body is constant

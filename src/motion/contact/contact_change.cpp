@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/contact/contact_change.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -157,6 +158,22 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   return change;
 }
 
+// what may move a body that lies on a face, in words; "": nothing does
+std::string what_moves_it_on(const BodyModel& model) {
+  const Friction& law = model.table->friction;
+  const auto acts_at_rest = [](const Load& load) {
+    return load.kind != Load::Kind::damp_momentum && load.kind != Load::Kind::damp_spin;
+  };
+  const std::vector<Load>& loads = model.loads.turning;
+  if (!model.loads.pushes.empty() || std::any_of(loads.begin(), loads.end(), acts_at_rest))
+    return "loads act on it";
+  if (law.turntable != 0.0) return "the table turns";
+  const double along = horizontal(model.gravity_S).norm(), down = -model.gravity_S.z();
+  const bool is_held = law.kind == Friction::Kind::rolling ||
+                       (law.kind == Friction::Kind::coulomb && along <= law.mu * down);
+  return along > 0.0 && !is_held ? "gravity pulls it along" : "";
+}
+
 ContactChange lie_down(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
   const BodyModel& model = stepper.model();
   const TableScales& scales = stepper.scales();
@@ -168,6 +185,14 @@ ContactChange lie_down(const ContactStepper& stepper, const Touch& before, doubl
                             "motion before, or round the body",
                             t,
                             left),
+                {{}, 0, "motion.duration"});
+  }
+  if (const std::string why = what_moves_it_on(model); !why.empty()) {
+    throw Error(Fault::check_failed,
+                fmt::format("at {:.6g} s the body lies on a flat face, and {}; how it slides or "
+                            "rises from a face is not computed: end the motion before",
+                            t,
+                            why),
                 {{}, 0, "motion.duration"});
   }
   ContactChange change{before};

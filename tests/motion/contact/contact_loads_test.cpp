@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/contact/contact_trajectory.h"
+#include "support/expect_error.h"
 #include "support/on_table.h"
 
 namespace polhode::test {
@@ -103,6 +104,38 @@ TEST_P(LoadsOnTable, AreCountedAsWork) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(All, LoadsOnTable, testing::Range<std::size_t>(0, 5));
+
+// nothing looks at forces on a body that lies: where they may move it, the motion ends with a line
+TEST(ContactLoads, ABodyThatLiesIsNotHeldAgainstWhatMovesIt) {
+  const auto lying = [](const FrictionSpec& friction) {
+    MotionSpec spec = on_table(1.0, friction);
+    spec.attitude.zxz = Vec3(0.0, 0.0002, 0.0);
+    return spec;
+  };
+  const auto expect_refused = [](const MotionSpec& spec, const char* words) {
+    expect_error([&] { integrated(disc_body(), spec, 1e-9); },
+                 Fault::check_failed,
+                 "motion.duration",
+                 words);
+  };
+  MotionSpec lifted = lying(coulomb(0.1));
+  lifted.torque = {load_of("force")};
+  lifted.torque[0].space = Vec3(0.0, 0.0, 20.0);
+  lifted.torque[0].rate = 6.283;
+  lifted.torque[0].phase = 1.6;
+  expect_refused(lifted, "loads act on it");
+  MotionSpec slope = lying(coulomb(0.1));
+  slope.gravity = Vec3(5.0, 0.0, -9.0);
+  expect_refused(slope, "gravity pulls it along");
+  slope.friction->mu = 0.6;
+  EXPECT_EQ(integrated(disc_body(), slope, 1e-9).record.events.back().event, "lies_flat");
+  MotionSpec carried = lying(coulomb(0.1));
+  carried.friction->turntable = 0.01;
+  expect_refused(carried, "the table turns");
+  MotionSpec damped = lying(coulomb(0.1));
+  damped.torque = {damping("spin", 0.01)};
+  EXPECT_EQ(integrated(disc_body(), damped, 1e-9).record.events.back().event, "lies_flat");
+}
 
 }  // namespace
 }  // namespace polhode::test
