@@ -122,9 +122,10 @@ void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyph
   // at its tip are the feet of all the others
   if (sample.reference_S.norm() < scenery.scale.body) return;
   Vec3 aside = Vec3::UnitZ();
-  if (!scenery.options.points.empty())
+  if (!scenery.options.points.empty()) {
     aside = sample.reference_S -
             point_position(scenery.motion.model(), sample, scenery.options.points.front());
+  }
   add_name_beside(scenery, Vec3::Zero(), sample.reference_S, aside, "<b>R</b>", glyphs);
 }
 
