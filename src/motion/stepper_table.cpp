@@ -42,7 +42,7 @@ std::string obstacle_to_fixed_steps(const StepperInfo& method, const BodyModel& 
 std::string with_names_of_others(const StepperInfo& method,
                                  const BodyModel& model,
                                  MethodObstacle obstacle_of) {
-  const std::string reason = obstacle_of(method, model);
+  std::string reason = obstacle_of(method, model);
   if (reason.empty()) return {};
   // of those that can, the highest orders first
   std::vector<const StepperInfo*> able;
