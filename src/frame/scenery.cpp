@@ -94,10 +94,10 @@ Scale make_scale(const Scenery& scenery, double radius) {
   const double duration = scenery.motion.duration(), inertia = model.moments.maxCoeff();
   if (turning * duration < kNoTurn) turning = 0.0;
   if (momentum / inertia * duration < kNoTurn) momentum = 0.0;
-  // nor does a contact slip that has only rounding errors of the body's speed
+  if (turned_by / inertia * duration * duration < kNoTurn) turned_by = 0.0;
+  // so is a slip that is tiny beside the speed of a fall from the height of the body
   constexpr double kNoSlip = 1e-9;
   if (slip < kNoSlip * std::sqrt(model.gravity_S.norm() * radius)) slip = 0.0;
-  if (turned_by / inertia * duration * duration < kNoTurn) turned_by = 0.0;
   return {radius,
           per(kOmegaLength, turning),
           per(kMomentumLength, momentum),

@@ -336,7 +336,7 @@ Vec3 force(const BodyModel& m, double t, const State& s) {
   Vec3 sum =
       m.body.mass * m.gravity_S + wrench_of(m.loads.turning, t, s.q, s.y, w_P, s.place_S).force_S;
   for (const Push& push : m.loads.pushes)
-    sum += push.force_S * std::cos(push.rate * t + push.phase);
+    sum += push.at(t);
   return sum;
 }
 
@@ -353,9 +353,12 @@ double energy(const BodyModel& m, const State& s) {
 
 double power_of_loads(const BodyModel& m, double t, const State& s) {
   const Vec3 w_P = angular_velocity(m, s.y);
-  Wrench sum = wrench_without_potential(m.loads.turning, t, s.q, s.y, w_P, s.place_S);
+  Wrench sum;
+  for (const Load& load : m.loads.turning) {
+    if (!load.conservative()) add_wrench(load, t, s.q, s.y, w_P, s.place_S, sum);
+  }
   for (const Push& push : m.loads.pushes) {
-    if (push.rate != 0.0) sum.force_S += push.force_S * std::cos(push.rate * t + push.phase);
+    if (push.rate != 0.0) sum.force_S += push.at(t);
   }
   return sum.torque_P.dot(w_P) + sum.force_S.dot(s.linear_momentum_S) / m.body.mass;
 }

@@ -109,49 +109,6 @@ Load::Kind turned_into(const LoadSpec& spec) {
                                                     : Load::Kind::damp_spin;
 }
 
-void add_wrench(const Load& load,
-                double t,
-                const Quat& q,
-                const Vec3& y,
-                const Vec3& w_P,
-                const Vec3& place_S,
-                Wrench& sum) {
-  switch (load.kind) {
-    case Load::Kind::damp_momentum:
-      sum.torque_P -= load.acts.part(t) * load.c * y;
-      break;
-    case Load::Kind::damp_spin: {
-      const Vec3 damped = load.about_P ? Vec3(load.about_P->dot(w_P) * *load.about_P) : w_P;
-      sum.torque_P -= load.acts.part(t) * load.c * damped;
-      break;
-    }
-    case Load::Kind::torque: {
-      const Vec3 torque = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
-      sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
-      break;
-    }
-    case Load::Kind::gradient: {
-      // of the first order in the size of the body over its distance from the Earth
-      const Vec3 away_P = q.conjugate() * away_from_earth(load, t);
-      const double strength = 3.0 * load.rate * load.rate * load.acts.part(t);
-      sum.torque_P += strength * away_P.cross(load.moments.cwiseProduct(away_P));
-      break;
-    }
-    case Load::Kind::frame:
-      sum.torque_P += frame_torque(load.moments, w_P, q.conjugate() * load.vector);
-      break;
-    case Load::Kind::couple:
-    case Load::Kind::force:
-    case Load::Kind::spring: {
-      const Vec3 force_S = point_force(load, t, q, place_S);
-      sum.torque_P += load.arm_P.cross(q.conjugate() * force_S);
-      const bool is_push = load.kind == Load::Kind::force && !load.in_body && load.acts.always();
-      if (load.kind != Load::Kind::couple && !is_push) sum.force_S += force_S;
-      break;
-    }
-  }
-}
-
 }  // namespace
 
 const std::vector<LoadKind>& load_kinds() {
@@ -300,6 +257,49 @@ Vec3 away_from_earth(const Load& gradient, double t) {
   return {std::cos(angle), std::sin(angle), 0.0};
 }
 
+void add_wrench(const Load& load,
+                double t,
+                const Quat& q,
+                const Vec3& y,
+                const Vec3& w_P,
+                const Vec3& place_S,
+                Wrench& sum) {
+  switch (load.kind) {
+    case Load::Kind::damp_momentum:
+      sum.torque_P -= load.acts.part(t) * load.c * y;
+      break;
+    case Load::Kind::damp_spin: {
+      const Vec3 damped = load.about_P ? Vec3(load.about_P->dot(w_P) * *load.about_P) : w_P;
+      sum.torque_P -= load.acts.part(t) * load.c * damped;
+      break;
+    }
+    case Load::Kind::torque: {
+      const Vec3 torque = load.acts.part(t) * swing(load.rate, load.phase, t) * load.vector;
+      sum.torque_P += load.in_body ? torque : Vec3(q.conjugate() * torque);
+      break;
+    }
+    case Load::Kind::gradient: {
+      // of the first order in the size of the body over its distance from the Earth
+      const Vec3 away_P = q.conjugate() * away_from_earth(load, t);
+      const double strength = 3.0 * load.rate * load.rate * load.acts.part(t);
+      sum.torque_P += strength * away_P.cross(load.moments.cwiseProduct(away_P));
+      break;
+    }
+    case Load::Kind::frame:
+      sum.torque_P += frame_torque(load.moments, w_P, q.conjugate() * load.vector);
+      break;
+    case Load::Kind::couple:
+    case Load::Kind::force:
+    case Load::Kind::spring: {
+      const Vec3 force_S = point_force(load, t, q, place_S);
+      sum.torque_P += load.arm_P.cross(q.conjugate() * force_S);
+      const bool is_push = load.kind == Load::Kind::force && !load.in_body && load.acts.always();
+      if (load.kind != Load::Kind::couple && !is_push) sum.force_S += force_S;
+      break;
+    }
+  }
+}
+
 Wrench wrench_of(const std::vector<Load>& loads,
                  double t,
                  const Quat& q,
@@ -309,19 +309,6 @@ Wrench wrench_of(const std::vector<Load>& loads,
   Wrench sum;
   for (const Load& load : loads)
     add_wrench(load, t, q, y, w_P, place_S, sum);
-  return sum;
-}
-
-Wrench wrench_without_potential(const std::vector<Load>& loads,
-                                double t,
-                                const Quat& q,
-                                const Vec3& y,
-                                const Vec3& w_P,
-                                const Vec3& place_S) {
-  Wrench sum;
-  for (const Load& load : loads) {
-    if (!load.conservative()) add_wrench(load, t, q, y, w_P, place_S, sum);
-  }
   return sum;
 }
 

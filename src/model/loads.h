@@ -70,6 +70,8 @@ struct Push {
   Vec3 force_S = Vec3::Zero();  // N
   double rate = 0.0;            // rad/s
   double phase = 0.0;           // rad
+
+  Vec3 at(double t) const { return force_S * std::cos(rate * t + phase); }
 };
 
 // The loads of a [motion] table, sorted by their effect on the body.
@@ -116,22 +118,23 @@ struct Wrench {
   Vec3 force_S = Vec3::Zero();   // N
 };
 
-// The sum of the loads. force_S leaves out forces given in space axes (Loads::pushes). t in s; q
-// rotates P to S; y: angular momentum in P, kg m^2/s; w_P: angular velocity in P, rad/s; place_S:
-// reference point, m.
+// Adds a load to a sum, whose force_S leaves out forces given in space axes (Loads::pushes). t in
+// s; q rotates P to S; y: angular momentum in P, kg m^2/s; w_P: angular velocity in P, rad/s;
+// place_S: reference point, m.
+void add_wrench(const Load& load,
+                double t,
+                const Quat& q,
+                const Vec3& y,
+                const Vec3& w_P,
+                const Vec3& place_S,
+                Wrench& sum);
+// The sum of the loads.
 Wrench wrench_of(const std::vector<Load>& loads,
                  double t,
                  const Quat& q,
                  const Vec3& y,
                  const Vec3& w_P,
                  const Vec3& place_S);
-// The sum of those that are not conservative: what they do is not in potential_of().
-Wrench wrench_without_potential(const std::vector<Load>& loads,
-                                double t,
-                                const Quat& q,
-                                const Vec3& y,
-                                const Vec3& w_P,
-                                const Vec3& place_S);
 
 // The force of one load at its point of action, in S, N. Zero for torques and damping. t in s; q
 // rotates P to S; place_S: reference point, m.

@@ -37,14 +37,18 @@ class HiddenLine : public testing::Test {
     black.flat = true;
     black.covers = covers;
     black.thin = thin;
-    list.opaque.push_back(
-        {std::make_shared<const Mesh>(unit_sphere(128)),
-         to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
-         black,
-         Faces::front});
+    list.opaque.push_back(ball(black));
     Image image;
     renderer_.draw(list, image);
     return image;
+  }
+
+  // a black ball about the origin
+  static DrawItem ball(const Material& black) {
+    return {std::make_shared<const Mesh>(unit_sphere(128)),
+            to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
+            black,
+            Faces::front};
   }
 
   // red, 0..255, in the plane through the rod and across the line of sight, at this x; `beside` the
@@ -126,11 +130,7 @@ TEST_F(HiddenLine, IsSeenThroughATable) {
     black.color = {0, 0, 0};
     black.flat = true;
     black.covers = true;
-    list.opaque.push_back(
-        {std::make_shared<const Mesh>(unit_sphere(128)),
-         to_glm(Eigen::Matrix4d(Eigen::Vector4d(kBall, kBall, kBall, 1.0).asDiagonal())),
-         black,
-         Faces::front});
+    list.opaque.push_back(ball(black));
     Mesh square;
     for (const glm::vec2 corner : {glm::vec2(-5, -5), {5, -5}, {5, 5}, {-5, 5}})
       square.vertices.push_back({{corner, 0.0f}, {0, 0, 1}});

@@ -7,6 +7,7 @@
 
 #include "motion/contact/contact_trajectory.h"
 #include "support/expect_error.h"
+#include "support/motions.h"
 #include "support/on_table.h"
 
 namespace polhode::test {
@@ -80,11 +81,7 @@ std::vector<std::pair<std::string, FrictionSpec>> laws_of_friction() {
 class LoadsOnTable : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(LoadsOnTable, AreCountedAsWork) {
-  BodySpec egg;
-  egg.solid = SolidSpec{};
-  egg.solid->kind = "ellipsoid";
-  egg.solid->semi_axes = Vec3(0.1, 0.11, 0.12);
-  egg.solid->mass = 1.0;
+  const BodySpec egg = ellipsoid_body(Vec3(0.1, 0.11, 0.12));
   const auto [law, friction] = laws_of_friction()[GetParam()];
   for (const auto& [name, load] : loads_of_every_kind()) {
     for (const double height : {0.0, 3.0}) {

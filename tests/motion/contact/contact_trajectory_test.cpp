@@ -11,6 +11,7 @@
 #include "motion/contact/contact_change.h"
 #include "support/contact_oracle.h"
 #include "support/expect_error.h"
+#include "support/motions.h"
 #include "support/on_table.h"
 
 namespace polhode::test {
@@ -82,10 +83,7 @@ TEST(OnTable, ABallOnATurningTableCircles) {
 // is: the slip begins in the direction in which it grows by itself, also where the contact gives
 // way more easily in one direction than in the other. The times do not depend on the tolerance.
 TEST(OnTable, AnEggSticksAndSlipsAgain) {
-  BodySpec egg;
-  egg.solid = SolidSpec{};
-  egg.solid->kind = "ellipsoid";
-  egg.solid->semi_axes = Vec3(0.02, 0.02, 0.03);
+  BodySpec egg = ellipsoid_body(Vec3(0.02, 0.02, 0.03));
   egg.solid->mass = 0.06;
   MotionSpec spec = on_table(1.0, coulomb(0.3));
   spec.attitude.zxz = Vec3(0, 85.0 * kPi / 180.0, 0);
