@@ -4,7 +4,7 @@
 // 2 brushed metal, 3 ceramic), TURNED (strokes of metal go round z, not along x), FLAT (colour and
 // alpha as they are), VIVID (half of the light comes from everywhere), SOFT (of a flat mesh: alpha
 // times the z of its normals, and their x of the colour of the mark), MARKED (a strip and a darker
-// half), SHELL (alpha under 1), LIGHT_GROUND (what is behind it is pale), FADING (fade under 1),
+// half), SIDED (the far side of a plane has the colour of the mark), SHELL (alpha under 1), LIGHT_GROUND (what is behind it is pale), FADING (fade under 1),
 // DASHED (with gaps along z), FACES (those that are seen: 0 front, 1 back, 2 both), LIT_AT_CORNERS.
 
 #include "surface.glsl"
@@ -32,12 +32,18 @@ in vec3 v_mesh;
 #if SOFT
 in vec2 v_density;  // alpha, how much of the mark
 #endif
+#if SIDED
+in float v_near;
+#endif
 #if FINISH == 2
 in float v_lengthways;
 #endif
 flat in vec4 f_color;
 flat in vec4 f_mark;
 flat in vec4 f_alpha;
+#if DASHED
+flat in vec3 f_across;
+#endif
 
 // A strip along +x, and a cooler half x < 0: one turn looks different from half a turn.
 vec3 painted() {
@@ -48,6 +54,9 @@ vec3 painted() {
   float front = clamp(v_mesh.x / soft_x + 0.5, 0.0, 1.0);
   float strip = clamp((f_mark.w - abs(v_mesh.y)) / soft_y + 0.5, 0.0, 1.0) * front;
   return mix(halved(f_color.rgb, front), f_mark.rgb, strip);
+#elif SIDED
+  float near = clamp(v_near / (fwidth(v_near) + 1e-9) + 0.5, 0.0, 1.0);
+  return mix(f_mark.rgb, f_color.rgb, near);
 #else
   return f_color.rgb;
 #endif
@@ -131,7 +140,8 @@ void main() {
 #endif
 #endif
 #if DASHED
-  o_color *= dashed(v_mesh.z * f_alpha.z);
+  // outlines are found of what is seen alone
+  o_color *= dashed(v_mesh.z * f_alpha.z) * limb(dot(v_mesh, f_across));
 #endif
 }
 

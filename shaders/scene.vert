@@ -20,6 +20,8 @@ uniform float u_mark_width;                // half-width of the strip, mesh unit
 uniform float u_grain;                     // unit of length of the finish, mesh units
 uniform float u_fade;                      // of the whole thing, 1: there
 uniform float u_dashes;                    // their number along z
+uniform vec4 u_near_side;                  // a plane in mesh coordinates
+uniform vec3 u_across;                     // unit, across z and the direction to the eye; mesh
 
 #if LIT_AT_CORNERS
 noperspective out vec4 v_color;    // premultiplied
@@ -37,12 +39,18 @@ out vec3 v_mesh;     // mesh coordinates, for the mark that turns with the body
 #if SOFT
 out vec2 v_density;
 #endif
+#if SIDED
+out float v_near;    // under 0 on the far side
+#endif
 #if FINISH == 2
 out float v_lengthways;  // 0 on faces across x
 #endif
 flat out vec4 f_color;  // and gloss
 flat out vec4 f_mark;   // colour and half-width
 flat out vec4 f_alpha;  // and fade, number of dashes, unit of the finish
+#if DASHED
+flat out vec3 f_across;
+#endif
 #endif
 
 void main() {
@@ -72,11 +80,17 @@ void main() {
 #if SOFT
   v_density = a_normal.zx;
 #endif
+#if SIDED
+  v_near = dot(u_near_side, vec4(a_position, 1.0));
+#endif
 #if FINISH == 2
   v_lengthways = 1.0 - a_normal.x * a_normal.x;
 #endif
   f_color = vec4(u_color, u_gloss);
   f_mark = vec4(u_mark_color, u_mark_width);
   f_alpha = vec4(u_alpha, u_fade, u_dashes, u_grain);
+#if DASHED
+  f_across = u_across;
+#endif
 #endif
 }

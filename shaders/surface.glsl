@@ -65,6 +65,15 @@ vec3 glazed(vec3 lit, vec2 window, float glance, float facing) {
   return lit + vec3(0.9 * lamp * step(0.0, glance) + 0.22 * rim * rim);
 }
 
+// How much of a pixel a round line covers, which falls from 1 to 0 within a pixel of its limb. Only
+// pixels whose middle it covers are drawn: thin lines, which would lose too much, fall to a half.
+// across: how far it is from the middle of the line, in its radius.
+float limb(float across) {
+  vec2 slope = vec2(dFdx(across), dFdy(across));
+  float radius = 1.0 / (length(slope) + 1e-9);  // pixels
+  return clamp((1.0 - abs(across)) * radius + 0.5 * clamp(2.0 - radius, 0.0, 1.0), 0.0, 1.0);
+}
+
 // A dash and a gap of the same length, with edges as wide as a pixel.
 float dashed(float along) {
   return clamp((0.25 - abs(fract(along) - 0.25)) / fwidth(along) + 0.5, 0.0, 1.0);

@@ -24,6 +24,7 @@ namespace polhode {
 namespace {
 
 int fail(const Error& error) {
+  end_silently();
   print_err(fmt::format("polhode: {}\n", error.what()));
   return static_cast<int>(error.fault());
 }
@@ -66,6 +67,7 @@ int run(int argc, char** argv) {
     actions.emplace_back(sub, command.define(*sub));
   }
   std::vector<std::string> words(argv + 1, argv + argc);
+  refuse_words_in_other_encodings(words);
   refuse_unknown_command(words);
   words = with_work_apart(app, std::move(words));
   try {

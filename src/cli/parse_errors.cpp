@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "cli/command.h"
 
 namespace polhode {
@@ -45,6 +46,21 @@ void add_names(const CLI::App& app,
 }
 
 }  // namespace
+
+void refuse_words_in_other_encodings(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    for (std::size_t i = 0, length = 0; i < word.size(); i += length) {
+      length = utf8_length(word, i);
+      if (length > 0) continue;
+      throw input_error(
+          "'{}' goes on with the byte 0x{:02x}, which is not UTF-8 text; write values as UTF-8, "
+          "and "
+          "rename a file or folder whose name is not",
+          word.substr(0, i),
+          static_cast<unsigned char>(word[i]));
+    }
+  }
+}
 
 // CLI11 only says that it was unexpected
 void refuse_unknown_command(const std::vector<std::string>& words) {

@@ -11,6 +11,10 @@
 
 namespace polhode {
 
+// Throws Error (input) at the first word that is not UTF-8: names and texts go into reports, films
+// and pages, which are.
+void refuse_words_in_other_encodings(const std::vector<std::string>& words);
+
 // Throws Error (input), with the nearest command, if the first word is no option and no command.
 void refuse_unknown_command(const std::vector<std::string>& words);
 

@@ -53,7 +53,13 @@ class Search {
       if (divisible && error <= kSafety * tolerance_)
         error = std::max(error, error_at(a, pose_a, b, pose_b, part));
     }
-    if (error > kSafety * tolerance_) {
+    // at other places than those that decided, between which something short may have happened
+    double measured = 0.0;
+    for (const double part : {0.375, 0.625}) {
+      if (!is_jump(a, b) && error <= kSafety * tolerance_)
+        measured = std::max(measured, error_at(a, pose_a, b, pose_b, part));
+    }
+    if (error > kSafety * tolerance_ || (divisible && measured > tolerance_)) {
       const Pose pose = exact(middle);
       add(a, pose_a, middle, pose, keys);
       add(middle, pose, b, pose_b, keys);
@@ -61,6 +67,7 @@ class Search {
     }
     keys.times.push_back(b);
     keys.poses.push_back(pose_b);
+    keys.error = std::max(keys.error, measured);
     require_few_keys(keys.times.size());
   }
 
@@ -120,16 +127,6 @@ KeyedPoses keyed(const Thing& thing,
   if (keys.still) return keys;
   for (std::size_t i = 0; i + 1 < first.size(); ++i)
     search.add(first[i], keys.poses.back(), first[i + 1], search.exact(first[i + 1]), keys);
-
-  // other places than those that decided
-  for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
-    const double a = keys.times[i], b = keys.times[i + 1];
-    if (search.is_jump(a, b)) continue;
-    for (const double part : {0.375, 0.625}) {
-      keys.error =
-          std::max(keys.error, search.error_at(a, keys.poses[i], b, keys.poses[i + 1], part));
-    }
-  }
   return keys;
 }
 

@@ -40,9 +40,9 @@ std::vector<double> first_times(const Motion& motion, const AnimationClock& cloc
 
 // The poses at the first times and, where playback would be farther than `tolerance` (m) from the
 // exact motion, at times halfway between, again and again. It is tested at the quarters of each
-// interval, and measured at other places. A jump takes a hundred-thousandth of the animation, and
-// is not counted as an error. `pose_at`: the exact pose at a time of motion. Throws Error (input)
-// if there are more than kMostKeys, and (interrupted).
+// interval, then measured at other places, where it must not be farther, either. A jump takes a
+// hundred-thousandth of the animation, and is not counted as an error. `pose_at`: the exact pose at
+// a time of motion. Throws Error (input) if there are more than kMostKeys, and (interrupted).
 KeyedPoses keyed(const Thing& thing,
                  const std::function<Pose(double)>& pose_at,
                  const std::vector<double>& first,

@@ -51,7 +51,9 @@ std::vector<FilmPanel> panels_of_methods(const Solved& solved,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Contender& one = comparison.contenders()[i];
     const auto exact = composer_of(solved, staging_of(solved.scene, stage), places[i]);
-    panels.push_back({places[i], std::make_shared<const Composer>(*exact, one.motion), one.end});
+    const auto fails = one.failure.empty() ? std::nullopt : std::optional(one.end);
+    panels.push_back(
+        {places[i], std::make_shared<const Composer>(*exact, one.motion, fails), one.end});
     if (!stage.rows.name) continue;
     const bool with_details = stage.rows.details > 0;
     panels.back().notes = [&comparison, &one, with_details](double t) {

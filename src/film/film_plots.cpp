@@ -19,11 +19,11 @@ namespace {
 constexpr int kSteps = 2400;
 constexpr int kLeastSteps = 400;  // of one of several motions that follow one another
 
-// what a curve is called beside those of other panels
-std::string curve_name(const Recorded& quantity, std::size_t curve, const std::string& caption) {
-  if (caption.empty()) return quantity.curves[curve];
-  if (quantity.curves.size() == 1) return caption;
-  return fmt::format("{}, {}", quantity.curves[curve], caption);
+// what one of `count` curves is called beside those of other panels
+std::string beside_others(const std::string& name, std::size_t count, const std::string& caption) {
+  if (caption.empty()) return name;
+  if (count == 1) return caption;
+  return fmt::format("{}, {}", name, caption);
 }
 
 // the colours and dashes that can be told apart
@@ -51,7 +51,7 @@ FilmPlot plot_in_turn(const Recorded& quantity, const std::vector<Solved>& solve
   FilmPlot plot;
   plot.title = quantity.title;
   plot.unit = quantity.unit;
-  for (const std::string& name : quantity.curves)
+  for (const std::string& name : curve_names(quantity, solved.front().simulation.motion))
     plot.curves.push_back({name, {}});
   const double each = solved.front().scene.motion.duration;
   const auto count = static_cast<int>(solved.size());
@@ -90,15 +90,6 @@ void require_any(const Recorded& quantity, const std::vector<Solved>& solved) {
 
 FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   if (solved.front().scene.in_turn) return plot_in_turn(quantity, solved);
-  if (quantity.curves.size() * solved.size() > kMostCurves) {
-    throw input_error(
-        "a plot holds {} curves, and '{}' of {} panels has {}; choose another quantity",
-        kMostCurves,
-        quantity.name,
-        solved.size(),
-        quantity.curves.size() * solved.size())
-        .at({{}, 0, "show.plots"});
-  }
   FilmPlot plot;
   plot.title = quantity.title;
   plot.unit = quantity.unit;
@@ -107,8 +98,19 @@ FilmPlot plot_of(const Recorded& quantity, const std::vector<Solved>& solved) {
   for (std::size_t i = 0; i < solved.size(); ++i) {
     if (!why_not(quantity, solved[i].simulation.motion).empty()) continue;
     motions.push_back(solved[i].simulation.motion);
-    for (std::size_t k = 0; k < quantity.curves.size(); ++k)
-      plot.curves.push_back({curve_name(quantity, k, panels.empty() ? "" : panels[i].caption), {}});
+    const std::string caption = panels.empty() ? "" : panels[i].caption;
+    const std::vector<std::string> names = curve_names(quantity, motions.back());
+    for (const std::string& name : names)
+      plot.curves.push_back({beside_others(name, names.size(), caption), {}});
+  }
+  if (plot.curves.size() > kMostCurves) {
+    throw input_error(
+        "a plot holds {} curves, and '{}' of {} panels has {}; choose another quantity",
+        kMostCurves,
+        quantity.name,
+        motions.size(),
+        plot.curves.size())
+        .at({{}, 0, "show.plots"});
   }
   plot.begins = 0.0;
   plot.ends = motions.front().duration();

@@ -38,6 +38,49 @@ void warn_of_backward_turning(const Scene& scene,
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
 }
 
+// How fast the contact runs round the centre of mass, rad/s; 0 where it is so near below that
+// nobody sees it.
+double contact_turning(const Motion& motion, double t) {
+  constexpr double kSeen = 0.05;  // of what the body reaches
+  const std::optional<Reaction> found = reaction_at(motion, t);
+  if (!found) return 0.0;
+  const Sample now = motion.at(t);
+  const Quat q_SP = now.q_SB * Quat(motion.model().R_BP);
+  const Vec3 arm = q_SP * found->point.arm_P;
+  if (arm.head<2>().norm() < kSeen * motion.model().table->surface->reach()) return 0.0;
+  const Vec3 rate = now.w_S.cross(arm) + q_SP * found->point.arm_rate_P;
+  return std::abs(arm.x() * rate.y() - arm.y() * rate.x()) / arm.head<2>().squaredNorm();
+}
+
+// a disc that hardly turns may have a contact that runs round ever faster
+void warn_of_running_contact(const Scene& scene,
+                             const Composer& composer,
+                             const FrameTimes& frames) {
+  const Motion& motion = composer.scenery().motion;
+  if (frames.count < 2 || !motion.model().table || !composer.shows("contact")) return;
+  const double frame_s = scene.video.time_scale / frames.rate;
+  double most = 0.0;  // rad from frame to frame
+  std::optional<double> since;
+  const int looks = std::min(frames.count, 200);
+  for (int i = 0; i < looks; ++i) {
+    const double t = frames.from + (frames.to - frames.from) * i / looks;
+    const Timeline& timeline = composer.timeline();
+    if (timeline.presence("contact", timeline.film_time(t)) <= 0.0) continue;
+    const double turned = contact_turning(motion, t) * frame_s;
+    most = std::max(most, turned);
+    if (turned > kPi && !since) since = t;
+  }
+  if (!since) return;
+  const Error warning = input_error(
+      "from {:.3g} s on the contact runs round by more than 180 degrees from frame to frame, at "
+      "last by {:.3g}, so that the eye sees it anywhere: end the film there, hide the contact from "
+      "there on by a [[story]] step, or use a video.time_scale of at most {:.2g}",
+      *since,
+      most * 180.0 / kPi,
+      scene.video.time_scale * kPi / most);
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.time_scale"})).what());
+}
+
 void warn_of_missing_fonts() {
   for (const FontFound& font : examine_fonts()) {
     if (font.there) continue;
@@ -145,6 +188,7 @@ void PreparedFilm::warn() const {
     for (const Error& warning : film_->panels()[i].composer->warnings())
       spdlog::warn("{}", placed(one.scene, warning).what());
     warn_of_backward_turning(one.scene, one.simulation.motion, frames_, scene.in_turn);
+    if (!scene.in_turn) warn_of_running_contact(one.scene, *film_->panels()[i].composer, frames_);
   }
 }
 

@@ -18,8 +18,11 @@ Placement standing(const Vec3& base, const Vec3& direction, double radius, doubl
   return place;
 }
 
-DrawItem piece(const MeshPtr& mesh, const Placement& place, const Material& material) {
-  return {mesh, to_glm(place.matrix()), material, Faces::front};
+DrawItem piece(const MeshPtr& mesh,
+               const Placement& place,
+               const Material& material,
+               Faces faces = Faces::front) {
+  return {mesh, to_glm(place.matrix()), material, faces};
 }
 
 // what is hidden of a line is dashed from its foot on, if it is dashed at all
@@ -72,17 +75,41 @@ void add_arrow(std::vector<DrawItem>& items,
   items.push_back(piece(meshes.head, places->head, unbroken(material)));
 }
 
+std::optional<ArrowRim> rim_around(const Vec3& vector,
+                                   const ArrowShape& shape,
+                                   const Vec3& thicker,
+                                   const ArrowShape& thicker_shape) {
+  constexpr double kBreadth = 0.55;  // of a whole rim, in radii of the shaft that it surrounds
+  constexpr double kWhole = 0.3;     // how far the shafts are then apart at most, in widths
+  const double length = vector.norm(), other_length = thicker.norm();
+  if (length < 1e-3 * shape.head_length || other_length < 1e-3 * thicker_shape.head_length)
+    return std::nullopt;
+  const ArrowShape own = fitting(shape, length), other = fitting(thicker_shape, other_length);
+  if (own.shaft_radius >= other.shaft_radius || vector.dot(thicker) <= 0.0) return std::nullopt;
+
+  // as far as both have shafts
+  const double common = std::min(length - own.head_length, other_length - other.head_length);
+  const double apart = common * std::sin(angle_between(vector, thicker));
+  const double width = own.shaft_radius + other.shaft_radius;
+  const double part = std::clamp((width - apart) / (width - kWhole * width), 0.0, 1.0);
+  if (part <= 0.0) return std::nullopt;
+  const double whole = (1.0 + kBreadth) * other.shaft_radius;
+  const double smooth = part * part * (3.0 - 2.0 * part);
+  return ArrowRim{own.shaft_radius + smooth * (whole - own.shaft_radius), common};
+}
+
 void add_tube(std::vector<DrawItem>& items,
               const ArrowMeshes& meshes,
               const Vec3& from,
               const Vec3& to,
               double radius,
-              const Material& material) {
+              const Material& material,
+              Faces faces) {
   const Vec3 vector = to - from;
   const double length = vector.norm();
   if (length > 0.0) {
     const Placement place = standing(from, vector, radius, length);
-    items.push_back(piece(meshes.shaft, place, dashed(material, length)));
+    items.push_back(piece(meshes.shaft, place, dashed(material, length), faces));
   }
 }
 

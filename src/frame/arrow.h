@@ -53,12 +53,26 @@ void add_arrow(std::vector<DrawItem>& items,
                const ArrowShape& shape,
                const Material& material);
 
+// A tube that surrounds a vector.
+struct ArrowRim {
+  double radius, length;
+};
+// Where the shaft of one arrow is hidden in the thicker shaft of another from the same foot, a rim
+// around that shows it: the far side of a tube around its own axis, from the foot on, drawn without
+// its near side. It narrows to the shaft as the arrows part; none if they are apart, if the other
+// is not thicker, or if one of them is too short to be drawn. In the unit of the arguments.
+std::optional<ArrowRim> rim_around(const Vec3& vector,
+                                   const ArrowShape& shape,
+                                   const Vec3& thicker,
+                                   const ArrowShape& thicker_shape);
+
 // Adds a tube with flat ends; nothing if its length is zero.
 void add_tube(std::vector<DrawItem>& items,
               const ArrowMeshes& meshes,
               const Vec3& from,
               const Vec3& to,
               double radius,
-              const Material& material);
+              const Material& material,
+              Faces faces = Faces::front);
 
 }  // namespace polhode

@@ -163,6 +163,22 @@ double Camera::pixels_per_metre(const Vec3& point_S) const {
   return focal_px_ / -R_CS_.row(2).dot(point_S - eye_);
 }
 
+std::optional<Vec2> Camera::way_to(const Ball& ball) const {
+  const Vec3 p = R_CS_ * (ball.center - eye_);
+  const double radius = ball.radius;
+  // the plane through the eye and an edge, whose distance from the middle is `reach` (px)
+  const auto is_beyond_edge = [&](double across, double reach) {
+    const double slope = reach / focal_px_;
+    return std::abs(across) + slope * p.z() > radius * std::hypot(1.0, slope);
+  };
+  const bool is_out = is_beyond_edge(p.x(), 0.5 * size_.width) ||
+                      is_beyond_edge(p.y(), 0.5 * size_.height) ||
+                      p.z() - radius > -clip_.near_plane || p.z() + radius < -clip_.far_plane;
+  if (!is_out) return {};
+  const Vec2 way(p.x(), -p.y());
+  return way.norm() > 0.0 ? Vec2(way.stableNormalized()) : Vec2(0.0, 1.0);
+}
+
 bool Camera::sees(const Vec3& point_S) const {
   if (R_CS_.row(2).dot(point_S - eye_) >= 0.0) return false;
   const Vec2 pixel = project(point_S);

@@ -29,6 +29,12 @@ struct DrawingFrame {
   double length(double metres) const { return metres / unit; }
 };
 
+// A ball in space.
+struct Ball {
+  Vec3 center;    // in S, m
+  double radius;  // m
+};
+
 // A pinhole camera. Immutable, so any thread may use it. The upward direction of pictures is +Z of
 // S (+Y for a camera that looks along Z) for cameras made by the constructor or framing_camera();
 // moved() and between() turn it.
@@ -61,6 +67,9 @@ class Camera {
   double farthest() const { return clip_.far_plane; }
   // Whether the point is in front of the camera and inside the picture.
   bool sees(const Vec3& point_S) const;
+  // The direction in the picture (unit vector, x to the right, y down) to a ball that is wholly
+  // beyond one of its edges, behind the eye or beyond the clip planes; nothing for any other.
+  std::optional<Vec2> way_to(const Ball& ball) const;
   // The camera moved with its rig. rig_from_space maps space to the frame in which the rig is at
   // rest.
   Camera moved(const Eigen::Isometry3d& rig_from_space) const;
@@ -90,12 +99,6 @@ class Camera {
   ClipPlanes clip_;
   double focal_px_;
   Eigen::Matrix4d clip_from_world_;
-};
-
-// A ball in space.
-struct Ball {
-  Vec3 center;    // in S, m
-  double radius;  // m
 };
 
 // A ball around the mean of the points (S, m) that contains them, for the clip planes. If all

@@ -228,7 +228,9 @@ Composer::Composer(const Motion& motion,
   // finer than edges need: a limb bends in two directions, and the eye sees its corners
   scenery_.body_segments = std::min(most, circle_segments(largest.body));
   make_look(scenery_, body, 5 * scenery_.body_segments / 4);
-  meshes_.cones = cone_meshes(std::min(most, circle_segments(largest.cone)), largest.cones);
+  body_B_ = ball_around(scenery_.hull_B);
+  // their rims bend before the eye as broad lines
+  meshes_.cones = cone_meshes(std::min(most, 3 * circle_segments(largest.cone) / 2), largest.cones);
   // twice as fine: what is off at the base of a head puts its tip elsewhere
   const int for_heads = 2 * circle_segments(largest.head);
   meshes_.arrows =
@@ -249,7 +251,9 @@ Composer::Composer(const Motion& motion,
                theme,
                size) {}
 
-Composer::Composer(const Composer& other, const Motion& motion) : Composer(other) {
+Composer::Composer(const Composer& other, const Motion& motion, std::optional<double> fails)
+    : Composer(other) {
+  fails_ = fails;
   scenery_.motion = motion;
   scenery_.paths = make_paths(scenery_);
 }
@@ -276,6 +280,7 @@ Glyphs Composer::glyphs_of(const Sample& sample, std::optional<double> film) con
   add_points(scenery_, sample, shows("fixed_frame"), glyphs);
   add_point_trails(scenery_, sample, glyphs);
   add_tip_trails(scenery_, sample, glyphs);
+  if (film && fails_ && staging_.timeline.motion_time(*film) >= *fails_) drop_quantities(glyphs);
   return glyphs;
 }
 
@@ -286,14 +291,24 @@ DrawList Composer::at(double t) const {
 CameraView Composer::camera_view(double film, double end) const {
   CameraView seen_now;
   const double t = std::min(staging_.timeline.motion_time(film), end);
-  const Glyphs glyphs = glyphs_at(scenery_.motion.at(t), film);
+  const Sample sample = scenery_.motion.at(t);
+  const Glyphs glyphs = glyphs_at(sample, film);
   const Camera camera = camera_at(film);
   seen_now.list.view = camera.view(drawing_);
   seen_now.list.background = scenery_.theme.background;
   seen_now.list.view.light_ground = is_light(scenery_.theme.background);
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
   seen_now.names = labels_of(glyphs, camera);
+  seen_now.way_to_body = way_to_body(sample, film, camera);
   return seen_now;
+}
+
+std::optional<Vec2> Composer::way_to_body(const Sample& sample,
+                                          double film,
+                                          const Camera& camera) const {
+  if (!shows("body") || staging_.timeline.presence("body", film) <= 0.0) return {};
+  const Vec3 middle = point_position(scenery_.motion.model(), sample, body_B_.center);
+  return camera.way_to({middle, body_B_.radius});
 }
 
 LabelView Composer::label_view(double film, double end) const {
@@ -544,6 +559,13 @@ Composer::Largest Composer::largest_on_screen() const {
 }
 
 std::vector<Error> Composer::warnings() const {
+  for (const char* element : {"contact", "slip"}) {
+    const auto asked = scenery_.options.asked.find(element);
+    if (asked == scenery_.options.asked.end() || !asked->second.value_or(false)) continue;
+    if (scenery_.motion.contact_at(0.0)) continue;
+    return {input_error("shows nothing: only the method dop853 tells what touches the table")
+                .at({{}, 0, fmt::format("show.{}", element)})};
+  }
   bool any_seen = false;
   double nearest = std::numeric_limits<double>::infinity();
   double largest = 0.0;  // pixels

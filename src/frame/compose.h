@@ -39,6 +39,7 @@ struct LabelView {
 struct CameraView {
   DrawList list;
   LabelView names;
+  std::optional<Vec2> way_to_body = {};  // Camera::way_to(), of a body that is shown
 };
 
 // How the motion is filmed: cameras, time and margins.
@@ -83,8 +84,9 @@ class Composer {
            const ThemeSpec& theme,
            PictureSize size);
   // Another motion of the same body with the same cameras and scales. The drawn paths, and what
-  // CameraSpec::follow follows, are those of the new motion. Throws Error as make_paths does.
-  Composer(const Composer& other, const Motion& motion);
+  // CameraSpec::follow follows, are those of the new motion. From `fails` on (s of motion), if it
+  // is given, its vectors, angles and cones are not drawn. Throws Error as make_paths does.
+  Composer(const Composer& other, const Motion& motion, std::optional<double> fails = {});
 
   // The view at the time `film` (s of film). After `end` (s of motion) the motion stands still.
   CameraView camera_view(double film, double end) const;
@@ -148,14 +150,17 @@ class Composer {
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
   LabelView labels_of(const Glyphs& glyphs, const Camera& camera) const;
+  std::optional<Vec2> way_to_body(const Sample& sample, double film, const Camera& camera) const;
 
   Scenery scenery_;
   std::map<std::string, bool> shown_;
   GlyphMeshes meshes_;
   DrawingFrame drawing_;
   Staging staging_;
+  std::optional<double> fails_;  // s of motion
   std::vector<std::shared_ptr<const Composer>> beside_;
   std::vector<Rig> rigs_;  // in the order in which they come
+  Ball body_B_;            // around the body, in B
 };
 
 // How far drawn things are from the body's reference point.

@@ -152,6 +152,22 @@ void DiagramPicture::add_curves() {
       {std::make_shared<const Sprite>(std::move(sprite)), axes_.x - rim, axes_.y - rim});
 }
 
+bool DiagramPicture::crosses_potential(const TextRoom& room) const {
+  const auto place = [&](const Vec2& point) {
+    const LinePoint at = pixel(point);
+    return Vec2(at.x, at.y);
+  };
+  for (const DiagramCurve& curve : diagram_.curves) {
+    if (curve.kind != Kind::potential) continue;
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      const Vec2 from = place(curve.points[i - 1]), to = place(curve.points[i]);
+      // in small pictures pieces are shorter than a pixel, of which is_over() says nothing
+      if (distance(room, to) == 0.0 || is_over(room, {from, to})) return true;
+    }
+  }
+  return false;
+}
+
 // discs, of what is unstable with a hole; names beside them, off other names
 void DiagramPicture::add_marks(const Typesetter& typesetter) {
   const double radius = kMark * kPlotDot * paper_.size();
@@ -176,8 +192,21 @@ void DiagramPicture::add_marks(const Typesetter& typesetter) {
     if (mark.name.empty()) continue;
     const TextBox box = typesetter.measure(plain_text(mark.name), style);
     const LabelWish wish{{at.x, at.y}, {0.0, -1.0}, box.ink_width(), box.ink_height()};
-    const Vec2 wished(at.x + radius + 0.5 * box.ink_width(),
-                      at.y - radius - 0.3 * paper_.size() - 0.5 * box.ink_height());
+    const double aside = radius + 0.5 * box.ink_width();
+    Vec2 wished(at.x + aside, at.y - radius - 0.3 * paper_.size() - 0.5 * box.ink_height());
+    const Vec2 left_of_it(at.x - aside, wished.y());
+    // on its other side if the curve goes through it there, and no name is so near that both would
+    // be read as one
+    const auto room_around = [&](const Vec2& center, double letters) {
+      return grown(
+          room_at(center, box.ink_width(), box.ink_height()), letters * paper_.size(), 0.0);
+    };
+    const TextRoom other = room_around(left_of_it, 0.5);
+    const bool alone = std::none_of(
+        names.begin(), names.end(), [&](const TextRoom& name) { return overlap(name, other); });
+    if (crosses_potential(room_around(wished, 0.15)) &&
+        !crosses_potential(room_around(left_of_it, 0.15)) && alone)
+      wished = left_of_it;
     const Vec2 center = settled_at(wish, wished, obstacles, names, frame, 0.2 * paper_.size());
     names.push_back(room_at(center, box.ink_width(), box.ink_height()));
     paper_.add_text(

@@ -33,6 +33,7 @@ class DiagramPicture {
 
  private:
   void add_curves();
+  bool crosses_potential(const TextRoom& room) const;
   void add_marks(const Typesetter& typesetter);
 
   Diagram diagram_;

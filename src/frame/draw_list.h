@@ -7,6 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "frame/mesh.h"
 #include "image/pixel_box.h"
@@ -39,6 +40,9 @@ struct Material {
   float hidden = 0.0f;  // opacity of the parts that items with `covers` hide; 0: not seen
   float dashes = 0.0f;  // number of dashes of these parts from z = 0 to z = 1, which are narrower
                         // (kDashBreadth); 0: unbroken
+  // Where near_side.xyz . (mesh coordinates) + near_side.w is negative, the colour is mark_color;
+  // zero: it is nowhere.
+  glm::vec4 near_side{0.0f};
 
   // Whether it belongs in DrawList::opaque.
   bool opaque() const { return alpha >= 1.0f && fade >= 1.0f; }

@@ -45,6 +45,12 @@ std::string needs_weight(const Scenery& scenery) {
              : "needs gravity that acts beside the pivot";
 }
 
+std::string needs_parts(const Scenery& scenery) {
+  return asks_for(scenery, "euler_rates") || asks_for(scenery, "omega_components")
+             ? ""
+             : "needs euler_rates or omega_components";
+}
+
 std::string needs_frame_rotation(const Scenery& scenery) {
   return frame_rotation_of(scenery.motion.model()) ? "" : "needs motion.frame_rotation";
 }
@@ -90,6 +96,11 @@ const std::vector<Element>& elements() {
        never,
        nothing_against,
        add_euler_rates},
+      {"sum",
+       "dashed lines that add up euler_rates, else omega_components, to the angular velocity",
+       [](const Scenery& scenery) { return asks_for(scenery, "euler_rates"); },
+       needs_parts,
+       add_sum},
       {"momentum", "angular momentum", always, nothing_against, add_momentum},
       {"torque", "torque about the reference point", never, nothing_against, add_torque},
       {"space_cone",
@@ -155,6 +166,13 @@ const std::vector<Element>& elements() {
        },
        needs_pivot,
        add_stand},
+      {"hinge",
+       "the fixed point, as a ball (pivot)",
+       [](const Scenery& scenery) {
+         return on_pivot(scenery) && !stays_above_stand(scenery) && !in_gimbals(scenery);
+       },
+       needs_pivot,
+       add_hinge},
       {"gimbals",
        "two rings that carry the axle of the body, the outer one on a stand (pivot)",
        never,

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "frame/chevron.h"
 #include "frame/lettering.h"
 
 namespace polhode {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kSeamWidth = 0.0022;
 constexpr double kLeaderWidth = 0.05;  // of the type
+constexpr double kChevron = 0.7;       // its size, in that of names of vectors
 // s of film between the moments for which places of labels are chosen, at least; how many there
 // are, at most
 constexpr double kMoment = 0.05;
@@ -105,11 +107,11 @@ Stamp leader_stamp(const PlacedText& text) {
       std::make_shared<const Sprite>(std::move(line)), left, top, text.opacity * leader.opacity};
 }
 
-// lines between the parts of a frame with several panels
+// Lines between the parts of a frame with several panels; of one panel, to its plots: a floor may
+// reach there.
 std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels,
                               const FrameAreas& areas,
                               PictureSize size) {
-  if (panels.size() < 2) return {};
   const int seam = std::max(1, static_cast<int>(std::lround(kSeamWidth * size.height)));
   const Rgb grey = bytes_of(panels.front().composer->scenery().theme.space_axes);
   std::vector<Stamp> seams;
@@ -122,8 +124,9 @@ std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels,
   const PixelBox& title = areas.title;
   const PixelBox& caption = areas.caption;
   const PixelBox& plots = areas.plots;
-  if (!title.empty()) line({0, title.bottom() - seam / 2, size.width, seam});
-  if (!caption.empty()) line({0, caption.y - seam / 2, size.width, seam});
+  const bool several = panels.size() > 1;
+  if (several && !title.empty()) line({0, title.bottom() - seam / 2, size.width, seam});
+  if (several && !caption.empty()) line({0, caption.y - seam / 2, size.width, seam});
   if (plots.x > 0) line({plots.x - seam / 2, plots.y, seam, plots.height});
   if (!plots.empty() && plots.x == 0) line({0, plots.y - seam / 2, size.width, seam});
   const int top = panels.front().place.y;
@@ -268,6 +271,7 @@ Film::Page Film::page_at(double film) const {
     const double own_t = panel.composer->timeline().motion_time(shown.film);
     const double notes_end = add_notes(panel, own_t, page);
     CameraView view = panel.composer->camera_view(shown.film, panel.end);
+    if (view.way_to_body) add_way_to_body(panel, *view.way_to_body, notes_end, page);
     if (text_.labels) {
       const LabelTracks& tracks = with_fonts().tracks[shown.panel];
       add_labels(panel, tracks, view.names, shown.film, notes_end, page);
@@ -470,6 +474,37 @@ double Film::add_notes(const FilmPanel& panel, double t, Page& page) const {
   return badge.bottom();
 }
 
+void Film::add_way_to_body(const FilmPanel& panel, const Vec2& way, double top, Page& page) const {
+  const Theme& theme = panel.composer->scenery().theme;
+  const double size = least_text_size(text_, size_);
+  const TextStyle style = style_of(theme, size, theme.position);
+  TextRoom frame = room_of(panel.place);
+  frame.top = std::max(frame.top, top);
+  frame = grown(frame, -0.3 * size, -0.3 * size);
+  Chevron chevron = chevron_in(frame, way, kChevron * label_size(text_, panel.place, size_));
+  // before text that stands at the edge
+  const std::vector<TextRoom>& text = page.placed.rooms;
+  const auto is_covered = [&] {
+    const TextRoom room = chevron.room();
+    return std::any_of(
+        text.begin(), text.end(), [&](const TextRoom& other) { return overlap(room, other); });
+  };
+  while (is_covered() && (chevron.tip - frame.center()).dot(way) > 0.0)
+    chevron.tip -= way;
+  page.picture.stamps.push_back(stamp_of(chevron, style));
+  page.placed.rooms.push_back(chevron.room());
+
+  if (!panel.notes) return;
+  const std::string markup = plain_text("the body is out of the picture");
+  const TextBox box = typesetter_->measure(markup, style);
+  const LabelWish wish{chevron.tip, -way, box.ink_width(), box.ink_height()};
+  const Vec2 center = settled_at(wish, chevron.room().center(), {text, {}}, {}, frame, 0.3 * size);
+  const TextRoom room = room_at(center, wish.width, wish.height);
+  const Vec2 corner(room.left - box.ink_left, room.top - box.ink_top);
+  page.placed.rooms.push_back(
+      add_text(TextRole::note, markup, style, corner.x(), corner.y(), page));
+}
+
 Film::Layout Film::layout_of(const FilmPanel& panel,
                              const LabelView& view,
                              double top,
@@ -493,8 +528,11 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
     style.halo /= label.size;  // that of small names is as wide
     const TextBox box = typesetter_->measure(label.markup, style);
     layout.moment.names.push_back(fmt::format("{} {}", label.markup, ++count[label.markup]));
-    TextShaft shaft{corner + label.from, corner + label.at};
-    if (label.of_arrow) shaft.tip = own_end(shaft, marks);
+    TextShaft shaft{corner + label.at, corner + label.at};
+    if (label.of_arrow) {
+      shaft.from = corner + label.from;
+      shaft.tip = own_end(shaft, marks);
+    }
     layout.moment.wishes.push_back({shaft.tip, label.away, box.ink_width(), box.ink_height()});
     layout.moment.shafts.push_back(shaft);
     layout.styles.push_back(style);

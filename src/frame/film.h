@@ -98,6 +98,8 @@ class Film {
   void add_bars(double film, Page& page) const;
   // Returns where they end, px of the frame.
   double add_notes(const FilmPanel& panel, double t, Page& page) const;
+  // The chevron that points to a body outside the panel, below `top`, and what it means.
+  void add_way_to_body(const FilmPanel& panel, const Vec2& way, double top, Page& page) const;
   struct Layout;
   // The labels of a panel at one moment, below `top` and off `text`.
   Layout layout_of(const FilmPanel& panel,

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kPiecesOfRim = 24;  // of a cone, to find how far it reaches
 constexpr int kPiecesOfArc = 96;
+constexpr double kSheetRim = 0.06;  // a sheet does not fade: the shadow ends softly at its rim
 
 ArrowShape drawn(const ArrowShape& shape, const DrawingFrame& frame) {
   return {frame.length(shape.shaft_radius),
@@ -35,6 +36,34 @@ void add_arc(const ArcGlyph& arc,
   }
 }
 
+// around the thickest arrow that hides this one
+void add_rim(const ArrowGlyph& arrow,
+             const std::vector<ArrowGlyph>& arrows,
+             const ArrowMeshes& meshes,
+             const DrawingFrame& frame,
+             DrawList& list) {
+  const Vec3 vector = arrow.tip - arrow.from;
+  std::optional<ArrowRim> widest;
+  Material material = arrow.material;
+  for (const ArrowGlyph& other : arrows) {
+    if (other.from != arrow.from) continue;
+    const auto rim = rim_around(vector, arrow.shape, other.tip - other.from, other.shape);
+    if (!rim || (widest && widest->radius >= rim->radius)) continue;
+    widest = rim;
+    // it is gone with either of them
+    material.fade = arrow.material.fade * other.material.fade;
+  }
+  if (!widest) return;
+  const Vec3 end = arrow.from + vector * (widest->length / vector.norm());
+  add_tube(list.opaque,
+           meshes,
+           frame.point(arrow.from),
+           frame.point(end),
+           frame.length(widest->radius),
+           material,
+           Faces::back);
+}
+
 glm::mat4 drawn(Placement place, const DrawingFrame& frame) {
   place.linear() /= frame.unit;
   place.translation() = frame.point(place.translation());
@@ -43,6 +72,69 @@ glm::mat4 drawn(Placement place, const DrawingFrame& frame) {
 
 DrawItem item_of(const MeshGlyph& glyph, const DrawingFrame& frame, Faces faces) {
   return {glyph.mesh, drawn(glyph.space_from_mesh, frame), glyph.material, faces};
+}
+
+// Which side of a curve the eye sees: that of the polar plane of the eye with the ellipsoid, which
+// holds the points where lines of sight touch it.
+glm::vec4 near_side(const MeshGlyph& curve, const Vec3& eye) {
+  const Placement ball_from_space = curve.ellipsoid->inverse();
+  const Placement ball_from_mesh = ball_from_space * curve.space_from_mesh;
+  const Vec3 seen_from = ball_from_space * eye;
+  const Vec3 along = ball_from_mesh.linear().transpose() * seen_from;
+  const double offset = ball_from_mesh.translation().dot(seen_from) - 1.0;
+  const double size = along.norm();
+  return {to_glm(Vec3(along / size)), static_cast<float>(offset / size)};
+}
+
+// what throws shadows, in the coordinates of a floor: bodies and shells
+std::vector<ShadowCaster> broad_casters(const Glyphs& glyphs, const Placement& floor_from_space) {
+  std::vector<ShadowCaster> casters;
+  const auto add = [&](const MeshGlyph& glyph, float density) {
+    if (glyph.rough == nullptr) return;
+    casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
+  };
+  for (const MeshGlyph& glyph : glyphs.meshes)
+    add(glyph, std::min(glyph.material.alpha, 1.0f) * glyph.material.fade);
+  // light goes through two of its walls
+  for (const MeshGlyph& glyph : glyphs.shells) {
+    const float through = 1.0f - glyph.material.alpha * glyph.material.fade;
+    add(glyph, 1.0f - through * through);
+  }
+  return casters;
+}
+
+// and arrows, which hide no sky
+void add_thin_casters(const Glyphs& glyphs,
+                      const GlyphMeshes& meshes,
+                      const Placement& floor_from_space,
+                      std::vector<ShadowCaster>& casters) {
+  for (const ArrowGlyph& arrow : glyphs.arrows) {
+    const std::optional<ArrowPlaces> places = arrow_places(arrow.from, arrow.tip, arrow.shape);
+    if (!places) continue;
+    casters.push_back(
+        {meshes.rough_arrows.shaft, floor_from_space * places->shaft, arrow.material.fade});
+    casters.push_back(
+        {meshes.rough_arrows.head, floor_from_space * places->head, arrow.material.fade});
+  }
+}
+
+// a sheet, and the shadow on it if the lamp is above
+void add_sheet(const SheetGlyph& sheet,
+               const Glyphs& glyphs,
+               const GlyphMeshes& meshes,
+               const DrawingFrame& frame,
+               DrawList& list) {
+  list.translucent.push_back(item_of(sheet.mesh, frame, Faces::both));
+  if (!sheet.shadow) return;
+  const Placement& place = sheet.mesh.space_from_mesh;
+  const Placement sheet_from_space = place.inverse();
+  const Vec3 to_light = sheet_from_space.linear() * to_eigen(list.view.key_light);
+  if (to_light.z() <= 0.0) return;
+  std::vector<ShadowCaster> casters = broad_casters(glyphs, sheet_from_space);
+  add_thin_casters(glyphs, meshes, sheet_from_space, casters);
+  const MeshPtr shadow = shadow_mesh(casters, to_light, 1.0, kSheetRim);
+  if (shadow != nullptr)
+    list.translucent.push_back(item_of({shadow, place, *sheet.shadow}, frame, Faces::front));
 }
 
 // floors, and on them the shadows that fall away from the light of the list
@@ -56,25 +148,13 @@ void add_floors(const Glyphs& glyphs,
       if (mesh == nullptr) return;
       list.translucent.push_back(item_of({mesh, floor.place, material}, frame, Faces::front));
     };
-    std::vector<ShadowCaster> casters;
-    for (const MeshGlyph& glyph : glyphs.meshes) {
-      if (glyph.rough == nullptr) continue;
-      const float density = std::min(glyph.material.alpha, 1.0f) * glyph.material.fade;
-      casters.push_back({glyph.rough, floor_from_space * glyph.space_from_mesh, density});
-    }
+    std::vector<ShadowCaster> casters = broad_casters(glyphs, floor_from_space);
     // thin lines hide no sky
     add_layer(floor_mesh(casters, floor.fineness), floor.material);
-    for (const MeshGlyph* lines : {&floor.dial, &floor.grid}) {
+    for (const MeshGlyph* lines : {&floor.sector, &floor.dial, &floor.grid}) {
       if (lines->mesh != nullptr) list.translucent.push_back(item_of(*lines, frame, Faces::front));
     }
-    for (const ArrowGlyph& arrow : glyphs.arrows) {
-      const std::optional<ArrowPlaces> places = arrow_places(arrow.from, arrow.tip, arrow.shape);
-      if (!places) continue;
-      casters.push_back(
-          {meshes.rough_arrows.shaft, floor_from_space * places->shaft, arrow.material.fade});
-      casters.push_back(
-          {meshes.rough_arrows.head, floor_from_space * places->head, arrow.material.fade});
-    }
+    add_thin_casters(glyphs, meshes, floor_from_space, casters);
     const Vec3 to_light = floor_from_space.linear() * to_eigen(list.view.key_light);
     add_layer(shadow_mesh(casters, to_light, floor.fineness), floor.shadow);
   }
@@ -97,7 +177,7 @@ void add_translucent(const Glyphs& glyphs,
     return rest * seen >= 0.0;
   };
   for (const SheetGlyph& sheet : glyphs.sheets) {
-    if (behind(sheet)) items.push_back(item_of(sheet.mesh, frame, Faces::both));
+    if (behind(sheet)) add_sheet(sheet, glyphs, meshes, frame, list);
   }
   for (const MeshGlyph& glyph : glyphs.ghosts) {
     items.push_back(item_of(glyph, frame, Faces::back));
@@ -153,16 +233,29 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   materials(glyphs.cones, before.cones);
   materials(glyphs.ghosts, before.ghosts);
   materials(glyphs.shells, before.shells);
-  for (std::size_t i = before.sheets; i < glyphs.sheets.size(); ++i)
-    glyphs.sheets[i].mesh.material.fade *= fade;
+  for (std::size_t i = before.sheets; i < glyphs.sheets.size(); ++i) {
+    SheetGlyph& sheet = glyphs.sheets[i];
+    sheet.mesh.material.fade *= fade;
+    if (sheet.shadow) sheet.shadow->fade *= fade;
+  }
   for (std::size_t i = before.floors; i < glyphs.floors.size(); ++i) {
     FloorGlyph& floor = glyphs.floors[i];
-    for (Material* material :
-         {&floor.material, &floor.shadow, &floor.dial.material, &floor.grid.material})
+    for (Material* material : {&floor.material,
+                               &floor.shadow,
+                               &floor.dial.material,
+                               &floor.grid.material,
+                               &floor.sector.material})
       material->fade *= fade;
   }
   for (std::size_t i = before.labels; i < glyphs.labels.size(); ++i)
     glyphs.labels[i].fade *= fade;
+}
+
+void drop_quantities(Glyphs& glyphs) {
+  glyphs.arrows.clear();
+  glyphs.arcs.clear();
+  glyphs.cones.clear();
+  glyphs.labels.clear();
 }
 
 Vec3 point_of(const ArcGlyph& arc, double part) {
@@ -204,7 +297,13 @@ void add_items(const Glyphs& glyphs,
                const Vec3& eye,
                DrawList& list) {
   for (const MeshGlyph& glyph : glyphs.meshes) {
-    if (glyph.material.alpha >= 1.0f) list.opaque.push_back(item_of(glyph, frame, Faces::front));
+    if (glyph.material.alpha < 1.0f) continue;
+    list.opaque.push_back(item_of(glyph, frame, Faces::front));
+    if (glyph.ellipsoid) list.opaque.back().material.near_side = near_side(glyph, eye);
+  }
+  // before what they surround, which is blended over them if it is coming or going
+  for (const ArrowGlyph& arrow : glyphs.arrows) {
+    if (arrow.rim) add_rim(arrow, glyphs.arrows, meshes.arrows, frame, list);
   }
   for (const ArrowGlyph& arrow : glyphs.arrows) {
     add_arrow(list.opaque,

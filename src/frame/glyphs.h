@@ -3,6 +3,7 @@
 // list (triangles). The automatic camera frames the same glyphs that are drawn.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ArrowGlyph {
   Vec3 from, tip;  // in S, m
   ArrowShape shape;
   Material material;
+  bool rim = false;  // has a rim where it lies in a thicker one, see rim_around()
 };
 
 // The part of a path that has been drawn, between two times (s of motion).
@@ -35,6 +37,9 @@ struct MeshGlyph {
   Material material;
   MeshPtr rough = {};  // roughly the same mesh, which throws its shadow; null: it throws none
   TrailPart of = {};   // it is drawn with others as this part of a path
+  // Of a curve on a translucent ellipsoid: maps the unit ball to that, S, m. Its parts on the side
+  // that the eye does not see have the colour of the mark.
+  std::optional<Placement> ellipsoid = {};
 };
 
 // A floor, with the shadows of the meshes that throw one.
@@ -44,6 +49,7 @@ struct FloorGlyph {
   Material shadow;        // of shadow_mesh()
   MeshGlyph dial;         // drawn on it; its mesh may be null
   MeshGlyph grid = {};    // lines on it that are made for this moment; its mesh may be null
+  MeshGlyph sector = {};  // likewise, that shows how it turns
   double fineness = 1.0;  // of the shadows, see frame/shadow.h
 };
 
@@ -90,6 +96,9 @@ struct LineGlyph {
 struct SheetGlyph {
   MeshGlyph mesh;
   Vec3 point, normal;  // of the plane, in S: a point (m), and a vector perpendicular to it
+  // Of the shadow on it, where the eye and the lamp are above its mesh; absent: it has none. The
+  // mesh is then the unit disc of frame/shadow.h.
+  std::optional<Material> shadow = {};
 };
 
 // All glyphs of one moment.
@@ -119,6 +128,9 @@ struct GlyphCounts {
 // Multiplies the fade of the glyphs that were added since `before` by `presence`: 1 is fully
 // visible, 0 invisible.
 void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence);
+
+// Takes away vectors, angles and cones with their names: what is left is where things are.
+void drop_quantities(Glyphs& glyphs);
 
 // The point (S, m) at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcGlyph& arc, double part);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/units.h"
 
@@ -12,13 +13,17 @@ namespace polhode {
 namespace {
 
 // Prices, in heights of a label that it stands from its wish for one moment.
-constexpr double kOverMark = 200.0;  // over the head of an arrow
-constexpr double kOverText = 400.0;  // over text, another label, or the edge of the frame
-constexpr double kOverShaft = 8.0;   // over a vector
-constexpr double kOverCurve = 2.0;   // over a rim or an arc
-constexpr double kPushed = 0.5;      // off a side, where that is taken
-constexpr double kChange = 40.0;     // of its place
-constexpr double kWay = 4.0;         // for each height of the label that it goes about its tip
+constexpr double kOverMark = 200.0;   // over the head of an arrow
+constexpr double kOverText = 400.0;   // over text, another label, or the edge of the frame
+constexpr double kOverShaft = 25.0;   // over a vector
+constexpr double kBehindMark = 20.0;  // with another head of an arrow between it and its tip
+constexpr double kBehind = 5.0;       // with another vector there
+constexpr double kNearer = 6.0;       // nearer to another vector than to its own
+constexpr double kClearly = 0.5;      // heights from which on these two count in full
+constexpr double kOverCurve = 2.0;    // over a rim or an arc
+constexpr double kPushed = 0.5;       // off a side, where that is taken
+constexpr double kChange = 80.0;      // of its place
+constexpr double kWay = 4.0;          // for each height of the label that it goes about its tip
 // From moment to moment a label glides about its tip by at most so many of its heights; farther it
 // changes its place.
 constexpr double kGlide = 0.6;
@@ -26,9 +31,63 @@ constexpr double kGlide = 0.6;
 // the sides, and for each the nearest place that is free
 constexpr std::size_t kPlaces = 2 * std::size_t{kLabelSides};
 
+// All names in the order in which they take their places. First those of vectors, the shortest
+// first, because the ends of long ones are clear of the others; then what names no vector.
+std::vector<std::string> in_order(const std::vector<LabelMoment>& moments) {
+  struct Mean {
+    double sum = 0.0;
+    int count = 0;
+  };
+  std::map<std::string, Mean> lengths;
+  for (const LabelMoment& moment : moments) {
+    for (std::size_t i = 0; i < moment.names.size(); ++i) {
+      Mean& length = lengths[moment.names[i]];
+      length.sum += (moment.shafts[i].tip - moment.shafts[i].from).norm();
+      ++length.count;
+    }
+  }
+  std::vector<std::pair<double, std::string>> order;
+  for (const auto& [name, length] : lengths) {
+    const double last = std::numeric_limits<double>::infinity();
+    order.emplace_back(length.sum > 0.0 ? length.sum / length.count : last, name);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::string> names;
+  names.reserve(order.size());
+  for (auto& [length, name] : order)
+    names.push_back(std::move(name));
+  return names;
+}
+
+std::optional<std::size_t> index_of(const std::string& name, const LabelMoment& moment) {
+  const auto found = std::find(moment.names.begin(), moment.names.end(), name);
+  if (found == moment.names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - moment.names.begin());
+}
+
 bool any_overlaps(const TextRoom& room, const std::vector<TextRoom>& others) {
   return std::any_of(
       others.begin(), others.end(), [&](const TextRoom& other) { return overlap(room, other); });
+}
+
+// Whether a vector passes between two points.
+bool parts(const TextShaft& shaft, const Vec2& a, const Vec2& b) {
+  const auto side = [](const Vec2& from, const Vec2& to, const Vec2& point) {
+    return (to - from).x() * (point - from).y() - (to - from).y() * (point - from).x();
+  };
+  return side(shaft.from, shaft.tip, a) * side(shaft.from, shaft.tip, b) < 0.0 &&
+         side(a, b, shaft.from) * side(a, b, shaft.tip) < 0.0;
+}
+
+Vec2 nearest_on(const TextShaft& shaft, const Vec2& point) {
+  const Vec2 along = shaft.tip - shaft.from;
+  const double part = along.dot(point - shaft.from) / std::max(along.squaredNorm(), 1e-12);
+  return shaft.from + std::clamp(part, 0.0, 1.0) * along;
+}
+
+// From a rectangle to a vector, pixels, at its point nearest to the middle of the rectangle.
+double distance(const TextRoom& room, const TextShaft& shaft) {
+  return distance(room, nearest_on(shaft, room.center()));
 }
 
 // A place that a label might take at one moment, and the cheapest way there.
@@ -40,13 +99,26 @@ struct Choice {
 };
 using Choices = std::array<Choice, kPlaces>;
 
-// the places of one moment with their own prices
-Choices choices_at(const LabelWish& wish,
+// The places that may be taken at a moment, the cheapest way there first.
+std::vector<std::size_t> by_sum(const Choices& choices) {
+  std::vector<std::size_t> places;
+  for (std::size_t place = 0; place < kPlaces; ++place) {
+    if (std::isfinite(choices[place].sum)) places.push_back(place);
+  }
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return choices[a].sum < choices[b].sum;
+  });
+  return places;
+}
+
+// the places of the label `index` at one moment with their own prices
+Choices choices_at(std::size_t index,
                    const LabelMoment& moment,
                    const std::vector<TextRoom>& labels,
                    const TextRoom& frame,
                    double gap) {
   Choices choices;
+  const LabelWish& wish = moment.wishes[index];
   const Vec2 wished = center_on(wish, 0, gap);
   const auto is_taken = [&](const TextRoom& room) {
     const TextRoom with_gap = grown(room, 0.9 * gap, 0.9 * gap);
@@ -64,8 +136,26 @@ Choices choices_at(const LabelWish& wish,
     const bool taken = is_taken(room), over_mark = is_over_mark(room);
     if (taken) sum += kOverText;
     if (over_mark) sum += kOverMark;
-    for (const TextShaft& shaft : moment.shafts)
+    // where vectors all but coincide, no side is better than the other
+    const double clearly = kClearly * wish.height;
+    const double own = distance(room, moment.shafts[index]);
+    double nearer = 0.0;
+    for (std::size_t i = 0; i < moment.shafts.size(); ++i) {
+      const TextShaft& shaft = moment.shafts[i];
       if (is_over(room, shaft)) sum += kOverShaft;
+      if (i == index) continue;
+      if (parts(shaft, wish.at, center)) {
+        const double across = (nearest_on(shaft, wish.at) - wish.at).norm();
+        sum += kBehind * std::min(1.0, across / clearly);
+      }
+      nearer = std::max(nearer, own - distance(room, shaft));
+    }
+    sum += kNearer * std::min(1.0, nearer / clearly);
+    const std::vector<TextRoom>& marks = moment.obstacles.marks;
+    const bool behind_mark = std::any_of(marks.begin(), marks.end(), [&](const TextRoom& mark) {
+      return distance(mark, wish.at) > 0.0 && is_over(mark, {center, wish.at});
+    });
+    if (behind_mark) sum += kBehindMark;
     const bool over_curve =
         std::any_of(moment.curves.begin(), moment.curves.end(), [&](const TextShaft& piece) {
           return is_over(room, piece);
@@ -88,16 +178,21 @@ Choices choices_at(const LabelWish& wish,
 }  // namespace
 
 Vec2 center_on(const LabelWish& wish, int side, double gap) {
-  constexpr int kDirections = 8;
   Vec2 away = wish.away;
+  Vec2 from = wish.at;
   double far = gap;
-  if (side > 0) {
-    const double angle = 2.0 * kPi * ((side - 1) % kDirections) / kDirections;
+  if (side > 2 * kLabelDirections) {
+    const double turn = side % 2 == 0 ? 1.0 : -1.0;
+    from -= 0.7 * wish.height * wish.away;
+    away = turn * Vec2(-wish.away.y(), wish.away.x());
+    far += 0.3 * wish.height;
+  } else if (side > 0) {
+    const double angle = 2.0 * kPi * ((side - 1) % kLabelDirections) / kLabelDirections;
     away = Vec2(std::cos(angle), std::sin(angle));
-    if (side > kDirections) far += 0.5 * wish.height;
+    if (side > kLabelDirections) far += 0.5 * wish.height;
   }
   const double reach = 0.5 * (std::abs(away.x()) * wish.width + std::abs(away.y()) * wish.height);
-  return wish.at + (reach + far) * away;
+  return from + (reach + far) * away;
 }
 
 std::vector<LabelTracks::Stay> LabelTracks::cheapest(
@@ -109,25 +204,28 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
   std::vector<Choices> choices(count);
   std::vector<const LabelWish*> wishes(count, nullptr);
   const auto stay = [&](std::size_t k, std::size_t place) {
-    return Stay{static_cast<int>(place), choices[k][place].offset, false};
+    return Stay{true, choices[k][place].offset, false};
   };
   for (std::size_t k = 0; k < count; ++k) {
-    const auto found = std::find(moments[k].names.begin(), moments[k].names.end(), name);
-    if (found == moments[k].names.end()) continue;
-    wishes[k] = &moments[k].wishes[static_cast<std::size_t>(found - moments[k].names.begin())];
-    choices[k] = choices_at(*wishes[k], moments[k], labels[k], frame, gap_);
+    const std::optional<std::size_t> index = index_of(name, moments[k]);
+    if (!index) continue;
+    wishes[k] = &moments[k].wishes[*index];
+    choices[k] = choices_at(*index, moments[k], labels[k], frame, gap_);
     const bool was_there = k > 0 && wishes[k - 1] != nullptr;
     const double height = wishes[k]->height;
+    const std::vector<std::size_t> before =
+        was_there ? by_sum(choices[k - 1]) : std::vector<std::size_t>{};
     for (std::size_t place = 0; place < kPlaces; ++place) {
       Choice& here = choices[k][place];
       here.sum = here.own;
-      if (!was_there) continue;
+      if (!was_there || !std::isfinite(here.own)) continue;
       double least = std::numeric_limits<double>::infinity();
-      for (std::size_t from = 0; from < kPlaces; ++from) {
+      for (const std::size_t from : before) {
         const Choice& there = choices[k - 1][from];
-        if (!std::isfinite(there.sum)) continue;
-        double price = there.sum + kWay * (there.offset - here.offset).norm() / height;
-        if ((there.offset - here.offset).norm() > kGlide * height) price += kChange;
+        if (there.sum >= least) break;  // the ways to all others are dearer
+        const double way = (there.offset - here.offset).norm();
+        const double price =
+            there.sum + kWay * way / height + (way > kGlide * height ? kChange : 0.0);
         if (price >= least) continue;
         least = price;
         here.before = from;
@@ -160,19 +258,14 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
 
 LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom& frame, double gap)
     : gap_(gap) {
-  std::vector<std::string> names;  // in the order in which they come
-  for (const LabelMoment& moment : moments) {
-    for (const std::string& name : moment.names)
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
+  const std::vector<std::string> names = in_order(moments);
   std::vector<std::vector<TextRoom>> labels(moments.size());  // those that have their places
   for (const std::string& name : names) {
     const std::vector<Stay> stays = cheapest(moments, name, labels, frame);
     for (std::size_t k = 0; k < moments.size(); ++k) {
-      if (stays[k].side < 0) continue;
-      const auto found = std::find(moments[k].names.begin(), moments[k].names.end(), name);
-      const LabelWish& wish =
-          moments[k].wishes[static_cast<std::size_t>(found - moments[k].names.begin())];
+      const std::optional<std::size_t> index = index_of(name, moments[k]);
+      if (!index) continue;
+      const LabelWish& wish = moments[k].wishes[*index];
       labels[k].push_back(room_at(wish.at + stays[k].offset, wish.width, wish.height));
     }
     tracks_[name] = stays;
@@ -190,18 +283,15 @@ LabelPlace LabelTracks::place(const std::string& name, const LabelWish& wish, do
   const auto k = static_cast<long>(std::floor(std::clamp(at, 0.0, static_cast<double>(last))));
   const double part = std::clamp(at - static_cast<double>(k), 0.0, 1.0);
   const Stay &before = stay(k), &after = stay(k + 1);
-  if (before.side < 0 && after.side < 0) return {center_on(wish, 0, gap_)};
-  const auto offset = [&](const Stay& one) -> Vec2 {
-    return one.side < kLabelSides ? Vec2(center_on(wish, one.side, gap_) - wish.at) : one.offset;
-  };
+  if (!before.is_there && !after.is_there) return {center_on(wish, 0, gap_)};
   LabelPlace place;
-  if (before.side < 0 || after.side < 0) {
-    place.center = wish.at + offset(before.side < 0 ? after : before);
+  if (!before.is_there || !after.is_there) {
+    place.center = wish.at + (before.is_there ? before : after).offset;
   } else if (before.changes_after) {
     // half-way between the moments
-    place.center = wish.at + offset(part < 0.5 ? before : after);
+    place.center = wish.at + (part < 0.5 ? before : after).offset;
   } else {
-    place.center = wish.at + (1.0 - part) * offset(before) + part * offset(after);
+    place.center = wish.at + (1.0 - part) * before.offset + part * after.offset;
   }
   for (long j = k - 3; j <= k + 3; ++j) {
     if (j < 0 || j > last || !stay(j).changes_after) continue;

@@ -15,14 +15,15 @@ namespace polhode {
 struct LabelMoment {
   std::vector<std::string> names;  // of the labels, each only once
   std::vector<LabelWish> wishes;
-  std::vector<TextShaft> shafts;
+  std::vector<TextShaft> shafts;  // of no length where they name no vector
   Obstacles obstacles;
   std::vector<TextShaft> curves = {};  // pieces of other lines, which may be covered if need be
 };
 
-// The sides on which a label may stand: in its wished direction, and in directions of the picture
-// near the point and a little farther.
-inline constexpr int kLabelSides = 17;
+// The sides on which a label may stand: in its wished direction, in directions of the picture near
+// the point and a little farther, and on both sides of a head that ends there.
+inline constexpr int kLabelDirections = 16;
+inline constexpr int kLabelSides = 1 + 2 * kLabelDirections + 2;
 // The middle of a label on that side, 0 <= side < kLabelSides.
 Vec2 center_on(const LabelWish& wish, int side, double gap);
 
@@ -36,9 +37,9 @@ struct LabelPlace {
 class LabelTracks {
  public:
   // Each label in turn takes the places, a side or the nearest that is free, at which it covers
-  // least (curves count less than shafts, these less than heads, text and labels) and stands
-  // nearest to its wish; every change has its price. `frame`: where labels may stand; `gap`: what
-  // is free around them, pixels.
+  // least (curves count less than shafts, these less than heads, text and labels), is not beside
+  // or beyond another vector, and stands nearest to its wish; every change has its price.
+  // `frame`: where labels may stand; `gap`: what is free around them, pixels.
   LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom& frame, double gap);
 
   // The place of a label at the time `at`, in units of the step between moments. Within
@@ -49,7 +50,7 @@ class LabelTracks {
  private:
   // Where a label is at one moment.
   struct Stay {
-    int side = -1;               // from kLabelSides on: pushed off a side; -1: nowhere
+    bool is_there = false;
     Vec2 offset = Vec2::Zero();  // of its middle from the tip, px
     bool changes_after = false;  // the next moment has another place
   };

@@ -192,6 +192,12 @@ Mesh unit_disc(int segments) {
 
 namespace {
 
+// of lines on a floor of radius 1, which fade as it does
+float strength_of_lines(const Vec2& p) {
+  const double out = std::clamp(2.0 * p.norm() - 1.0, 0.0, 1.0);
+  return static_cast<float>(1.0 - out * out * (3.0 - 2.0 * out));
+}
+
 // a strip between corners, each with the strength of the line there, dense on its middle and gone
 // at its sides
 void add_strip(const std::array<Vec2, 3>& from,
@@ -240,13 +246,29 @@ Mesh dial(int segments, double half_width) {
   return mesh;
 }
 
+Mesh floor_sector(const Vec2& tip, double angle, double half_angle) {
+  constexpr int kPieces = 24;  // along which it fades
+  Mesh mesh;
+  for (const double side : {-half_angle, half_angle}) {
+    const Vec2 along(std::cos(angle + side), std::sin(angle + side));
+    // from the tip to the unit circle
+    const double inwards = -along.dot(tip);
+    const double reach = inwards + std::sqrt(inwards * inwards + 1.0 - tip.squaredNorm());
+    for (int i = 0; i <= kPieces; ++i) {
+      const Vec2 p = tip + reach * i / kPieces * along;
+      mesh.vertices.push_back({glm::vec3(p.x(), p.y(), 0.0), {0.0f, 0.0f, strength_of_lines(p)}});
+    }
+  }
+  for (std::uint32_t i = 0; i < kPieces; ++i) {
+    const std::uint32_t other = i + kPieces + 1;
+    mesh.indices.insert(mesh.indices.end(), {i, i + 1, other + 1, i, other + 1, other});
+  }
+  return mesh;
+}
+
 Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_width) {
   constexpr int kPieces = 24;  // of each line, along which it fades
   Mesh mesh;
-  const auto strength = [](const Vec2& p) {
-    const double out = std::clamp(2.0 * p.norm() - 1.0, 0.0, 1.0);
-    return static_cast<float>(1.0 - out * out * (3.0 - 2.0 * out));
-  };
   for (const double turn : {angle, angle + 0.5 * kPi}) {
     const Vec2 along(std::cos(turn), std::sin(turn)), across(-along.y(), along.x());
     const double offset = across.dot(through);
@@ -259,8 +281,8 @@ Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_w
         const Vec2 to = away * across + half * (2.0 * (i + 1) / kPieces - 1.0) * along;
         add_strip({from + aside, from, from - aside},
                   {to + aside, to, to - aside},
-                  strength(from),
-                  strength(to),
+                  strength_of_lines(from),
+                  strength_of_lines(to),
                   mesh);
       }
     }

@@ -18,8 +18,9 @@ namespace {
 constexpr double kMostOfHeight = 0.15, kMostOfWidth = 0.055;
 // of a plot's share of the height, at most, for type that is already smaller by this factor
 constexpr double kCrowded = 0.178, kLess = 0.9;
-constexpr double kHighest = 0.75;  // of a plot, of its width
-constexpr double kPresent = 0.55;  // opacity of the line of the present
+constexpr double kHighest = 0.75;   // of a plot, of its width
+constexpr double kPresent = 0.55;   // opacity of the line of the present
+constexpr double kPlateRim = 0.12;  // around the ink of values, in units of the type
 
 // the text as wide as it can be, for room that does not change
 std::string all_zeros(std::string text) {
@@ -156,6 +157,12 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
       one.value_width = std::max(one.value_width, paper_.measure(text).width);
     }
     widest_value = std::max(widest_value, one.value_width);
+    const double around = 2.0 * kPlateRim * type;
+    one.plate = std::make_shared<const Sprite>(
+        filled_sprite(static_cast<int>(std::lround(one.value_width + around)),
+                      static_cast<int>(std::lround(height("0") + around)),
+                      bytes_of(theme.background),
+                      1.0));
     plots_.push_back(std::move(one));
   }
   const double before = widest_label + (kPlotTick + kPlotTickGap) * type;
@@ -307,6 +314,14 @@ std::vector<PlotStack::Value> PlotStack::values_of(const Drawn& one, double t) c
   return list;
 }
 
+Stamp PlotStack::plate_of(const Drawn& one, const Value& value) const {
+  const double around = kPlateRim * paper_.size();
+  const double right = value.x + value.box.width;
+  return {one.plate,
+          static_cast<int>(std::lround(right + around - one.plate->width)),
+          static_cast<int>(std::lround(value.y + value.box.ink_top - around))};
+}
+
 void PlotStack::draw(double t, std::vector<Stamp>& stamps) const {
   stamps.insert(stamps.end(), paper_.stamps().begin(), paper_.stamps().end());
   for (const Drawn& one : plots_) {
@@ -319,6 +334,9 @@ void PlotStack::draw(double t, std::vector<Stamp>& stamps) const {
     const std::vector<Value> values = values_of(one, t);
     for (const Value& value : values)
       stamps.push_back(paper_.dot(value.dot, color(value.curve)));
+    // values stand on the lines of ticks, which would be read as strokes of digits
+    for (const Value& value : values)
+      stamps.push_back(plate_of(one, value));
     for (const Value& value : values) {
       stamps.push_back(paper_.text(value.text, paper_.style(color(value.curve)), value.x, value.y));
     }

@@ -68,6 +68,7 @@ class PlotStack {
     PixelBox axes;
     double low = 0.0, high = 1.0;  // values at the lower and upper end of `axes`
     double value_width = 0.0;      // px: of the widest value
+    SpritePtr plate;               // of the background, under each value
     Ticks ticks;
     Stamp curves;
     int rim = 0;  // px that `curves` has around the axes
@@ -83,6 +84,7 @@ class PlotStack {
   void add_heading(const Drawn& one, const PixelBox& row);
   void add_axes(const Drawn& one, const Ticks& times, const TimeUnit& unit, bool is_last);
   Stamp draw_curves(const Drawn& one) const;
+  Stamp plate_of(const Drawn& one, const Value& value) const;
   std::vector<Value> values_of(const Drawn& one, double t) const;
   std::string value_text(const Drawn& one, double value) const;
   std::vector<double> dashes(std::size_t curve) const;

@@ -98,12 +98,20 @@ Scale make_scale(const Scenery& scenery, double radius) {
   // so is a slip that is tiny beside the speed of a fall from the height of the body
   constexpr double kNoSlip = 1e-9;
   if (slip < kNoSlip * std::sqrt(model.gravity_S.norm() * radius)) slip = 0.0;
+  const double longer = scenery.options.vector_length.value_or(1.0);
+  const double omega_scale = per(longer * kOmegaLength, turning);
+  double momentum_scale = per(longer * kMomentumLength, momentum);
+  // L ends on the invariable plane, through which its head would hardly be seen
+  if (asks_for(scenery, "plane") && momentum > 0.0) {
+    const Sample start = scenery.motion.at(0.0);
+    momentum_scale = omega_scale * start.w_S.dot(start.L_S) / start.L_S.squaredNorm();
+  }
   return {radius,
-          per(kOmegaLength, turning),
-          per(kMomentumLength, momentum),
+          omega_scale,
+          momentum_scale,
           per(kVelocityLength, speed),
           per(kForceLength, force),
-          per(kForceLength, turned_by),
+          per(longer * kForceLength, turned_by),
           (model.on_pivot ? weight_length(lowest / radius, scenery.stand_height) : kOrbitLength) *
               radius,
           per(kVelocityLength, slip)};

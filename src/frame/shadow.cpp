@@ -247,7 +247,8 @@ std::vector<Vec2> light_slopes(const Vec3& to_light) {
 
 MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
                     const Vec3& to_light,
-                    double fineness) {
+                    double fineness,
+                    double rim) {
   const Grid grid = finer(kLampGrid, fineness);
   const std::vector<Vec2> slopes = light_slopes(to_light);
   const std::vector<std::vector<glm::vec3>> points = all_in_samples(casters, grid.per_radius);
@@ -266,8 +267,7 @@ MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
   Samples samples(grid, static_cast<int>(slopes.size()), low, high);
   stop_light(casters, points, slopes, samples);
   const auto normal = [&](int x, int y) {
-    return glm::vec3(
-        0.0f, 0.0f, samples.dark(x, y) * left_near_rim(samples.place(x, y), kShadowRim));
+    return glm::vec3(0.0f, 0.0f, samples.dark(x, y) * left_near_rim(samples.place(x, y), rim));
   };
   return mesh_of(samples, normal);
 }
@@ -292,7 +292,7 @@ MeshPtr floor_mesh(const std::vector<ShadowCaster>& casters, double fineness) {
   Samples samples(grid, static_cast<int>(slopes.size()), -corner, corner);
   stop_light(casters, all_in_samples(casters, grid.per_radius), slopes, samples);
   const auto normal = [&](int x, int y) {
-    return glm::vec3(samples.dark(x, y), 0.0f, left_near_rim(samples.place(x, y), 0.5f));
+    return glm::vec3(samples.dark(x, y), 0.0f, left_near_rim(samples.place(x, y), kFloorRim));
   };
   return mesh_of(samples, normal);
 }

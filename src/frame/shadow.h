@@ -16,8 +16,8 @@ inline constexpr double kLightSize = 0.1;
 inline constexpr double kLeastLightHeight = 0.5;  // sine of the angle above the floor
 // How far beyond its penumbra a shadow is smoothed, in radii of the floor.
 inline constexpr double kShadowBlur = 0.08;
-// Shadows fade so near the rim, in radii of the floor, since the floor does.
-inline constexpr double kShadowRim = 0.4;
+// Floors fade so near their rim, in their radius, and the shadows on them by as much.
+inline constexpr double kFloorRim = 0.5;
 
 // Something that stops light.
 struct ShadowCaster {
@@ -33,11 +33,12 @@ std::vector<Vec2> light_slopes(const Vec3& to_light);
 // The shadow, as a flat mesh in the plane z = 0 of the floor. fineness (at least 1): how many times
 // as fine, and as little smoothed, as is enough where the casters are as large as the floor. Its
 // normals are not unit: their z is the darkness (0..1), for a material that is `soft`; their x is
-// 0. Parts below the floor throw no shadow; within kShadowRim of the rim the darkness falls
-// smoothly to 0. Null if there is no shadow.
+// 0. Parts below the floor throw no shadow; within `rim` (radii of the floor, positive) of the rim
+// the darkness falls smoothly to 0. Null if there is no shadow.
 MeshPtr shadow_mesh(const std::vector<ShadowCaster>& casters,
                     const Vec3& to_light,
-                    double fineness = 1.0);
+                    double fineness = 1.0,
+                    double rim = kFloorRim);
 
 // Directions to points of the sky but for its lowest part, from which equal parts of its light come
 // to a floor (Lambert's cosine law), as slopes.

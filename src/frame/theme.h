@@ -29,6 +29,7 @@ struct Theme {
   glm::vec3 precession_cone;
   glm::vec3 stand;
   glm::vec3 force;     // forces on points of the body
+  glm::vec3 friction;  // of a table, beside its normal force
   glm::vec3 velocity;  // velocities of points of the body
   glm::vec3 position;  // position vectors, points, angles
   glm::vec3 ellipsoid;
@@ -36,7 +37,7 @@ struct Theme {
   glm::vec3 polhode;
   glm::vec3 polhodes;  // of other motions
   glm::vec3 herpolhode;
-  glm::vec3 trail;
+  glm::vec3 trail;  // paths, of the body's axis and of others
   glm::vec3 floor;
   glm::vec3 shadow;  // what a floor is darkened to
 };

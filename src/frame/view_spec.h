@@ -59,7 +59,7 @@ inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 // What is drawn: the [show] table.
 // Other names for vectors, plain text; absent: the usual one.
 struct VectorNames {
-  std::optional<std::string> omega, momentum, torque, gravity, frame_rotation;
+  std::optional<std::string> omega, momentum, torque, gravity, frame_rotation, x, y, z;
 };
 
 struct ShowSpec {
@@ -85,9 +85,10 @@ struct ShowSpec {
   std::vector<Vec3> trail_points;  // points whose paths are drawn, in B, m
   // Vectors whose tips draw their paths: names from traced_vectors(); absent: none.
   std::optional<std::vector<std::string>> trail_tips;
-  std::optional<double> trail_s;  // s of motion that paths cover; absent: from the start
-  int ghost_count = 5;            // how many earlier positions of the body are drawn
-  std::optional<double> ghost_s;  // s of motion between them; absent: duration / 40
+  std::optional<double> vector_length;  // factor on lengths of omega, L and torque; absent: 1
+  std::optional<double> trail_s;        // s of motion that paths cover; absent: from the start
+  int ghost_count = 5;                  // how many earlier positions of the body are drawn
+  std::optional<double> ghost_s;        // s of motion between them; absent: duration / 40
 
   // Whether the scene asks for the element; absent: it does not say. Adds an absent entry for a
   // name that `asked` lacks.
@@ -191,6 +192,9 @@ void fields(Visitor& v, VectorNames& s) {
   v.field("gravity", s.gravity, Doc{"of the weight; absent: mg"});
   v.field(
       "frame_rotation", s.frame_rotation, Doc{"of the axis about which space turns; absent: Ω₀"});
+  v.field("x", s.x, Doc{"of the first space axis; absent: X"});
+  v.field("y", s.y, Doc{"of the second space axis; absent: Y"});
+  v.field("z", s.z, Doc{"of the third space axis; absent: Z"});
 }
 
 template <class Visitor>
@@ -211,6 +215,12 @@ void fields(Visitor& v, ShowSpec& s) {
               Unit::none,
               kAny,
               hidden_names()});
+  v.field("vector_length",
+          s.vector_length,
+          Doc{"factor by which angular velocity, angular momentum and torque are drawn longer; "
+              "absent: 1",
+              Unit::none,
+              Range{0.1, 10.0}});
   v.field("trail_points",
           s.trail_points,
           Doc{"points of the body whose paths are drawn", Unit::length});

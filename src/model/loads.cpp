@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/ranges.h>
@@ -72,8 +73,10 @@ Switching switching_of(const LoadSpec& spec, const std::string& path) {
   if (spec.from || (acts.ramp > 0.0 && !spec.until)) acts.from = spec.from.value_or(0.0);
   if (spec.until) acts.until = *spec.until;
   const double whole = acts.from + acts.ramp;
-  if (acts.until <= acts.from || acts.until < whole) {
-    throw input_error("the load ends at {} s, before it has begun: it {} at {} s",
+  // the sum is rounded: 0.1 + 0.2 is more than 0.3
+  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(whole);
+  if (acts.until <= acts.from || acts.until < whole - rounding) {
+    throw input_error("the load ends at {} s, before it has begun: it {} at {:.15g} s",
                       acts.until,
                       acts.ramp > 0.0 ? "is whole" : "begins",
                       whole)

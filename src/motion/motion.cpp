@@ -124,6 +124,10 @@ std::optional<Reaction> reaction_at(const Motion& motion, double t) {
   Reaction found = reaction_of(model, contact->touch, t, moving_of(model, motion.state_at(t)));
   if (contact->touch.phase == Touch::Phase::lying)
     found.normal = -model.body.mass * model.gravity_S.z();
+  // what friction holds does not slip but for rounding errors
+  const Friction::Kind kind = model.table->friction.kind;
+  if (kind == Friction::Kind::rolling || (kind == Friction::Kind::coulomb && contact->touch.sticks))
+    found.slip_S.setZero();
   return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "math/so3.h"
+#include "model/contact_invariants.h"
 #include "motion/deviation.h"
 
 namespace polhode {
@@ -20,6 +21,28 @@ Vec3 axis_S(const Motion& motion, const Sample& sample) {
   const BodyModel& model = motion.model();
   const Vec3 axis = model.kind.symmetric() ? Vec3(model.R_BP.col(model.kind.axis)) : Vec3::UnitZ();
   return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
+}
+
+// what of the momentum the drift is of: on a table, the laws that hold
+std::string name_of_kept(const BodyModel& model) {
+  if (!model.table) return model.chi_P.squaredNorm() > 0.0 ? "L about the vertical" : "L";
+  std::vector<std::string> names;
+  for (const ContactInvariant& law : contact_invariants()) {
+    if (!law.holds(model)) continue;
+    // "momentum_about_contact" as "L about contact"
+    std::string name = law.name;
+    const std::string momentum = "momentum";
+    const std::size_t at = name.find(momentum);
+    if (at != std::string::npos) name.replace(at, momentum.size(), "L");
+    std::replace(name.begin(), name.end(), '_', ' ');
+    // those of one word are called after people
+    if (name.find(' ') == std::string::npos && name.front() >= 'a')
+      name.front() = static_cast<char>(name.front() - ('a' - 'A'));
+    names.push_back(name);
+  }
+  if (names.empty()) return "nothing else";
+  if (names.size() > 2) return "constants of motion";  // more names than a heading holds
+  return names.size() == 1 ? names.front() : names.front() + ", " + names.back();
 }
 
 constexpr double kNoPeriod = 0.0;
@@ -117,19 +140,24 @@ const std::vector<Recorded>& recorded_quantities() {
          return std::vector<double>{now.energy, kinetic, now.energy - kinetic};
        }},
       {"drift",
-       "drift from the start",
+       "drift",
        "",
        {"energy", "L"},
        [](const Motion& motion, const Sample& now) {
          const Drift drift = drift_at(motion, now.t);
          return std::vector<double>{drift.energy.value_or(NAN), drift.momentum.value_or(NAN)};
+       },
+       kNoPeriod,
+       false,
+       [](const BodyModel& model) {
+         return std::vector<std::string>{"energy", name_of_kept(model)};
        }},
       {"contact_force",
        "forces of the table",
        "N",
        {"N", "F"},
        [](const Motion& motion, const Sample& now) {
-         if (!motion.model().table) return std::vector<double>{NAN, NAN};
+         if (!motion.contact_at(now.t)) return std::vector<double>{NAN, NAN};
          const std::optional<Reaction> found = reaction_at(motion, now.t);
          if (!found) return std::vector<double>{0.0, 0.0};
          return std::vector<double>{found->normal, found->friction_S.norm()};
@@ -176,8 +204,15 @@ const Recorded* find_recorded(const std::string& name) {
   return nullptr;
 }
 
+std::vector<std::string> curve_names(const Recorded& quantity, const Motion& motion) {
+  return quantity.names != nullptr ? quantity.names(motion.model()) : quantity.curves;
+}
+
 std::string why_not(const Recorded& quantity, const Motion& motion) {
-  return quantity.of_a_table && !motion.model().table ? "needs a body on a table" : "";
+  if (!quantity.of_a_table) return "";
+  if (!motion.model().table) return "needs a body on a table";
+  if (!motion.contact_at(0.0)) return "needs the method dop853; others do not tell what touches";
+  return "";
 }
 
 std::vector<std::vector<double>> values_over_time(const Recorded& quantity,

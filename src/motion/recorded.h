@@ -21,6 +21,8 @@ struct Recorded {
   // The values are angles in `unit` that begin again after this much; 0: no.
   double period = 0.0;
   bool of_a_table = false;  // only bodies on a table have it
+  // The name of each curve for a motion of this model; null: `curves`.
+  std::vector<std::string> (*names)(const BodyModel& model) = nullptr;
 };
 
 // How many equal steps up to `end` (s) show what the quantities of a motion do: at least `least`,
@@ -46,6 +48,8 @@ std::vector<double> extremes_of(const std::vector<double>& values, int most);
 const std::vector<Recorded>& recorded_quantities();
 // The one of this name; null if there is none.
 const Recorded* find_recorded(const std::string& name);
+// The name of each curve for this motion.
+std::vector<std::string> curve_names(const Recorded& quantity, const Motion& motion);
 // Why the motion does not have the quantity, as in "needs a body on a table"; empty: it does.
 std::string why_not(const Recorded& quantity, const Motion& motion);
 // Their names, for show.plots and the schema.

@@ -29,6 +29,9 @@ constexpr double kNudge = 1e-13;
 constexpr double kRoundingsPerRootOfSteps = 8.0;
 // of a difference: where round-off does no more, finer runs will come closer
 constexpr double kOfRoundOff = 0.01;
+// A run on a table that is too coarse may come to an end that the motion does not have, such as an
+// edge that comes down. It is believed when so many runs in a row, each finer, come to an end.
+constexpr int kRunsStopped = 3;
 
 // How runs of one method at increasing fineness approach each other.
 class Convergence {
@@ -89,6 +92,20 @@ class Runs {
         watch_(watch) {}
 
   Integration integrate(double fineness) { return integrate_from(start_, fineness); }
+
+  // The same, or the first finer run that does not come to an end; `fineness` becomes that of it.
+  Integration integrate_or_finer(double& fineness) {
+    for (int stopped = 1;; ++stopped, fineness /= kTolerancesApart) {
+      try {
+        return integrate(fineness);
+      } catch (const Error& error) {
+        const bool may_be_too_coarse = model_.table && method_.adaptive &&
+                                       error.fault() == Fault::check_failed &&
+                                       fineness / kTolerancesApart >= kLeastToleranceRefined;
+        if (!may_be_too_coarse || stopped == kRunsStopped) throw;
+      }
+    }
+  }
 
   double difference(const Integration& coarse, const Integration& fine, unsigned round) const {
     const std::vector<double> times =
@@ -173,9 +190,10 @@ Refined refine(const StepperInfo& method,
                         ? accuracy
                         : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
   if (likely) fineness = *likely / (finer * finer);
-  Convergence convergence(method.adaptive ? kTolerancesApart : std::exp2(method.order));
+  const double drop = method.adaptive ? kTolerancesApart : std::exp2(method.order);
+  Convergence convergence(drop);
   Runs runs(method, model, start, duration, most_steps, watch);
-  Integration coarse = runs.integrate(fineness);
+  Integration coarse = runs.integrate_or_finer(fineness);
   int stalled = 0;
   for (unsigned round = 0;; ++round) {
     fineness *= finer;
@@ -187,7 +205,14 @@ Refined refine(const StepperInfo& method,
           accuracy,
           duration);
     }
-    Integration fine = runs.integrate(fineness);
+    const double wanted = fineness;
+    Integration fine = runs.integrate_or_finer(fineness);
+    if (fineness != wanted) {
+      // a run between the two was no motion: the coarser one shows nothing, either
+      convergence = Convergence(drop);
+      coarse = std::move(fine);
+      continue;
+    }
     convergence.add(runs.difference(coarse, fine, round));
     stalled = convergence.stalls() ? stalled + 1 : 0;
     const bool is_within = convergence.is_within(accuracy);

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/log.h"
+#include "render/shader_cache.h"
 
 namespace polhode {
 
@@ -70,6 +71,7 @@ void refuse_few_threads() {
 std::unique_ptr<Context> open_context(const std::string& name) {
   refuse_little_memory();
   refuse_few_threads();
+  leave_full_shader_cache();
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   // shaders of another version than ours crash Mesa's compiler, or are refused

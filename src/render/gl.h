@@ -65,6 +65,7 @@ namespace polhode {
   X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                 \
   X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                 \
   X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                               \
+  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                               \
   X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                                                   \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                   \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                                                               \

@@ -295,7 +295,9 @@ class Renderer::Implementation {
         if (item.material.hidden <= 0.0f) continue;
         const glm::vec3 foot(item.world_from_mesh[3]);
         const float radius = glm::length(glm::vec3(item.world_from_mesh[0]));
-        hidden.emplace_back(glm::distance(list.view.eye, foot) - radius, &item);
+        // of a rim only the far side is drawn
+        const float nearer = item.faces == Faces::back ? -radius : radius;
+        hidden.emplace_back(glm::distance(list.view.eye, foot) - nearer, &item);
       }
     }
     if (hidden.empty()) return;

@@ -2,6 +2,7 @@
 #include "render/surface.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -37,7 +38,9 @@ SurfacePrograms::Uniforms::Uniforms(const Program& p)
       mark_width(p.uniform("u_mark_width")),
       grain(p.uniform("u_grain")),
       fade(p.uniform("u_fade")),
-      dashes(p.uniform("u_dashes")) {}
+      dashes(p.uniform("u_dashes")),
+      near_side(p.uniform("u_near_side")),
+      across(p.uniform("u_across")) {}
 
 SurfacePrograms::Made::Made(const Gl& gl, const std::string& head)
     : program(gl, "scene.vert", "scene.frag", head), u(program) {}
@@ -47,7 +50,7 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
   if (entry == nullptr) {
     const std::string constants = fmt::format(
         "#define FINISH {}\n#define TURNED {:d}\n#define FLAT {:d}\n#define VIVID {:d}\n"
-        "#define SOFT {:d}\n#define MARKED {:d}\n"
+        "#define SOFT {:d}\n#define MARKED {:d}\n#define SIDED {:d}\n"
         "#define SHELL {:d}\n#define FADING {:d}\n#define DASHED {:d}\n#define LIGHT_GROUND {:d}\n"
         "#define FACES {}\n#define LIT_AT_CORNERS {:d}\n",
         static_cast<int>(kind.finish),
@@ -56,6 +59,7 @@ SurfacePrograms::Made& SurfacePrograms::made(const Kind& kind) {
         kind.vivid,
         kind.soft,
         kind.marked,
+        kind.sided,
         kind.shell,
         kind.fading,
         kind.dashed,
@@ -86,6 +90,7 @@ void SurfacePrograms::use(const Material& material,
                     material.vivid,
                     material.flat && material.soft,
                     material.mark_width > 0.0f,
+                    material.near_side != glm::vec4(0.0f),
                     material.alpha < 1.0f,
                     fade < 1.0f,
                     dashed,
@@ -114,6 +119,14 @@ void SurfacePrograms::use(const Material& material,
   gl_.Uniform1f(u.grain, material.grain);
   gl_.Uniform1f(u.fade, fade);
   gl_.Uniform1f(u.dashes, material.dashes);
+  gl_.Uniform4fv(u.near_side, 1, glm::value_ptr(material.near_side));
+  if (dashed) {
+    const glm::vec3 to_eye = view_.eye - glm::vec3(world_from_mesh[3]);
+    const float x = glm::dot(to_eye, glm::normalize(glm::vec3(world_from_mesh[0])));
+    const float y = glm::dot(to_eye, glm::normalize(glm::vec3(world_from_mesh[1])));
+    const float far = std::max(std::hypot(x, y), 1e-6f);  // an eye on the axis sees no limb
+    gl_.Uniform3fv(u.across, 1, glm::value_ptr(glm::vec3(-y, x, 0.0f) / far));
+  }
 }
 
 }  // namespace polhode

@@ -36,20 +36,30 @@ class SurfacePrograms {
   struct Kind {
     Finish finish = Finish::plain;
     bool turned = false;
-    bool flat = false, vivid = false, soft = false, marked = false;
+    bool flat = false, vivid = false, soft = false, marked = false, sided = false;
     bool shell = false, fading = false, dashed = false;
     bool light_ground = false;
     Faces faces = Faces::front;
     auto all() const {
-      return std::tie(
-          finish, turned, flat, vivid, soft, marked, shell, fading, dashed, light_ground, faces);
+      return std::tie(finish,
+                      turned,
+                      flat,
+                      vivid,
+                      soft,
+                      marked,
+                      sided,
+                      shell,
+                      fading,
+                      dashed,
+                      light_ground,
+                      faces);
     }
     friend bool operator<(const Kind& a, const Kind& b) { return a.all() < b.all(); }
   };
   struct Uniforms {
     explicit Uniforms(const Program& p);
     GLint clip_from_world, world_from_mesh, normal_from_mesh, eye, key_light, fill_light, color,
-        alpha, gloss, mark_color, mark_width, grain, fade, dashes;
+        alpha, gloss, mark_color, mark_width, grain, fade, dashes, near_side, across;
   };
   struct Made {
     Made(const Gl& gl, const std::string& head);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "scene/toml_text.h"
 
 namespace polhode {
@@ -127,6 +128,19 @@ std::string without_suffixes(const std::string& path) {
   return out;
 }
 
+namespace {
+
+// an integer of more digits than TOML has
+bool is_long_number(std::string_view text) {
+  constexpr std::size_t kMostDigits = 18;
+  return text.find_first_not_of("+-_0123456789") == std::string_view::npos &&
+         std::count_if(text.begin(), text.end(), [](unsigned char c) {
+           return std::isdigit(c) != 0;
+         }) > static_cast<std::ptrdiff_t>(kMostDigits);
+}
+
+}  // namespace
+
 const toml::node* node_at(const toml::table& tree, const std::string& path) {
   const toml::node* node = &tree;
   for (const PathPart& part : parts_of(path)) {
@@ -156,6 +170,8 @@ void replace_value(toml::table& tree, const std::string& path, const std::string
     // what begins as a text, list or table was meant as one
     if (value.empty() || std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
       throw input_error("{}", error.message());
+    if (is_long_number(value))
+      throw input_error("'{}' is beyond what an integer holds; write 1e20 or the like", value);
     replace_node(tree, path, toml::value<std::string>(value));
     return;
   }

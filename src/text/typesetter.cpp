@@ -383,6 +383,14 @@ class Typesetter::Implementation {
     return strips_.emplace(key, std::move(made)).first->second.sprite;
   }
 
+  // Curves as chords: Cairo leaves holes where it strokes bends that are narrower than the pen.
+  static void flatten_path(cairo_t* cairo) {
+    cairo_path_t* chords = cairo_copy_path_flat(cairo);
+    cairo_new_path(cairo);
+    cairo_append_path(cairo, chords);
+    cairo_path_destroy(chords);
+  }
+
   // Letters as filled outlines, with their rim; glyphs would be put on whole pixels.
   template <class AddPath>
   static SpritePtr painted(
@@ -393,6 +401,7 @@ class Typesetter::Implementation {
     cairo_translate(cairo.get(), x, y);
     add_path(cairo.get());
     if (style.halo > 0.0) {
+      flatten_path(cairo.get());
       set_source(cairo.get(), style.halo_color);
       cairo_set_line_width(cairo.get(), 2.0 * style.halo);
       cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);

@@ -71,6 +71,7 @@ class FilmReader::Implementation {
 
   void open_decoder() {
     const AVCodecParameters& track = *stream_->codecpar;
+    if (track.codec_id == AV_CODEC_ID_NONE) throw input_error("has pictures of an unknown kind");
     const AVCodec* codec = avcodec_find_decoder(track.codec_id);
     if (codec == nullptr) {
       throw environment_error("this FFmpeg cannot decode {}", avcodec_get_name(track.codec_id));
@@ -101,7 +102,10 @@ class FilmReader::Implementation {
   bool decode() {
     while (true) {
       const int received = avcodec_receive_frame(decoder_.get(), decoded_.get());
-      if (received == 0) return true;
+      if (received == 0) {
+        refuse_guesses();
+        return true;
+      }
       if (received == AVERROR_EOF) return false;
       if (received != AVERROR(EAGAIN)) refuse_damage(received);
       send_packet();
@@ -130,6 +134,14 @@ class FilmReader::Implementation {
     const bool lacks = code == AVERROR_INVALIDDATA && memory_is_short();
     throw film_error(lacks ? AVERROR(ENOMEM) : code,
                      fmt::format("is damaged after frame {}", frames_));
+  }
+
+  // Some decoders (ProRes) pass on a picture of which parts could not be decoded; what stands there
+  // is what the memory held before, which may be the right picture.
+  void refuse_guesses() const {
+    if (decoded_->decode_error_flags != 0 || (decoded_->flags & AV_FRAME_FLAG_CORRUPT) != 0) {
+      refuse_damage(AVERROR_INVALIDDATA);
+    }
   }
 
   // A file that was cut off simply ends. Packets are counted, for a film may leave out frames that

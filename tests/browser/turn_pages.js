@@ -473,6 +473,62 @@ const attitudeAt = (scene, t, ...settings) => {
     return `SSIM ${said.join(" ")}`;
   });
 
+  await check("what a table hides is dashed as in the film", async () => {
+    // L of a ball that spins downwards: through the ball, and then below the table
+    fs.writeFileSync(`${place}/below.toml`, `format = 1
+title = "Below"
+[body]
+solid = { kind = "sphere", radius_mm = 40, mass_g = 300 }
+[motion]
+hold = "table"
+duration = 1
+spin = { space = [0, 0, -20] }
+friction = { kind = "coulomb", mu = 0.2 }
+[show]
+vector_length = 1.6
+space_axes = false
+omega = false
+contact = false
+labels = false
+clock = false
+`);
+    fs.writeFileSync(`${place}/below.md`, `![Below](below.toml){ .turn size=640x360 fps=10 }\n`);
+    run("lecture", `${place}/below.md`, "-o", `${place}/below`, "--to", "html", "--quiet");
+    const other = await newPage({ viewport: { width: 700, height: 900 } });
+    await other.goto(`file://${place}/below/index.html#turn=below&t=0`);
+    await other.waitForTimeout(1500);
+    await other.addStyleTag({ content: ".turning { position: fixed !important; left: 0; top: 0; z-index: 9; width: 640px !important; height: 360px !important; aspect-ratio: auto !important; } .tip { display: none !important; } canvas { outline: none !important; }" });
+    await other.waitForTimeout(800);
+    await other.screenshot({ path: `${place}/page.png`, clip: { x: 0, y: 0, width: 640, height: 360 } });
+    run("render", `${place}/below.toml`, "-o", `${place}/film.png`, "--still", "0", "--size", "640x360", "--quiet");
+    // how often the blue of L ends from one row to the next, and in how many rows it is
+    const dashes = (file) =>
+      other.evaluate(async (url) => {
+        const image = new Image();
+        image.src = url;
+        await image.decode();
+        const canvas = new OffscreenCanvas(640, 360);
+        const context = canvas.getContext("2d");
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, 640, 360);
+        const blue = Array.from({ length: 360 }, (_, y) => {
+          for (let x = 0; x < 640; ++x) {
+            const [r, , b] = data.subarray(4 * (640 * y + x));
+            if (b > 130 && b - r > 75) return true;
+          }
+          return false;
+        });
+        return { ends: blue.filter((now, y) => now && !blue[y + 1]).length, rows: blue.filter(Boolean).length };
+      }, `data:image/png;base64,${fs.readFileSync(`${place}/${file}.png`).toString("base64")}`);
+    const film = await dashes("film");
+    const page = await dashes("page");
+    assert.ok(film.ends > 8, `${film.ends} dashes in the film`);
+    assert.ok(Math.abs(page.ends - film.ends) <= 2, `${page.ends} dashes on the page, ${film.ends} in the film`);
+    assert.ok(Math.abs(page.rows - film.rows) <= 0.2 * film.rows, `${page.rows} rows on the page, ${film.rows} in the film`);
+    await other.context().close();
+    return `${page.ends} and ${film.ends} dashes, ${page.rows} and ${film.rows} rows`;
+  });
+
   await check("as wide as a phone", async () => {
     await page.setViewportSize({ width: 375, height: 700 });
     await page.waitForTimeout(300);

@@ -172,6 +172,12 @@ const BadCall kBadCalls[] = {
     {"lecture SCENE -o DIR/out", 2, "is a scene, not a deck"},
     {"render SCENE -o DIR/a.jpg --still 0.5", 2, "'.png'"},
     {"render SCENE -o DIR/a.jpg", 2, "'.png'"},
+    {"chart SCENE -o DIR/out --pictures --methods rk4", 2, "--methods: is for charts of methods"},
+    {"stability SCENE -o DIR/out --y-range 1e-300:1e300", 2, "--y-range: 1e-300:1e300 spans more"},
+    {"stability SCENE -o DIR/out --y-range 1:1e200", 2, "--y-range: with 1e+200 times the spin"},
+    {"inspect SCENE --set body.solid.mass=99999999999999999999",
+     2,
+     "--set body.solid.mass: '99999999999999999999' is beyond what an integer holds"},
     {"chart SCENE -o DIR/out --methods 'rk4, rk44'", 2, "'rk44' (did you mean 'rk4'?)"},
     {"inspect SCENE -o DIR/a.txt", 2, "inspect has no option -o (known: --help, --json, "},
     {"inspect -oDIR/a.txt SCENE", 2, "inspect has no option -o"},
@@ -266,6 +272,24 @@ TEST(BadInput, NamesOfFilesStayWithinTheLine) {
                               (folder / "a\nb\x1b[31m.png") + "'");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.err.find("a b\\x1b[31m.png: 1 picture"), std::string::npos) << ran.err;
+}
+
+// a report, a page and the tags of a film could not hold them
+TEST(BadInput, WordsThatAreNotUtf8AreRefused) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string scene = "'" + (folder / "scene.toml") + "'";
+  for (const std::string& arguments :
+       {"render " + scene + " -o '" + (folder / "a\xff.mp4") + "'",
+        "render " + scene + " -o '" + (folder / "a.mp4") + "' --set show.caption=a\xe4",
+        "inspect " + scene + " --json --set title=\xff"}) {
+    SCOPED_TRACE(arguments);
+    const Ran ran = run_polhode(arguments);
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    EXPECT_NE(ran.err.find("which is not UTF-8 text"), std::string::npos) << ran.err;
+  }
+  using Listing = std::filesystem::directory_iterator;
+  EXPECT_EQ(std::distance(Listing(folder.path()), Listing()), 1);
 }
 
 // pictures that would be empty or nearly so are told of

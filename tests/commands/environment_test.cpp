@@ -230,6 +230,23 @@ TEST(Environment, VersionsOfShadersAreOurs) {
     EXPECT_EQ(run_polhode(still, wrong).code, 0) << wrong;
 }
 
+// Mesa maps the index of its cache: on a full disk that is a bus error
+TEST(Environment, AFullDiskOfTheShaderCacheIsLeftAlone) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer wants to be loaded before all else";
+#endif
+  const TemporaryFolder folder, cache;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string still =
+      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string at = "XDG_CACHE_HOME='" + cache.path().string() + "' ";
+  const Ran full = run_polhode(still, at + "POLHODE_LACKS=room LD_PRELOAD='" POLHODE_LACKING "'");
+  EXPECT_EQ(full.code, 0) << full.err;
+  EXPECT_EQ(cache.entries(), 0);
+  EXPECT_EQ(run_polhode(still, at).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(cache / "mesa_shader_cache"));
+}
+
 // programs that fail are told as what they are, and what was there before stays
 TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
   const TemporaryFolder folder, programs;
@@ -280,9 +297,7 @@ TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
 TEST(Environment, InterruptLeavesNothingAndSaysSo) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
-    std::string text = test::kSmallScene;
-    text.replace(text.find("duration = 1"), 12, "duration = 1000");
-    write_text(folder / "scene.toml", text);
+    write_text(folder / "scene.toml", test::long_scene());
     test::Background run(
         {"render", folder / "scene.toml", "-o", folder / "a.mp4", "--progress", "json"});
     run.await_progress();

@@ -38,11 +38,8 @@ const Way kWays[] = {{"a.mp4", ""},
                      {"a.hash", ""}};
 
 // with captions, so that there is a .vtt to leave behind
-std::string story_scene(const std::string& duration = "1") {
-  std::string text = test::kSmallScene;
-  const std::string usual = "duration = 1";
-  text.replace(text.find(usual), usual.size(), "duration = " + duration);
-  return text +
+std::string story_scene(const std::string& scene = test::kSmallScene) {
+  return scene +
          "[[story]]\nat = 0\ncaption = \"It turns & <turns>\"\n"
          "[[story]]\nat = 0.5\nhold = 1\ncaption = \"It stands\"\n";
 }
@@ -154,7 +151,7 @@ TEST_F(Formats, ASmallFileSystemIsFull) {
 }
 
 TEST_F(Formats, SignalsLeaveNothing) {
-  write_text(folder_ / "scene.toml", story_scene("1000"));
+  write_text(folder_ / "scene.toml", story_scene(test::long_scene()));
   int turn = 0;
   for (const Way& way : kWays) {
     const int signal = std::array{SIGINT, SIGTERM, SIGHUP}[static_cast<std::size_t>(turn++ % 3)];

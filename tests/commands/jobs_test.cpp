@@ -42,11 +42,7 @@ TEST_F(Jobs, PixelsDoNotDependOnTheirNumber) {
 class JobsKilled : public Jobs {
  protected:
   // a film that takes long, by two processes
-  JobsKilled() {
-    std::string text = test::kSmallScene;
-    text.replace(text.find("duration = 1"), 12, "duration = 5000");
-    test::write_text(folder_ / "scene.toml", text);
-  }
+  JobsKilled() { test::write_text(folder_ / "scene.toml", test::long_scene()); }
   std::vector<std::string> long_film() const {
     return {"render",
             folder_ / "scene.toml",

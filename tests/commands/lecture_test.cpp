@@ -184,9 +184,7 @@ TEST_F(Lecture, BadUseIsOneLine) {
 TEST_F(Lecture, AnInterruptLeavesTheLastVersion) {
   ASSERT_EQ(lecture().code, 0);
   const std::string before = page();
-  std::string scene = test::kSmallScene;
-  write_text(folder_ / "deck/scene.toml",
-             scene.replace(scene.find("duration = 1"), 12, "duration = 900"));
+  write_text(folder_ / "deck/scene.toml", test::long_scene());
   write_text(folder_ / "deck/deck.md", "# New\n\n![](scene.toml){.film fps=60}\n");
   test::Background run({"lecture",
                         folder_ / "deck/deck.md",

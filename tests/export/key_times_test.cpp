@@ -57,6 +57,21 @@ TEST(KeyTimes, AreAsDenseAsTheAccelerationAsks) {
     EXPECT_EQ(t, static_cast<double>(static_cast<float>(t)));
 }
 
+// as of a rate of Euler's angles where the body passes gimbal lock
+TEST(KeyTimes, ASpikeBetweenTheTestedPlacesIsSeen) {
+  const double tolerance = 1e-3;
+  const auto pose_at = [](double t) {
+    const double spike = std::exp(-std::pow((t - 0.375) / 0.01, 2));
+    return Pose{Vec3(spike, t, 0), Quat::Identity(), Vec3::Ones()};
+  };
+  const KeyedPoses keys = keyed(ball(), pose_at, looks(1), kSecond, tolerance);
+  EXPECT_LE(keys.error, tolerance);
+  double highest = 0.0;
+  for (const Pose& pose : keys.poses)
+    highest = std::max(highest, pose.at.x());
+  EXPECT_NEAR(highest, 1.0, tolerance);
+}
+
 TEST(KeyTimes, AJumpTakesAMomentAndIsNoError) {
   const auto pose_at = [](double t) {
     return Pose{Vec3(t < 0.4 ? 0.0 : 1.0, 0, 0), Quat::Identity(), Vec3::Ones()};

@@ -8,6 +8,7 @@
 #include "film/small_films.h"
 #include "scene/scene_file.h"
 #include "support/logged.h"
+#include "support/scenes.h"
 
 namespace polhode {
 namespace {
@@ -73,6 +74,53 @@ TEST(PreparedFilm, WarnsOfABodyThatSeemsToTurnBackwards) {
   EXPECT_NE(words.find("video.shutter_deg = 360"), std::string::npos) << words;
   scene.video.shutter = 2.0 * kPi;
   EXPECT_EQ(warnings_of(scene), "") << "what is blurred has no direction";
+}
+
+// With its centre at rest, the contact of a disc of the radius a runs round at
+// sqrt(4 g / (a sin(tilt))), 55.2 rad/s at first and a hundredth more after 0.25 s: by half a turn
+// in 0.0569 s. The body itself hardly turns.
+TEST(PreparedFilm, WarnsOfAContactThatRunsRoundTooFast) {
+  Scene scene = load_scene(test::scene_path("euler_disc"));
+  scene.motion.duration = 0.3;
+  scene.story.clear();
+  scene.show.plots.clear();
+  scene.video.fps = {179, 10};
+  EXPECT_EQ(warnings_of(scene), "");
+  scene.video.fps = {174, 10};
+  const std::string words = warnings_of(scene);
+  EXPECT_NE(words.find("from 0 s on the contact runs round"), std::string::npos) << words;
+  EXPECT_NE(words.find("at most 0.98"), std::string::npos) << words;
+  scene.show.asked["contact"] = false;
+  EXPECT_EQ(warnings_of(scene), "") << "nothing runs";
+}
+
+// rolling takes energy and tilt, so that the contact runs ever faster, and the story hides it in
+// time: before the tilt at which that rate is half a turn in a frame
+TEST(PreparedFilm, EulersDiscHidesItsContactBeforeItFlickers) {
+  Scene scene = load_scene(test::scene_path("euler_disc"));
+  scene.show.plots.clear();
+  const PreparedFilm film(plan_of(scene));
+  EXPECT_EQ(test::logged_by([&] { film.warn(); }), "");
+  const double hidden = scene.story.back().at + 0.5;
+  const Sample then = film.solved().simulation.motion.at(hidden);
+  const double tilt = std::acos((then.q_SB * Vec3::UnitZ()).z());
+  const double rate = std::sqrt(4.0 * 9.80665 / (0.0375 * std::sin(tilt)));
+  EXPECT_LT(rate / 60.0, kPi);
+  EXPECT_GT(rate / 60.0, 0.9 * kPi) << "but not long before";
+}
+
+TEST(PreparedFilm, WarnsOfASlipThatTheMethodDoesNotTell) {
+  Scene scene = load_scene(test::scene_path("tippe_top"));
+  scene.motion.duration = 0.05;
+  scene.story.clear();
+  scene.show.plots.clear();
+  scene.video.time_scale = 0.1;
+  scene.show.asked["slip"] = true;
+  EXPECT_EQ(warnings_of(scene), "");
+  scene.numerics.method = "table_rk4";
+  scene.numerics.step = 1e-4;
+  EXPECT_NE(warnings_of(scene).find("show.slip: shows nothing: only the method dop853"),
+            std::string::npos);
 }
 
 TEST(PreparedFilm, WarnsOfALoopThatDoesNotClose) {

@@ -72,6 +72,44 @@ TEST(Arrow, AVectorOfNoLengthIsNotDrawn) {
   EXPECT_TRUE(items.empty());
 }
 
+// of two in one line the thin one is seen on both sides of the other; side by side it needs nothing
+TEST(Arrow, AThinOneInsideAnotherHasARim) {
+  const ArrowShape thin{0.018, 0.05, 0.23}, thick{0.025, 0.064, 0.17};
+  const auto rim = [&](double angle, double length = 1.5) {
+    return rim_around(
+        length * Vec3(std::sin(angle), 0, std::cos(angle)), thin, Vec3(0, 0, 1.3), thick);
+  };
+  ASSERT_TRUE(rim(0.0));
+  EXPECT_GT(rim(0.0)->radius, 1.4 * thick.shaft_radius);
+  EXPECT_LT(rim(0.0)->radius, thick.head_radius);
+  // as far as both have shafts, whichever is longer
+  EXPECT_NEAR(rim(0.0)->length, 1.3 - 0.17, 1e-12);
+  EXPECT_NEAR(rim(0.0, 1.0)->length, 1.0 - 0.23, 1e-12);
+  EXPECT_FALSE(rim(0.1));
+  EXPECT_FALSE(rim(3.14));
+  EXPECT_FALSE(rim(0.0, 0.0));
+  EXPECT_FALSE(rim_around(Vec3(0, 0, 1.5), thick, Vec3(0, 0, 1.3), thick));
+  EXPECT_FALSE(rim_around(Vec3(0, 0, 1.5), thick, Vec3(0, 0, 1.3), thin));
+}
+
+// it does not jump while the angle changes: it comes out of the shaft
+TEST(Arrow, RimsGrowSmoothly) {
+  const ArrowShape thin{0.018, 0.05, 0.23}, thick{0.025, 0.064, 0.17};
+  const auto radius = [&](double angle) {
+    const auto rim =
+        rim_around(1.5 * Vec3(std::sin(angle), 0, std::cos(angle)), thin, Vec3(0, 0, 1.3), thick);
+    return rim ? rim->radius : thin.shaft_radius;
+  };
+  double before = radius(0.0);
+  for (int i = 1; i <= 500; ++i) {
+    const double now = radius(1e-4 * i);
+    EXPECT_LE(now, before);
+    EXPECT_LT(before - now, 2e-4) << i;
+    before = now;
+  }
+  EXPECT_EQ(before, thin.shaft_radius);
+}
+
 TEST(Arrow, ATubeGoesFromEndToEnd) {
   std::vector<DrawItem> items;
   const Vec3 from(0, 1, 0), to(2, -1, 1);

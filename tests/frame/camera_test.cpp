@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/camera.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <glm/vec4.hpp>
@@ -47,6 +49,47 @@ TEST(Camera, PixelsPerMetreMatchesProject) {
   const double step = 1e-3;
   const double moved = (camera.project(Vec3(0, step, 0)) - camera.project(Vec3::Zero())).norm();
   EXPECT_NEAR(moved / step, camera.pixels_per_metre(Vec3::Zero()), 1e-6 * moved / step);
+}
+
+// of balls all over: none of which a point is seen counts as outside, and those that do are shown
+// the way by the pixel of their middle
+TEST(Camera, TheWayToABallIsThatToItsPixel) {
+  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kPicture, Vec3::Zero(), 20.0);
+  const Vec2 middle(0.5 * kPicture.width, 0.5 * kPicture.height);
+  const std::vector<Vec3> directions = random_points(2, 1.0);
+  int outside = 0;
+  for (const Vec3& center : random_points(3, 3.0)) {
+    constexpr double kRadius = 0.3;
+    const std::optional<Vec2> way = camera.way_to({center, kRadius});
+    const bool any_seen =
+        std::any_of(directions.begin(), directions.end(), [&](const Vec3& direction) {
+          return camera.sees(center + kRadius * direction.normalized());
+        });
+    EXPECT_FALSE(any_seen && way) << center.transpose();
+    if (!way) continue;
+    ++outside;
+    EXPECT_NEAR(way->norm(), 1.0, 1e-12);
+    if (center.x() >= 5.0 - kRadius) continue;
+    EXPECT_NEAR((*way - (camera.project(center) - middle).normalized()).norm(), 0.0, 1e-9);
+  }
+  EXPECT_GT(outside, 20);
+}
+
+TEST(Camera, ABallIsOutsideWhenItsRimIs) {
+  const Camera camera(Vec3(5, 0, 0), Vec3::Zero(), 0.6, kPicture, Vec3::Zero(), 1.0);
+  // the tangent from the eye to the ball passes the upper edge
+  const double edge = 0.3, radius = 0.2;
+  const double height = radius / std::cos(edge) + 5.0 * std::tan(edge);
+  EXPECT_FALSE(camera.way_to({Vec3(0, 0, height - 1e-9), radius}));
+  const std::optional<Vec2> way = camera.way_to({Vec3(0, 0, height + 1e-9), radius});
+  ASSERT_TRUE(way);
+  EXPECT_NEAR((*way - Vec2(0, -1)).norm(), 0.0, 1e-12);
+  // behind the eye: whither the camera would have to turn
+  const std::optional<Vec2> behind = camera.way_to({Vec3(9, 0.5, 0), radius});
+  ASSERT_TRUE(behind);
+  EXPECT_NEAR((*behind - Vec2(1, 0)).norm(), 0.0, 1e-12);
+  EXPECT_TRUE(camera.way_to({Vec3(9, 0, 0), radius}));
+  EXPECT_TRUE(camera.way_to({Vec3(-50, 0, 0), radius})) << "beyond the clip planes";
 }
 
 TEST(Camera, ZoomMagnifiesAboutTheMiddle) {

@@ -57,6 +57,24 @@ TEST(Compose, ARodIsAsFineAsItIsDrawn) {
   EXPECT_GT(list.opaque[0].mesh->vertices.size(), unit_cylinder(8).vertices.size());
 }
 
+// where a method fails, the last vectors say nothing; the body is where it came to
+TEST(Compose, VectorsEndWhereTheirMotionFails) {
+  const Motion motion = moving(prolate_body(), wobbling());
+  ShowSpec show;
+  show["angles"] = true;
+  const Composer whole = composer(prolate_body(), wobbling(), show);
+  const Composer failing(whole, motion, 1.0);
+  const auto counts = [&](const Composer& picture, double t) {
+    return GlyphCounts(picture.glyphs_at(motion.at(t), t));
+  };
+  EXPECT_EQ(counts(failing, 0.9).arrows, counts(whole, 0.9).arrows);
+  EXPECT_EQ(counts(failing, 0.9).cones, 2u);
+  const GlyphCounts later = counts(failing, 1.0);
+  EXPECT_EQ(later.arrows + later.cones + later.arcs + later.labels, 0u);
+  EXPECT_EQ(later.meshes, counts(whole, 1.0).meshes);
+  EXPECT_GT(later.meshes, 0u);
+}
+
 // far side, then near side; cones would not know where to go
 TEST(Compose, BodiesThatAreSeenThroughHaveTwoSides) {
   ShowSpec show = show_only("body");

@@ -58,6 +58,26 @@ TEST(DiagramPicture, TheDotIsWhereTheMotionIs) {
   }
 }
 
+// the walls of the valley go up beside the names of the turning points
+TEST(DiagramPicture, TheCurveOfThePotentialGoesThroughNoName) {
+  for (const PixelBox& room : {PixelBox{1094, 95, 826, 940}, PixelBox{380, 30, 260, 160}}) {
+    const Drawn drawn("potential", false, room);
+    int names = 0;
+    for (const PlacedText& text : drawn.picture.texts()) {
+      if (text.markup.rfind("\u03b8", 0) != 0) continue;
+      ++names;
+      for (const DiagramCurve& curve : drawn.diagram.curves) {
+        if (curve.kind != DiagramCurve::Kind::potential) continue;
+        for (const Vec2& point : curve.points) {
+          const LinePoint at = drawn.picture.pixel(point);
+          EXPECT_GT(distance(text.room, {at.x, at.y}), 0.0) << text.markup;
+        }
+      }
+    }
+    EXPECT_EQ(names, 2);
+  }
+}
+
 TEST(DiagramPicture, TextStaysInItsRoomAndOffOtherText) {
   for (const int height : {940, 470, 310}) {
     for (const char* kind : {"potential", "phase", "polhode_map"}) {

@@ -39,6 +39,15 @@ TEST(Elements, DefaultsFollowTheScene) {
       shown(composer(cone_body(), spinning_on_pivot())),
       (Names{"body", "space_axes", "omega", "momentum", "precession_cone", "pivot", "floor"}));
 
+  MotionSpec hanging = spinning_on_pivot();
+  hanging.attitude.zxz = Vec3(0.0, 2.8, 0.0);
+  hanging.spin.rates = Vec3(0.0, 0.0, 1.0);
+  EXPECT_EQ(shown(composer(cone_body(), hanging)),
+            (Names{"body", "space_axes", "omega", "momentum", "precession_cone", "hinge"}));
+  ShowSpec rates;
+  rates["euler_rates"] = true;
+  EXPECT_TRUE(composer(prolate_body(), wobbling(), rates).shows("sum"));
+
   MotionSpec steady = wobbling();
   steady.spin.body = Vec3(0, 0, 3);
   EXPECT_FALSE(composer(prolate_body(), steady).shows("space_cone")) << "no wobble, no cone";
@@ -84,9 +93,20 @@ MotionSpec sliding() {
   spec.hold = "table";
   spec.friction = FrictionSpec{};
   spec.friction->kind = "viscous";
-  spec.friction->c = 0.2;
+  spec.friction->c = 4.0;
   spec.duration = 1.0;
   return spec;
+}
+
+// friction that is a speck beside the normal force would have no name
+TEST(Elements, TinyFrictionIsNotDrawn) {
+  MotionSpec spec = sliding();
+  spec.friction->c = 1e-3;
+  const Composer picture = test::composer(prolate_body(), spec, show_only("contact"));
+  const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
+  ASSERT_EQ(glyphs.labels.size(), 1u);
+  EXPECT_EQ(glyphs.labels[0].markup, "<b>N</b>");
+  EXPECT_EQ(glyphs.arrows.size(), 1u);
 }
 
 TEST(Elements, EachNameAddsItsOwnGlyphs) {
@@ -105,6 +125,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"body_cone", {.cones = 1}},
                                                {"precession_cone", {.cones = 1}},
                                                {"pivot", {.meshes = 1}},
+                                               {"hinge", {.meshes = 1}},
                                                {"gimbals", {.meshes = 3, .rods = 3}},
                                                {"frame_rotation", {.arrows = 1}},
                                                {"ensemble", {.meshes = 2, .ghosts = 2}},
@@ -114,11 +135,12 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"slip", {.arrows = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
-                                               {"angles", {.arcs = 3}},
-                                               {"tilt", {.arcs = 1}},
+                                               {"angles", {.rods = 6, .arcs = 3}},
+                                               {"tilt", {.rods = 2, .arcs = 1}},
                                                {"ghosts", {.ghosts = 5}},
                                                {"omega_components", {.arrows = 3}},
                                                {"euler_rates", {.arrows = 3}},
+                                               {"sum", {.arrows = 3, .rods = 17}},
                                                {"torque", {.arrows = 2}},
                                                {"gravity", {.arrows = 1}},
                                                {"axis_plane", {.meshes = 1, .sheets = 1}},
@@ -134,9 +156,9 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";
   for (const auto& [name, count] : wanted) {
     SCOPED_TRACE(name);
-    const bool heavy = name == "precession_cone" || name == "pivot" || name == "gimbals" ||
-                       name == "gravity" || name == "torque" || name == "ghosts" ||
-                       name == "frame_rotation";
+    const bool heavy = name == "precession_cone" || name == "pivot" || name == "hinge" ||
+                       name == "gimbals" || name == "gravity" || name == "torque" ||
+                       name == "ghosts" || name == "frame_rotation";
     const bool on_table = name == "contact" || name == "contact_trail" || name == "slip";
     MotionSpec motion = heavy              ? spinning_on_pivot()
                         : name == "forces" ? pulled()
@@ -149,8 +171,10 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
       shared.ensemble = {test::moving(body, motion), test::moving(body, motion)};
     Staging staging;
     staging.timeline = Timeline({}, motion.duration, 1.0);
+    ShowSpec show = show_only(name);
+    if (name == "sum") show["euler_rates"] = true;
     const Composer picture(
-        test::moving(body, motion), body, staging, show_only(name), {}, test::kSize, shared);
+        test::moving(body, motion), body, staging, show, {}, test::kSize, shared);
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
     const Count found{glyphs.arrows.size(),
                       glyphs.meshes.size(),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/film.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/motions.h"
@@ -123,6 +126,64 @@ TEST(Film, APanelStandsStillBehindItsEnd) {
               later.panels[0].list.opaque[i].world_from_mesh);
   }
   EXPECT_EQ(later.stamps.size(), at_end.stamps.size() + 2);  // a badge and its words
+}
+
+// a film by a camera that looks beside the body, above which it stands
+Film beside_the_body(bool with_notes) {
+  const BodySpec body = test::prolate_body();
+  CameraSpec camera;
+  camera.eye = Vec3(5, 0, 0);
+  camera.target = Vec3(0, 0, -4);
+  FilmPanel panel;
+  panel.place = {0, 0, 640, 360};
+  panel.composer = std::make_shared<const Composer>(test::moving(body, test::wobbling()),
+                                                    body,
+                                                    camera,
+                                                    ShowSpec{},
+                                                    ThemeSpec{},
+                                                    PictureSize{640, 360});
+  panel.end = 4.0;
+  if (with_notes) {
+    panel.rows.name = true;
+    panel.notes = [](double) {
+      return PanelNotes{"name", {}, {}, {}};
+    };
+  }
+  return {{panel}, FilmText{}, {640, 360}};
+}
+
+TEST(Film, AChevronPointsToABodyOutsideThePicture) {
+  const Film film = beside_the_body(false);
+  const std::optional<Vec2> way = film.panels()[0].composer->camera_view(1.0, 4.0).way_to_body;
+  ASSERT_TRUE(way);
+  EXPECT_LT(way->y(), -0.99);
+  const PlacedPage page = film.placed(1.0);
+  const auto chevrons =
+      std::count_if(page.rooms.begin(), page.rooms.end(), [](const TextRoom& room) {
+        return std::abs(room.center().x() - 320.0) < 5.0 && room.top > 0.0 && room.bottom < 60.0;
+      });
+  EXPECT_EQ(chevrons, 1);
+  for (const PlacedText& text : page.texts)
+    EXPECT_NE(text.role, TextRole::note) << "a film by itself has no notes";
+}
+
+TEST(Film, APanelSaysThatItsBodyIsOut) {
+  const Film film = beside_the_body(true);
+  const PlacedPage page = film.placed(1.0);
+  std::vector<PlacedText> notes;
+  for (const PlacedText& text : page.texts)
+    if (text.role == TextRole::note) notes.push_back(text);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[1].markup, "the body is out of the picture");
+  EXPECT_GE(notes[1].style.size, 28.0 / 1080.0 * 360.0);
+  for (std::size_t i = 0; i < page.rooms.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(overlap(page.rooms[i], page.rooms[j])) << i << ' ' << j;
+  }
+}
+
+TEST(Film, ABodyInThePictureNeedsNoChevron) {
+  EXPECT_FALSE(two_panels().panels()[0].composer->camera_view(1.0, 4.0).way_to_body);
 }
 
 }  // namespace

@@ -47,6 +47,40 @@ TEST(Glyphs, AnArcIsPartOfACircle) {
   }
 }
 
+// A point of an ellipsoid is on the near side if the way from it to the eye leaves the ellipsoid.
+TEST(Glyphs, CurvesOnAnEllipsoidKnowTheirFarSide) {
+  Placement ellipsoid = Placement::Identity();
+  ellipsoid.linear() =
+      Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()) * Vec3(0.3, 0.5, 0.8).asDiagonal();
+  ellipsoid.translation() = Vec3(0.2, -0.1, 0.4);
+  Placement mesh = Placement::Identity();
+  mesh.linear() = 0.5 * Eigen::AngleAxisd(-1.1, Vec3::UnitY()).toRotationMatrix();
+  mesh.translation() = Vec3(0.1, 0.3, 0.2);
+  const DrawingFrame frame{Vec3(0.2, 0.0, 0.1), 0.4};
+  Glyphs glyphs;
+  glyphs.meshes.push_back(
+      {std::make_shared<const Mesh>(unit_disc(8)), mesh, {}, {}, {}, ellipsoid});
+  int near_ones = 0, all = 0;
+  for (const Vec3& eye : {Vec3(3, 1, 0.5), Vec3(-0.4, 1.5, 2), Vec3(0, 0, -9)}) {
+    const glm::vec4 plane = items_of(glyphs, eye, frame).opaque.front().material.near_side;
+    for (const double up : {-0.9, -0.4, 0.1, 0.7}) {
+      for (int k = 0; k < 12; ++k) {
+        const double across = std::sqrt(1.0 - up * up);
+        const Vec3 on_ball(across * std::cos(0.5 * k), across * std::sin(0.5 * k), up);
+        const Vec3 point = ellipsoid * on_ball;
+        const Vec3 a_little_on = ellipsoid.inverse() * (point + 1e-4 * (eye - point));
+        const Vec3 in_mesh = mesh.inverse() * point;
+        const double side = in_mesh.dot(Vec3(plane.x, plane.y, plane.z)) + plane.w;
+        EXPECT_EQ(side > 0.0, a_little_on.norm() > 1.0) << on_ball.transpose();
+        near_ones += side > 0.0 ? 1 : 0;
+        ++all;
+      }
+    }
+  }
+  EXPECT_GT(near_ones, all / 5);
+  EXPECT_LT(near_ones, all / 2) << "less than half of a ball is seen";
+}
+
 // the items are where the glyphs are, in the frame's own coordinates
 TEST(Glyphs, ItemsAreMovedAndScaledIntoTheFrame) {
   const DrawingFrame frame{Vec3(1000, 0, 0), 1e-3};

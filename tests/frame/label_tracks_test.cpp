@@ -38,6 +38,29 @@ TEST(LabelTracks, LabelsKeepOffCurves) {
   EXPECT_LT((room_with(moment).center() - wished.center()).norm(), 1e-9);
 }
 
+// a vector beside the tip, on the wished side, has the name on the near side of it
+TEST(LabelTracks, NoOtherVectorPartsANameFromItsTip) {
+  LabelMoment moment = moment_with({});
+  moment.names = {"name", "other"};
+  moment.wishes.push_back({Vec2(500, 176), Vec2(1, 0), 20, 16});
+  moment.shafts.push_back({Vec2(200, 176), Vec2(500, 176)});
+  const LabelTracks tracks(std::vector<LabelMoment>(9, moment), kFrame, kGap);
+  EXPECT_GT(tracks.place("name", kWish, 4.0).center.y(), 176.0);
+}
+
+// a longer vector on the right of the tip: the name stands on the left, beside its own
+TEST(LabelTracks, NamesAreNearestToTheirOwnVectors) {
+  LabelMoment moment = moment_with({});
+  moment.names = {"name", "other"};
+  const Vec2 tip(304, 90);
+  moment.wishes.push_back({tip, Vec2(0, -1), 20, 16});
+  moment.shafts.push_back({Vec2(304, 300), tip});
+  const LabelTracks tracks(std::vector<LabelMoment>(9, moment), kFrame, kGap);
+  const TextRoom room = room_at(tracks.place("name", kWish, 4.0).center, kWish.width, kWish.height);
+  EXPECT_LT(room.right, kWish.at.x());
+  EXPECT_LT(distance(room, kWish.at), 304.0 - room.right);
+}
+
 // a head that comes and goes where a label wishes to stand moves it once, not each time
 TEST(LabelTracks, LabelsDoNotGoToAndFro) {
   std::vector<LabelMoment> moments;
@@ -74,6 +97,48 @@ TEST(LabelTracks, LabelsFadeWhereTheyChange) {
     before = now;
   }
   EXPECT_EQ(changes, 1);
+}
+
+// a tip that swings across a longer vector, by less than can be told, keeps its name where it is
+TEST(LabelTracks, NamesStayOnTheirSidesOfVectorsThatCoincide) {
+  std::vector<LabelMoment> moments;
+  for (int k = 0; k < 80; ++k) {
+    LabelMoment moment = moment_with({});
+    moment.wishes[0].at.x() += 3.0 * std::sin(0.4 * k);
+    moment.shafts[0].tip = moment.wishes[0].at;
+    moment.names.push_back("other");
+    moment.wishes.push_back({Vec2(300, 90), Vec2(0, -1), 20, 16});
+    moment.shafts.push_back({Vec2(300, 300), Vec2(300, 90)});
+    moments.push_back(moment);
+  }
+  const LabelTracks tracks(moments, kFrame, kGap);
+  const auto is_left = [&](double at) {
+    return tracks.place("name", kWish, at).center.x() < 300.0;
+  };
+  for (double at = 0.0; at < 79.0; at += 0.5)
+    EXPECT_EQ(is_left(at), is_left(0.0)) << at;
+}
+
+// no head of another arrow between a name and its tip
+TEST(LabelTracks, NamesAreNotBeyondTheHeadsOfOthers) {
+  const TextRoom head{280, 150, 320, 178};
+  const LabelMoment moment = moment_with({head});
+  const LabelTracks tracks(std::vector<LabelMoment>(9, moment), kFrame, kGap);
+  const Vec2 center = tracks.place("name", kWish, 4.0).center;
+  EXPECT_FALSE(is_over(head, {center, kWish.at})) << center.transpose();
+}
+
+// the end of the longer of two parallel vectors is free, so that it leaves the side to the other
+TEST(LabelTracks, ShortVectorsAreNamedFirst) {
+  LabelMoment moment = moment_with({});
+  moment.names = {"long", "name"};
+  moment.wishes = {{Vec2(300, 140), Vec2(0, -1), 20, 16}, kWish};
+  moment.shafts = {{Vec2(300, 300), Vec2(300, 140)}, {Vec2(304, 300), kWish.at}};
+  // all but one side of the shorter is taken
+  moment.obstacles.text = {{200, 100, 298, 360}};
+  const LabelTracks tracks(std::vector<LabelMoment>(9, moment), kFrame, kGap);
+  const Vec2 center = tracks.place("name", kWish, 4.0).center;
+  EXPECT_LT((center - kWish.at).norm(), 30.0);
 }
 
 // where no side is free it stands beside what is in its way, and goes with it

@@ -69,6 +69,26 @@ TEST(Mesh, ClusteringKeepsTheShape) {
   EXPECT_EQ(clustered(unit_cone(8), 64).indices.size(), unit_cone(8).indices.size());
 }
 
+// between two rays from the tip, up to where the floor ends, where it has faded
+TEST(Mesh, ASectorOfAFloorReachesFromItsTipToTheRim) {
+  const Vec2 tip(0.3, -0.2);
+  const Mesh sector = floor_sector(tip, 2.0, 0.1);
+  double farthest = 0.0;
+  for (const Vertex& vertex : sector.vertices) {
+    const Vec2 p(vertex.position.x, vertex.position.y);
+    farthest = std::max(farthest, p.norm());
+    EXPECT_NEAR(vertex.normal.z, p.norm() < 0.5 ? 1.0 : vertex.normal.z, 1e-6);
+    if (p.norm() > 0.999) {
+      EXPECT_LT(vertex.normal.z, 1e-4f);
+    }
+    const Vec2 from = p - tip;
+    if (from.norm() < 1e-6) continue;
+    EXPECT_NEAR(
+        std::abs(std::remainder(std::atan2(from.y(), from.x()) - 2.0, 2.0 * kPi)), 0.1, 1e-5);
+  }
+  EXPECT_NEAR(farthest, 1.0, 1e-6);
+}
+
 // lines of both directions, at equal distances, up to the rim, where they are gone
 TEST(Mesh, AGridIsOfLinesThatFadeOutwards) {
   const double spacing = 0.3, width = 0.01;

@@ -111,6 +111,35 @@ TEST(Scenery, VectorsKeepTheirScaleOverTheFilm) {
   EXPECT_NEAR(longest, 1.3 * scenery.scale.body, 2e-3 * scenery.scale.body);
 }
 
+// vectors may leave a large body; those of other kinds keep their length
+TEST(Scenery, OmegaAndMomentumAreAsLongAsTheSceneWants) {
+  ShowSpec show = show_only("velocity_field");
+  MotionSpec pushed = wobbling();
+  pushed.torque.resize(1);
+  pushed.torque[0].kind = "constant";
+  pushed.torque[0].space = Vec3(0.0, 1e-3, 0.0);
+  const Scale usual = small_scenery(brick_body(), pushed, show).scale;
+  show.vector_length = 1.7;
+  const Scale longer = small_scenery(brick_body(), pushed, show).scale;
+  EXPECT_NEAR(longer.omega, 1.7 * usual.omega, 1e-12 * usual.omega);
+  EXPECT_NEAR(longer.momentum, 1.7 * usual.momentum, 1e-12 * usual.momentum);
+  EXPECT_GT(usual.torque, 0.0);
+  EXPECT_NEAR(longer.torque, 1.7 * usual.torque, 1e-12 * usual.torque);
+  EXPECT_EQ(longer.velocity, usual.velocity);
+  EXPECT_EQ(longer.body, usual.body);
+}
+
+// it is at right angles to the plane, on which omega ends too
+TEST(Scenery, MomentumEndsOnTheInvariablePlane) {
+  const Scenery scenery = small_scenery(brick_body(), wobbling(), show_only("plane"));
+  for (const double t : {0.0, 1.3, 3.9}) {
+    const Sample now = scenery.motion.at(t);
+    const Vec3 L = momentum_tip(scenery, now) - now.reference_S;
+    const Vec3 w = omega_tip(scenery, now) - now.reference_S;
+    EXPECT_NEAR(L.norm(), w.dot(L.normalized()), 1e-9 * L.norm());
+  }
+}
+
 // the tip of w lies along w: from the centre of mass, wherever that has gone
 TEST(Scenery, TipsStartAtTheReferencePoint) {
   MotionSpec thrown = wobbling();

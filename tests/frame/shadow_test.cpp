@@ -96,7 +96,7 @@ struct Block {
 
 // what the rim leaves of a shadow
 double left(const Vec2& at) {
-  const double in = std::clamp((1.0 - at.norm()) / kShadowRim, 0.0, 1.0);
+  const double in = std::clamp((1.0 - at.norm()) / kFloorRim, 0.0, 1.0);
   return in * in * (3.0 - 2.0 * in);
 }
 
@@ -243,6 +243,30 @@ TEST(Floor, IsDarkestWhereSomethingStands) {
   const MeshPtr bare = floor_mesh({});
   for (const Vertex& vertex : bare->vertices)
     EXPECT_EQ(vertex.normal.x, 0.0f);
+}
+
+// a full shadow is everywhere as much of its floor as is left of that, so that it ends nowhere
+// before the floor; on what does not fade, it is full almost to the rim
+TEST(Floor, AndItsShadowFadeAlike) {
+  const ShadowCaster roof = Block{{0, 0, 0.3}, {2.0, 2.0, 0.1}}.caster();
+  int faded = 0;
+  const MeshPtr shadow = shadow_mesh({roof}, Vec3(0, 0, 1));
+  for (const Vertex& vertex : shadow->vertices) {
+    const double in = std::clamp((1.0 - glm::length(vertex.position)) / kFloorRim, 0.0, 1.0);
+    EXPECT_NEAR(vertex.normal.z, in * in * (3.0 - 2.0 * in), 1e-5);
+    faded += vertex.normal.z > 0.0f && vertex.normal.z < 1.0f ? 1 : 0;
+  }
+  EXPECT_GT(faded, 100);
+  const MeshPtr bare = floor_mesh({});
+  for (const Vertex& vertex : bare->vertices) {
+    const double in = std::clamp((1.0 - glm::length(vertex.position)) / kFloorRim, 0.0, 1.0);
+    EXPECT_NEAR(vertex.normal.z, in * in * (3.0 - 2.0 * in), 1e-5);
+  }
+  const MeshPtr sharp = shadow_mesh({roof}, Vec3(0, 0, 1), 1.0, 0.1);
+  for (const Vertex& vertex : sharp->vertices) {
+    if (glm::length(vertex.position) >= 0.9f) continue;
+    EXPECT_NEAR(vertex.normal.z, 1.0f, 1e-5f);
+  }
 }
 
 // a body that is small on its floor has as sharp a shadow as one that is large on a finer one

@@ -42,6 +42,7 @@ TEST(Theme, NamesStandOutFromTheGround) {
                                    theme.body_axes,
                                    theme.space_axes,
                                    theme.force,
+                                   theme.friction,
                                    theme.velocity,
                                    theme.position})
       EXPECT_GE(contrast(readable(color, theme.background), theme.background), 4.5) << theme.name;
@@ -141,8 +142,13 @@ Vec3 seen_by(const Mat3& eye, const glm::vec3& color) {
 // every two vectors are told apart by every eye; ten is a clear difference at a glance
 TEST(Theme, VectorsAreToldApartByEveryEye) {
   for (const Theme& theme : themes()) {
-    const glm::vec3 colors[] = {
-        theme.omega, theme.momentum, theme.body_axes, theme.force, theme.velocity, theme.position};
+    const glm::vec3 colors[] = {theme.omega,
+                                theme.momentum,
+                                theme.body_axes,
+                                theme.force,
+                                theme.friction,
+                                theme.velocity,
+                                theme.position};
     for (const Mat3& eye : all_eyes()) {
       for (std::size_t i = 0; i < std::size(colors); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -165,6 +171,25 @@ TEST(Theme, RatesAreToldApartByEveryEye) {
               << theme.name << ' ' << i << ' ' << j;
         }
       }
+    }
+  }
+}
+
+// a path is told from the axis whose tip draws it, from vectors, and from the cone that it lies on
+TEST(Theme, PathsAreToldFromWhatDrawsThem) {
+  for (const Theme& theme : themes()) {
+    EXPECT_GE(contrast(theme.trail, theme.background), 3.0) << theme.name;
+    for (const Mat3& eye : all_eyes()) {
+      for (const glm::vec3& other : {theme.body_axes,
+                                     theme.omega,
+                                     theme.momentum,
+                                     theme.force,
+                                     theme.friction,
+                                     theme.velocity,
+                                     theme.position,
+                                     theme.space_axes,
+                                     theme.precession_cone})
+        EXPECT_GE(ciede2000(seen_by(eye, theme.trail), seen_by(eye, other)), 11.5) << theme.name;
     }
   }
 }

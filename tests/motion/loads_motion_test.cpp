@@ -2,6 +2,7 @@
 // Motions under torques and forces, against closed forms.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,15 @@ using test::spun;
 
 double turn_between(const Sample& a, const Sample& b) {
   return rotation_angle_between(a.q_SB, b.q_SB);
+}
+
+// a constant torque that acts from one time to another, s
+LoadSpec constant_between(double from, double until, std::optional<double> ramp = {}) {
+  LoadSpec spec = load("constant");
+  spec.from = from;
+  spec.until = until;
+  spec.ramp = ramp;
+  return spec;
 }
 
 TEST(Torque, InSpaceChangesMomentumLinearly) {
@@ -75,11 +85,8 @@ TEST(Torque, HarmonicOneSwingsTheSpin) {
 // the angle is the double integral of a trapezoid: from 1 to 1.5 it rises, from 3 to 3.5 it falls
 TEST(Torque, SwitchedWithARampSpinsUp) {
   MotionSpec spec = spun({0, 0, 0.5}, 6.0);
-  spec.torque = {load("constant")};
+  spec.torque = {constant_between(1.0, 3.0, 0.5)};
   spec.torque[0].body = Vec3(0, 0, 0.8);
-  spec.torque[0].from = 1.0;
-  spec.torque[0].until = 3.0;
-  spec.torque[0].ramp = 0.5;
   const Simulation s = solved(body_with({1, 1.3, 1.6}), spec);
   EXPECT_TRUE(find_stepper(s.report.method).adaptive);
   EXPECT_TRUE(s.report.reliability.doubts.empty());
@@ -106,10 +113,8 @@ TEST(Torque, SwitchedWithARampSpinsUp) {
 TEST(Torque, ThatJumpsJoinsThreeMotions) {
   const BodySpec body = body_with({1, 1.3, 1.7});
   MotionSpec spec = spun({0.4, -0.1, 1.0}, 5.0);
-  spec.torque = {load("constant")};
+  spec.torque = {constant_between(1.3, 1.7)};
   spec.torque[0].space = Vec3(0.9, 0.2, -0.5);
-  spec.torque[0].from = 1.3;
-  spec.torque[0].until = 1.7;
   const Motion switched = solved(body, spec).motion;
 
   const auto from_state = [&](const Sample& at, bool pushed, double duration) {
@@ -268,10 +273,8 @@ TEST(GravityGradient, NeedsAnOrbit) {
 TEST(Torque, APulseIsSeenByStepsThatChooseTheirLength) {
   const BodySpec body = body_with({1, 1.3, 1.7});
   MotionSpec spec = spun({0.4, -0.1, 1.0}, 10.0);
-  spec.torque = {load("constant")};
+  spec.torque = {constant_between(1.0, 1.0 + 1e-9)};
   spec.torque[0].space = Vec3(1e9, 0, 0);
-  spec.torque[0].from = 1.0;
-  spec.torque[0].until = 1.0 + 1e-9;
   const BodyModel model = make_model(body, spec);
   const Motion motion = simulate(model, spec, {}, 1e-4).motion;
   const Vec3 change = motion.at(10.0).L_S - motion.at(0.0).L_S;
@@ -289,10 +292,8 @@ TEST(Torque, APulseIsSeenByStepsThatChooseTheirLength) {
 
 TEST(Torque, EndsAfterItBegins) {
   MotionSpec spec = spun({0, 0, 1});
-  spec.torque = {load("constant")};
+  spec.torque = {constant_between(2.0, 1.0)};
   spec.torque[0].space = Vec3(1, 0, 0);
-  spec.torque[0].from = 2.0;
-  spec.torque[0].until = 1.0;
   expect_input_error(
       [&] {
         solved(body_with({1, 1.3, 1.6}), spec);
@@ -307,6 +308,18 @@ TEST(Torque, EndsAfterItBegins) {
       },
       "motion.torque[0].until",
       "it is whole at 2.5 s");
+}
+
+// 0.1 + 0.2 is more than 0.3 in binary numbers; the impulse of the triangle is its height times the
+// length of one ramp
+TEST(Torque, EndsAsSoonAsItIsWhole) {
+  MotionSpec spec = spun({0, 0, 0}, 1.0);
+  spec.torque = {constant_between(0.1, 0.3, 0.2)};
+  spec.torque[0].body = Vec3(1, 0, 0);
+  const BodySpec body = body_with({1, 1.3, 1.6});
+  expect_residual("omega", std::abs(solved(body, spec).motion.at(1.0).w_B.x() - 0.2), 1e-13);
+  spec.torque[0].until = 0.2999;
+  expect_input_error([&] { solved(body, spec); }, "motion.torque[0].until", "it is whole at 0.3 s");
 }
 
 // SciMLBenchmarks, RigidBody_wpd, from t = 0 to 10, computed to 18 digits by two other methods:

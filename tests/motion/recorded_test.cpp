@@ -9,6 +9,7 @@
 
 #include "math/so3.h"
 #include "support/motions.h"
+#include "support/on_table.h"
 
 namespace polhode::test {
 namespace {
@@ -45,6 +46,32 @@ TEST(Recorded, ForcesOfATableNeedATable) {
       EXPECT_TRUE(std::isnan(value)) << name;
   }
   EXPECT_EQ(why_not(*find_recorded("tilt"), motion), "");
+}
+
+// methods without events know neither forces nor whether the body touches
+TEST(Recorded, ForcesOfATableNeedEvents) {
+  const MotionSpec spec = on_table(1.0, rolling());
+  const BodyModel model = make_model(ball_body(), spec);
+  NumericsSpec numerics;
+  numerics.method = "table_euler";
+  numerics.step = 1e-3;
+  const Motion simple = simulate(model, spec, numerics, 0.1).motion;
+  const Motion exact = simulate(model, spec, {}, 0.1).motion;
+  for (const char* name : {"contact_force", "slip", "jellett"}) {
+    EXPECT_NE(why_not(*find_recorded(name), simple), "") << name;
+    EXPECT_EQ(why_not(*find_recorded(name), exact), "") << name;
+    EXPECT_TRUE(std::isnan(recorded(name, simple, 0.5)[0])) << name;
+  }
+}
+
+// what rolls does not slip, not even by rounding errors
+TEST(Recorded, WhatRollsDoesNotSlip) {
+  MotionSpec spec = on_table(1.0, coulomb(0.3));
+  spec.spin.space = Vec3(3.0, -20.0, 5.0);
+  spec.velocity = 0.028 * Vec3(-20.0, -3.0, 0.0);
+  const Motion motion = simulated(ball_body(), spec).motion;
+  for (const double t : {0.0, 0.3, 1.0})
+    EXPECT_EQ(recorded("slip", motion, t)[0], 0.0) << t;
 }
 
 TEST(Recorded, OmegaAndMomentumInBothAxes) {
@@ -133,6 +160,27 @@ TEST(Recorded, DriftIsThatOfTheMotion) {
   const Drift wanted = drift_at(motion, 3.0);
   EXPECT_EQ(now.at(0), wanted.energy.value());
   EXPECT_EQ(now.at(1), wanted.momentum.value());
+}
+
+// the curve has the name of what the motion conserves
+TEST(Recorded, DriftNamesWhatIsConserved) {
+  const auto name = [](const BodySpec& body, const MotionSpec& spec) {
+    const Motion motion = moving(body, spec);
+    const std::vector<std::string> names = curve_names(*find_recorded("drift"), motion);
+    EXPECT_EQ(names.size(), 2U);
+    EXPECT_EQ(names.front(), "energy");
+    return names.back();
+  };
+  EXPECT_EQ(name(brick_body(), wobbling()), "L");
+  EXPECT_EQ(name(cone_body(), spinning_on_pivot()), "L about the vertical");
+  const MotionSpec rolls = on_table(1.0, rolling());
+  EXPECT_EQ(name(ball_body(), rolls), "constants of motion") << "a homogeneous ball has many";
+  EXPECT_EQ(name(tippe_top_body(), rolls), "Jellett, Routh");
+  EXPECT_EQ(name(tippe_top_body(), on_table(1.0, coulomb(0.3))), "Jellett");
+  for (const Recorded& row : recorded_quantities()) {
+    const Motion motion = moving(brick_body(), wobbling());
+    EXPECT_EQ(curve_names(row, motion).size(), row.curves.size()) << row.name;
+  }
 }
 
 TEST(Recorded, PositionFollowsTheFlight) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hidden parts of lines against rays: a ball covers a rod through its middle and nothing else.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -168,6 +169,32 @@ TEST_F(HiddenLine, HasNarrowerDashes) {
     EXPECT_EQ(red_beside(1.0, side * kRod * (kDashBreadth + 0.1)), 0);
     EXPECT_NEAR(red_beside(0.0, side * kRod * 0.9), 0.4 * 255, 4) << "without dashes as in front";
   }
+}
+
+// from column to column of the picture, at both edges of each dash: no stairs, but as much red as
+// the edge leaves of the pixel
+TEST_F(HiddenLine, HasDashesWithSmoothEdges) {
+  const Image image = drawn(0.4f, 1.0f);
+  const Vec3 across = Vec3::UnitX().cross(camera_.eye()).normalized();
+  int partly = 0;
+  for (double x = -0.3; x < 0.3; x += 0.003) {
+    const double phase = std::fmod((x + 1.0) / 0.09, 1.0);
+    if (phase < 0.15 || phase > 0.35) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 edge = camera_.project(Vec3(x, 0, 0) + side * kDashBreadth * kRod * across);
+      const Vec2 inside = camera_.project(Vec3(x, 0, 0));
+      const int inwards = inside.y() > edge.y() ? 1 : -1;
+      for (int k = 0; k < 3; ++k) {
+        const int row = static_cast<int>(edge.y()) + k * inwards;
+        const double depth = (row + 0.5 - edge.y()) * inwards;  // px inside the edge
+        const int red = image.at(static_cast<int>(edge.x()), row)[0];
+        EXPECT_NEAR(red, 0.4 * 255 * std::clamp(depth, 0.0, 1.0), 0.25 * 0.4 * 255)
+            << x << ' ' << depth;
+        partly += red > 10 && red < 92 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(partly, 60);
 }
 
 }  // namespace

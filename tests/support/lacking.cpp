@@ -74,6 +74,12 @@ void* mmap(void* at, size_t bytes, int protection, int flags, int file, off_t of
       at, bytes, protection, flags, file, offset);
 }
 
+// room on the disk
+int posix_fallocate(int file, off_t from, off_t bytes) {
+  if (lacks("room")) return ENOSPC;
+  return next<int(int, off_t, off_t)>("posix_fallocate")(file, from, bytes);
+}
+
 // captions stay
 int remove(const char* name) noexcept {
   if (lacks("removal") && std::string_view(name).ends_with(".vtt")) {

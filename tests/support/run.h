@@ -78,4 +78,12 @@ size = "128x72"
 fps = 10
 )";
 
+// That scene as a film of 12 000 frames, which takes long to draw but not to prepare.
+inline std::string long_scene() {
+  std::string text = kSmallScene;
+  text.replace(text.find("duration = 1"), 12, "duration = 100");
+  text.replace(text.find("fps = 10"), 8, "fps = 120");
+  return text;
+}
+
 }  // namespace polhode::test

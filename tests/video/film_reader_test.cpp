@@ -117,6 +117,14 @@ TEST(FilmReader, SaysWhatCannotBeRead) {
   test::expect_input_error(open("list.mp4"), "", "it is no MP4");
 }
 
+void read_whole(const std::string& file) {
+  FilmReader reader(file);
+  Image image;
+  double time = 0.0;
+  while (reader.next(image, time)) {
+  }
+}
+
 // however much of it is missing or wrong, a damaged film never passes for a whole one
 TEST(FilmReader, ATruncatedFilmIsDamaged) {
   const TemporaryFolder folder;
@@ -126,17 +134,45 @@ TEST(FilmReader, ATruncatedFilmIsDamaged) {
     const auto length = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
     test::write_text(folder / "cut.mp4", bytes.substr(0, length));
     SCOPED_TRACE(share);
-    test::expect_input_error(
-        [&] {
-          FilmReader reader(folder / "cut.mp4");
-          Image image;
-          double time = 0.0;
-          while (reader.next(image, time)) {
-          }
-        },
-        "",
-        "");
+    test::expect_input_error([&] { read_whole(folder / "cut.mp4"); }, "", "");
   }
+}
+
+// libav's decoder of ProRes passes on a picture although a part of it could not be decoded
+TEST(FilmReader, AFrameOfWhichAPartIsLostIsDamaged) {
+  const TemporaryFolder folder;
+  std::vector<Image> frames = ramp(1);
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x)
+      frames[0].at(x, y)[0] = static_cast<std::uint8_t>(x * x + y * y * y);
+  }
+  write_film(folder / "whole.mov", frames);
+  EXPECT_NO_THROW(read_whole(folder / "whole.mov"));
+  const std::string bytes = test::read_text(folder / "whole.mov");
+  const std::size_t picture = bytes.find("icpf");
+  ASSERT_NE(picture, std::string::npos);
+  int damaged = 0;
+  for (std::size_t at = picture + 500; at < picture + 1500; at += 50) {
+    std::string altered = bytes;
+    altered.replace(at, 8, 8, '\0');
+    test::write_text(folder / "damaged.mov", altered);
+    try {
+      read_whole(folder / "damaged.mov");
+    } catch (const Error& error) {
+      EXPECT_NE(error.message().find("is damaged after frame"), std::string::npos);
+      ++damaged;
+    }
+  }
+  EXPECT_EQ(damaged, 20);
+}
+
+TEST(FilmReader, PicturesOfAnUnknownKindAreToldOfTheFilm) {
+  const TemporaryFolder folder;
+  write_film(folder / "a.mp4", ramp(2));
+  std::string bytes = test::read_text(folder / "a.mp4");
+  bytes.replace(bytes.find("avc1", bytes.find("stsd")), 4, "abcd");
+  test::write_text(folder / "a.mp4", bytes);
+  test::expect_input_error([&] { FilmReader{folder / "a.mp4"}; }, "", "of an unknown kind");
 }
 
 // libav would take what stands before a colon for a protocol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/map_options.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "base/error.h"
@@ -27,6 +28,9 @@ MapAxis parse_range(const std::string& text, const std::string& option) {
   axis.to = number(text.substr(colon + 1));
   if (axis.from >= axis.to) {
     throw input_error("the range must go up, got {}", text).at({{}, 0, option});
+  }
+  if (!std::isfinite(axis.logarithmic() ? axis.to / axis.from : axis.to - axis.from)) {
+    throw input_error("{} spans more than numbers hold", text).at({{}, 0, option});
   }
   return axis;
 }

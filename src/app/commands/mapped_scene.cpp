@@ -51,13 +51,17 @@ Begun begin_cell(const MappedScene& place, double x, double y, const StabilityJo
     const double rate = typical_rate(model, start);
     if (rate <= 0.0)
       throw input_error("the body is at rest, so nothing can fail").at({{}, 0, "motion.spin"});
+    if (!std::isfinite(rate * rate) || !std::isfinite(start.y.squaredNorm())) {
+      throw input_error("with {:g} times the spin, squares of rates are beyond what numbers hold",
+                        spin)
+          .at({{}, 0, place.y.key == kSpinKey ? "--y-range" : "--x-range"});
+    }
     const double duration = job.turns * 2.0 * kPi / rate;
     const double h = step.value_or(scene.numerics.step.value_or(0.1 / rate));
     if (const double steps = duration / h; !(steps <= kMostStepsOfCell)) {
       throw input_error(
           "a run would take {:.3g} steps of {:.3g} s, and a map has to do with {:.0e}; ask for "
-          "fewer "
-          "turns or longer steps",
+          "fewer turns or longer steps",
           steps,
           h,
           kMostStepsOfCell)

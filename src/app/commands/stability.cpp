@@ -255,6 +255,9 @@ struct PlannedMaps {
 
 std::string stability(const StabilityJob& job) {
   PlannedMaps plan(job);
+  // what the scene cannot be at a corner is told before anything is written
+  for (const MappedScene& place : plan.places)
+    check_corners(place, job);
   return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
     return FolderResult{contents_of(plan.all, plan.places, job), summary(plan.all.maps)};
   });

@@ -22,6 +22,9 @@ namespace {
 
 // what a symbolic link points to, whether it is there or not: renaming would replace the link
 fs::path behind_links(fs::path target) {
+  // of a pipe, such as /dev/stdout may be, /proc only has a name that leads nowhere
+  std::error_code none;
+  if (fs::exists(target, none) && !fs::is_regular_file(target, none)) return target;
   constexpr int kMostLinks = 40;  // as the system counts them
   std::error_code failed;
   for (int i = 0; i < kMostLinks && fs::is_symlink(target, failed); ++i) {
@@ -54,7 +57,8 @@ AtomicFile::AtomicFile(fs::path target)
     throw input_error("is a folder; give a file name").at(place);
   }
   if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
-    throw input_error("is not a regular file; choose another output").at(place);
+    throw input_error("is not a regular file; choose another output (standard output is -)")
+        .at(place);
   }
 
   if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {

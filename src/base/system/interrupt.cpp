@@ -17,6 +17,7 @@ namespace {
 // the only globals besides the logger: a signal handler has nothing else to read and write
 std::atomic<std::int64_t> first_signal_ms{0};  // when it came; 0: none has
 std::atomic<std::int64_t> same_key_ms{0};      // how long after it a signal is still the same
+std::atomic<bool> is_silent{false};            // why the program ends has been said
 
 // the clock may be read in a handler; never 0
 std::int64_t now_ms() {
@@ -30,7 +31,7 @@ constexpr unsigned kPatienceSeconds = 2;
 
 extern "C" void stop_waiting(int /*signal*/) {
   const std::string_view words = "polhode: interrupted\n";
-  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  if (!is_silent) static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
   end_at_once(static_cast<int>(Fault::interrupted));
 }
 
@@ -58,6 +59,10 @@ void watch_for_interrupt(std::chrono::milliseconds same_key) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   tidy_up_after_crashes();
+}
+
+void end_silently() {
+  is_silent = true;
 }
 
 void stop_if_interrupted() {

@@ -18,6 +18,9 @@ inline constexpr std::chrono::milliseconds kSameKey{500};
 // Calls tidy_up_after_crashes(). main() calls it once; other values of `same_key` are for tests.
 void watch_for_interrupt(std::chrono::milliseconds same_key = kSameKey);
 
+// From here on no interrupt says a word: main() is about to say why the program ends.
+void end_silently();
+
 // Throws Error (interrupted) if a signal has arrived; from then on every call throws. May be called
 // from any thread.
 void stop_if_interrupted();

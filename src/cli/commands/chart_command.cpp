@@ -21,6 +21,8 @@ struct ChartOptions {
   ChartJob checked() const {
     if (pictures && job.part.shard)
       throw input_error("is for charts of methods, not with --pictures").at({{}, 0, "--shard"});
+    if (pictures && !job.methods.empty())
+      throw input_error("is for charts of methods, not with --pictures").at({{}, 0, "--methods"});
     ChartJob checked = job;
     checked.progress = progress_of(progress);
     return checked;

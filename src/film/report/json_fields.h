@@ -13,11 +13,14 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/at_place.h"
+#include "base/error.h"
 #include "base/system/stage_clock.h"
 #include "video/video_spec.h"
 
@@ -62,7 +65,8 @@ class JsonWriter {
 
 // Sets a value from JSON, by its type. A list or an optional replaces the old value; null makes an
 // optional absent. Throws nlohmann::json::exception for a value of the wrong type or a missing key
-// of a struct, and Error (input) as parse_frame_rate does.
+// of a struct, and Error (input), with the key of the struct, for an integer that is out of range
+// and as parse_frame_rate does.
 inline void read_json(const Json& json, Json& value) {
   value = json;
 }
@@ -85,11 +89,12 @@ class JsonReader {
 
   template <class T>
   void field(const char* key, T& value) {
-    read_json(json_.at(key), value);
+    const Json& found = json_.at(key);
+    at_place({{}, 0, key}, [&] { read_json(found, value); });
   }
   template <class T>
   void optional(const char* key, std::optional<T>& value) {
-    if (json_.contains(key)) read_json(json_.at(key), value.emplace());
+    if (json_.contains(key)) field(key, value.emplace());
   }
   template <class T>
   void derived(const char*, const T&) {}
@@ -138,6 +143,10 @@ void read_json(const Json& json, T& value) {
     report_fields(reader, value);
   } else {
     json.get_to(value);
+    // nlohmann::json cuts off what an integer cannot hold
+    if constexpr (std::is_integral_v<T>) {
+      if (json != Json(value)) throw input_error("{} is out of range", json.dump());
+    }
   }
 }
 template <class T>

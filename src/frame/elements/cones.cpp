@@ -10,8 +10,11 @@ namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
-constexpr double kNarrowCone = 0.08;  // radius of the rim, in that of the body; narrower: no name
+constexpr double kSideLength = 1.06;   // of the sides of an angle, in the radius of its arc
+constexpr double kSideRadius = 0.004;  // in that of the body
+constexpr double kNarrowCone = 0.08;   // radius of the rim, in that of the body; narrower: no name
 
+// an angle: an arc between two directions, and what it is measured from and to
 void add_arc(const Scenery& scenery,
              const Sample& sample,
              const Vec3& from,
@@ -26,6 +29,13 @@ void add_arc(const Scenery& scenery,
                          radius * scenery.scale.body,
                          0.6 * kAxisShape.shaft_radius * scenery.scale.body,
                          plain(scenery.theme.position, 0.1f)});
+  // its sides, thin: inside the shafts of axes that are drawn too
+  for (const Vec3& side : {from, to}) {
+    glyphs.rods.push_back({sample.reference_S,
+                           sample.reference_S + kSideLength * radius * scenery.scale.body * side,
+                           kSideRadius * scenery.scale.body,
+                           plain(scenery.theme.position, 0.1f)});
+  }
 }
 
 void add_cone(const Scenery& scenery,

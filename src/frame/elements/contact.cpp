@@ -68,8 +68,12 @@ void add_contact(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 normal = drawn_force(scenery, found->normal * Vec3::UnitZ());
   add_vector(scenery, at, at + normal, kForceShape, material, glyphs, "<b>N</b>");
   const Vec3 friction = drawn_force(scenery, found->friction_S);
-  if (friction.norm() > 0.0)
-    add_vector(scenery, at, at + friction, kForceShape, material, glyphs, "<b>F</b>");
+  const float named = name_presence(scenery, friction.norm());
+  if (named > 0.0f) {  // a speck without a name would say nothing
+    Material of_friction = plain(scenery.theme.friction, 0.25f);
+    of_friction.fade = named;
+    add_vector(scenery, at, at + friction, kForceShape, of_friction, glyphs, "<b>F</b>");
+  }
 }
 
 void add_slip(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {

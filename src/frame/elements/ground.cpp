@@ -11,10 +11,11 @@
 namespace polhode {
 namespace {
 
-constexpr double kFloorRadius = 1.4;
-constexpr double kFreeFloorRadius = 1.8;   // under a free body
-constexpr double kFramedFloor = 0.65;      // the part of it that a picture has to show
-constexpr double kFramedFreeFloor = 0.45;  // of that under a free body
+// wide enough for the shadow of a body that leans, or is high above
+constexpr double kFloorRadius = 1.55;
+constexpr double kFreeFloorRadius = 2.1;    // under a free body
+constexpr double kFramedFloor = 0.587;      // the part of it that a picture has to show
+constexpr double kFramedFreeFloor = 0.386;  // of that under a free body
 constexpr double kTableAround = 4.5;    // radius of the part of a table that a camera takes along
 constexpr double kSeenOfTable = 0.9;    // so far around it the table is framed
 constexpr double kSeenOfTravels = 1.6;  // of a body whose path matters
@@ -26,10 +27,13 @@ constexpr double kThin = 2.8 * kOmegaShape.shaft_radius;  // rods, beside which 
 constexpr double kDialRadius = 1.05;                      // in units of the body's radius
 constexpr double kFreeDialRadius = 0.8;                   // under a free body
 constexpr float kDialAlpha = 0.3f;
+constexpr double kSector = 0.14;  // half the angle of what shows how a turntable turns, rad
+constexpr float kSectorAlpha = 0.3f;
 // how dark a full shadow of the lamp is, and where no light of the sky comes
 constexpr float kShadowDepth = 0.42f;
 constexpr float kShadeDepth = 0.5f;
 constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of the body's radius
+constexpr double kHingeRadius = 0.035;    // in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
 constexpr float kGhostAlpha = 0.16f;
@@ -63,11 +67,18 @@ void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   FloorGlyph floor = floor_at(scenery, middle, Vec3::UnitZ(), radius, kFreeDialRadius * size);
   floor.material.covers = true;  // vectors through it are seen as those in bodies
   floor.fineness = std::clamp(radius / (kFreeFloorRadius * size), 1.0, kFinestTable);
+  const Vec2 origin = -middle.head<2>() / radius;
+  const double turntable = scenery.motion.model().table->friction.turntable;
+  const double turned = turntable * sample.t;
+  if (turntable != 0.0 && origin.norm() < 1.0) {
+    floor.sector = floor.dial;
+    floor.sector.material.alpha = kSectorAlpha;
+    floor.sector.space_from_mesh = floor.place;
+    floor.sector.mesh = std::make_shared<const Mesh>(floor_sector(origin, turned, kSector));
+  }
   if (along || scenery.table_reach > kTravels * size) {
     const double spacing = along ? size : std::max(size, radius / kLinesOfTable);
     const double width = kGridWidth * scenery.dial_line * std::max(size, radius / kTableAround);
-    const Vec2 origin = -middle.head<2>() / radius;
-    const double turned = scenery.motion.model().table->friction.turntable * sample.t;
     floor.grid = floor.dial;
     floor.grid.space_from_mesh = floor.place;
     floor.grid.mesh =
@@ -161,6 +172,18 @@ void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
 
 void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
   add_stand_under(scenery, Vec3::Zero(), glyphs);
+}
+
+// the fixed point of a body that leaves no room for a stand, seen through the body
+void add_hinge(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  Placement ball = Placement::Identity();
+  ball.translation() = sample.reference_S;
+  ball.linear() *= kHingeRadius * scenery.scale.body;
+  Material material = drawn_through(scenery, plain(scenery.theme.position, 0.3f));
+  material.dashes = 0.0f;
+  glyphs.meshes.push_back({scenery.ball, ball, material});
+  glyphs.marks.push_back({sample.reference_S, kHingeRadius * scenery.scale.body});
+  glyphs.reach.push_back(sample.reference_S);
 }
 
 // The outer ring turns about the vertical, the inner one in it about the line of nodes, and the

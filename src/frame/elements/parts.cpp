@@ -11,8 +11,8 @@
 namespace polhode {
 namespace {
 
-constexpr double kShortestNamed = 0.12;  // shorter vectors have no name
-constexpr double kLongEnough = 0.3;      // longer ones have it in full
+constexpr double kShortestNamed = 0.08;  // shorter vectors have no name
+constexpr double kLongEnough = 0.18;     // longer ones have it in full
 constexpr double kNameOff = 0.12;        // of names from their curves
 constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
 
@@ -49,6 +49,12 @@ ArrowShape times(const ArrowShape& shape, double factor) {
   return {shape.shaft_radius * factor, shape.head_radius * factor, shape.head_length * factor};
 }
 
+float name_presence(const Scenery& scenery, double length) {
+  const double part =
+      (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
+  return static_cast<float>(std::clamp(part, 0.0, 1.0));
+}
+
 void add_vector(const Scenery& scenery,
                 const Vec3& from,
                 const Vec3& end,
@@ -61,10 +67,8 @@ void add_vector(const Scenery& scenery,
   glyphs.arrows.push_back(
       {from, tip, times(shape, scenery.scale.body), drawn_through(scenery, material)});
   // the name of a vector that shrinks into the body goes with it
-  const double named =
-      (length / scenery.scale.body - kShortestNamed) / (kLongEnough - kShortestNamed);
-  if (name.empty() || named <= 0.0) return;
-  const auto fade = static_cast<float>(std::min(1.0, named));
+  const float fade = name_presence(scenery, length);
+  if (name.empty() || fade <= 0.0f) return;
   glyphs.labels.push_back({tip, tip - from, name, material.color, fade, true});
 }
 

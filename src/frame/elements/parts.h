@@ -13,7 +13,7 @@ namespace polhode {
 
 // Sizes of arrows in units of the body's radius: {shaft radius, head radius, head length}. Heads
 // are long for L and blunt for forces and torques. Of arrows that can be parallel, the shorter one
-// is thicker, so that both are visible.
+// is thicker, so that both are visible; L, which is thin, has a rim besides (rim_around()).
 inline constexpr ArrowShape kOmegaShape{0.025, 0.064, 0.17};
 inline constexpr ArrowShape kMomentumShape{0.018, 0.050, 0.23};
 inline constexpr ArrowShape kForceShape{0.016, 0.066, 0.11};
@@ -40,7 +40,7 @@ Material drawn_through(const Scenery& scenery, Material material);
 
 // Adds an arrow from `from` to `end` (S, m), shortened as drawn_tip() says. `shape` is in units of
 // the body's radius. With a name (markup), the arrow gets a label, which fades while the
-// arrow is shorter than 0.3 times the body's radius and is gone below 0.12 times.
+// arrow is shorter than 0.18 times the body's radius and is gone below 0.08 times.
 void add_vector(const Scenery& scenery,
                 const Vec3& from,
                 const Vec3& end,
@@ -48,6 +48,8 @@ void add_vector(const Scenery& scenery,
                 const Material& material,
                 Glyphs& glyphs,
                 const std::string& name = {});
+// How visible the name of an arrow of this length (m) is, 0..1.
+float name_presence(const Scenery& scenery, double length);
 // Adds such an arrow from the reference point to the reference point + `along` (S, m).
 void add_at_reference(const Scenery& scenery,
                       const Sample& sample,
@@ -117,13 +119,13 @@ bool hovers(const Scenery& scenery);
 using Add = void(const Scenery& scenery, const Sample& sample, Glyphs& glyphs);
 Add add_body, add_ghosts, add_ensemble;
 Add add_body_axes, add_space_axes, add_fixed_frame;
-Add add_omega, add_omega_components, add_euler_rates, add_momentum, add_torque;
+Add add_omega, add_omega_components, add_euler_rates, add_sum, add_momentum, add_torque;
 // The gravity gradient among the loads; null: the body is no satellite.
 const Load* gradient_of(const Scenery& scenery);
 
 Add add_velocity_field, add_forces, add_gravity, add_frame_rotation;
 Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
-Add add_stand, add_gimbals, add_floor;
+Add add_stand, add_hinge, add_gimbals, add_floor;
 Add add_ellipsoid, add_plane, add_polhode, add_polhodes, add_herpolhode, add_binet, add_axis_plane;
 Add add_trail, add_trail_sphere;
 Add add_contact, add_slip, add_contact_trail;

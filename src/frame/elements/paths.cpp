@@ -60,7 +60,7 @@ void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   glyphs.rods.push_back({sample.reference_S,
                          sample.reference_S + sample.q_SB * tip_B,
                          kRimRadius * scenery.scale.body,
-                         plain(scenery.theme.trail, 0.1f)});
+                         plain(scenery.theme.body_axes, 0.1f)});
   add_tail(scenery, sample, scenery.paths.axis, scenery.theme.trail, glyphs);
 }
 

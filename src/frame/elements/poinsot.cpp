@@ -4,6 +4,9 @@
 // section 37; Goldstein, 5.6). And Binet's: in the space of L, an ellipsoid and a sphere.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <glm/common.hpp>
 
 #include "frame/elements/parts.h"
 #include "math/so3.h"
@@ -12,7 +15,9 @@ namespace polhode {
 namespace {
 
 constexpr double kPlaneRadius = 1.9;
+constexpr float kPlaneShadow = 0.5f;  // how dark a full shadow on it is
 constexpr double kAxisPlaneRadius = 1.45;
+constexpr float kFarSide = 0.5f;  // of the colour of curves on the far side of an ellipsoid
 constexpr std::size_t kPiecesOfLine = 32;
 constexpr double kPlaneContactRadius = 0.04;  // of the ball at the point of contact
 
@@ -27,16 +32,20 @@ Placement energy_ellipsoid(const Scenery& scenery, const Sample& sample) {
   return place;
 }
 
-// a curve of the body's own, its mesh in units of the body's radius
+// A curve of the body's own, its mesh in units of the body's radius. ellipsoid: that it lies on,
+// whose far side is paler; absent: one that hides its far side.
 void add_body_curve(const Scenery& scenery,
                     const Sample& sample,
                     const MeshPtr& mesh,
                     const glm::vec3& color,
+                    const std::optional<Placement>& ellipsoid,
                     Glyphs& glyphs) {
   if (!mesh) return;
   Placement place = principal_placement(scenery, sample);
   place.linear() *= scenery.scale.body;
-  glyphs.meshes.push_back({mesh, place, plain(color, 0.1f)});
+  Material material = plain(color, 0.1f);
+  material.mark_color = glm::mix(scenery.theme.background, color, kFarSide);
+  glyphs.meshes.push_back({mesh, place, material, {}, {}, ellipsoid});
   // corners of the tube are near enough to its middle
   const std::vector<Vertex>& corners = mesh->vertices;
   add_line([&](std::size_t i) { return Vec3(place * to_eigen(corners[i].position)); },
@@ -68,21 +77,61 @@ Vec3 opposite_on_polhode(const BodyModel& model, const Vec3& w_P) {
   return opposite;
 }
 
+// Of the polhode of `w_P`, given as its tube, the point that reaches farthest in a direction (P),
+// rad/s. What reaches nearly as far counts too, so that the point moves smoothly with the body.
+Vec3 farthest_on_polhode(const Scenery& scenery,
+                         const Mesh& tube,
+                         const Vec3& w_P,
+                         const Vec3& direction_P) {
+  std::vector<Vec3> points;
+  for (const Vertex& corner : tube.vertices)
+    points.push_back(scenery.scale.body / scenery.scale.omega * to_eigen(corner.position));
+  double least = direction_P.dot(points.front()), most = least;
+  for (const Vec3& point : points) {
+    least = std::min(least, direction_P.dot(point));
+    most = std::max(most, direction_P.dot(point));
+  }
+  const double near = 0.01 * (most - least);
+  Vec3 point = Vec3::Zero();
+  double weights = 0.0;
+  for (const Vec3& one : points) {
+    const double weight = std::exp((direction_P.dot(one) - most) / near);
+    point += weight * one;
+    weights += weight;
+  }
+  point /= weights;
+  // onto the curve: energy and momentum are those of w_P (Newton's method)
+  const Vec3 moments = scenery.motion.model().moments;
+  for (int i = 0; i < 6; ++i) {
+    const Vec3 momentum = moments.cwiseProduct(point);
+    const Vec2 off(moments.cwiseProduct(w_P).dot(w_P) - momentum.dot(point),
+                   moments.cwiseProduct(w_P).squaredNorm() - momentum.squaredNorm());
+    Eigen::Matrix<double, 2, 3> slope;
+    slope << 2.0 * momentum.transpose(), 2.0 * moments.cwiseProduct(momentum).transpose();
+    point += slope.transpose() * (slope * slope.transpose()).ldlt().solve(off);
+  }
+  return point;
+}
+
 }  // namespace
 
 void add_ellipsoid(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Placement place = energy_ellipsoid(scenery, sample);
-  glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.ellipsoid, 0.26f)});
+  glyphs.shells.push_back(
+      {scenery.sphere, place, shell(scenery.theme.ellipsoid, 0.26f), scenery.ball});
   add_ball_reach(place, glyphs);
 }
 
 void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3 up = sample.L_S.normalized();
   const Vec3 center = sample.reference_S + scenery.scale.omega * sample.w_S.dot(up) * up;
-  const Placement place = disc_placement(center, up, kPlaneRadius * scenery.scale.body);
+  // the ellipsoid rolls on it as on a floor: its upper side is that of the body
+  const Placement place = disc_placement(center, -up, kPlaneRadius * scenery.scale.body);
   Material material = shell(scenery.theme.plane, 0.30f);
   material.flat = true;
-  glyphs.sheets.push_back({{scenery.disc, place, material}, center, up});
+  Material shadow = shell(scenery.theme.shadow, kPlaneShadow);
+  shadow.flat = shadow.soft = true;
+  glyphs.sheets.push_back({{scenery.disc, place, material}, center, up, shadow});
   glyphs.meshes.push_back({scenery.ring, place, plain(scenery.theme.plane, 0.1f)});
   add_rim_reach(place, 24, glyphs);
   add_line(
@@ -112,24 +161,36 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   if (!scenery.paths.polhode) return;
-  add_body_curve(scenery, sample, scenery.paths.polhode, scenery.theme.polhode, glyphs);
+  // on the invariable plane one looks from above, and all of it may be on the far side
+  std::optional<Placement> ellipsoid;
+  const bool rolls = asks_for(scenery, "plane");
+  if (!rolls) ellipsoid = energy_ellipsoid(scenery, sample);
+  add_body_curve(scenery, sample, scenery.paths.polhode, scenery.theme.polhode, ellipsoid, glyphs);
+  const auto name = [&](const Vec3& at, const Vec3& away) {
+    add_name(scenery, at, away, "polhode", scenery.theme.polhode, 1.0f, glyphs);
+  };
   const BodyModel& model = scenery.motion.model();
   const Vec3 w_P = principal_rate(model, sample);
-  const Vec3 opposite_P = opposite_on_polhode(model, w_P);
   const Mat3 turn = principal_placement(scenery, sample).linear();
-  // off the curve: away from the axis around which it goes
-  add_name(scenery,
-           sample.reference_S + scenery.scale.omega * (turn * opposite_P),
-           turn * Vec3(0.5 * (opposite_P - w_P)),
-           "polhode",
-           scenery.theme.polhode,
-           1.0f,
-           glyphs);
+  const auto place = [&](const Vec3& point_P) {
+    return Vec3(sample.reference_S + scenery.scale.omega * (turn * point_P));
+  };
+  if (rolls) {
+    // seen from space: beside all else
+    const Vec3 out = beside(sample.L_S.normalized(), 0.0);
+    const Mesh& tube = *scenery.paths.polhode;
+    name(place(farthest_on_polhode(scenery, tube, w_P, turn.transpose() * out)), out);
+    return;
+  }
+  // seen from the body: off the curve, away from the axis around which it goes
+  const Vec3 opposite_P = opposite_on_polhode(model, w_P);
+  name(place(opposite_P), turn * Vec3(0.5 * (opposite_P - w_P)));
 }
 
 void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  const Placement ellipsoid = energy_ellipsoid(scenery, sample);
   for (const MeshPtr& mesh : scenery.paths.polhodes)
-    add_body_curve(scenery, sample, mesh, scenery.theme.polhodes, glyphs);
+    add_body_curve(scenery, sample, mesh, scenery.theme.polhodes, ellipsoid, glyphs);
 }
 
 void add_herpolhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
@@ -170,7 +231,7 @@ void add_binet(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   sphere.linear() *= scenery.scale.momentum * sample.L_S.norm();
   glyphs.shells.push_back({scenery.sphere, sphere, shell(scenery.theme.momentum, 0.22f)});
   add_ball_reach(sphere, glyphs);
-  add_body_curve(scenery, sample, scenery.paths.binet, scenery.theme.polhode, glyphs);
+  add_body_curve(scenery, sample, scenery.paths.binet, scenery.theme.polhode, {}, glyphs);
 }
 
 // L, Omega and the axis of a symmetric top are always in one plane

@@ -18,6 +18,7 @@ constexpr double kBodyAxisLength = 1.2;
 constexpr double kSpaceAxisLength = 1.2;
 constexpr double kFrameLength = 1.55;  // out of the rings of gimbals
 constexpr double kBallRadius = 0.05;
+constexpr float kHiddenField = 0.4f;  // of the opacity of other hidden vectors: there are many
 // of springs, in units of the body's radius
 constexpr double kCoilRadius = 0.11;
 constexpr double kWireRadius = 0.02;
@@ -27,6 +28,7 @@ constexpr double kCoilEnd = 0.2;  // straight
 constexpr std::array<const char*, 3> kBodyAxisNames = {
     "<b>ê</b><sub>1</sub>", "<b>ê</b><sub>2</sub>", "<b>ê</b><sub>3</sub>"};
 constexpr std::array<const char*, 3> kSpaceAxisNames = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
+constexpr std::array kSpaceAxes = {&VectorNames::x, &VectorNames::y, &VectorNames::z};
 
 constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
@@ -44,6 +46,7 @@ std::string name_of(const Scenery& scenery,
 
 void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
     const Vec3 along = kSpaceAxisLength * scenery.scale.body * Vec3::Unit(i);
     add_vector(scenery,
                from,
@@ -51,7 +54,7 @@ void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
                kAxisShape,
                plain(scenery.theme.space_axes, 0.1f),
                glyphs,
-               kSpaceAxisNames[static_cast<std::size_t>(i)]);
+               name_of(scenery, kSpaceAxes[k], kSpaceAxisNames[k]));
   }
 }
 
@@ -121,7 +124,10 @@ void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyph
              glyphs);
   // at its tip are the feet of all the others
   if (sample.reference_S.norm() < scenery.scale.body) return;
-  Vec3 aside = Vec3::UnitZ();
+  // above it, or to the right of one that is upright
+  const Vec3& R = sample.reference_S;
+  const bool upright = R.head<2>().norm() < 0.2 * R.norm();
+  Vec3 aside = upright ? Vec3::UnitY() : Vec3::UnitZ();
   if (!scenery.options.points.empty()) {
     aside = sample.reference_S -
             point_position(scenery.motion.model(), sample, scenery.options.points.front());
@@ -147,6 +153,7 @@ void add_momentum(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
              plain(scenery.theme.momentum, 0.25f),
              glyphs,
              name_of(scenery, &VectorNames::momentum, "<b>L</b>"));
+  glyphs.arrows.back().rim = true;  // the angular velocity is often parallel to it
 }
 
 // along the body axes; their sum is the angular velocity
@@ -245,15 +252,35 @@ void add_frame_rotation(const Scenery& scenery, const Sample& sample, Glyphs& gl
                    name_of(scenery, &VectorNames::frame_rotation, "<b>Ω</b><sub>0</sub>"));
 }
 
-// V + Omega x r (notes, section 0.1) at points of the body
+// V + Omega x r (notes, section 0.1) at points of the body, and V at the reference point; that of
+// the point that was fastest at the start has the name of all
 void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const BodyModel& model = scenery.motion.model();
-  for (const Vec3& r_B : scenery.field_points_B) {
-    const Vec3 from = point_position(model, sample, r_B);
-    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, r_B);
-    add_vector(
-        scenery, from, from + along, kFieldShape, plain(scenery.theme.velocity, 0.2f), glyphs);
+  const Material material = plain(scenery.theme.velocity, 0.2f);
+  const Sample start = scenery.motion.at(0.0);
+  const auto speed = [&](const Vec3& r_B) {
+    return point_velocity(model, start, r_B).norm();
+  };
+  const std::vector<Vec3>& points = scenery.field_points_B;
+  const auto named =
+      std::max_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+        return speed(a) < speed(b);
+      });
+  for (auto point = points.begin(); point != points.end(); ++point) {
+    const Vec3 from = point_position(model, sample, *point);
+    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, *point);
+    add_vector(scenery,
+               from,
+               from + along,
+               kFieldShape,
+               material,
+               glyphs,
+               point == named ? "<b>v</b>" : "");
+    glyphs.arrows.back().material.hidden *= kHiddenField;
   }
+  const Vec3 along = scenery.scale.velocity * sample.reference_velocity_S;
+  if (along.norm() > 0.0)
+    add_at_reference(scenery, sample, along, kOmegaShape, material, glyphs, "<b>V</b>");
 }
 
 // forces at the points where they act; springs as coils to where they are held

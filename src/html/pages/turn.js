@@ -129,8 +129,10 @@
     #endif
     }`;
 
-  // the passes in which a surface is drawn: those that cover, what they hide, the rest, what is seen through
-  const passesOf = (look, lights) => {
+  // the passes in which a surface is drawn: those that cover, what they hide, the rest, what is seen through; and where a
+  // table is in front, which covers though it is seen through, what that hides
+  const isTable = (look) => look.soft && look.covers;
+  const passesOf = (look, lights, withTable) => {
     const THREE = drawing();
     const shell = look.alpha < 1;
     const make = (order, side, settings, alpha, hidden) => {
@@ -150,11 +152,22 @@
     };
     const blended = { blending: THREE.CustomBlending, blendSrc: THREE.OneFactor, blendDst: THREE.OneMinusSrcAlphaFactor, depthWrite: false };
     const clear = { ...blended, transparent: true };
-    if (look.soft) return [make(5, THREE.DoubleSide, clear, look.alpha, false)];
+    // where it is in front of all else, its depth becomes that of the picture
+    const marking = { stencilWrite: true, stencilRef: 1, stencilZPass: THREE.ReplaceStencilOp };
+    const marked = { stencilWrite: true, stencilRef: 1, stencilFunc: THREE.EqualStencilFunc };
+    if (look.soft) {
+      const passes = [make(5, THREE.DoubleSide, clear, look.alpha, false)];
+      if (isTable(look)) passes.push(make(12, THREE.FrontSide, { ...clear, ...marking, depthWrite: true, colorWrite: false }, look.alpha, false));
+      return passes;
+    }
     if (look.flat && shell) return [make(6, THREE.DoubleSide, clear, look.alpha, false)];
     if (shell) return [make(10, THREE.BackSide, clear, look.alpha, false), make(11, THREE.FrontSide, clear, look.alpha, false)];
     const passes = [make(look.covers && !look.thin ? 0 : 2, THREE.FrontSide, {}, 1, false)];
-    if (look.hidden > 0) passes.push(make(1, THREE.FrontSide, { ...blended, depthFunc: THREE.GreaterDepth }, look.hidden, true));
+    if (look.hidden > 0) {
+      const behind = { depthFunc: THREE.GreaterDepth };
+      passes.push(make(1, THREE.FrontSide, { ...blended, ...behind }, look.hidden, true));
+      if (withTable) passes.push(make(13, THREE.FrontSide, { ...clear, ...behind, ...marked }, look.hidden, true));
+    }
     return passes;
   };
 
@@ -171,7 +184,8 @@
       this.labels = [];
       this.dashed = [];
       this.paths = []; // as joinedPath makes them
-      const passes = (json.materials ?? []).map((one) => passesOf(one.extras, this.lights));
+      const looks = (json.materials ?? []).map((one) => one.extras);
+      const passes = looks.map((look) => passesOf(look, this.lights, looks.some(isTable)));
       const shapes = new Map();
       const shapeOf = (primitive) => {
         const key = JSON.stringify([primitive.attributes, primitive.indices]);
@@ -479,7 +493,7 @@
       this.pace = SCREEN; // ms from picture to picture
       this.view = "film";
       this.frame = "space";
-      this.renderer = new THREE.WebGLRenderer({ antialias: !bySoftware, alpha: false });
+      this.renderer = new THREE.WebGLRenderer({ antialias: !bySoftware, alpha: false, stencil: true });
       this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the shader writes what is shown
       this.camera = new THREE.PerspectiveCamera();
       this.past = []; // models that are no longer shown

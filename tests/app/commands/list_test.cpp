@@ -62,6 +62,9 @@ TEST(List, MethodsSayWhatTheyKeepAndTake) {
   const std::string gauss = line_of("methods", "gauss6");
   EXPECT_NE(gauss.find("energy |L| reversible  "), std::string::npos) << gauss;
   EXPECT_NE(line_of("methods", "dop853").find("adaptive"), std::string::npos);
+  EXPECT_NE(line_of("methods", "dop853").find("free heavy loads tables"), std::string::npos);
+  const std::string euler = line_of("methods", "table_euler");
+  EXPECT_NE(euler.find("  tables rotators  "), std::string::npos) << euler;
 }
 
 TEST(List, ShapesAndFormatsSayWhatTheyNeedAndCan) {

@@ -43,6 +43,25 @@ TEST_P(NewScene, CanBeFilmedAsItIs) {
   }
 }
 
+// each key that is commented out may be put in; but moments stand for the solid before them
+TEST_P(NewScene, WhatItProposesIsTaken) {
+  const std::string& text = template_files().at(GetParam().files[0]);
+  if (!std::string_view(GetParam().files[0]).ends_with(".toml")) return;
+  write_new(GetParam().name, folder_ / "first.toml");
+  for (std::size_t at = 0; (at = text.find("\n# ", at)) != std::string::npos; ++at) {
+    const std::size_t key = at + 3;
+    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", key);
+    if (text.compare(end, 3, " = ") != 0 || text.substr(key, end - key) == "moments") continue;
+    SCOPED_TRACE(text.substr(key, text.find('\n', key) - key));
+    test::write_text(folder_ / "a.toml", text.substr(0, at + 1) + text.substr(key));
+    RenderJob job;
+    job.scene = folder_ / "a.toml";
+    job.output = folder_ / "a.png";
+    job.still = 0.0;
+    EXPECT_NO_THROW(PreparedFilm(plan_render(job)));
+  }
+}
+
 TEST_P(NewScene, NothingIsReplaced) {
   const std::string ending = std::filesystem::path(GetParam().files[0]).extension().string();
   const std::string first = folder_ / ("mine" + ending);

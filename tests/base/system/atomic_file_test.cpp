@@ -138,6 +138,16 @@ TEST_F(AtomicFileTest, RefusesAPipeAsTemporaryFile) {
   EXPECT_NE(error_of(folder_ / "out.txt").find("is not a regular file"), std::string::npos);
 }
 
+// as /dev/stdout may be; where it leads, by the words of /proc, is no file
+TEST_F(AtomicFileTest, RefusesAPipeWithoutAName) {
+  int ends[2] = {};
+  ASSERT_EQ(pipe(ends), 0);
+  EXPECT_NE(error_of("/proc/self/fd/" + std::to_string(ends[1])).find("standard output is -"),
+            std::string::npos);
+  close(ends[0]);
+  close(ends[1]);
+}
+
 TEST_F(AtomicFileTest, RefusesAnUnwritableFolder) {
   // root may write everywhere but where the kernel itself says no
   if (geteuid() == 0) {

@@ -65,6 +65,19 @@ TEST(Interrupt, ASecondKeyEndsTheProcess) {
   EXPECT_EQ(code, 130);
 }
 
+// one line says why the program ends, also when what follows it takes long
+TEST(Interrupt, NothingIsSaidTwice) {
+  const auto interrupted_twice = [](bool is_told) {
+    watch_for_interrupt(std::chrono::milliseconds(0));
+    raise(SIGINT);
+    if (is_told) end_silently();
+    raise(SIGINT);
+  };
+  const ::testing::ExitedWithCode ended(130);
+  EXPECT_EXIT(interrupted_twice(false), ended, "^polhode: interrupted\n$");
+  EXPECT_EXIT(interrupted_twice(true), ended, "^$");
+}
+
 TEST(Interrupt, WorkThatDoesNotListenIsEnded) {
   const auto begun = std::chrono::steady_clock::now();
   const int code = exit_code_in_child([] {

@@ -192,6 +192,19 @@ TEST(Cones, TiltIsTheSecondEulerAngle) {
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.0));
     ASSERT_EQ(glyphs.arcs.size(), 1u);
     EXPECT_NEAR(angle_between(glyphs.arcs[0].from, glyphs.arcs[0].to), theta, 1e-12);
+    // it is measured from the vertical to the axis, which are drawn and pass its ends
+    ASSERT_EQ(glyphs.rods.size(), 2u);
+    for (const double end : {0.0, 1.0}) {
+      const RodGlyph& side = glyphs.rods[end == 0.0 ? 0 : 1];
+      const Vec3 along = side.to - side.from;
+      EXPECT_EQ(side.from, glyphs.arcs[0].center);
+      EXPECT_NEAR(
+          (glyphs.arcs[0].radius * along.normalized() + side.from - point_of(glyphs.arcs[0], end))
+              .norm(),
+          0.0,
+          1e-12);
+      EXPECT_GT(along.norm(), glyphs.arcs[0].radius);
+    }
     ASSERT_EQ(glyphs.labels.size(), 1u);
     EXPECT_NEAR((glyphs.labels[0].at - glyphs.arcs[0].center).norm(), glyphs.arcs[0].radius, 1e-12);
   }

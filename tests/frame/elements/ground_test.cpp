@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The body, where it was, and what it stands on.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include "frame/elements/parts.h"
 #include "frame/to_glm.h"
 #include "support/motions.h"
+#include "support/on_table.h"
 #include "support/show_only.h"
 
 namespace polhode {
@@ -51,6 +53,39 @@ TEST(Ground, GhostsAreTheBodyOfEarlierMoments) {
     EXPECT_GT(ghosts[i].material.alpha, ghosts[i - 1].material.alpha);
   }
   EXPECT_EQ(picture.glyphs_at(motion.at(0.7)).ghosts.size(), 2u) << "none before the start";
+}
+
+// the fixed point of a body that hangs is seen through the body
+TEST(Ground, AHingeIsAtThePivot) {
+  MotionSpec hanging = test::spinning_on_pivot();
+  hanging.attitude.zxz = Vec3(0.0, 2.5, 0.0);
+  const Composer picture = picture_of(test::cone_body(), hanging, test::show_only("hinge"));
+  const MeshGlyph ball = picture.glyphs_at(picture.scenery().motion.at(0.3)).meshes.at(0);
+  EXPECT_LT(ball.space_from_mesh.translation().norm(), 1e-12);
+  EXPECT_GT(ball.material.hidden, 0.0f);
+}
+
+// what shows that a turntable turns goes round with it, about its middle
+TEST(Ground, ATurntableCarriesItsSector) {
+  MotionSpec motion = test::on_table(1.0, test::rolling());
+  motion.position = Vec3(0.05, 0.02, 0.0);
+  const auto sector_at = [&](double t) {
+    const Composer picture = picture_of(test::ball_body(), motion, test::show_only("floor"));
+    return picture.glyphs_at(picture.scenery().motion.at(t)).floors.at(0).sector;
+  };
+  EXPECT_EQ(sector_at(0.5).mesh, nullptr) << "at rest";
+  motion.friction->turntable = 2.0;
+  for (const double t : {0.0, 0.7}) {
+    const MeshGlyph sector = sector_at(t);
+    ASSERT_NE(sector.mesh, nullptr);
+    const std::vector<Vertex>& corners = sector.mesh->vertices;
+    const Vec3 tip = sector.space_from_mesh * to_eigen(corners.front().position);
+    EXPECT_LT(tip.norm(), 1e-6);
+    Vec3 middle = Vec3::Zero();
+    for (const Vertex& corner : corners)
+      middle += sector.space_from_mesh * to_eigen(corner.position);
+    EXPECT_NEAR(std::remainder(std::atan2(middle.y(), middle.x()) - 2.0 * t, 2.0 * kPi), 0.0, 0.06);
+  }
 }
 
 // the tip of the stand is the pivot, and it stands on the floor; so does its shadow

@@ -49,6 +49,42 @@ TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
   }
 }
 
+// A plane below the ellipsoid has the shadow of it: from what is dark, a ray to the lamp meets the
+// ellipsoid or passes as near as the lamp's size allows. The lamp is above: one overhead has none.
+TEST(Poinsot, TheEllipsoidThrowsItsShadowOnThePlaneBelow) {
+  for (const Vec3& spin : kSpins) {
+    for (const double side : {-1.0, 1.0}) {
+      MotionSpec spec = test::wobbling();
+      spec.spin.body = side * spin;
+      const BodySpec body = test::brick_body();
+      ShowSpec show = test::show_only("plane");
+      show["ellipsoid"] = true;
+      const Composer picture(test::moving(body, spec), body, CameraSpec{}, show, {}, {640, 360});
+      const Sample now = picture.scenery().motion.at(0.7);
+      const DrawList list = picture.at(0.7);
+      const auto shadow = std::find_if(list.translucent.begin(),
+                                       list.translucent.end(),
+                                       [](const DrawItem& item) { return item.material.soft; });
+      ASSERT_EQ(shadow != list.translucent.end(), now.L_S.z() < 0.0);
+      if (shadow == list.translucent.end()) continue;
+      const Glyphs glyphs = picture.glyphs_at(now);
+      const Placement& ellipsoid = glyphs.shells.front().space_from_mesh;
+      const Placement& plane = glyphs.sheets.front().mesh.space_from_mesh;
+      const Vec3 to_light = to_eigen(list.view.key_light);
+      int dark = 0;
+      for (const Vertex& vertex : shadow->mesh->vertices) {
+        if (vertex.normal.z < 0.05f) continue;
+        ++dark;
+        const Vec3 from = ellipsoid.inverse() * (plane * to_eigen(vertex.position));
+        const Vec3 ray = (ellipsoid.linear().inverse() * to_light).normalized();
+        const double nearest = (from - from.dot(ray) * ray).norm();
+        EXPECT_LT(nearest, 1.3) << spin.transpose();
+      }
+      EXPECT_GT(dark, 50);
+    }
+  }
+}
+
 // rolling without slipping: the body's point at the contact is at rest, as omega passes through it
 TEST(Poinsot, TheContactDoesNotSlip) {
   const Composer picture = picture_of(test::brick_body(), kSpins[0]);

@@ -33,10 +33,14 @@ TEST(Vectors, HaveTheNamesThatTheSceneGives) {
   };
   using Names = std::vector<std::string>;
   EXPECT_EQ(names(), (Names{"<b>Ω</b>", "<b>L</b>"}));
-  show.names = VectorNames{"ω", "a<b", {}, {}, {}};
+  show.names = VectorNames{"ω", "a<b", {}, {}, {}, {}, {}, {}};
   EXPECT_EQ(names(), (Names{"<b>ω</b>", "<b>a&lt;b</b>"}));
-  show.names = VectorNames{"", {}, {}, {}, {}};
+  show.names = VectorNames{"", {}, {}, {}, {}, {}, {}, {}};
   EXPECT_EQ(names(), (Names{"<b>L</b>"})) << "none";
+  show["space_axes"] = true;
+  show["omega"] = false;
+  show.names = VectorNames{{}, {}, {}, {}, {}, "north", {}, ""};
+  EXPECT_EQ(names(), (Names{"<b>north</b>", "<i>Y</i>", "<b>L</b>"}));
 }
 
 // Omega x r, measured: the tips are where the points are a moment later
@@ -57,6 +61,38 @@ TEST(Vectors, VelocitiesPointWhereThePointsGo) {
     longest = std::max(longest, along.norm());
   }
   EXPECT_GT(longest, 0.3 * picture.scenery().scale.body);
+}
+
+// the velocity of the reference point and that of the fastest point have their names
+TEST(Vectors, TheVelocityFieldIsNamed) {
+  MotionSpec spec = wobbling();
+  const auto names = [&] {
+    std::vector<std::string> found;
+    const Composer picture = composer(prolate_body(), spec, show_only("velocity_field"));
+    for (const LabelGlyph& label : picture.glyphs_at(picture.scenery().motion.at(0.0)).labels)
+      found.push_back(label.markup);
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(), (Names{"<b>v</b>"})) << "its centre is at rest";
+  spec.velocity = Vec3(0.1, -0.2, 0.3);
+  EXPECT_EQ(names(), (Names{"<b>v</b>", "<b>V</b>"}));
+}
+
+// the place of a body has its name wherever it is
+TEST(Vectors, TheWayToTheBodyIsNamedInEveryDirection) {
+  for (const Vec3& place : {Vec3(0, 0, 0.7), Vec3(0.7, 0, 0), Vec3(0.1, -0.6, 0.2)}) {
+    MotionSpec spec = wobbling();
+    spec.position = place;
+    const Composer picture = composer(prolate_body(), spec, show_only("fixed_frame"));
+    const std::vector<LabelGlyph> labels =
+        picture.glyphs_at(picture.scenery().motion.at(0.0)).labels;
+    EXPECT_EQ(std::count_if(labels.begin(),
+                            labels.end(),
+                            [](const LabelGlyph& label) { return label.markup == "<b>R</b>"; }),
+              1)
+        << place.transpose();
+  }
 }
 
 // figure 1 of the notes: r = R + r~
