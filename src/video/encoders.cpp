@@ -48,9 +48,12 @@ void configure_x264(const EncoderSettings& settings, AVCodecContext& c, LibavOpt
   options.set("crf", std::to_string(settings.crf));
   options.set("profile", "high");
   options.set("forced-idr", "1");
-  // in pictures so narrow x264's macroblock tree reads beyond its rows: no two films were alike
-  constexpr int kNarrow = 64;
-  if (c.width <= kNarrow) options.set("mbtree", "0");
+  // The AVX-512 code of x264 164 reads what nobody wrote where rows are no multiple of eight
+  // macroblocks: no two films were alike. AVX2 encodes 7 % slower, and 60 % without the
+  // other two words.
+  const bool whole_rows = c.width % 128 == 0;
+  if (!whole_rows && (av_get_cpu_flags() & AV_CPU_FLAG_AVX512) != 0)
+    options.set("x264-params", "asm=avx2,sse2fast,cache64");
 }
 
 void configure_x265(const EncoderSettings& settings, AVCodecContext&, LibavOptions& options) {
