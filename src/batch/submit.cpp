@@ -2,6 +2,7 @@
 #include "batch/submit.h"
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
@@ -139,6 +140,15 @@ BatchJob settle(const fs::path& folder, BatchJob batch, bool& is_active, bool ch
   return batch;
 }
 
+// Takes a job back; returns nothing, or why that failed.
+std::optional<std::string> why_not_cancelled(const std::string& number) {
+  try {
+    return cancel_in_slurm({number});
+  } catch (const Error& error) {
+    return error.message();
+  }
+}
+
 void queue(BatchJob& batch,
            const fs::path& folder,
            const SlurmOptions& slurm,
@@ -150,11 +160,19 @@ void queue(BatchJob& batch,
     now.collecting = submit_to_slurm(call_for_collecting(folder, now.array));
     batch.submissions.push_back(now);
     write_job(folder, batch);
-  } catch (const Error&) {
+  } catch (const Error& error) {
     // nothing is left in the queue that nobody knows of
-    for (const std::string& number : {now.array, now.collecting})
-      if (!number.empty()) cancel_in_slurm({number});
-    throw;
+    std::string told = error.message();
+    for (const std::string& number : {now.array, now.collecting}) {
+      if (number.empty()) continue;
+      const std::optional<std::string> why = why_not_cancelled(number);
+      if (!why) continue;
+      told += fmt::format(
+          "; job {0} is still queued and has no work: take it back by scancel {0} ({1})",
+          number,
+          *why);
+    }
+    throw Error(error.fault(), told, error.place());
   }
 }
 

@@ -8,6 +8,7 @@
 #include "base/nearest.h"
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
+#include "image/png.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -39,6 +40,23 @@ Json* attributes_of(Json& node) {
   const std::string type = node["t"];
   if (type == "Header") return &node["c"][1];
   return first.contains(type) ? &node["c"][0] : nullptr;
+}
+
+// Throws Error (input), without a place, if a browser would find no picture of this kind in a file.
+void require_picture(const std::filesystem::path& file, const std::string& ending) {
+  const std::string bytes = read_file(file);
+  if (ending == ".png") {
+    try {
+      decode_png(bytes, "");
+    } catch (const Error& error) {
+      throw input_error("'{}': {}", file.filename().string(), error.message());
+    }
+    return;
+  }
+  const bool right = ending == ".svg"    ? bytes.find("<svg") != std::string::npos
+                     : ending == ".webp" ? bytes.starts_with("RIFF") && bytes.find("WEBP") == 8
+                                         : bytes.starts_with("\xff\xd8\xff");
+  if (!right) throw input_error("'{}' is no {} file", file.filename().string(), ending);
 }
 
 // "../Free top.toml" to "Free-top"
@@ -197,7 +215,7 @@ class Reader {
       if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
           ending != ".webp")
         throw input_error("'{}' is neither a picture (.png, .jpg, .svg, .webp) nor a scene", file);
-      trusted_file(deck_.root, deck_.root.folder, file);
+      require_picture(trusted_file(deck_.root, deck_.root.folder, file), ending);
       read(image["c"][1]);
       image["c"][0] = Json::array({"", Json::array(), Json::array()});
       image["c"][2] = Json::array({file, ""});

@@ -206,6 +206,38 @@ TEST_F(Submit, LeavesNothingWhereNothingCanBeQueued) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
 }
 
+// the array was queued, its collection was not, and scancel does not work or is not there
+TEST_F(Submit, NamesAJobThatItCannotTakeBack) {
+  std::filesystem::create_directory(folder_ / "bin");
+  write_text(folder_ / "bin/sbatch",
+             fmt::format("#!/bin/sh\n"
+                         "[ \"$1\" = --version ] && exit\n"
+                         "[ -e {0} ] && {{ echo 'sbatch: error: too many jobs' >&2; exit 1; }}\n"
+                         "touch {0}; echo 12\n",
+                         at("queued")));
+  const auto executable = [&](const char* name) {
+    std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
+  };
+  executable("bin/sbatch");
+  for (const bool has_scancel : {false, true}) {
+    if (has_scancel) {
+      write_text(folder_ / "bin/scancel", "#!/bin/sh\nexit 1\n");
+      executable("bin/scancel");
+    }
+    std::filesystem::remove(folder_ / "queued");
+    const Ran ran = run_polhode(
+        fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
+                    at("scene.toml"),
+                    at("maps")),
+        "PATH=" + at("bin") + ":$PATH");
+    EXPECT_EQ(ran.code, 3);
+    for (const char* words : {"too many jobs", "job 12 is still queued", "scancel 12"})
+      EXPECT_NE(ran.err.find(words), std::string::npos) << words << "\n" << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
+  }
+}
+
 TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
   write_text(folder_ / "bad.toml", "format = 1\n[bdy]\n");
   const std::string scene = at("scene.toml");

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/deck.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "image/png.h"
 #include "lecture/decks.h"
+#include "support/flat_image.h"
+#include "support/run.h"
 
 namespace polhode {
 namespace {
@@ -88,6 +92,26 @@ TEST(Deck, TextOfOthersStaysText) {
   EXPECT_NE(problem_of("$\\mbox{\\write18{ls}}$\n").find("\\write"), std::string::npos);
   EXPECT_NE(problem_of("$a^^5cb$\n").find("^^"), std::string::npos);
   EXPECT_EQ(problem_of("$\\left(\\frac{a}{b}\\right)\\letter$\n"), "none");
+}
+
+TEST(Deck, PicturesThatNobodyCanOpenGetTheirLine) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "words.png", "hello");
+  test::write_text(folder / "short.png", "\x89PNG\r\n\x1a\n");
+  test::write_text(folder / "words.jpg", "hello");
+  test::write_text(folder / "words.webp", "RIFF");
+  test::write_text(folder / "words.svg", "hello");
+  write_png(folder / "right.png", test::flat_image(2, 2, 1, 2, 3), false);
+  test::write_text(folder / "right.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+  const auto problem = [&](const std::string& name) {
+    const Deck deck =
+        parse_deck(fmt::format("# A\n\n![x]({})\n", name), "deck.md", {folder.path(), false});
+    return std::string(deck.problems.empty() ? "none" : deck.problems.front().what());
+  };
+  for (const std::string name : {"words.png", "short.png", "words.jpg", "words.webp", "words.svg"})
+    EXPECT_TRUE(problem(name).starts_with(fmt::format("deck.md:3: '{}'", name))) << problem(name);
+  EXPECT_EQ(problem("right.png"), "none");
+  EXPECT_EQ(problem("right.svg"), "none");
 }
 
 }  // namespace
