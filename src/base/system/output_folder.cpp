@@ -20,7 +20,9 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder,
 void OutputFolder::commit(const std::vector<std::string>& contents) {
   CHECK(contents.size() == files_.size());
   for (std::size_t i = 0; i < contents.size(); ++i)
-    files_[i]->commit_with(contents[i]);
+    files_[i]->write(contents[i]);
+  for (const std::unique_ptr<AtomicFile>& file : files_)
+    file->commit();
 }
 
 std::filesystem::path folder_or_default(const std::string& asked,

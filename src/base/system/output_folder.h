@@ -21,9 +21,9 @@ class OutputFolder {
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");
-  // Writes one content for each of `names`, in their order, and gives each file its name as soon as
-  // it is written. Call it once. Throws Error (environment) if a file cannot be written; the files
-  // before it are then already replaced.
+  // Writes one content for each of `names`, in their order, and gives the files their names when
+  // all are written. Call it once. Throws Error (environment) if a file cannot be written; all then
+  // keep their old content.
   void commit(const std::vector<std::string>& contents);
 
  private:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_error.h"
+#include "support/full_disk.h"
 #include "support/run.h"
 
 namespace polhode::test {
@@ -32,6 +33,19 @@ TEST(OutputFolder, KeepsWhatWasThereUntilCommit) {
   OutputFolder(folder.path(), {"x.txt"}).commit({"new"});
   EXPECT_EQ(read_text(folder / "x.txt"), "new");
   EXPECT_EQ(read_text(folder / "stranger"), "stays");
+}
+
+TEST(OutputFolder, AFullDiskKeepsAllOldFiles) {
+  const TemporaryFolder folder;
+  write_text(folder / "x.txt", "old");
+  const auto work = [&] {
+    OutputFolder(folder.path(), {"x.txt", "y.txt"}).commit({"new", std::string(100000, 'y')});
+  };
+  EXPECT_EQ(with_full_disk(50000, work), Outcome::environment);
+  EXPECT_EQ(read_text(folder / "x.txt"), "old");
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(with_full_disk(200000, work), Outcome::done);
+  EXPECT_EQ(read_text(folder / "x.txt"), "new");
 }
 
 TEST(OutputFolder, RefusesASecondRunOnTheSameFiles) {
