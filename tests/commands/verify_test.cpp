@@ -155,6 +155,8 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
     with([&](Json& r) { r[key] = 7; });
     expect("a.mp4", 1, fmt::format("was altered: {} is {}, and not 7", key, report[key].dump()));
   }
+  with([](Json& r) { r["width"] = r["width"].get<int>() + 1; });
+  expect("a.mp4", 1, "was altered: width is ");
   with([](Json& r) { r["trusted"] = !r["trusted"]; });
   expect("a.mp4", 1, "was altered: trusted is ");
   with([](Json& r) { r["doubts"].push_back("bad"); });
