@@ -184,7 +184,7 @@ TEST(Encoders, SameFramesGiveTheSamePictures) {
   }
 }
 
-// wherever it becomes full; x264's bytes, unlike its pixels, may vary by a few
+// wherever it becomes full
 TEST(Encoders, AFullDiskIsAnErrorAndLeavesNothing) {
   for (const Way& way : all_ways()) {
     SCOPED_TRACE(way.name());

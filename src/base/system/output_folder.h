@@ -23,7 +23,7 @@ class OutputFolder {
                const char* option = "--output");
   // Writes one content for each of `names`, in their order, and gives the files their names when
   // all are written. Call it once. Throws Error (environment) if a file cannot be written; all then
-  // keep their old content.
+  // keep their old content, unless the disk tells so late that those before it have their names.
   void commit(const std::vector<std::string>& contents);
 
  private:
