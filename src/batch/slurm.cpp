@@ -59,8 +59,12 @@ std::string submit_to_slurm(const std::vector<std::string>& call) {
   const ChildResult result = run_child(call, "", {120.0});
   if (!ended_well(result)) throw environment_error("sbatch {}", how_it_ended(result));
   // "123" or "123;cluster"
-  std::string number = result.out.substr(0, result.out.find_first_of(";\n"));
-  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
+  const std::string answer = result.out.substr(0, result.out.find('\n'));
+  const std::string number = answer.substr(0, answer.find(';'));
+  constexpr std::size_t kMostDigits = 10;
+  const bool is_number = !number.empty() && number.size() <= kMostDigits && number[0] != '0' &&
+                         number.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number || answer.find(' ') != std::string::npos) {
     throw environment_error("sbatch answered '{}' instead of the number of a job",
                             one_line(result.out.substr(0, 80)));
   }

@@ -119,6 +119,59 @@ std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
   return points;
 }
 
+// How much of what a label names is on the side of the body that the eye sees, 0..1.
+double facing(const LabelGlyph& label, const Camera& camera) {
+  // cosines; what stands off the limb is seen though it faces a little away
+  constexpr double kNothing = -0.3, kInFull = -0.1;
+  if (label.faces.squaredNorm() == 0.0) return 1.0;
+  const Vec3 to_eye = (camera.eye() - label.at).normalized();
+  const double cosine = label.faces.normalized().dot(to_eye);
+  return std::clamp((cosine - kNothing) / (kInFull - kNothing), 0.0, 1.0);
+}
+
+// Whether a vector hides a point from the eye: it passes before it, or around it.
+bool hides(const ArrowGlyph& arrow, const Vec3& point, const Camera& camera) {
+  const Vec3 along = arrow.tip - arrow.from;
+  const double length = along.norm();
+  if (!(length > 0.0)) return false;
+  const Vec3 axis = along / length;
+  const ArrowShape shape = fitting(arrow.shape, length);
+  // where the line of sight is nearest to the axis
+  const Vec3 sight = (point - camera.eye()).normalized();
+  const Vec3 across = axis.cross(sight);
+  const double sine2 = across.squaredNorm();
+  if (sine2 < 1e-12) return false;
+  const Vec3 between = camera.eye() - arrow.from;
+  const double at = sight.cross(across).dot(between) / sine2;
+  const double far = axis.cross(across).dot(between) / sine2;
+  if (at < 0.0 || at > length) return false;
+  const double of_head = (length - at) / shape.head_length;
+  const double radius = of_head < 1.0 ? of_head * shape.head_radius : shape.shaft_radius;
+  const double off = std::abs(between.dot(across)) / std::sqrt(sine2);
+  return off < radius && far - radius < (point - camera.eye()).norm();
+}
+
+// How much of the head of the vector that a label names is not hidden by other vectors, 0..1: the
+// name of one of which nothing is seen would be read as that of the other.
+double uncovered(const LabelGlyph& label,
+                 const std::vector<ArrowGlyph>& arrows,
+                 const Camera& camera) {
+  constexpr double kLeast = 0.2, kInFull = 0.5;
+  if (!label.of_arrow) return 1.0;
+  const auto own = std::find_if(
+      arrows.begin(), arrows.end(), [&](const ArrowGlyph& arrow) { return arrow.tip == label.at; });
+  if (own == arrows.end() || own->rim) return 1.0;
+  const std::vector<Vec3> points = outline_of_head(*own);
+  if (points.empty()) return 1.0;
+  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
+    return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
+      return &other != &*own && hides(other, point, camera);
+    });
+  });
+  const double part = static_cast<double>(seen) / static_cast<double>(points.size());
+  return std::clamp((part - kLeast) / (kInFull - kLeast), 0.0, 1.0);
+}
+
 TextRoom around(const Vec2& point, double radius) {
   return {point.x() - radius, point.y() - radius, point.x() + radius, point.y() + radius};
 }
@@ -280,7 +333,7 @@ Glyphs Composer::glyphs_of(const Sample& sample, std::optional<double> film) con
   add_points(scenery_, sample, shows("fixed_frame"), glyphs);
   add_point_trails(scenery_, sample, glyphs);
   add_tip_trails(scenery_, sample, glyphs);
-  if (film && fails_ && staging_.timeline.motion_time(*film) >= *fails_) drop_quantities(glyphs);
+  if (film && fails_ && staging_.timeline.motion_time(*film) >= *fails_) mark_as_ended(glyphs);
   return glyphs;
 }
 
@@ -319,7 +372,11 @@ LabelView Composer::label_view(double film, double end) const {
 LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
   LabelView names;
   for (const LabelGlyph& label : glyphs.labels) {
-    if (camera.sees(label.at)) names.labels.push_back(seen(label, camera));
+    if (!camera.sees(label.at)) continue;
+    const double presence = facing(label, camera) * uncovered(label, glyphs.arrows, camera);
+    if (presence <= 0.0) continue;
+    names.labels.push_back(seen(label, camera));
+    names.labels.back().fade *= static_cast<float>(presence);
   }
   names.marks = marks_of(glyphs, camera);
   names.curves = curves_of(glyphs, camera);

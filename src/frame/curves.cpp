@@ -29,6 +29,14 @@ double distance_from_piece(const PathPoint& inside, const PathPoint& from, const
   return (inside.point - from.point - part * (to.point - from.point)).norm();
 }
 
+// the axes in the order of their moments
+std::array<int, 3> ascending(const Vec3& moments) {
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(
+      order.begin(), order.end(), [&](int i, int k) { return moments[i] < moments[k]; });
+  return order;
+}
+
 // what of a path is not needed: points where the straight piece between those kept is anyway
 Path thinned(const Path& path, double tolerance) {
   Path kept;
@@ -219,9 +227,7 @@ std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces) {
   const double energy2 = y.dot(w_P);
   const double momentum2 = y.squaredNorm();
   if (energy2 == 0.0) return {};
-  std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(
-      order.begin(), order.end(), [&](int i, int k) { return moments[i] < moments[k]; });
+  const std::array<int, 3> order = ascending(moments);
 
   // round the axis of the largest moment, or of the smallest
   const bool about_largest = momentum2 >= energy2 * moments[order[1]];
@@ -246,6 +252,29 @@ std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces) {
     points.push_back(w);
   }
   return points;
+}
+
+std::vector<std::vector<Vec3>> separatrix(const Vec3& moments, const Vec3& w_P, int pieces) {
+  const double energy2 = w_P.dot(moments.cwiseProduct(w_P));
+  const auto [least, middle, most] = ascending(moments);
+  const double below = moments[middle] - moments[least], above = moments[most] - moments[middle];
+  if (energy2 == 0.0 || std::min(below, above) < 1e-9 * moments[most]) return {};
+  const auto component = [&](int axis, double part) {
+    return std::sqrt(energy2 * part / moments[axis]);
+  };
+  std::vector<std::vector<Vec3>> ellipses;
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<Vec3>& points = ellipses.emplace_back();
+    for (int k = 0; k < pieces; ++k) {
+      const double angle = 2.0 * kPi * k / pieces;
+      Vec3 w = Vec3::Zero();
+      w[middle] = component(middle, 1.0) * std::cos(angle);
+      w[least] = component(least, above / (below + above)) * std::sin(angle);
+      w[most] = sign * component(most, below / (below + above)) * std::sin(angle);
+      points.push_back(w);
+    }
+  }
+  return ellipses;
 }
 
 }  // namespace polhode

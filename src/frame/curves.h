@@ -65,4 +65,12 @@ class Trail {
 // least or the greatest moment, where the curve is a point.
 std::vector<Vec3> polhode(const Vec3& moments, const Vec3& w_P, int pieces);
 
+// The separatrix: the two ellipses through both ends of the middle axis that part the polhodes of
+// one energy (Landau and Lifshitz, Mechanics, section 37). Each has `pieces` points (rad/s); the
+// first is an end of the middle axis, and a quarter on is the point of the first ellipse where both
+// other components are greatest, of the second where that along the axis of the greatest moment is
+// negative. Empty for a body at rest or with two equal moments. moments: kg m^2, all positive;
+// w_P: of that energy, rad/s.
+std::vector<std::vector<Vec3>> separatrix(const Vec3& moments, const Vec3& w_P, int pieces);
+
 }  // namespace polhode

@@ -139,7 +139,7 @@ const std::vector<Element>& elements() {
        needs_free,
        add_polhode},
       {"polhodes",
-       "polhodes of other motions with the same energy (free body)",
+       "polhodes of other motions with the same energy, and the separatrix (free body)",
        never,
        needs_free,
        add_polhodes},

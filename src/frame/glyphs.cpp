@@ -160,9 +160,19 @@ void add_floors(const Glyphs& glyphs,
   }
 }
 
-// Translucent surfaces from far to near, as exactly as whole surfaces can be put in order: sheets
-// that the eye looks at from the side of the rest, ghosts, the far sides of what surrounds the
-// rest, translucent bodies and cones, the near sides, sheets in front.
+// what is coming or going is blended over what is there
+void move_fading(DrawList& list) {
+  const auto fading =
+      std::stable_partition(list.opaque.begin(), list.opaque.end(), [](const DrawItem& item) {
+        return item.material.opaque();
+      });
+  list.translucent.insert(list.translucent.end(), fading, list.opaque.end());
+  list.opaque.erase(fading, list.opaque.end());
+}
+
+// Translucent surfaces from far to near, as exactly as whole surfaces can be put in order: floors
+// and sheets that the eye looks at from the side of the rest, what fades, ghosts, the far sides of
+// what surrounds the rest, translucent bodies and cones, the near sides, sheets in front.
 void add_translucent(const Glyphs& glyphs,
                      const GlyphMeshes& meshes,
                      const DrawingFrame& frame,
@@ -179,6 +189,7 @@ void add_translucent(const Glyphs& glyphs,
   for (const SheetGlyph& sheet : glyphs.sheets) {
     if (behind(sheet)) add_sheet(sheet, glyphs, meshes, frame, list);
   }
+  move_fading(list);
   for (const MeshGlyph& glyph : glyphs.ghosts) {
     items.push_back(item_of(glyph, frame, Faces::back));
     items.push_back(item_of(glyph, frame, Faces::front));
@@ -251,11 +262,14 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
     glyphs.labels[i].fade *= fade;
 }
 
-void drop_quantities(Glyphs& glyphs) {
+void mark_as_ended(Glyphs& glyphs) {
+  constexpr float kPale = 0.35f;
   glyphs.arrows.clear();
   glyphs.arcs.clear();
   glyphs.cones.clear();
   glyphs.labels.clear();
+  for (MeshGlyph& mesh : glyphs.meshes)
+    mesh.material.fade *= kPale;
 }
 
 Vec3 point_of(const ArcGlyph& arc, double part) {
@@ -324,14 +338,6 @@ void add_items(const Glyphs& glyphs,
   for (const ArcGlyph& arc : glyphs.arcs)
     add_arc(arc, meshes.arrows, frame, list);
   add_translucent(glyphs, meshes, frame, eye, list);
-
-  // what is coming or going is blended over what is there
-  const auto fading =
-      std::stable_partition(list.opaque.begin(), list.opaque.end(), [](const DrawItem& item) {
-        return item.material.opaque();
-      });
-  list.translucent.insert(list.translucent.begin(), fading, list.opaque.end());
-  list.opaque.erase(fading, list.opaque.end());
 }
 
 }  // namespace polhode

@@ -79,6 +79,9 @@ struct LabelGlyph {
   float fade = 1.0f;      // multiplies the opacity
   bool of_arrow = false;  // it names an arrow whose tip is `at`
   double size = 1.0;      // of its type, in that of names of vectors
+  // The direction (S) in which what it names faces: it fades as that turns from the eye. Zero: it
+  // does not.
+  Vec3 faces = Vec3::Zero();
 };
 
 // A point that labels should not cover.
@@ -129,8 +132,9 @@ struct GlyphCounts {
 // visible, 0 invisible.
 void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence);
 
-// Takes away vectors, angles and cones with their names: what is left is where things are.
-void drop_quantities(Glyphs& glyphs);
+// For a motion that could not be computed any further: takes away vectors, angles and cones with
+// their names. What is left, where things were, becomes pale.
+void mark_as_ended(Glyphs& glyphs);
 
 // The point (S, m) at the fraction `part` (0..1) of an arc.
 Vec3 point_of(const ArcGlyph& arc, double part);

@@ -40,7 +40,9 @@ struct Paths {
   // The curves of omega on the inertia ellipsoid and of L on Binet's ellipsoid, in principal axes
   // from the reference point, in units of the body's radius.
   MeshPtr polhode, binet;
-  std::vector<MeshPtr> polhodes;  // family of polhodes, likewise
+  std::vector<MeshPtr> polhodes;        // family of polhodes, likewise
+  std::vector<MeshPtr> separatrix;      // the two that part them; empty if two moments are equal
+  Vec3 on_separatrix_P = Vec3::Zero();  // where its name stands, rad/s
 };
 
 // The radius of the sphere on which the path of the body's axis is drawn, in units of the body's

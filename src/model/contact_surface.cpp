@@ -256,11 +256,11 @@ SurfacePoint ContactSurface::at(const Vec3& down_P, const Vec3& down_rate_P, int
   const Vec3 out = across > 0.0 ? Vec3(d.x() / across, d.y() / across, 0.0) : Vec3(1, 0, 0);
   const Vec3 along(-out.y(), out.x(), 0.0);
   if (p.outline) {
-    constexpr double kOnAxis = 1e-9;
+    constexpr double kAtAxis = 1e-9;
     const SmoothOutline::Point here = p.outline->at(std::atan2(d.z(), across));
     // in the plane through the axis, and around it; on the axis both radii are one
     const Vec3 up = across * Vec3::UnitZ() - d.z() * out;
-    const double around = across > kOnAxis ? here.r / across : here.curvature;
+    const double around = across > kAtAxis ? here.r / across : here.curvature;
     point.arm_P += p.R_PD * (here.r * out + here.z * Vec3::UnitZ());
     point.arm_rate_P +=
         p.R_PD * (here.curvature * up.dot(rate) * up + around * along.dot(rate) * along);

@@ -73,6 +73,37 @@ TEST(Compose, VectorsEndWhereTheirMotionFails) {
   EXPECT_EQ(later.arrows + later.cones + later.arcs + later.labels, 0u);
   EXPECT_EQ(later.meshes, counts(whole, 1.0).meshes);
   EXPECT_GT(later.meshes, 0u);
+  EXPECT_EQ(failing.glyphs_at(motion.at(0.9), 0.9).meshes.front().material.fade, 1.0f);
+  EXPECT_LT(failing.glyphs_at(motion.at(1.0), 1.0).meshes.front().material.fade, 0.5f)
+      << "not as a body at rest";
+}
+
+// a vector inside a thicker one, or behind it, has no name: it would be read as that of the other
+TEST(Compose, OnlyVectorsThatAreSeenAreNamed) {
+  const auto has_name = [](const MotionSpec& spec, const Vec3& eye) {
+    CameraSpec camera;
+    camera.eye = eye;
+    camera.target = Vec3::Zero();
+    ShowSpec show = show_only("space_axes");
+    show["omega"] = true;
+    const std::vector<SeenLabel> labels =
+        composer(prolate_body(), spec, show, camera).label_view(0.0, 1.0).labels;
+    return std::any_of(labels.begin(), labels.end(), [](const SeenLabel& label) {
+      return label.markup == "<i>X</i>" && label.fade > 0.99f;
+    });
+  };
+  MotionSpec spec = wobbling();
+  const Vec3 side(0.3, 4.0, 1.0);
+  // the arrow of the angular velocity is longer than an axis, and thicker
+  spec.spin.body = Vec3(0.0, 0.0, 3.0);
+  EXPECT_TRUE(has_name(spec, side)) << "the other is elsewhere";
+  spec.spin.body = {};
+  spec.spin.space = Vec3(3.0, 0.0, 0.0);
+  EXPECT_FALSE(has_name(spec, side)) << "inside the other";
+  spec.spin.space = Vec3(3.0, 0.9, 0.0);
+  EXPECT_TRUE(has_name(spec, Vec3(0, 0, 5))) << "beside the other";
+  EXPECT_FALSE(has_name(spec, Vec3(-0.4, 4.0, 0.0))) << "behind the other";
+  EXPECT_TRUE(has_name(spec, Vec3(-0.4, -4.0, 0.0))) << "before the other";
 }
 
 // far side, then near side; cones would not know where to go

@@ -44,6 +44,30 @@ TEST(Curves, ASteadySpinHasNoPolhode) {
   EXPECT_TRUE(polhode({2, 2, 2}, {0.3, 1, 2}, 100).empty());
 }
 
+// the separatrix has the energy of its motion, and the L^2 of a spin about the middle axis
+TEST(Curves, TheSeparatrixGoesThroughTheMiddleAxis) {
+  const Vec3 w(0.4, -0.3, 0.7);
+  for (const Vec3& moments : {Vec3(1.0, 2.0, 3.5), Vec3(3.0, 1.2, 1.5), Vec3(2.0, 2.9, 0.8)}) {
+    const double energy2 = moments.dot(w.cwiseProduct(w));
+    const double middle = moments.sum() - moments.minCoeff() - moments.maxCoeff();
+    const std::vector<std::vector<Vec3>> ellipses = separatrix(moments, w, 100);
+    ASSERT_EQ(ellipses.size(), 2u);
+    for (const std::vector<Vec3>& ellipse : ellipses) {
+      ASSERT_EQ(ellipse.size(), 100u);
+      for (const Vec3& point : ellipse) {
+        EXPECT_NEAR(moments.dot(point.cwiseProduct(point)), energy2, 1e-14 * energy2);
+        EXPECT_NEAR(moments.cwiseProduct(point).squaredNorm(), energy2 * middle, 1e-14 * energy2);
+      }
+      EXPECT_NEAR(ellipse.front().norm(), std::sqrt(energy2 / middle), 1e-15) << "about the middle";
+    }
+    EXPECT_GT((ellipses[0][25] - ellipses[1][25]).norm(), 0.5) << "two of them";
+    EXPECT_GT((ellipses[0][25] + ellipses[1][25]).norm(), 0.5) << "two of them";
+  }
+  EXPECT_TRUE(separatrix({1, 1, 2}, w, 100).empty());
+  EXPECT_TRUE(separatrix({1, 2, 2}, w, 100).empty());
+  EXPECT_TRUE(separatrix({1, 2, 3}, Vec3::Zero(), 100).empty());
+}
+
 // straight pieces stay within the tolerance of the curve
 TEST(Curves, AreAsFineAsTheToleranceAsks) {
   const auto spiral = [](double s) {

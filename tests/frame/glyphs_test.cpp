@@ -155,7 +155,7 @@ TEST(Glyphs, OnlyNewOnesFade) {
   const DrawList list = items_of(glyphs, Vec3(0, 0, 9));
   EXPECT_EQ(list.opaque.size(), 1u);
   ASSERT_EQ(list.translucent.size(), 2u);
-  EXPECT_EQ(list.translucent[0].material.alpha, 1.0f) << "the opaque one that comes, first";
+  EXPECT_EQ(list.translucent[1].material.alpha, 1.0f) << "the opaque one that comes, over the sheet";
 }
 
 }  // namespace

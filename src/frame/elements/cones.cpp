@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
-constexpr double kSideLength = 1.06;   // of the sides of an angle, in the radius of its arc
-constexpr double kSideRadius = 0.004;  // in that of the body
+constexpr double kSideLength = 1.12;   // of the sides of an angle, in the radius of its arc
+constexpr double kSideRadius = 0.008;  // in that of the body
 constexpr double kNarrowCone = 0.08;   // radius of the rim, in that of the body; narrower: no name
 
 // an angle: an arc between two directions, and what it is measured from and to
@@ -34,7 +34,7 @@ void add_arc(const Scenery& scenery,
     glyphs.rods.push_back({sample.reference_S,
                            sample.reference_S + kSideLength * radius * scenery.scale.body * side,
                            kSideRadius * scenery.scale.body,
-                           plain(scenery.theme.position, 0.1f)});
+                           drawn_through(scenery, plain(scenery.theme.position, 0.1f))});
   }
 }
 

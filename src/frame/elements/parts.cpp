@@ -11,8 +11,10 @@
 namespace polhode {
 namespace {
 
-constexpr double kShortestNamed = 0.08;  // shorter vectors have no name
-constexpr double kLongEnough = 0.18;     // longer ones have it in full
+// in units of the body's radius: shorter vectors have no name, longer ones have it in full. Between
+// them it is pale, which looks like a fault in a still, so this is narrow.
+constexpr double kShortestNamed = 0.08;
+constexpr double kLongEnough = 0.11;
 constexpr double kNameOff = 0.12;        // of names from their curves
 constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
 

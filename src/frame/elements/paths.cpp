@@ -105,13 +105,19 @@ std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
   int least = 0, most = 0;
   model.moments.minCoeff(&least);
   model.moments.maxCoeff(&most);
+  constexpr double kOnSeparatrix = 0.02;
+  const double middle = model.moments.sum() - model.moments[least] - model.moments[most];
+  const bool has_separatrix = !separatrix(model.moments, w_P, 1).empty();
   std::vector<Vec3> family;
   for (int k = 0; k < 4 * kFamily; ++k) {
     const double angle = 2.0 * kPi * (k + 0.5) / (4 * kFamily);
     Vec3 w = Vec3::Zero();
     w[least] = std::sqrt(energy2 / model.moments[least]) * std::cos(angle);
     w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
-    family.push_back(w);
+    // L^2 / 2T is the middle moment on the separatrix
+    const double off = model.moments.cwiseProduct(w).squaredNorm() / energy2 - middle;
+    const double spread = model.moments[most] - model.moments[least];
+    if (!has_separatrix || std::abs(off) > kOnSeparatrix * spread) family.push_back(w);
   }
   return family;
 }
@@ -244,13 +250,15 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
   const BodyModel& model = scenery.motion.model();
   const Vec3 w_P = principal_rate(model, scenery.motion.at(0.0));
   const int pieces = 8 * scenery.segments;
-  const auto curve = [&](const Vec3& w, const Vec3& factor, double radius) -> MeshPtr {
-    std::vector<Vec3> points = polhode(model.moments, w, pieces);
+  const auto tube = [&](std::vector<Vec3> points, const Vec3& factor, double radius) -> MeshPtr {
     if (points.empty()) return nullptr;
     for (Vec3& point : points)
       point = point.cwiseProduct(factor) / scenery.scale.body;
     return std::make_shared<const Mesh>(
         tube_along(points, radius, sides_of(scenery, radius), true));
+  };
+  const auto curve = [&](const Vec3& w, const Vec3& factor, double radius) {
+    return tube(polhode(model.moments, w, pieces), factor, radius);
   };
   const Vec3 as_omega = Vec3::Constant(scenery.scale.omega);
   if (is_asked(scenery.options, "polhode")) paths.polhode = curve(w_P, as_omega, kCurveRadius);
@@ -259,6 +267,18 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
   if (!is_asked(scenery.options, "polhodes")) return;
   for (const Vec3& w : family_of(model, w_P)) {
     if (const MeshPtr mesh = curve(w, as_omega, kRimRadius)) paths.polhodes.push_back(mesh);
+  }
+  const std::vector<std::vector<Vec3>> ellipses = separatrix(model.moments, w_P, pieces);
+  for (const std::vector<Vec3>& ellipse : ellipses)
+    paths.separatrix.push_back(tube(ellipse, as_omega, kRimRadius));
+  // named where it is far from the polhode of this motion
+  for (const std::vector<Vec3>& ellipse : ellipses) {
+    const Vec3& at = ellipse[ellipse.size() / 4];
+    const auto cosine = [&](const Vec3& point) {
+      return std::abs(point.normalized().dot(w_P.normalized()));
+    };
+    if (&ellipse == &ellipses.front() || cosine(at) < cosine(paths.on_separatrix_P))
+      paths.on_separatrix_P = at;
   }
 }
 

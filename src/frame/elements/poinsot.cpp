@@ -191,6 +191,17 @@ void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
   const Placement ellipsoid = energy_ellipsoid(scenery, sample);
   for (const MeshPtr& mesh : scenery.paths.polhodes)
     add_body_curve(scenery, sample, mesh, scenery.theme.polhodes, ellipsoid, glyphs);
+  if (scenery.paths.separatrix.empty()) return;
+  for (const MeshPtr& mesh : scenery.paths.separatrix)
+    add_body_curve(scenery, sample, mesh, scenery.theme.velocity, ellipsoid, glyphs);
+  const Vec3 out = principal_placement(scenery, sample).linear() * scenery.paths.on_separatrix_P;
+  add_name(scenery,
+           sample.reference_S + scenery.scale.omega * out,
+           out,
+           "separatrix",
+           scenery.theme.velocity,
+           1.0f,
+           glyphs);
 }
 
 void add_herpolhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "frame/coil.h"
@@ -32,6 +33,7 @@ constexpr std::array kSpaceAxes = {&VectorNames::x, &VectorNames::y, &VectorName
 
 constexpr std::array<const char*, 3> kComponentNames = {
     "<i>Ω</i><sub>1</sub>", "<i>Ω</i><sub>2</sub>", "<i>Ω</i><sub>3</sub>"};
+constexpr const char* kFieldName = "<b>V</b> + <b>Ω</b> × <b>r</b>";
 constexpr std::array<const char*, 3> kRateNames = {"<i>φ̇</i>", "<i>θ̇</i>", "<i>ψ̇</i>"};
 
 // what the scene calls a vector, else `usual` (markup)
@@ -252,31 +254,37 @@ void add_frame_rotation(const Scenery& scenery, const Sample& sample, Glyphs& gl
                    name_of(scenery, &VectorNames::frame_rotation, "<b>Ω</b><sub>0</sub>"));
 }
 
-// V + Omega x r (notes, section 0.1) at points of the body, and V at the reference point; that of
-// the point that was fastest at the start has the name of all
+// V + Omega x r (notes, section 0.1) at points of the body, and V at the reference point. One of
+// the fastest points on the usual side of the camera has the name of all, paler as the body turns
+// and another comes to be that one.
 void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  constexpr double kNearer = 0.6;    // by how much a point towards the camera counts more
+  constexpr double kClearly = 0.004;  // ahead of the next, where the name is there in full
   const BodyModel& model = scenery.motion.model();
   const Material material = plain(scenery.theme.velocity, 0.2f);
-  const Sample start = scenery.motion.at(0.0);
-  const auto speed = [&](const Vec3& r_B) {
-    return point_velocity(model, start, r_B).norm();
-  };
   const std::vector<Vec3>& points = scenery.field_points_B;
-  const auto named =
-      std::max_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
-        return speed(a) < speed(b);
-      });
-  for (auto point = points.begin(); point != points.end(); ++point) {
-    const Vec3 from = point_position(model, sample, *point);
-    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, *point);
-    add_vector(scenery,
-               from,
-               from + along,
-               kFieldShape,
-               material,
-               glyphs,
-               point == named ? "<b>v</b>" : "");
+  std::vector<double> counts;
+  for (const Vec3& point_B : points) {
+    const Vec3 out = (point_position(model, sample, point_B) - sample.reference_S).normalized();
+    counts.push_back(point_velocity(model, sample, point_B).norm() *
+                     (1.0 + kNearer * out.dot(kDefaultDirection)));
+  }
+  std::vector<double> best(std::min<std::size_t>(2, counts.size()));
+  std::partial_sort_copy(
+      counts.begin(), counts.end(), best.begin(), best.end(), std::greater<double>());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 from = point_position(model, sample, points[i]);
+    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, points[i]);
+    const std::size_t named_before = glyphs.labels.size();
+    const bool is_named = counts[i] == best.front();
+    add_vector(
+        scenery, from, from + along, kFieldShape, material, glyphs, is_named ? kFieldName : "");
     glyphs.arrows.back().material.hidden *= kHiddenField;
+    for (std::size_t k = named_before; k < glyphs.labels.size(); ++k) {
+      const double ahead = (best.front() - best.back()) / (kClearly * best.front());
+      glyphs.labels[k].fade *= static_cast<float>(std::min(1.0, ahead));
+      glyphs.labels[k].faces = from - sample.reference_S;
+    }
   }
   const Vec3 along = scenery.scale.velocity * sample.reference_velocity_S;
   if (along.norm() > 0.0)

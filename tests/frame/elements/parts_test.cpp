@@ -46,7 +46,7 @@ TEST(Parts, ADiscLiesSquareToItsNormal) {
   }
 }
 
-// names fade in with the length of their vectors, from 0.08 to 0.18 of the body's radius
+// names fade in with the length of their vectors, from 0.08 to 0.11 of the body's radius
 TEST(Parts, ShortVectorsHaveNoName) {
   const Scenery scenery = scenery_of(test::prolate_body(), test::wobbling());
   const auto fade_of = [&](double length) -> float {
@@ -57,8 +57,8 @@ TEST(Parts, ShortVectorsHaveNoName) {
     return glyphs.labels.empty() ? 0.0f : glyphs.labels[0].fade;
   };
   EXPECT_EQ(fade_of(0.07), 0.0f);
-  EXPECT_NEAR(fade_of(0.13), 0.5f, 1e-6f);
-  EXPECT_EQ(fade_of(0.19), 1.0f);
+  EXPECT_NEAR(fade_of(0.095), 0.5f, 1e-6f);
+  EXPECT_EQ(fade_of(0.12), 1.0f);
 }
 
 // what a scene cannot have is refused with the reason

@@ -60,8 +60,8 @@ TEST(DiscreteMoserVeselov, PreprocessingUndoesTheArcsine) {
   const Problem p{free_body({1, 2, 3}), {Quat::Identity(), {0, 0, 3}}};
   for (const auto& [method, order] :
        {std::pair{"dmv2", 2}, {"dmv4", 4}, {"dmv6", 6}, {"dmv8", 8}, {"dmv10", 10}}) {
-    const auto error = [&](double turn) {
-      return std::abs(rotation_angle_between(after(method, p, turn, 1).q, p.start.q) - turn);
+    const auto error = [&, name = method](double turn) {
+      return std::abs(rotation_angle_between(after(name, p, turn, 1).q, p.start.q) - turn);
     };
     EXPECT_NEAR(std::log2(error(0.4) / error(0.2)), order + 1, 0.4) << method;
   }
