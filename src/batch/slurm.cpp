@@ -42,6 +42,11 @@ std::string value_in(const std::string& line, const std::string& name) {
   return "";
 }
 
+// whether Slurm knows no such job, as it is some minutes after its end
+bool has_forgotten(const ChildResult& result) {
+  return result.err.find("Invalid job id") != std::string::npos;
+}
+
 }  // namespace
 
 bool has_slurm() {
@@ -75,7 +80,12 @@ std::map<int, SlurmState> states_in_slurm(const std::string& job) {
   std::map<int, SlurmState> states;
   if (job.empty() || !has_slurm()) return states;
   const ChildResult result = run_child({"scontrol", "--oneliner", "show", "job", job}, "", {60.0});
-  if (!ended_well(result)) return states;
+  if (!ended_well(result)) {
+    if (has_forgotten(result)) return states;
+    throw environment_error("Slurm does not say how job {} is: scontrol {}; ask again later",
+                            job,
+                            how_it_ended(result));
+  }
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);) {
     const std::string word = value_in(line, "JobState");
@@ -83,6 +93,11 @@ std::map<int, SlurmState> states_in_slurm(const std::string& job) {
     const std::string tasks = value_in(line, "ArrayTaskId");
     for (const int task : tasks.empty() ? std::vector<int>{0} : numbers_in(tasks))
       states[task] = state_of(word);
+  }
+  if (states.empty()) {
+    throw environment_error("Slurm does not say how job {} is: scontrol answered '{}'",
+                            job,
+                            one_line(result.out.substr(0, 80)));
   }
   return states;
 }

@@ -28,7 +28,7 @@ std::string submit_to_slurm(const std::vector<std::string>& call);
 
 // The states of the tasks of an array, by their numbers, and of a job that is none as number 0. It
 // is empty without Slurm, and what ended some minutes ago is missing: Slurm forgets. Throws Error
-// (interrupted).
+// (environment) if Slurm cannot be asked or gives no answer; (interrupted).
 std::map<int, SlurmState> states_in_slurm(const std::string& job);
 
 // Takes back what of these jobs is not over. Returns nothing, or why that failed, in words of

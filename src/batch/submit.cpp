@@ -18,6 +18,7 @@
 #include "batch/slurm.h"
 #include "batch/task_sizes.h"
 #include "batch/task_states.h"
+#include "film/output/resumed_film.h"
 
 namespace polhode {
 namespace {
@@ -106,6 +107,14 @@ std::string numbers_of(const BatchJob& job) {
   return fmt::format("{} and {}", last.array, last.collecting);
 }
 
+// Films are made in pieces beside them, and those of another film would stop the tasks.
+void refuse_other_pieces(const BatchJob& batch) {
+  const std::string pieces = folder_of_pieces(batch.output);
+  if (!is_there(pieces)) return;
+  throw input_error("holds pieces of the film as it was before; delete it and submit again")
+      .at({pieces, 0, {}});
+}
+
 // A job of other work gives way unless it is queued. One of the same work goes on as it was
 // divided.
 BatchJob settle(const fs::path& folder, BatchJob batch, bool& is_active, bool changes_files) {
@@ -113,8 +122,8 @@ BatchJob settle(const fs::path& folder, BatchJob batch, bool& is_active, bool ch
   std::optional<BatchJob> earlier = earlier_job(folder);
   if (!earlier) return batch;
   const bool same = earlier->hash == batch.hash;
-  const bool lost = is_there(folder / "state/collected") && !is_made(folder, *earlier);
-  is_active = !lost && state_of_job(folder, *earlier).is_active();
+  const JobState state = state_of_job(folder, *earlier);
+  is_active = state.is_active();
   if (!same && is_active) {
     throw input_error(
         "other work is queued for this output (Slurm job {}): the scene, an option or the program "
@@ -124,7 +133,8 @@ BatchJob settle(const fs::path& folder, BatchJob batch, bool& is_active, bool ch
         shell_word(folder.string()))
         .at({folder.string(), 0, {}});
   }
-  if (!same || lost) {
+  if (!same) refuse_other_pieces(batch);
+  if (!same || state.lost) {
     if (changes_files) {
       remove_file(folder / "state");
       remove_file(folder / "logs");
@@ -210,11 +220,12 @@ int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, s
   using Clock = std::chrono::steady_clock;
   constexpr auto kLook = std::chrono::milliseconds(500);
   constexpr auto kAsk = std::chrono::seconds(10);
+  constexpr auto kLongest = std::chrono::minutes(10);  // that Slurm may give no answer
   const int there = batch.tasks - static_cast<int>(missing_tasks(folder, batch).size());
   JobState state;
   {
     Progress progress(kind, batch.tasks, "tasks", there);
-    Clock::time_point asked = Clock::now();
+    Clock::time_point asked = Clock::now(), answered = asked;
     while (true) {
       stop_if_interrupted();
       if (is_made(folder, batch)) {
@@ -226,8 +237,14 @@ int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, s
       const bool over = is_there(folder / "state/collect.failed");
       if (over || Clock::now() - asked > kAsk) {
         asked = Clock::now();
-        state = state_of_job(folder, batch);
-        if (over || !state.is_active()) break;
+        try {
+          state = state_of_job(folder, batch);
+          answered = asked;
+          if (over || !state.is_active()) break;
+        } catch (const Error& error) {
+          // tasks go on while Slurm is started anew
+          if (error.fault() != Fault::environment || asked - answered > kLongest) throw;
+        }
       }
       std::this_thread::sleep_for(kLook);
     }

@@ -113,6 +113,8 @@ JobState state_of_job(const fs::path& folder, const BatchJob& job) {
     state.collecting.progress = TaskProgress::done;
     return state;
   }
+  state.lost = is_there(folder / "state/collected");
+  if (state.lost) return state;
   // a task that was queued again is as its last submission says
   std::map<int, SlurmState> known;
   std::vector<bool> queued(state.tasks.size() + 1);
@@ -146,6 +148,10 @@ std::string words_of_state(const fs::path& folder, const BatchJob& job, const Jo
   const auto shown = [](const fs::path& path) {
     return one_line(path.string());
   };
+  if (state.lost) {
+    return fmt::format("{} was made, and is not there any more; submit it again\n",
+                       shown(job.output));
+  }
   std::string text = fmt::format(
       "{}: {} of {} tasks done", shown(job.output), state.count(TaskProgress::done), job.tasks);
   const auto add = [&](TaskProgress progress, const char* word) {

@@ -27,13 +27,15 @@ struct JobState {
   std::vector<TaskState> tasks;  // of task 1, 2, …
   TaskState collecting;
   bool made = false;  // the product is there
+  bool lost = false;  // it was collected, and is not there any more
 
   int count(TaskProgress progress) const;
   // Whether anything is queued or running.
   bool is_active() const;
 };
 
-// Looks once. Throws Error as is_there() (base/system/files.h) does; (interrupted).
+// Looks once. Throws Error as is_there() (base/system/files.h) does; (environment) if Slurm cannot
+// be asked about what is missing; (interrupted).
 JobState state_of_job(const std::filesystem::path& folder, const BatchJob& job);
 
 // The state for people: a line of counts, one for the collecting job, one for each failure.

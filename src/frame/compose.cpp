@@ -156,7 +156,7 @@ bool hides(const ArrowGlyph& arrow, const Vec3& point, const Camera& camera) {
 double uncovered(const LabelGlyph& label,
                  const std::vector<ArrowGlyph>& arrows,
                  const Camera& camera) {
-  constexpr double kLeast = 0.2, kInFull = 0.5;
+  constexpr double kLeast = 0.35, kInFull = 0.65;
   if (!label.of_arrow) return 1.0;
   const auto own = std::find_if(
       arrows.begin(), arrows.end(), [&](const ArrowGlyph& arrow) { return arrow.tip == label.at; });

@@ -142,14 +142,14 @@ Quoted value_text(const Json& value, double factor, const std::string& format) {
   return {"(" + list.text + ")", "(" + list.tex + ")"};
 }
 
-// Replaces all quotes of a text by what `answer` says.
+// Replaces all quotes of a text by what `answer` says. One that does not end in this text, because
+// something in it is no text for pandoc, is given as far as it goes.
 std::string replaced(const std::string& text,
                      const std::function<std::string(const std::string&)>& answer) {
   std::string out;
   std::size_t from = 0;
   for (std::size_t at = text.find(kHead); at != std::string::npos; at = text.find(kHead, from)) {
-    const std::size_t end = text.find('}', at);
-    if (end == std::string::npos) break;
+    const std::size_t end = std::min(text.find('}', at), text.size() - 1);
     out += text.substr(from, at - from) + answer(text.substr(at, end + 1 - at));
     from = end + 1;
   }
@@ -269,6 +269,12 @@ void fill_quotes(Deck& deck,
     text = replaced(text.get<std::string>(), [&](const std::string& words) -> std::string {
       const int line = lines.next(words);
       try {
+        if (!words.ends_with('}')) {
+          throw input_error(
+              "'{}' does not end in }}, or has a space or markup in it, which a quote cannot have; "
+              "in a table write \\| for |",
+              words);
+        }
         const Quote quote = parse_quote(words);
         const Quoted value = quoted(inspect(quote.scene), quote);
         return formula ? value.tex : value.text;
@@ -289,7 +295,7 @@ std::set<std::string> quoted_scenes(const Deck& deck) {
   for_each_text(copy, [&](const Json& text, bool) {
     replaced(text.get<std::string>(), [&](const std::string& words) {
       const std::size_t start = std::string_view(kHead).size(), hash = words.rfind('#');
-      if (hash != std::string::npos && hash > start)
+      if (hash != std::string::npos && hash > start && words.ends_with('}'))
         scenes.insert(words.substr(start, hash - start));
       return std::string();
     });

@@ -67,6 +67,16 @@ TEST_F(TaskStates, OfAProductThatIsThere) {
   EXPECT_NE(words().find("4 of 4 tasks done; collected"), std::string::npos) << words();
 }
 
+// its tasks did not fail
+TEST_F(TaskStates, OfAProductThatWasDeleted) {
+  test::write_text(place_ / "state/collected", "");
+  test::write_text(log_of_task(place_, 1), "task 1 of 4 on node1\npolhode: maps: all rows\n");
+  EXPECT_TRUE(state().lost);
+  EXPECT_FALSE(state().is_active());
+  EXPECT_EQ(exit_code_of(state()), 0);
+  EXPECT_EQ(words(), folder_ / "maps" + " was made, and is not there any more; submit it again\n");
+}
+
 TEST_F(TaskStates, OfACollectionThatFailed) {
   for (int task = 1; task <= 4; ++task)
     test::write_text(mark_of_task(place_, task, "done"), "");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // GCC 12 sees members without a value where the whole struct is written by its initializer
+#ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 #include "chart/plot_work_precision.h"
 

@@ -238,6 +238,62 @@ TEST_F(Submit, NamesAJobThatItCannotTakeBack) {
   }
 }
 
+// while Slurm gives no answer, nothing is known to be over: nothing is queued twice, nothing left
+TEST_F(Submit, DoesNotTakeSilenceForTheEnd) {
+  std::filesystem::create_directory(folder_ / "bin");
+  const auto program = [&](const char* name, const std::string& text) {
+    const std::string file = folder_ / fmt::format("bin/{}", name);
+    write_text(file, "#!/bin/sh\n" + text + "\n");
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  };
+  const std::string submitted = folder_ / "submitted";
+  program("sbatch", fmt::format("[ \"$1\" = --version ] && exit\necho x >>{}; echo 12", submitted));
+  program("scancel", "exit 0");
+  program("scontrol",
+          "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
+          "echo 'slurm_load_jobs error: Unable to contact slurm controller' >&2; exit 1");
+  const std::string path = "PATH=" + at("bin") + ":$PATH";
+  const std::string again =
+      fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
+                  at("scene.toml"),
+                  at("maps"));
+  ASSERT_EQ(run_polhode(again, path).code, 0);
+  for (const std::string& command : {again, "status " + at("maps"), "cancel " + at("maps")}) {
+    SCOPED_TRACE(command);
+    const Ran ran = run_polhode(command, path);
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_NE(ran.err.find("Unable to contact slurm controller"), std::string::npos) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  }
+  EXPECT_EQ(std::filesystem::file_size(submitted), 4u) << "two jobs, once";
+  // a job that it does not know any more is over
+  program("scontrol",
+          "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
+          "echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1");
+  EXPECT_EQ(run_polhode("status " + at("maps"), path).code, 0);
+  const Ran over = run_polhode("cancel " + at("maps"), path);
+  EXPECT_NE(over.out.find("nothing is queued"), std::string::npos) << over.out << over.err;
+}
+
+// a number of a job and nothing else
+TEST_F(Submit, TakesNoOddAnswerForAJob) {
+  std::filesystem::create_directory(folder_ / "bin");
+  for (const char* answer : {"0", "12; rm", "123456789012345678901234567890", "twelve", ""}) {
+    SCOPED_TRACE(answer);
+    write_text(folder_ / "bin/sbatch",
+               fmt::format("#!/bin/sh\n[ \"$1\" = --version ] && exit\necho '{}'\n", answer));
+    std::filesystem::permissions(folder_ / "bin/sbatch", std::filesystem::perms::owner_all);
+    const Ran ran = run_polhode(
+        fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
+                    at("scene.toml"),
+                    at("maps")),
+        "PATH=" + at("bin") + ":$PATH");
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_NE(ran.err.find("instead of the number of a job"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
+  }
+}
+
 TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
   write_text(folder_ / "bad.toml", "format = 1\n[bdy]\n");
   const std::string scene = at("scene.toml");

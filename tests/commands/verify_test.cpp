@@ -54,6 +54,7 @@ TEST_F(Verify, WhatWasMadeIsTheSame) {
   } cases[] = {{"a.mp4", "", "all 15 frames are the same"},
                {"a.mp4", "--no-text --quality draft", "all 15"},
                {"a.mp4", "--resume --jobs 2", "all 15"},
+               {"p.mp4", "--resume --pieces 3", "all 15"},
                {"a.mp4", "--shard 2/3", "all 5"},
                {"a.webm", "--transparent", "all 15"},
                {"a.mov", "--from 0.3 --to 0.6", "all 8"},

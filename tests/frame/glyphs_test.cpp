@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // GCC 12 sees members without a value where the whole struct is written by its initializer
+#ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 #include "frame/glyphs.h"
 
@@ -155,7 +157,8 @@ TEST(Glyphs, OnlyNewOnesFade) {
   const DrawList list = items_of(glyphs, Vec3(0, 0, 9));
   EXPECT_EQ(list.opaque.size(), 1u);
   ASSERT_EQ(list.translucent.size(), 2u);
-  EXPECT_EQ(list.translucent[1].material.alpha, 1.0f) << "the opaque one that comes, over the sheet";
+  EXPECT_EQ(list.translucent[1].material.alpha, 1.0f)
+      << "the opaque one that comes, over the sheet";
 }
 
 }  // namespace

@@ -102,5 +102,23 @@ TEST(Quotes, StandInTextFormulasAndCaptions) {
   EXPECT_EQ(quoted_scenes(deck_of("{inspect:s.toml#a} {inspect:t.toml#b}")).size(), 2U);
 }
 
+// what pandoc takes apart is told, not left in the text
+TEST(Quotes, WithSpacesOrMarkupAreRefused) {
+  for (const char* quote : {"{inspect:my top.toml#stable}",
+                            "{inspect:s.toml#flip_time|%.3g, ms}",
+                            "{inspect: s.toml#stable}",
+                            "{inspect:s~b~.toml#stable}",
+                            "{inspect:s.toml#stable"}) {
+    SCOPED_TRACE(quote);
+    const std::string text = fmt::format("First.\n\nThen {} and words.\n", quote);
+    Deck deck = deck_of(text);
+    fill_quotes(deck, text, [](const std::string&) -> const Json& { return kAnswer; });
+    ASSERT_EQ(deck.problems.size(), 1U);
+    EXPECT_EQ(deck.problems[0].place().line, 3);
+    EXPECT_NE(deck.problems[0].message().find("has a space or markup"), std::string::npos);
+    EXPECT_TRUE(quoted_scenes(deck_of(text)).empty());
+  }
+}
+
 }  // namespace
 }  // namespace polhode

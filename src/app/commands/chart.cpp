@@ -23,9 +23,10 @@
 #include "scene/canonical.h"
 
 namespace polhode {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 const std::vector<std::string> kChartFiles = {"chart.csv", "chart.svg", "chart.png", "chart.pdf"};
 constexpr const char* kKeptPoints = "chart.resume";  // of finished methods, until all are there

@@ -84,6 +84,7 @@ FilmReport film_report(const RenderPlan& plan,
   record.text = plan.text;
   record.still = plan.sink.still;
   record.resume = plan.resume;
+  if (plan.pieces != 0) record.pieces = plan.pieces;
   if (plan.shard) record.shard = name_of(*plan.shard);
   record.first_frame = output.range().first;
   record.jobs = plan.setup.jobs;

@@ -75,6 +75,7 @@ struct FilmReport {        // NOLINT(bugprone-exception-escape): JSON moves with
   double from_s = 0.0, to_s = 0.0;  // s of motion that the whole film covers
   // As in RenderJob (film/render_plan.h), but still: true for a single picture.
   bool transparent = false, text = true, still = false, resume = false;
+  std::optional<int> pieces;         // of --resume, if their number was given
   std::optional<std::string> shard;  // "K/N"; absent: the whole film
   int first_frame = 0;               // number of the first frame in the film; 0 except for shards
   int jobs = 1;                      // processes that drew
@@ -119,6 +120,7 @@ void report_fields(Visitor& v, FilmReport& s) {
   v.field("text", s.text);
   v.field("still", s.still);
   v.field("resume", s.resume);
+  v.optional("pieces", s.pieces);
   v.field("shard", s.shard);
   v.field("first_frame", s.first_frame);
   v.field("jobs", s.jobs);

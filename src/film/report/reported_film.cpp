@@ -82,6 +82,7 @@ RenderPlan plan_from(const FilmReport& record) {
                       record.still);
   if (record.shard) plan.shard = parse_shard(*record.shard);
   plan.resume = record.resume;
+  plan.pieces = record.pieces.value_or(0);
   plan.text = record.text;
   // the number of processes does not show
   plan.setup = {record.backend, record.transparent, 1};

@@ -15,8 +15,8 @@ namespace {
 // them it is pale, which looks like a fault in a still, so this is narrow.
 constexpr double kShortestNamed = 0.08;
 constexpr double kLongEnough = 0.11;
-constexpr double kNameOff = 0.12;        // of names from their curves
-constexpr double kSizeOfNames = 0.62;    // of their type, in that of names of vectors
+constexpr double kNameOff = 0.12;      // of names from their curves
+constexpr double kSizeOfNames = 0.62;  // of their type, in that of names of vectors
 
 bool is_free_top(const Scenery& scenery) {
   const BodyModel& model = scenery.motion.model();

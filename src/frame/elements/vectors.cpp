@@ -258,7 +258,7 @@ void add_frame_rotation(const Scenery& scenery, const Sample& sample, Glyphs& gl
 // the fastest points on the usual side of the camera has the name of all, paler as the body turns
 // and another comes to be that one.
 void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  constexpr double kNearer = 0.6;    // by how much a point towards the camera counts more
+  constexpr double kNearer = 0.6;     // by how much a point towards the camera counts more
   constexpr double kClearly = 0.004;  // ahead of the next, where the name is there in full
   const BodyModel& model = scenery.motion.model();
   const Material material = plain(scenery.theme.velocity, 0.2f);

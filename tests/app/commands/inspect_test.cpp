@@ -10,9 +10,10 @@
 #include "support/run.h"
 
 namespace polhode {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 Json facts_of(const std::string& text) {
   return inspection(solve(parse_scene(text, "scene.toml")));

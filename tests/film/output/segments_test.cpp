@@ -56,12 +56,14 @@ TEST(Segments, ARecordIsReadAsItWasWritten) {
 TEST(Segments, WhatARecordLacksIsNamed) {
   const Json whole = Json::parse(comment_with(record()).substr(comment_with(record()).find('{')));
   EXPECT_EQ(whole.size(), 11U);
-  for (const auto& [key, value] : whole.items()) {
+  for (const auto& item : whole.items()) {
+    const std::string& key = item.key();
     const std::string comment = changed([&](Json& json) { json.erase(key); });
     test::expect_input_error(
         [&] { parse_record(comment); }, "", fmt::format("its record lacks '{}'", key));
   }
-  for (const auto& [key, value] : record().settings) {
+  for (const auto& setting : record().settings) {
+    const std::string& key = setting.first;
     const std::string comment = changed([&](Json& json) { json["settings"].erase(key); });
     test::expect_input_error(
         [&] { parse_record(comment); }, "", fmt::format("its record lacks 'settings.{}'", key));

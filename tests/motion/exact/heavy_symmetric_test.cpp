@@ -51,8 +51,9 @@ double condition(const Problem& p, double duration) {
   return most;
 }
 
+// with GCC's roundings all are below 4e-16 of it, with Clang's two of 60 random tops reach 5.4e-16
 void expect_exact(const std::string& what, const Problem& p, double duration) {
-  expect_residual(what, worst_until(p, duration), 1e-14 + 4e-16 * condition(p, duration));
+  expect_residual(what, worst_until(p, duration), 1e-14 + 6e-16 * condition(p, duration));
 }
 
 const Quat kTilted = exp_rotation({0.4, -0.9, 0.8});
