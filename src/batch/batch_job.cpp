@@ -15,10 +15,12 @@
 #include "base/system/files.h"
 
 namespace polhode {
+
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kJobFile = "job.json";
 
