@@ -65,7 +65,7 @@ std::string submit_to_slurm(const std::vector<std::string>& call) {
   if (!ended_well(result)) throw environment_error("sbatch {}", how_it_ended(result));
   // "123" or "123;cluster"
   const std::string answer = result.out.substr(0, result.out.find('\n'));
-  const std::string number = answer.substr(0, answer.find(';'));
+  std::string number = answer.substr(0, answer.find(';'));
   constexpr std::size_t kMostDigits = 10;
   const bool is_number = !number.empty() && number.size() <= kMostDigits && number[0] != '0' &&
                          number.find_first_not_of("0123456789") == std::string::npos;
