@@ -152,7 +152,24 @@ TEST_F(Parts, ThatAreDamagedAreMadeAgain) {
   expect_same("stability.csv");
 }
 
-class Submit : public Parts {};
+class Submit : public Parts {
+ protected:
+  // A program that runs instead of Slurm's of that name, behind in_bin(); asked for its version, it
+  // only answers.
+  void write_program(const std::string& name, const std::string& script) const {
+    const std::string file = folder_ / ("bin/" + name);
+    std::filesystem::create_directories(folder_ / "bin");
+    write_text(file,
+               "#!/bin/sh\n[ \"$1\" = --version ] && { echo slurm; exit; }\n" + script + "\n");
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+  std::string in_bin() const { return "PATH=" + at("bin") + ":$PATH"; }
+  std::string map_in_two_tasks() const {
+    return fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
+                       at("scene.toml"),
+                       at("maps"));
+  }
+};
 
 TEST_F(Submit, ShowsItsScriptsWithoutSlurm) {
   const Ran ran = run_polhode(
@@ -189,17 +206,8 @@ TEST_F(Submit, SaysWhatToInstall) {
 }
 
 TEST_F(Submit, LeavesNothingWhereNothingCanBeQueued) {
-  std::filesystem::create_directory(folder_ / "bin");
-  write_text(folder_ / "bin/sbatch",
-             "#!/bin/sh\n"
-             "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
-             "echo 'sbatch: error: no partition of this name' >&2; exit 1\n");
-  std::filesystem::permissions(folder_ / "bin/sbatch", std::filesystem::perms::owner_all);
-  const Ran ran = run_polhode(fmt::format("submit stability {} -o {} --cells 4x4 --methods rk4 "
-                                          "--turns 3",
-                                          at("scene.toml"),
-                                          at("maps")),
-                              "PATH=" + at("bin") + ":$PATH");
+  write_program("sbatch", "echo 'sbatch: error: no partition of this name' >&2; exit 1");
+  const Ran ran = run_polhode(map_in_two_tasks(), in_bin());
   EXPECT_EQ(ran.code, 3);
   EXPECT_NE(ran.err.find("no partition of this name"), std::string::npos) << ran.err;
   EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
@@ -208,28 +216,14 @@ TEST_F(Submit, LeavesNothingWhereNothingCanBeQueued) {
 
 // the array was queued, its collection was not, and scancel does not work or is not there
 TEST_F(Submit, NamesAJobThatItCannotTakeBack) {
-  std::filesystem::create_directory(folder_ / "bin");
-  write_text(folder_ / "bin/sbatch",
-             fmt::format("#!/bin/sh\n"
-                         "[ \"$1\" = --version ] && exit\n"
-                         "[ -e {0} ] && {{ echo 'sbatch: error: too many jobs' >&2; exit 1; }}\n"
-                         "touch {0}; echo 12\n",
-                         at("queued")));
-  const auto executable = [&](const char* name) {
-    std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
-  };
-  executable("bin/sbatch");
+  write_program("sbatch",
+                fmt::format("[ -e {0} ] && {{ echo 'sbatch: error: too many jobs' >&2; exit 1; }}\n"
+                            "touch {0}; echo 12",
+                            at("queued")));
   for (const bool has_scancel : {false, true}) {
-    if (has_scancel) {
-      write_text(folder_ / "bin/scancel", "#!/bin/sh\nexit 1\n");
-      executable("bin/scancel");
-    }
+    if (has_scancel) write_program("scancel", "exit 1");
     std::filesystem::remove(folder_ / "queued");
-    const Ran ran = run_polhode(
-        fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
-                    at("scene.toml"),
-                    at("maps")),
-        "PATH=" + at("bin") + ":$PATH");
+    const Ran ran = run_polhode(map_in_two_tasks(), in_bin());
     EXPECT_EQ(ran.code, 3);
     for (const char* words : {"too many jobs", "job 12 is still queued", "scancel 12"})
       EXPECT_NE(ran.err.find(words), std::string::npos) << words << "\n" << ran.err;
@@ -240,54 +234,34 @@ TEST_F(Submit, NamesAJobThatItCannotTakeBack) {
 
 // while Slurm gives no answer, nothing is known to be over: nothing is queued twice, nothing left
 TEST_F(Submit, DoesNotTakeSilenceForTheEnd) {
-  std::filesystem::create_directory(folder_ / "bin");
-  const auto program = [&](const char* name, const std::string& text) {
-    const std::string file = folder_ / fmt::format("bin/{}", name);
-    write_text(file, "#!/bin/sh\n" + text + "\n");
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  };
   const std::string submitted = folder_ / "submitted";
-  program("sbatch", fmt::format("[ \"$1\" = --version ] && exit\necho x >>{}; echo 12", submitted));
-  program("scancel", "exit 0");
-  program("scontrol",
-          "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
-          "echo 'slurm_load_jobs error: Unable to contact slurm controller' >&2; exit 1");
-  const std::string path = "PATH=" + at("bin") + ":$PATH";
-  const std::string again =
-      fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
-                  at("scene.toml"),
-                  at("maps"));
-  ASSERT_EQ(run_polhode(again, path).code, 0);
-  for (const std::string& command : {again, "status " + at("maps"), "cancel " + at("maps")}) {
+  write_program("sbatch", fmt::format("echo x >>{}; echo 12", submitted));
+  write_program("scancel", "exit 0");
+  write_program("scontrol",
+                "echo 'slurm_load_jobs error: Unable to contact slurm controller' >&2; exit 1");
+  ASSERT_EQ(run_polhode(map_in_two_tasks(), in_bin()).code, 0);
+  for (const std::string& command :
+       {map_in_two_tasks(), "status " + at("maps"), "cancel " + at("maps")}) {
     SCOPED_TRACE(command);
-    const Ran ran = run_polhode(command, path);
+    const Ran ran = run_polhode(command, in_bin());
     EXPECT_EQ(ran.code, 3);
     EXPECT_NE(ran.err.find("Unable to contact slurm controller"), std::string::npos) << ran.err;
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
   }
   EXPECT_EQ(std::filesystem::file_size(submitted), 4u) << "two jobs, once";
   // a job that it does not know any more is over
-  program("scontrol",
-          "[ \"$1\" = --version ] && { echo slurm; exit; }\n"
-          "echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1");
-  EXPECT_EQ(run_polhode("status " + at("maps"), path).code, 0);
-  const Ran over = run_polhode("cancel " + at("maps"), path);
+  write_program("scontrol", "echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1");
+  EXPECT_EQ(run_polhode("status " + at("maps"), in_bin()).code, 0);
+  const Ran over = run_polhode("cancel " + at("maps"), in_bin());
   EXPECT_NE(over.out.find("nothing is queued"), std::string::npos) << over.out << over.err;
 }
 
 // a number of a job and nothing else
 TEST_F(Submit, TakesNoOddAnswerForAJob) {
-  std::filesystem::create_directory(folder_ / "bin");
   for (const char* answer : {"0", "12; rm", "123456789012345678901234567890", "twelve", ""}) {
     SCOPED_TRACE(answer);
-    write_text(folder_ / "bin/sbatch",
-               fmt::format("#!/bin/sh\n[ \"$1\" = --version ] && exit\necho '{}'\n", answer));
-    std::filesystem::permissions(folder_ / "bin/sbatch", std::filesystem::perms::owner_all);
-    const Ran ran = run_polhode(
-        fmt::format("submit --tasks 2 stability {} -o {} --cells 4x4 --methods rk4 --turns 3",
-                    at("scene.toml"),
-                    at("maps")),
-        "PATH=" + at("bin") + ":$PATH");
+    write_program("sbatch", fmt::format("echo '{}'", answer));
+    const Ran ran = run_polhode(map_in_two_tasks(), in_bin());
     EXPECT_EQ(ran.code, 3);
     EXPECT_NE(ran.err.find("instead of the number of a job"), std::string::npos) << ran.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));

@@ -99,15 +99,16 @@ int pieces_of_trail(const Motion& motion) {
 }
 
 // angular velocities of the same energy, other momenta: along the great circle through the axes of
-// the smallest and the largest moment, whose polhodes cover both sides of the separatrix
-std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
+// the smallest and the largest moment, whose polhodes cover both sides of the separatrix, but not
+// those that lie on it, if it is drawn by itself
+std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P, bool draws_separatrix) {
+  constexpr double kOnSeparatrix = 0.02;  // of the moments' spread
   const double energy2 = twice_the_energy(model, w_P);
   int least = 0, most = 0;
   model.moments.minCoeff(&least);
   model.moments.maxCoeff(&most);
-  constexpr double kOnSeparatrix = 0.02;
+  const double spread = model.moments[most] - model.moments[least];
   const double middle = model.moments.sum() - model.moments[least] - model.moments[most];
-  const bool has_separatrix = !separatrix(model.moments, w_P, 1).empty();
   std::vector<Vec3> family;
   for (int k = 0; k < 4 * kFamily; ++k) {
     const double angle = 2.0 * kPi * (k + 0.5) / (4 * kFamily);
@@ -116,8 +117,7 @@ std::vector<Vec3> family_of(const BodyModel& model, const Vec3& w_P) {
     w[most] = std::sqrt(energy2 / model.moments[most]) * std::sin(angle);
     // L^2 / 2T is the middle moment on the separatrix
     const double off = model.moments.cwiseProduct(w).squaredNorm() / energy2 - middle;
-    const double spread = model.moments[most] - model.moments[least];
-    if (!has_separatrix || std::abs(off) > kOnSeparatrix * spread) family.push_back(w);
+    if (!draws_separatrix || std::abs(off) > kOnSeparatrix * spread) family.push_back(w);
   }
   return family;
 }
@@ -265,21 +265,20 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
   if (is_asked(scenery.options, "binet"))
     paths.binet = curve(w_P, scenery.scale.momentum * model.moments, kCurveRadius);
   if (!is_asked(scenery.options, "polhodes")) return;
-  for (const Vec3& w : family_of(model, w_P)) {
+  const std::vector<std::vector<Vec3>> ellipses = separatrix(model.moments, w_P, pieces);
+  for (const Vec3& w : family_of(model, w_P, !ellipses.empty())) {
     if (const MeshPtr mesh = curve(w, as_omega, kRimRadius)) paths.polhodes.push_back(mesh);
   }
-  const std::vector<std::vector<Vec3>> ellipses = separatrix(model.moments, w_P, pieces);
+  if (ellipses.empty()) return;
   for (const std::vector<Vec3>& ellipse : ellipses)
     paths.separatrix.push_back(tube(ellipse, as_omega, kRimRadius));
-  // named where it is far from the polhode of this motion
-  for (const std::vector<Vec3>& ellipse : ellipses) {
-    const Vec3& at = ellipse[ellipse.size() / 4];
-    const auto cosine = [&](const Vec3& point) {
-      return std::abs(point.normalized().dot(w_P.normalized()));
-    };
-    if (&ellipse == &ellipses.front() || cosine(at) < cosine(paths.on_separatrix_P))
-      paths.on_separatrix_P = at;
-  }
+  // named on the ellipse that is farther from where this motion begins
+  const Vec3 &first = ellipses[0][ellipses[0].size() / 4],
+             &second = ellipses[1][ellipses[1].size() / 4];
+  const auto cosine = [&](const Vec3& point) {
+    return std::abs(point.normalized().dot(w_P.normalized()));
+  };
+  paths.on_separatrix_P = cosine(second) < cosine(first) ? second : first;
 }
 
 }  // namespace

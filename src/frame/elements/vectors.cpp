@@ -262,29 +262,32 @@ void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& gl
   constexpr double kClearly = 0.004;  // ahead of the next, where the name is there in full
   const BodyModel& model = scenery.motion.model();
   const Material material = plain(scenery.theme.velocity, 0.2f);
-  const std::vector<Vec3>& points = scenery.field_points_B;
   std::vector<double> counts;
-  for (const Vec3& point_B : points) {
+  for (const Vec3& point_B : scenery.field_points_B) {
     const Vec3 out = (point_position(model, sample, point_B) - sample.reference_S).normalized();
     counts.push_back(point_velocity(model, sample, point_B).norm() *
                      (1.0 + kNearer * out.dot(kDefaultDirection)));
   }
-  std::vector<double> best(std::min<std::size_t>(2, counts.size()));
+  std::array<double, 2> best = {};
   std::partial_sort_copy(
       counts.begin(), counts.end(), best.begin(), best.end(), std::greater<double>());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 from = point_position(model, sample, points[i]);
-    const Vec3 along = scenery.scale.velocity * point_velocity(model, sample, points[i]);
-    const std::size_t named_before = glyphs.labels.size();
-    const bool is_named = counts[i] == best.front();
-    add_vector(
-        scenery, from, from + along, kFieldShape, material, glyphs, is_named ? kFieldName : "");
+  const double ahead = (best[0] - best[1]) / (kClearly * best[0]);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const Vec3 from = point_position(model, sample, scenery.field_points_B[i]);
+    const Vec3 along =
+        scenery.scale.velocity * point_velocity(model, sample, scenery.field_points_B[i]);
+    const GlyphCounts before(glyphs);
+    add_vector(scenery,
+               from,
+               from + along,
+               kFieldShape,
+               material,
+               glyphs,
+               counts[i] == best[0] ? kFieldName : "");
     glyphs.arrows.back().material.hidden *= kHiddenField;
-    for (std::size_t k = named_before; k < glyphs.labels.size(); ++k) {
-      const double ahead = (best.front() - best.back()) / (kClearly * best.front());
-      glyphs.labels[k].fade *= static_cast<float>(std::min(1.0, ahead));
-      glyphs.labels[k].faces = from - sample.reference_S;
-    }
+    if (glyphs.labels.size() == before.labels) continue;
+    glyphs.labels.back().fade *= static_cast<float>(std::min(1.0, ahead));
+    glyphs.labels.back().faces = from - sample.reference_S;
   }
   const Vec3 along = scenery.scale.velocity * sample.reference_velocity_S;
   if (along.norm() > 0.0)
