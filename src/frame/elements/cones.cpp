@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kPrecessionSlant = 1.2;
 constexpr double kAngleRadius = 0.55;
-constexpr double kSideLength = 1.12;   // of the sides of an angle, in the radius of its arc
-constexpr double kSideRadius = 0.008;  // in that of the body
-constexpr double kNarrowCone = 0.08;   // radius of the rim, in that of the body; narrower: no name
+constexpr double kSideLength = 1.12;    // of the sides of an angle, in the radius of its arc
+constexpr double kSideRadius = 0.0065;  // in that of the body: inside the rod of a trail
+constexpr double kNarrowCone = 0.08;    // radius of the rim, in that of the body; narrower: no name
 
 // an angle: an arc between two directions, and what it is measured from and to
 void add_arc(const Scenery& scenery,
