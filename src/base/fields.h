@@ -63,6 +63,7 @@ struct Doc {
   Range range = kAny;                     // for numbers: allowed values, in SI units
   std::vector<std::string> choices = {};  // for text: the allowed values (empty: any text)
   bool color = false;                     // for text: must be "#rrggbb"
+  bool whole = false;                     // for numbers: must be one without a fraction, as 1e6
 };
 
 }  // namespace polhode

@@ -7,16 +7,14 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 
 namespace polhode {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/one_line.h"
 #include "base/system/console.h"
 
@@ -53,16 +53,15 @@ std::string closing_line(const Made& made, double seconds) {
 }
 
 std::string closing_json(const Made& made, double seconds) {
-  const nlohmann::ordered_json line = {
-      {"done", made.frames},
-      {"total", made.frames},
-      {"frames_per_s", std::round(100.0 * frames_per_second(made, seconds)) / 100.0},
-      {"seconds_left", 0.0},
-      {"limit", nullptr},
-      {"output", made.output},
-      {"frames", frames_of_output(made)},
-      {"seconds", std::round(1000.0 * seconds) / 1000.0}};
-  return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const Json line = {{"done", made.frames},
+                     {"total", made.frames},
+                     {"frames_per_s", std::round(100.0 * frames_per_second(made, seconds)) / 100.0},
+                     {"seconds_left", 0.0},
+                     {"limit", nullptr},
+                     {"output", made.output},
+                     {"frames", frames_of_output(made)},
+                     {"seconds", std::round(1000.0 * seconds) / 1000.0}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 int make_and_tell(const ProgressOptions& options, const std::function<Made()>& make) {

@@ -4,9 +4,8 @@
 #include <exception>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.h"
+#include "base/json.h"
 #include "export/gltf_file.h"
 #include "export/gltf_scene.h"
 #include "export/viewer_data.h"
@@ -17,8 +16,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class Value>
 std::optional<Value> given(const Json& request, const char* key) {

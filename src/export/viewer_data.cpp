@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "frame/elements.h"
 #include "frame/timeline.h"
 #include "motion/recorded.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kFewestReadings = 240, kMostReadings = 2000;  // of the numbers that are read out
 constexpr int kPlotSteps = 600;
@@ -38,7 +37,7 @@ Json plots_of(const Solved& solved, double to) {
 
 }  // namespace
 
-nlohmann::ordered_json viewer_data(const Solved& solved, double from, double to) {
+Json viewer_data(const Solved& solved, double from, double to) {
   const Motion& motion = solved.simulation.motion;
   const Scene& scene = solved.scene;
   Json data = {{"from", from},

@@ -2,8 +2,7 @@
 // What viewers in pages show beside a model.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "film/solving.h"
 
 namespace polhode {
@@ -15,6 +14,6 @@ namespace polhode {
 // and energy (J) at equal steps from "from" to "to", the curves of show.plots ("plots"; values at
 // equal steps from 0 to "to"), and what elements are ("elements"). Throws Error (check_failed) as
 // Motion::at does.
-nlohmann::ordered_json viewer_data(const Solved& solved, double from, double to);
+Json viewer_data(const Solved& solved, double from, double to);
 
 }  // namespace polhode

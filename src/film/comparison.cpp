@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "base/units.h"
 #include "film/error_places.h"
 #include "film/report/motion_report.h"

@@ -11,7 +11,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -19,12 +18,11 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "base/system/interrupt.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kSlots = 3;    // frames that one process may be ahead
 constexpr int kBoxes = 256;  // a picture of more is handed over whole

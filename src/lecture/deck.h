@@ -9,14 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.h"
+#include "base/json.h"
 #include "lecture/sandbox.h"
 
 namespace polhode {
-
-using Json = nlohmann::ordered_json;
 
 // What is made of a scene.
 enum class PictureKind { film, loop, turn, still, compare, chart, stability, inspect };

@@ -12,6 +12,7 @@
 
 #include "app/divided_work.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "film/output/shard.h"
 #include "lecture/deck.h"
 #include "lecture/lecture_job.h"
@@ -27,7 +28,7 @@ struct LectureTask {
   Product product;
   bool alone = false;   // it measures time, and has the machine to itself
   double cost_s = 0.0;  // about what it takes on one processor, s
-  nlohmann::ordered_json facts;
+  Json facts;
   std::optional<Error> failure;
 };
 

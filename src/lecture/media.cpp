@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/json.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "base/version.h"
@@ -13,8 +14,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // the text of that key; "" if it is not there
 std::string text_at(const Json& json, const char* key) {

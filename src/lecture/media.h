@@ -10,8 +10,7 @@
 #include <set>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "base/system/unfinished.h"
 
 namespace polhode {
@@ -22,9 +21,7 @@ struct Product {
   std::string key;   // all that it depends on, as text, with program_identity()
   // Writes files whose names begin with `stem` into the folder and returns facts about them, a JSON
   // object. Called on any thread. May throw Error.
-  std::function<nlohmann::ordered_json(const std::filesystem::path& folder,
-                                       const std::string& stem)>
-      make;
+  std::function<Json(const std::filesystem::path& folder, const std::string& stem)> make;
 };
 
 // The folder of products. The last file of a product is STEM.json, which lists the others with
@@ -44,7 +41,7 @@ class Media {
   // The facts of a product, cached or made now, with "files" (a list of objects with "name",
   // "bytes" and "hash"). Throws what `make` throws, Error (input) as read_file and AtomicFile
   // (base/system/atomic_file.h) do, and (environment) if a file cannot be written.
-  nlohmann::ordered_json obtain(const Product& product);
+  Json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }
   // Deletes the products of earlier runs that have not been obtained from this object, and what
@@ -54,7 +51,7 @@ class Media {
 
  private:
   // Whether all files that the facts list exist with the listed hashes.
-  bool is_whole(const nlohmann::ordered_json& facts) const;
+  bool is_whole(const Json& facts) const;
 
   std::filesystem::path folder_;
   std::filesystem::path work_;  // for incomplete products

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/json.h"
 
 namespace polhode {
 namespace {
 
-using Tree = nlohmann::ordered_json;  // of pandoc
+using Tree = Json;  // of pandoc
 
 // what a deck is written in; smart quotes and citations would change what is quoted
 constexpr const char* kMarkdown =
@@ -147,7 +148,7 @@ void require_pandoc() {
       "pandoc", "the deck cannot be read", "install it (tools/install-dependencies --for lecture)");
 }
 
-nlohmann::ordered_json read_markdown(const std::string& text) {
+Json read_markdown(const std::string& text) {
   // aliases of YAML and brackets that nobody closes can take all memory there is
   constexpr ChildLimits kLimits{.seconds = kMostSeconds, .memory = 1U << 30U, .output = 64U << 20U};
   const ChildResult ran =
@@ -168,7 +169,7 @@ nlohmann::ordered_json read_markdown(const std::string& text) {
               "this deck cannot be read: pandoc " + how_it_ended(ran));
 }
 
-nlohmann::ordered_json parse_tree(const std::string& json) {
+Json parse_tree(const std::string& json) {
   // A callback of the parser could stop earlier, but takes a time that grows as the square of the
   // length of a paragraph.
   Tree tree = Tree::parse(json, nullptr, false);
@@ -184,9 +185,7 @@ nlohmann::ordered_json parse_tree(const std::string& json) {
   return tree;
 }
 
-Written write_document(const nlohmann::ordered_json& tree,
-                       const std::vector<std::string>& words,
-                       bool sandbox) {
+Written write_document(const Json& tree, const std::vector<std::string>& words, bool sandbox) {
   std::vector<std::string> command = {"pandoc", "-f", "json"};
   if (sandbox) command.emplace_back("--sandbox");
   command.insert(command.end(), words.begin(), words.end());

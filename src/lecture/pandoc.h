@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "base/system/child_process.h"
 
 namespace polhode {
@@ -23,12 +22,12 @@ void require_pandoc();
 // The syntax tree of a text in pandoc's Markdown (without raw HTML, raw TeX, macros, smart quotes
 // and citations), as pandoc's JSON: "pandoc-api-version", "meta", "blocks". Throws Error (input),
 // without a place, if pandoc cannot read it; (environment) if pandoc is missing or fails otherwise.
-nlohmann::ordered_json read_markdown(const std::string& text);
+Json read_markdown(const std::string& text);
 
 // Such a tree from the text of its JSON. Throws Error without a place: (input) if it is nested too
 // deeply, (environment) if it is not JSON or lacks what the nodes that decks are made of have in
 // pandoc's syntax tree. Nodes of unknown types may contain anything.
-nlohmann::ordered_json parse_tree(const std::string& json);
+Json parse_tree(const std::string& json);
 
 // A document written by pandoc.
 struct Written {
@@ -40,7 +39,7 @@ struct Written {
 // the document among them ("-t", "html5"). With `sandbox`, pandoc reads no files. Formats that
 // embed pictures and options that name files need sandbox = false; the tree must then name only
 // files made by Polhode. Throws Error (environment) if pandoc is missing or fails.
-Written write_document(const nlohmann::ordered_json& tree,
+Written write_document(const Json& tree,
                        const std::vector<std::string>& words,
                        bool sandbox = true);
 

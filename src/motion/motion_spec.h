@@ -215,9 +215,10 @@ void fields(Visitor& v, NumericsSpec& s) {
               "\"0.1px\""});
   v.field("max_steps",
           s.max_steps,
-          Doc{"most steps of one run, for motions that need more than the program takes by itself",
-              Unit::none,
-              Range{1.0, static_cast<double>(kMostSteps)}});
+          Doc{.text = "most steps of one run, for motions that need more than the program takes by "
+                      "itself",
+              .range = Range{1.0, static_cast<double>(kMostSteps)},
+              .whole = true});
   v.field("compare",
           s.compare,
           Doc{"methods that the film shows side by side, at most nine; step and tolerance apply to "

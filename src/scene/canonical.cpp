@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "base/json.h"
 #include "model/solids.h"
 #include "scene/keys.h"
 #include "scene/scene_file.h"
@@ -15,8 +16,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The visitor that prints a spec as a JSON object.
 class Canonical {
@@ -93,7 +92,7 @@ std::string inline_toml(const Json& json) {
 
 }  // namespace
 
-nlohmann::ordered_json scene_to_json(const Scene& scene) {
+Json scene_to_json(const Scene& scene) {
   // visitors may write, so they get a copy
   Scene copy = scene;
   Canonical canonical;
@@ -101,7 +100,7 @@ nlohmann::ordered_json scene_to_json(const Scene& scene) {
   return canonical.json();
 }
 
-Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name) {
+Scene scene_from_json(const Json& json, const std::string& name) {
   std::string text;
   for (const auto& [key, value] : json.items()) {
     text += fmt::format("{} = {}\n", key, inline_toml(value));
@@ -113,13 +112,11 @@ Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& nam
 
 std::string scene_hash(const Scene& scene) {
   if (!scene.panels.empty()) {
-    std::string all = fmt::format("{}\n{} {}\n",
-                                  nlohmann::ordered_json(scene.title).dump(),
-                                  scene.same_cameras,
-                                  scene.same_scales);
+    std::string all =
+        fmt::format("{}\n{} {}\n", Json(scene.title).dump(), scene.same_cameras, scene.same_scales);
     if (scene.in_turn) all += "in turn\n";
     for (const ScenePanel& panel : scene.panels)
-      all += nlohmann::ordered_json(panel.caption).dump() + scene_hash(panel.scene) + "\n";
+      all += Json(panel.caption).dump() + scene_hash(panel.scene) + "\n";
     return content_hash(all);
   }
   std::string content = scene_to_json(scene).dump();

@@ -3,8 +3,7 @@
 // from it.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "base/json.h"
 #include "scene/scene.h"
 
 namespace polhode {
@@ -12,11 +11,11 @@ namespace polhode {
 // All values in SI, with defaults, in the order of the field lists and under the keys of the scene
 // file. Absent optional values, empty lists and tables, Scene::file, lines and options are left
 // out; meshes are given by the names of their files. scene_from_json() gives the same values back.
-nlohmann::ordered_json scene_to_json(const Scene& scene);
+Json scene_to_json(const Scene& scene);
 
 // The scene of such JSON, with its mesh files. `name` is the file name for messages; files that the
 // scene names are relative to its folder. Throws Error (input) as load_scene does, but lines are
 // not those of a file, and errors of mesh files have the key only.
-Scene scene_from_json(const nlohmann::ordered_json& json, const std::string& name);
+Scene scene_from_json(const Json& json, const std::string& name);
 
 }  // namespace polhode

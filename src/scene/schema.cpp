@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/film_file.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
@@ -13,8 +14,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Names the type of a value whose schema is wanted.
 template <class T>
@@ -38,7 +37,8 @@ Json list_schema(const Json& items, std::size_t least, std::optional<std::size_t
 }
 
 Json schema_of(Of<double>, const Doc& doc, const UnitSuffix& unit) {
-  return number_schema("number", doc.range, unit);
+  // JSON takes 1e6 for an integer
+  return number_schema(doc.whole ? "integer" : "number", doc.range, unit);
 }
 
 Json schema_of(Of<int>, const Doc& doc, const UnitSuffix& unit) {
@@ -233,14 +233,14 @@ void remove_rules(Json& schema) {
 
 }  // namespace
 
-nlohmann::ordered_json scene_schema() {
+Json scene_schema() {
   Scene scene;
   Json schema = head("Polhode scene, format 1");
   schema.update(Describer::described(scene));
   return schema;
 }
 
-nlohmann::ordered_json film_schema() {
+Json film_schema() {
   FilmFile film;
   Json schema = head("Polhode film of several scenes, format 1");
   schema.update(Describer::described(film));

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "math/notation.h"
 #include "motion/motion_spec.h"
 #include "video/video_spec.h"
@@ -14,49 +14,49 @@
 namespace polhode {
 
 // Minus zero becomes zero, so that both have the same hash.
-inline nlohmann::ordered_json to_json_value(double value) {
+inline Json to_json_value(double value) {
   return value == 0.0 ? 0.0 : value;
 }
-inline nlohmann::ordered_json to_json_value(int value) {
+inline Json to_json_value(int value) {
   return value;
 }
-inline nlohmann::ordered_json to_json_value(bool value) {
+inline Json to_json_value(bool value) {
   return value;
 }
-inline nlohmann::ordered_json to_json_value(const std::string& value) {
+inline Json to_json_value(const std::string& value) {
   return value;
 }
 
 // Vectors become lists of numbers.
 template <int N>
-nlohmann::ordered_json to_json_value(const Eigen::Matrix<double, N, 1>& value) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json to_json_value(const Eigen::Matrix<double, N, 1>& value) {
+  Json list = Json::array();
   for (const double component : value)
     list.push_back(to_json_value(component));
   return list;
 }
 
 // Matrices become lists of rows.
-inline nlohmann::ordered_json to_json_value(const Mat3& value) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+inline Json to_json_value(const Mat3& value) {
+  Json rows = Json::array();
   for (int i = 0; i < 3; ++i)
     rows.push_back(to_json_value(Vec3(value.row(i).transpose())));
   return rows;
 }
 
 // [width, height] in pixels.
-inline nlohmann::ordered_json to_json_value(const PictureSize& value) {
-  return nlohmann::ordered_json::array({value.width, value.height});
+inline Json to_json_value(const PictureSize& value) {
+  return Json::array({value.width, value.height});
 }
 
 // A whole number, or a text such as "30000/1001".
-inline nlohmann::ordered_json to_json_value(const FrameRate& value) {
+inline Json to_json_value(const FrameRate& value) {
   if (value.denominator == 1) return value.numerator;
   return fmt::format("{}/{}", value.numerator, value.denominator);
 }
 
 // A number of radians, or a text such as "0.1px".
-inline nlohmann::ordered_json to_json_value(const Accuracy& value) {
+inline Json to_json_value(const Accuracy& value) {
   if (!value.pixels) return value.value;
   return fmt::format("{}px", value.value);
 }

@@ -87,6 +87,8 @@ double number(const Found& found, const Doc& doc, const std::string& wanted) {
     refuse(found, fmt::format("must be a finite number, got {}", written));
   const double si = to_si(written, found.unit);
   check_range(found, doc.range, written, si);
+  if (doc.whole && written != std::floor(written))
+    refuse(found, fmt::format("must be a whole number, got {}", written));
   check_magnitude(found, doc, written, si);
   return si;
 }

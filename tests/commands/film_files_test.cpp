@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "support/run.h"
 
 namespace polhode {
@@ -16,8 +16,6 @@ using test::read_text;
 using test::run_polhode;
 using test::TemporaryFolder;
 using test::write_text;
-using Json = nlohmann::ordered_json;
-
 class SeveralScenes : public ::testing::Test {
  protected:
   SeveralScenes() {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "image/png.h"
 #include "support/run.h"
 
@@ -16,8 +16,6 @@ using test::read_text;
 using test::run_polhode;
 using test::TemporaryFolder;
 using test::write_text;
-using Json = nlohmann::ordered_json;
-
 class Verify : public ::testing::Test {
  protected:
   Verify() {

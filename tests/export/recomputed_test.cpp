@@ -2,8 +2,8 @@
 #include "export/recomputed.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/system/atomic_file.h"
 #include "export/gltf_file.h"
 #include "export/gltf_scene.h"
@@ -14,8 +14,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Answer {
   Json about;

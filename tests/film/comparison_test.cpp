@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/units.h"
 #include "film/film_panels.h"
 #include "film/frame_times.h"
@@ -87,7 +87,7 @@ TEST(Comparison, AMethodThatFailsEndsItsPanelAlone) {
   EXPECT_NE(comparison.notes(rk4, 1.0, false).stamp.find("ended"), std::string::npos);
   EXPECT_EQ(comparison.contenders()[1].failure, "");
   EXPECT_LT(*comparison.attitude_error(comparison.contenders()[1], 2.0), 0.01);
-  const nlohmann::ordered_json report = comparison.report();
+  const Json report = comparison.report();
   EXPECT_EQ(report[0]["end_s"], rk4.end);
   EXPECT_EQ(report[1]["failure"], "");
 }

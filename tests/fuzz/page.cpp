@@ -4,15 +4,12 @@
 #include <array>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "export/recomputed.h"
 #include "fuzz/harness.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kScenes = {
     "[body]\nmoments = [1, 1, 2]\n[motion]\nduration = 0.2\nspin = { body = [1, 0, 3] }\n",

@@ -3,9 +3,8 @@
 // are looked for among the shipped scenes.
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.h"
+#include "base/json.h"
 #include "film/frame_times.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
@@ -27,7 +26,7 @@ bool is_finite(const Sample& s) {
 }
 
 void read_back(const Scene& scene) {
-  const nlohmann::ordered_json json = scene_to_json(scene);
+  const Json json = scene_to_json(scene);
   const Scene again = scene_from_json(json, (kScenes / "a.toml").string());
   promise(scene_to_json(again).dump() == json.dump(),
           "a scene that is written and read is the same");

@@ -12,16 +12,14 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "scene/schema.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const Json& schema() {
   static const Json all = scene_schema();

@@ -5,9 +5,9 @@
 #include <map>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/inspect.h"
+#include "base/json.h"
 #include "lecture/deck.h"
 #include "lecture/quotes.h"
 #include "lecture/sandbox.h"

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/json.h"
 #include "support/expect_error.h"
 #include "support/run.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 using test::TemporaryFolder;
 using test::write_text;
-
-using Json = nlohmann::ordered_json;
 
 TEST(Media, KeepsWhatIsWholeAndMakesTheRest) {
   const TemporaryFolder folder;

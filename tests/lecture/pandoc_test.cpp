@@ -4,15 +4,15 @@
 #include <cstdlib>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "support/in_child.h"
 
 namespace polhode {
 namespace {
 
-using Tree = nlohmann::ordered_json;
+using Tree = Json;
 
 TEST(Pandoc, IsNamedWithItsVersionOrIsToBeInstalled) {
   EXPECT_EQ(find_pandoc().version.rfind("pandoc ", 0), 0U) << find_pandoc().why_not;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 #include "support/run.h"
@@ -22,7 +22,7 @@ std::string hash_of(const std::string& text) {
 }
 
 // a TOML inline value from canonical JSON, to read it again
-std::string inline_toml(const nlohmann::ordered_json& json) {
+std::string inline_toml(const Json& json) {
   if (json.is_array()) {
     std::string text;
     for (const auto& element : json)
@@ -36,7 +36,7 @@ std::string inline_toml(const nlohmann::ordered_json& json) {
   return "{ " + text + " }";
 }
 
-std::string toml_of(const nlohmann::ordered_json& json) {
+std::string toml_of(const Json& json) {
   std::string text;
   for (const auto& [key, value] : json.items())
     text += key + " = " + inline_toml(value) + "\n";
@@ -53,7 +53,7 @@ TEST(Canonical, ReadsBackAsTheSameScene) {
 }
 
 TEST(Canonical, IsInSiAndResolved) {
-  const nlohmann::ordered_json json =
+  const Json json =
       scene_to_json(parse_scene("[body]\nsolid = { kind = \"sphere\", radius_cm = 12, mass_g = 300 "
                                 "}\n[video]\nfps = \"30000/1001\"\n",
                                 "t"));
@@ -64,7 +64,7 @@ TEST(Canonical, IsInSiAndResolved) {
   EXPECT_EQ(json["motion"]["duration"], 10.0);
   EXPECT_EQ(json["numerics"]["accuracy"], "0.1px");
   EXPECT_EQ(json["video"]["fps"], "30000/1001");
-  EXPECT_EQ(json["video"]["size"], nlohmann::ordered_json::array({1920, 1080}));
+  EXPECT_EQ(json["video"]["size"], Json::array({1920, 1080}));
   EXPECT_EQ(json["video"]["theme"], "dark");
   EXPECT_FALSE(json.contains("file"));
 }

@@ -127,6 +127,8 @@ std::vector<BadSceneText> wrong_types() {
        3, "body.moments[1]", "must be a number"},
       {"float for a whole number", "format = 1.5\n" + kBody,
        1, "format", "must be a whole number, such as 1; found the number 1.5"},
+      {"fraction of a step", kBody + "[numerics]\nmax_steps = 1.5\n",
+       4, "numerics.max_steps", "must be a whole number, got 1.5"},
   };
 }
 

@@ -5,16 +5,14 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "scene/canonical.h"
 #include "scene/scene_file.h"
 #include "scene/scene_texts.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 TEST(Schema, HasEverySpellingWithItsUnit) {
   const Json solid = scene_schema()["properties"]["body"]["properties"]["solid"];

@@ -7,11 +7,11 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/able_methods.h"
 #include "app/folder_work.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "base/nearest.h"
 #include "base/system/output_folder.h"
 #include "base/version.h"
@@ -23,8 +23,6 @@
 #include "scene/canonical.h"
 
 namespace polhode {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/text_table.h"
 #include "chart/gnuplot.h"
 #include "film/report/motion_report.h"
@@ -46,7 +47,7 @@ std::string state_of_program(const ProgramFound& program, const std::string& adv
 Diagnosis examine(const std::vector<ExternalNeed>& needs) {
   std::vector<TextRow> rows;
   bool draws = false;
-  const nlohmann::ordered_json all = versions();
+  const Json all = versions();
   for (const auto& [key, value] : all.items()) {
     rows.push_back({key, value.get<std::string>()});
   }

@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.h"
+#include "base/json.h"
 #include "base/one_line.h"
 #include "film/overrides.h"
 #include "motion/derived.h"
@@ -15,8 +14,6 @@
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json list_of(const Vec3& v) {
   // adding zero turns -0 into 0
@@ -131,7 +128,7 @@ void add_contact(Json& facts, const Solved& solved) {
 
 }  // namespace
 
-nlohmann::ordered_json inspection(const Solved& solved) {
+Json inspection(const Solved& solved) {
   const BodyModel& model = solved.model;
   const SimulationReport& report = solved.simulation.report;
   Json facts;

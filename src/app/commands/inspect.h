@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "base/json.h"
 #include "film/overrides.h"
 #include "film/solved_scene.h"
 
@@ -27,7 +26,7 @@ struct InspectJob {
 // a long motion extrapolated from a run of its beginning, but no finer than 1e-12 rad; it is null
 // if that run fails, as when it cannot reach the accuracy. If the motion itself was computed with
 // the model "ode" or "ode6", it is the count of that run. Throws Error (interrupted).
-nlohmann::ordered_json inspection(const Solved& solved);
+Json inspection(const Solved& solved);
 
 // The output of the command: aligned columns, with angles and rates also in degrees, or indented
 // JSON. Throws Error as load_with_overrides and solve do, and (interrupted).

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/render.h"
 #include "app/compare/diff_page.h"
 #include "app/compare/frame_pairs.h"
+#include "base/json.h"
 #include "base/system/output_folder.h"
 #include "base/system/scratch_folder.h"
 #include "image/png.h"
@@ -144,18 +143,18 @@ class WorstFrames {
   std::vector<ShownFrame> shown_;
 };
 
-nlohmann::ordered_json maybe(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+Json maybe(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
 }
 
-nlohmann::ordered_json metrics_json(const Difference& values,
-                                    const std::optional<double>& ssim,
-                                    const std::optional<double>& flip) {
+Json metrics_json(const Difference& values,
+                  const std::optional<double>& ssim,
+                  const std::optional<double>& flip) {
   const double ratio = psnr(values.rms);
   return {{"largest", values.largest},
           {"mean", values.mean},
           {"rmse", values.rms},
-          {"psnr_db", std::isfinite(ratio) ? nlohmann::ordered_json(ratio) : nullptr},
+          {"psnr_db", std::isfinite(ratio) ? Json(ratio) : nullptr},
           {"fraction_over", values.fraction_over},
           {"ssim", maybe(ssim)},
           {"flip", maybe(flip)}};
@@ -195,7 +194,7 @@ std::string reason_of(const Outcome& outcome, const DiffSummary& summary) {
 
 std::string as_json(const DiffJob& job, const Outcome& outcome, const DiffSummary& summary) {
   const Thresholds& t = job.thresholds;
-  nlohmann::ordered_json json;
+  Json json;
   json["same"] = summary.different == 0;
   json["reason"] = reason_of(outcome, summary);
   json["actual"] = job.actual;
@@ -214,9 +213,9 @@ std::string as_json(const DiffJob& job, const Outcome& outcome, const DiffSummar
   json["different_frames"] = summary.different;
   if (outcome.scores.size() > 1) {
     json["worst_frame"] = summary.worst;
-    json["per_frame"] = nlohmann::ordered_json::array();
+    json["per_frame"] = Json::array();
     for (const FrameScore& score : outcome.scores) {
-      nlohmann::ordered_json row = {{"index", score.index}, {"label", score.label}};
+      Json row = {{"index", score.index}, {"label", score.label}};
       if (outcome.kind == SourceKind::film) row["time_s"] = score.time;
       row["same"] = score.reason.empty();
       row.update(metrics_json(score.values, score.ssim, score.flip));

@@ -6,8 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "base/nearest.h"
 #include "base/system/interrupt.h"
 #include "base/system/parallel.h"
@@ -96,8 +95,8 @@ bool same_rule(const GoldenVerdict& a, const GoldenVerdict& b) {
          s.ssim == t.ssim && s.flip == t.flip;
 }
 
-std::string json_text(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace polhode

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "app/compare/golden_cases.h"
 #include "app/compare/golden_job.h"
+#include "base/json.h"
 #include "image/verdict.h"
 
 namespace polhode {
@@ -53,6 +52,6 @@ std::vector<CaseResult> draw_cases(const GoldenJob& job, const std::vector<Loade
 bool same_rule(const GoldenVerdict& a, const GoldenVerdict& b);
 
 // The value as indented JSON; bytes that are not UTF-8 (in file names) are replaced.
-std::string json_text(const nlohmann::ordered_json& json);
+std::string json_text(const Json& json);
 
 }  // namespace polhode

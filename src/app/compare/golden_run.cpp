@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "app/compare/diff_page.h"
 #include "app/compare/golden_results.h"
+#include "base/json.h"
 #include "base/system/files.h"
 #include "base/system/output_folder.h"
 #include "image/png.h"
@@ -16,8 +15,6 @@
 namespace polhode {
 namespace fs = std::filesystem;
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // what fails leaves pictures where no reference is looked for
 void refuse_folder_of_references(const GoldenJob& job) {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/compare/golden_show.h"
 
-#include <nlohmann/json.hpp>
-
 #include "app/compare/golden_results.h"
+#include "base/json.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json thresholds_json(const GoldenVerdict& verdict) {
   const Thresholds& t = verdict.thresholds;

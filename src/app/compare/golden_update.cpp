@@ -5,9 +5,8 @@
 #include <filesystem>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "app/compare/golden_results.h"
+#include "base/json.h"
 #include "base/system/atomic_file.h"
 #include "base/system/child_process.h"
 #include "base/system/files.h"
@@ -16,8 +15,6 @@
 namespace polhode {
 namespace fs = std::filesystem;
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // what git says has changed: everywhere in what it knows, and new files in the folder itself
 void refuse_dirty(const GoldenJob& job) {

@@ -4,17 +4,14 @@
 #include <array>
 #include <cstdint>
 
-#include <nlohmann/json.hpp>
-
 #include "base/at_place.h"
+#include "base/json.h"
 #include "base/version.h"
 #include "video/film_joiner.h"
 #include "video/film_sink.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBegin = "; piece ";
 

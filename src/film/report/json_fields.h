@@ -17,16 +17,14 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/at_place.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "base/system/stage_clock.h"
 #include "video/video_spec.h"
 
 namespace polhode {
-
-using Json = nlohmann::ordered_json;
 
 class JsonWriter;
 class JsonReader;

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "scene/scene_file.h"
 #include "support/run.h"
 
 namespace polhode {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -2,14 +2,12 @@
 #include "film/output/segments.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "support/expect_error.h"
 
 namespace polhode {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 SegmentRecord record() {
   SegmentRecord record;
