@@ -60,8 +60,10 @@ void require_slurm() {
       "--dry-run shows the scripts, and docs/cluster.md how to do the same without Slurm");
 }
 
-std::string submit_to_slurm(const std::vector<std::string>& call) {
-  const ChildResult result = run_child(call, "", {120.0});
+std::string submit_to_slurm(const std::vector<std::string>& call, ProgressKind kind) {
+  Waiting waiting(kind);
+  const ChildResult result =
+      run_child(call, "", {120.0}, [&] { waiting.show("waiting for Slurm to take the job"); });
   if (!ended_well(result)) throw environment_error("sbatch {}", how_it_ended(result));
   // "123" or "123;cluster"
   const std::string answer = result.out.substr(0, result.out.find('\n'));

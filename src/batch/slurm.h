@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/system/progress.h"
+
 namespace polhode {
 
 // What Slurm says of a task or job.
@@ -23,8 +25,9 @@ void require_slurm();
 bool has_slurm();
 
 // Queues a job by that call of sbatch with --parsable, and returns its number. Throws Error
-// (environment), with the words of sbatch, if it refuses.
-std::string submit_to_slurm(const std::vector<std::string>& call);
+// (environment), with the words of sbatch, if it refuses. `kind`: how it is shown that sbatch
+// waits.
+std::string submit_to_slurm(const std::vector<std::string>& call, ProgressKind kind);
 
 // The states of the tasks of an array, by their numbers, and of a job that is none as number 0. It
 // is empty without Slurm, and what ended some minutes ago is missing: Slurm forgets. Throws Error

@@ -161,13 +161,16 @@ std::optional<std::string> why_not_cancelled(const std::string& number) {
 
 void queue(BatchJob& batch,
            const fs::path& folder,
-           const SlurmOptions& slurm,
+           const SubmitJob& job,
            const std::vector<int>& missing) {
   Submission now;
   now.tasks = missing;
-  if (!missing.empty()) now.array = submit_to_slurm(call_for_tasks(folder, missing, slurm));
+  if (!missing.empty()) {
+    const auto call = call_for_tasks(folder, missing, job.slurm);
+    now.array = submit_to_slurm(call, job.progress);
+  }
   try {
-    now.collecting = submit_to_slurm(call_for_collecting(folder, now.array));
+    now.collecting = submit_to_slurm(call_for_collecting(folder, now.array), job.progress);
     batch.submissions.push_back(now);
     write_job(folder, batch);
   } catch (const Error& error) {
@@ -207,7 +210,7 @@ std::string queue_missing(const SubmitJob& job,
     remove_file(mark_of_task(folder, task, "failed"));
   write_file(folder / "tasks.sh", task_script(batch, folder, job.slurm));
   write_file(folder / "collect.sh", collecting_script(batch, folder, job.slurm));
-  queue(batch, folder, job.slurm, missing);
+  queue(batch, folder, job, missing);
   return fmt::format("{} of {} tasks of about {} submitted as Slurm job {}\n",
                      missing.size(),
                      batch.tasks,

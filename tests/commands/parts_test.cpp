@@ -268,6 +268,42 @@ TEST_F(Submit, TakesNoOddAnswerForAJob) {
   }
 }
 
+// a controller that is busy lets sbatch wait
+TEST_F(Submit, SaysThatItWaits) {
+  write_program("sbatch", "sleep 1.5; echo 12");
+  const std::string submit = "submit --progress json" + map_in_two_tasks().substr(6);
+  const Ran ran = run_polhode(submit, in_bin());
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find(R"({"doing":"waiting for Slurm to take the job"})"), std::string::npos)
+      << ran.err;
+}
+
+// tasks would stop at pieces of the film as it was before
+TEST_F(Submit, RefusesPiecesOfAnotherFilm) {
+  write_program("sbatch", "echo 12");
+  write_program("scontrol", "echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1");
+  const auto submit = [&](int rate) {
+    return run_polhode(
+        fmt::format("submit --tasks 2 render {} -o {} --size 96x54 --fps {} --resume "
+                    "--pieces 2",
+                    at("scene.toml"),
+                    at("film.mp4"),
+                    rate),
+        in_bin());
+  };
+  ASSERT_EQ(submit(10).code, 0);
+  std::filesystem::create_directory(folder_ / ".film.mp4.parts");
+  write_text(folder_ / ".film.mp4.parts/00001.mp4", "");
+  EXPECT_EQ(submit(10).code, 0) << "the same film goes on";
+  const Ran other = submit(12);
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find(".film.mp4.parts: holds pieces of the film as it was before; delete it"),
+            std::string::npos)
+      << other.err;
+  std::filesystem::remove_all(folder_ / ".film.mp4.parts");
+  EXPECT_EQ(submit(12).code, 0);
+}
+
 TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
   write_text(folder_ / "bad.toml", "format = 1\n[bdy]\n");
   const std::string scene = at("scene.toml");

@@ -155,7 +155,8 @@ bool drain(int file, std::string& text) {
 
 ChildResult run_child(const std::vector<std::string>& words,
                       std::string_view input,
-                      const ChildLimits& limits) {
+                      const ChildLimits& limits,
+                      const std::function<void()>& meanwhile) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Pipe in, out, err;
@@ -169,6 +170,7 @@ ChildResult run_child(const std::vector<std::string>& words,
   bool out_open = true, err_open = true;
   while (out_open || err_open) {
     stop_if_interrupted();
+    if (meanwhile) meanwhile();
     if (std::chrono::duration<double>(Clock::now() - start).count() > limits.seconds) {
       result.exceeded = fmt::format("took longer than {:g} s", limits.seconds);
     } else if (result.out.size() + result.err.size() > limits.output) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,13 +35,15 @@ struct ChildResult {
 // time or output, with all that it has started; memory beyond its limit is refused to it. It
 // inherits the environment and the working folder. An exit code other than 0 is not an error.
 // SIGPIPE must be ignored (base/system/interrupt.h), because the program may exit before it has
-// read its input. A limit of memory is set by prlimit (util-linux), which exits with 127 if it
-// cannot start the program. Thread-safe. Throws Error (environment), "gnuplot is not installed" or
-// "gnuplot cannot be started: Too many open files", and (interrupted) after SIGINT, SIGTERM or
-// SIGHUP; the program is then killed.
+// read its input. `meanwhile` is called while it runs, at least ten times a second. A limit of
+// memory is set by prlimit (util-linux), which exits with 127 if it cannot start the program.
+// Thread-safe. Throws Error (environment), "gnuplot is not installed" or "gnuplot cannot be
+// started: Too many open files", and (interrupted) after SIGINT, SIGTERM or SIGHUP; the program is
+// then killed.
 ChildResult run_child(const std::vector<std::string>& words,
                       std::string_view input,
-                      const ChildLimits& limits = {});
+                      const ChildLimits& limits = {},
+                      const std::function<void()>& meanwhile = {});
 
 // Whether it ended by itself, with the exit code 0.
 bool ended_well(const ChildResult& result);
