@@ -19,31 +19,43 @@ constexpr double kPatience = 200.0;      // turns without a crossing
 constexpr double kTurnsToJudge = 100.0;  // the least, to call a motion regular
 constexpr double kTurnsTogether = 2.0;   // after which a neighbour is brought back
 constexpr double kRegular = 3.0, kChaotic = 6.0;
-constexpr double kBeside = 1e-8;  // of the neighbour at first, in units of the state's scales
+constexpr int kMostHalvings = 20;  // of a step that grazes the surface
+constexpr double kBeside = 1e-8;   // of the neighbour at first, in units of the state's scales
 
-// the coordinate of the vertical whose zeros are crossings
-double across(const SectionSurface& surface, const State& s) {
-  return surface.vertical_F(s).x();
-}
+using Passage = SectionSurface::Passage;
 
-// where a step of at most h from (t, s) crosses the surface, as a part of the step in s: the
-// function has opposite signs at its ends (regula falsi, Illinois)
-double crossing_in(const SectionSurface& surface,
-                   const Stepper& stepper,
-                   double t,
-                   const State& s,
-                   double h,
-                   double after) {
-  double low = 0.0, high = h;
-  double f_low = across(surface, s), f_high = after;
+// A part of a step of the motion: from a time after the step's beginning (s) to another, and how
+// the surface is passed there.
+struct PartOfStep {
+  double low, high;
+  Passage at_low, at_high;
+};
+
+// A step of the motion from a state, as far as is asked.
+struct Step {
+  const SectionSurface& surface;
+  const Stepper& stepper;
+  double t;
+  const State& begin;
+
+  State after(double h) const {
+    State now = begin;
+    Work work;
+    if (h > 0.0) stepper.step(t, h, now, work);
+    return now;
+  }
+};
+
+// where a part crosses the surface, which is on both sides of it at its ends (regula falsi,
+// Illinois)
+double crossing_in(const Step& step, const PartOfStep& part) {
+  double low = part.low, high = part.high;
+  double f_low = part.at_low.at, f_high = part.at_high.at;
   int side = 0;
-  Work work;
-  for (int i = 0; i < 100 && high - low > 4e-16 * h; ++i) {
+  for (int i = 0; i < 100 && high - low > 4e-16 * part.high; ++i) {
     const double at = (low * f_high - high * f_low) / (f_high - f_low);
     if (!(at > low && at < high)) break;
-    State now = s;
-    stepper.step(t, at, now, work);
-    const double f = across(surface, now);
+    const double f = step.surface.passage_of(step.after(at)).at;
     if (std::abs(f) < 1e-16) return at;
     if (f > 0.0) {
       high = at;
@@ -58,6 +70,33 @@ double crossing_in(const SectionSurface& surface,
     }
   }
   return std::abs(f_low) < std::abs(f_high) ? low : high;
+}
+
+// Whether gamma_1 may be zero in a part and turn round there, so that it may cross more often than
+// the signs at the ends tell.
+bool may_turn_at_surface(const PartOfStep& part) {
+  const double h = part.high - part.low;
+  const double bend = 2.0 * std::max(part.at_low.bend, part.at_high.bend);  // it changes within
+  const double slower = std::min(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
+  const double faster = std::max(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
+  const bool may_turn = slower <= h * bend && faster <= h * bend;
+  return may_turn &&
+         std::min(std::abs(part.at_low.at), std::abs(part.at_high.at)) <= h * (faster + h * bend);
+}
+
+// Appends when gamma_1 rises through 0 in a part, in order.
+void find_rises(const Step& step,
+                const PartOfStep& part,
+                int halvings_left,
+                std::vector<double>& rises) {
+  if (halvings_left > 0 && may_turn_at_surface(part)) {
+    const double middle = 0.5 * (part.low + part.high);
+    const Passage at_middle = step.surface.passage_of(step.after(middle));
+    find_rises(step, {part.low, middle, part.at_low, at_middle}, halvings_left - 1, rises);
+    find_rises(step, {middle, part.high, at_middle, part.at_high}, halvings_left - 1, rises);
+  } else if (part.at_low.at < 0.0 && part.at_high.at >= 0.0) {
+    rises.push_back(crossing_in(step, part));
+  }
 }
 
 // How far apart neighbours are, in rad and in units of the momentum.
@@ -112,6 +151,16 @@ SectionSurface::SectionSurface(const BodyModel& model, const State& start)
 
 Vec3 SectionSurface::vertical_F(const State& state) const {
   return R_PF_.transpose() * up_in_body(model_, state.q);
+}
+
+SectionSurface::Passage SectionSurface::passage_of(const State& state) const {
+  const Vec3 omega = angular_velocity(model_, state.y);
+  const Vec3 gamma = up_in_body(model_, state.q);
+  const Vec3 velocity = gamma.cross(omega);
+  const Vec3 omega_rate =
+      model_.inverse_moments.cwiseProduct(momentum_rate(model_, state.y, gamma));
+  const Vec3 bend = velocity.cross(omega) + gamma.cross(omega_rate);
+  return {R_PF_.col(0).dot(gamma), R_PF_.col(0).dot(velocity), bend.norm()};
 }
 
 Vec2 SectionSurface::point_of(const State& state) const {
@@ -230,18 +279,22 @@ SectionOrbit trace_section(const SectionSurface& surface, const State& start, in
   double t = 0.0, last_found = 0.0;
   bool is_done = false;
   std::vector<double> growths;
+  Passage passage = surface.passage_of(s);
   const auto step_to = [&](double from, const State& before, double to, const State& after) {
-    const double here = across(surface, before), there = across(surface, after);
-    if (is_done || !(here < 0.0 && there >= 0.0)) return;
-    const double h = to - from;
-    State now = before;
-    stepper->step(from, crossing_in(surface, *stepper, from, before, h, there), now, work);
-    // on the other side psi is half a turn
-    if (surface.vertical_F(now).y() <= 0.0) return;
-    orbit.points.push_back(surface.point_of(now));
-    drift.look_at(now);
-    last_found = to;
-    is_done = static_cast<int>(orbit.points.size()) >= crossings;
+    const Passage there = surface.passage_of(after);
+    const Step step{surface, *stepper, from, before};
+    std::vector<double> rises;
+    find_rises(step, {0.0, to - from, passage, there}, kMostHalvings, rises);
+    passage = there;
+    for (const double rise : rises) {
+      const State now = step.after(rise);
+      // on the other side psi is half a turn
+      if (is_done || surface.vertical_F(now).y() <= 0.0) continue;
+      orbit.points.push_back(surface.point_of(now));
+      drift.look_at(now);
+      last_found = to;
+      is_done = static_cast<int>(orbit.points.size()) >= crossings;
+    }
   };
   while (!is_done && t - last_found < kPatience * 2.0 * kPi / rate) {
     stop_if_interrupted();

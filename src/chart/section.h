@@ -31,6 +31,12 @@ class SectionSurface {
   // Tilt and momentum of a state on the surface, and the vertical in axes F.
   Vec2 point_of(const State& state) const;
   Vec3 vertical_F(const State& state) const;
+  // gamma_1, which is zero on the surface, its rate (1/s), and the length of the vertical's second
+  // derivative in the body (1/s^2).
+  struct Passage {
+    double at, rate, bend;
+  };
+  Passage passage_of(const State& state) const;
   // The least and the greatest momentum at a tilt; absent where there is none.
   struct Allowed {
     double least, greatest;

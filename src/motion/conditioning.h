@@ -16,6 +16,9 @@ struct Neighbours {
   double size = 0.0;  // of the momentum a fraction, of the attitude rad
 };
 
+// How far neighbours of closed forms are: a turn by the last digit alone would be rounded away.
+inline constexpr double kLastDigits = 0x1p-49;
+
 // Six neighbours: each component of the momentum (P) changed by the fraction `size` of itself, and
 // the attitude turned by `size` about each principal axis.
 Neighbours neighbours_of(const State& start, double size);

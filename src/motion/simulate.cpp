@@ -22,9 +22,6 @@ namespace polhode {
 namespace {
 
 constexpr double kLeastAccuracy = 1e-13;  // rad
-// Neighbours of closed forms differ by so much: a turn by the last digit alone would be rounded
-// away.
-constexpr double kLastDigits = 0x1p-49;
 // by how many parts of 2^-53 the rates in closed forms may be off; measured: up to 1.5
 constexpr double kRoundingsOfRates = 3.0;
 constexpr int kTimesOfDrift = 257;

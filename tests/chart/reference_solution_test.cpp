@@ -58,5 +58,15 @@ TEST(ReferenceSolution, SaysWhenThereIsNone) {
   EXPECT_EQ(reference.source().substr(0, 6), "nobody");
 }
 
+// a spin about the middle axis, of which only the last digits decide how it falls: the closed form
+// answers the rounded start, which is nobody's
+TEST(ReferenceSolution, KnowsThatRoundingDecidesNearASeparatrix) {
+  const Problem p{free_body({1.0, 2.0, 3.0}), {exp_rotation({0.4, 1.1, -0.3}), {1e-15, 24.0, 0.0}}};
+  EXPECT_LT(ReferenceSolution(p.model, p.start, 0.3).uncertainty(), 1e-12);
+  const ReferenceSolution later(p.model, p.start, 20.0);
+  EXPECT_TRUE(std::isinf(later.uncertainty()));
+  EXPECT_EQ(later.source().substr(0, 6), "nobody");
+}
+
 }  // namespace
 }  // namespace polhode::test

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "math/so3.h"
 #include "motion/stepper_table.h"
 #include "support/tops.h"
 
@@ -98,21 +99,20 @@ TEST(Section, OthersHaveChaos) {
 }
 
 // the first crossings of another integration, with steps of Taylor series and bisection
-TEST(Section, CrossingsAreThoseOfAnotherIntegration) {
-  const BodyModel model = heavy_body({0.6, 0.8, 1.0}, {0.5, -0.4, 0.3});
-  const State start{Quat::Identity(), Vec3(0.4, 0.1, 0.9)};
-  const SectionSurface surface(model, start);
-  const SectionOrbit orbit = trace_section(surface, start, 4);
-  ASSERT_EQ(orbit.points.size(), 4U);
-  const std::unique_ptr<Stepper> taylor = find_stepper("taylor16").make(model, 1.0);
-  constexpr double kTaylorStep = 0.02;
+std::vector<Vec2> crossings_by_taylor(const SectionSurface& surface,
+                                      const State& start,
+                                      std::size_t count,
+                                      double step) {
+  const std::unique_ptr<Stepper> taylor =
+      find_stepper("taylor16").make(surface.model(), start.y.norm());
+  std::vector<Vec2> crossings;
   State s = start;
-  std::size_t found = 0;
-  for (double t = 0.0; found < 4 && t < 1000.0; t += kTaylorStep) {
+  for (int k = 0; crossings.size() < count && k < 1'000'000; ++k) {
+    const double t = k * step;
     State next = s;
-    taylor->step(t, kTaylorStep, next);
+    taylor->step(t, step, next);
     if (surface.vertical_F(s).x() < 0.0 && surface.vertical_F(next).x() >= 0.0) {
-      double low = 0.0, high = kTaylorStep;
+      double low = 0.0, high = step;
       State at = s;
       for (int i = 0; i < 60; ++i) {
         at = s;
@@ -120,15 +120,42 @@ TEST(Section, CrossingsAreThoseOfAnotherIntegration) {
         (surface.vertical_F(at).x() < 0.0 ? low : high) = 0.5 * (low + high);
       }
       EXPECT_NEAR(surface.vertical_F(at).x(), 0.0, 1e-13);
-      if (surface.vertical_F(at).y() > 0.0) {
-        const Vec2 wanted = surface.point_of(at);
-        EXPECT_LT((orbit.points[found] - wanted).norm(), 1e-9) << found;
-        ++found;
-      }
+      if (surface.vertical_F(at).y() > 0.0) crossings.push_back(surface.point_of(at));
     }
     s = next;
   }
-  EXPECT_EQ(found, 4U);
+  return crossings;
+}
+
+TEST(Section, CrossingsAreThoseOfAnotherIntegration) {
+  const BodyModel model = heavy_body({0.6, 0.8, 1.0}, {0.5, -0.4, 0.3});
+  const State start{Quat::Identity(), Vec3(0.4, 0.1, 0.9)};
+  const SectionSurface surface(model, start);
+  const SectionOrbit orbit = trace_section(surface, start, 4);
+  const std::vector<Vec2> wanted = crossings_by_taylor(surface, start, 4, 0.02);
+  ASSERT_EQ(orbit.points.size(), 4U);
+  ASSERT_EQ(wanted.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_LT((orbit.points[i] - wanted[i]).norm(), 1e-9) << i;
+}
+
+// Kovalevskaya's top, which passes the surface and comes back within one step of the integration
+// before its 26th crossing
+TEST(Section, CrossingsThatGrazeTheSurfaceCount) {
+  const BodyModel model = heavy_body({2.0, 2.0, 1.0}, {2.152912793863892, 0.0, 0.0});
+  const State start{
+      from_zxz_angles(Vec3(350.4377618686723, 42.961142599483566, 102.11094473695223) * kPi /
+                      180.0),
+      model.moments.cwiseProduct(
+          Vec3(-2.350615774003687, -0.7153828331357193, -1.8225544441394572))};
+  const SectionSurface surface(model, start);
+  const std::size_t count = 30;
+  const SectionOrbit orbit = trace_section(surface, start, static_cast<int>(count));
+  const std::vector<Vec2> wanted = crossings_by_taylor(surface, start, count, 0.01);
+  ASSERT_EQ(orbit.points.size(), count);
+  ASSERT_EQ(wanted.size(), count);
+  for (std::size_t i = 0; i < count; ++i)
+    EXPECT_LT((orbit.points[i] - wanted[i]).norm(), 1e-6) << i;
 }
 
 TEST(Section, OthersHaveNone) {
