@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -71,6 +72,9 @@ class Export {
     add_things();
     add_trails();
     add_cameras();
+    // what goes with the body is rounded, and so is the camera from which players see it
+    constexpr double kRounding = std::numeric_limits<float>::epsilon();
+    report_.error += kRounding * (report_.farthest + 2.0 * composer_.scenery().scale.body);
     describe();
     return {std::move(document_), report_};
   }
@@ -128,9 +132,9 @@ class Export {
       const Thing thing = few.things()[i];
       const double in_body =
           expected(thing, [&](double t) { return seen_from(body_frame(t), few.pose(i, t)); });
-      keys += in_body == 1.0
-                  ? in_body
-                  : std::min(in_body, expected(thing, [&](double t) { return few.pose(i, t); }));
+      // what moves in the body as well is written down in space
+      const bool stays = in_body == 1.0;
+      keys += stays ? 1.0 : expected(thing, [&](double t) { return few.pose(i, t); });
     }
     if (keys > kSurely) require_few_keys(static_cast<std::size_t>(keys));
   }
@@ -175,13 +179,12 @@ class Export {
     body.name = "body_frame";
     body.parent = space_;
     const Thing solid = body_thing();
-    set_poses(
-        solid,
-        keyed(
-            solid, [&](double t) { return body_frame(t); }, first_, clock_, report_.tolerance),
-        origin_,
-        body);
+    const KeyedPoses keys = keyed(
+        solid, [&](double t) { return body_frame(t); }, first_, clock_, report_.tolerance);
+    set_poses(solid, keys, origin_, body);
     body_ = add_node(body);
+    for (const Pose& pose : keys.poses)
+      report_.farthest = std::max(report_.farthest, (pose.at - origin_).norm());
 
     add_direction("along_omega", [](const Sample& now) { return now.w_S; });
     add_direction("along_momentum", [](const Sample& now) { return now.L_S; });
@@ -241,6 +244,8 @@ class Export {
     for (std::size_t i = 0; i < observer_.things().size(); ++i) {
       const Thing thing = observer_.things()[i];
       const auto in_space = [&](double t) {
+        if (plan_.tell)
+          plan_.tell(fmt::format("following {} through the motion: {:.3g} s", thing.element, t));
         return observer_.pose(i, t);
       };
       KeyedPoses keys = keyed(thing, in_space, first_, clock_, report_.tolerance);

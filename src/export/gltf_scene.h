@@ -2,6 +2,7 @@
 // A solved scene as a glTF document: what its film shows, as nodes that move as the bodies do.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,13 +23,16 @@ struct ExportPlan {
   double pixels = 0.1;
   std::optional<double> radians = {};  // absent: `pixels` counts
   PaintMarks paint = nullptr;          // textures of marked bodies; null: they have none
+  // Is told what is being followed, again and again; empty: nobody is.
+  std::function<void(const std::string& words)> tell = {};
 };
 
 // What was found.
 struct ExportReport {
   std::size_t keys = 0;           // key times of all nodes together
   double tolerance = 0.0;         // m
-  double error = 0.0;             // as measured, m
+  double farthest = 0.0;          // how far the body goes from the origin of the file, m
+  double error = 0.0;             // as measured, and of places that far away in single precision, m
   double pixels_per_metre = 0.0;  // where the film's cameras see things largest, 1080 pixels high
 };
 

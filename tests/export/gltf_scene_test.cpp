@@ -49,6 +49,39 @@ TEST(GltfScene, HasWhatTheFilmShowsAndNamesEachNodeOnce) {
   }
 }
 
+TEST(GltfScene, SaysWhatItFollows) {
+  ExportPlan plan;
+  std::set<std::string> told;
+  plan.tell = [&](const std::string& words) {
+    told.insert(words.substr(0, words.find(" through")));
+  };
+  export_scene(solve(small_scene("free_symmetric_top")), plan);
+  EXPECT_EQ(told.count("following omega"), 1u);
+}
+
+// the numbers of the file are of single precision: far away they are no finer
+TEST(GltfScene, TellsWhatSinglePrecisionCosts) {
+  Scene scene = small_scene("t_handle");
+  scene.motion.velocity = Vec3(1e4, 0.0, 0.0);
+  const Solved solved = solve(scene);
+  const ExportedScene exported = export_scene(solved, {});
+  const GltfNode* body = find(exported.document, "body_frame");
+  ASSERT_NE(body, nullptr);
+  ASSERT_TRUE(body->translated.times);
+  const std::vector<float>& times = *body->translated.times;
+  const std::vector<float>& places = *body->translated.values;
+  double rounded = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double t = scene.video.time_scale * static_cast<double>(times[i]);
+    rounded = std::max(rounded, std::abs(static_cast<double>(places[3 * i]) - 1e4 * t));
+  }
+  EXPECT_GT(rounded, 1e-3);
+  EXPECT_GT(exported.report.error, rounded);
+  EXPECT_LT(exported.report.error, 10.0 * rounded);
+  EXPECT_GT(exported.report.error, exported.report.tolerance);
+  EXPECT_NEAR(exported.report.farthest, 1e4 * solved.simulation.motion.duration(), 1.0);
+}
+
 // what is fixed in the body needs no motion of its own
 TEST(GltfScene, WhatKeepsItsPlaceInTheBodyHangsBelowIt) {
   const GltfDocument document = export_scene(solve(small_scene("poinsot")), {}).document;

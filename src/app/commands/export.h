@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/system/progress.h"
 #include "export/gltf_scene.h"
 #include "film/overrides.h"
 
@@ -18,6 +19,7 @@ struct ExportJob {
   Overrides overrides;
   std::optional<double> from, to;  // s of motion; absent: start and end of the motion
   std::string author, licence;     // for the file's notices; empty: none
+  ProgressKind progress = ProgressKind::none;
 };
 
 // What was written.

@@ -27,17 +27,24 @@ Action define_export(CLI::App& command) {
   add_numerics_options(command, job->overrides);
   add_quiet(command, *progress);
   return [job, progress] {
+    if (!progress->quiet) job->progress = ProgressKind::automatic;
     const Exported made = write_glb(*job);
     if (progress->quiet) return 0;
     const ExportReport& report = made.report;
     print_err(fmt::format(
         "{}: {:.2f} MB, {} key times; playback within {:.2g} m of the motion, {:.2g} pixels of a "
-        "picture 1080 high\n",
+        "picture 1080 high{}\n",
         made.output,
         static_cast<double>(made.bytes) * 1e-6,
         report.keys,
         report.error,
-        report.error * report.pixels_per_metre));
+        report.error * report.pixels_per_metre,
+        report.error > report.tolerance
+            ? fmt::format(
+                  ", more than asked: glTF has places in single precision, and the body is up to "
+                  "{:.2g} m away",
+                  report.farthest)
+            : ""));
     return 0;
   };
 }
