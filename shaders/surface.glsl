@@ -27,7 +27,10 @@ float brushed(float x) {
 
 // Wood: grain in rings about the axis; both lengths in units of the finish.
 vec3 grained(vec3 color, float radius, float along) {
-  float grain = bands(0.8 * radius + 0.25 * along);
+  // years are not equally wide
+  float years = 0.8 * radius + 0.25 * along;
+  years += 0.5 * sin(0.9 * years) + 0.25 * sin(2.3 * years + 1.0);
+  float grain = bands(years);
   return color * (0.88 + 0.17 * grain * grain);
 }
 // Metal: each stroke, across and along, brightens and darkens a little.

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "frame/to_glm.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -137,10 +138,18 @@ Camera Camera::seeing_farther(double more) const {
            far_plane}};
 }
 
-Camera Camera::between(const Camera& a, const Camera& b, double part, const Vec3& focus) {
+Vec3 Camera::turn_to(const Camera& other, const Vec3& nearest) const {
+  const Eigen::AngleAxisd shortest(Mat3(other.R_CS_ * R_CS_.transpose()));
+  const Vec3& axis = shortest.axis();
+  const double whole = std::round((axis.dot(nearest) - shortest.angle()) / (2.0 * kPi));
+  return (shortest.angle() + 2.0 * kPi * whole) * axis;
+}
+
+Camera Camera::between(
+    const Camera& a, const Camera& b, double part, const Vec3& focus, const Vec3& turn) {
   if (part <= 0.0) return a;
   if (part >= 1.0) return b;
-  const Mat3 R_CS = Quat(a.R_CS_).slerp(part, Quat(b.R_CS_)).toRotationMatrix();
+  const Mat3 R_CS = exp_rotation(part * turn).toRotationMatrix() * a.R_CS_;
   // where the focus is as the camera sees it
   const Vec3 seen_a = a.R_CS_ * (focus - a.eye_);
   const Vec3 seen_b = b.R_CS_ * (focus - b.eye_);

@@ -77,10 +77,15 @@ class Camera {
   Camera zoomed(double factor) const;
   // The camera with clip planes that also contain what is up to `more` (m) beyond them.
   Camera seeing_farther(double more) const;
+  // The turn that takes the axes of this camera to those of the other, as a vector (rad) in the
+  // axes of either. Of all such turns, which differ by whole ones, it is the one nearest to
+  // `nearest`.
+  Vec3 turn_to(const Camera& other, const Vec3& nearest = Vec3::Zero()) const;
   // The camera at the fraction `part` (0..1; outside, that of a or b) of the way from a to b: its
-  // axes turn at a constant rate; field of view and the position of `focus` (S, m) in its axes
-  // change linearly. a and b have the same picture size.
-  static Camera between(const Camera& a, const Camera& b, double part, const Vec3& focus);
+  // axes turn at a constant rate by `turn`, one of a.turn_to(b); field of view and the position of
+  // `focus` (S, m) in its axes change linearly. a and b have the same picture size.
+  static Camera between(
+      const Camera& a, const Camera& b, double part, const Vec3& focus, const Vec3& turn);
   // The view of a draw list in the coordinates of `frame`. The lights move with the camera.
   View view(const DrawingFrame& frame = {}) const;
 

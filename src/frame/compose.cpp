@@ -119,6 +119,17 @@ std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
   return points;
 }
 
+// points of the axis of an arrow's head from its tip on (S, m)
+std::vector<Vec3> axis_of_head(const ArrowGlyph& arrow) {
+  constexpr int kPoints = 12;
+  const Vec3 along = arrow.tip - arrow.from;
+  const Vec3 head = along.normalized() * fitting(arrow.shape, along.norm()).head_length;
+  std::vector<Vec3> points;
+  for (int k = 0; k < kPoints; ++k)
+    points.emplace_back(arrow.tip - k * head / kPoints);
+  return points;
+}
+
 // How much of what a label names is on the side of the body that the eye sees, 0..1.
 double facing(const LabelGlyph& label, const Camera& camera) {
   // cosines; what stands off the limb is seen though it faces a little away
@@ -161,14 +172,18 @@ double uncovered(const LabelGlyph& label,
   const auto own = std::find_if(
       arrows.begin(), arrows.end(), [&](const ArrowGlyph& arrow) { return arrow.tip == label.at; });
   if (own == arrows.end() || own->rim) return 1.0;
-  const std::vector<Vec3> points = outline_of_head(*own);
-  if (points.empty()) return 1.0;
-  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
-    return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
-      return &other != &*own && hides(other, point, camera);
+  const auto part_seen = [&](const std::vector<Vec3>& points) {
+    const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
+      return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
+        return &other != &*own && hides(other, point, camera);
+      });
     });
-  });
-  const double part = static_cast<double>(seen) / static_cast<double>(points.size());
+    return static_cast<double>(seen) / static_cast<double>(points.size());
+  };
+  const std::vector<Vec3> outline = outline_of_head(*own);
+  if (outline.empty()) return 1.0;
+  // a collar around another vector is not seen to be a head
+  const double part = std::min(part_seen(outline), part_seen(axis_of_head(*own)));
   return std::clamp((part - kLeast) / (kInFull - kLeast), 0.0, 1.0);
 }
 
@@ -510,6 +525,22 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   return rigs;
 }
 
+// The turn from one camera to the next one while both go along with something: it goes on as it
+// began. The shortest one would leap to the other side where it passes half a turn. (Near a whole
+// turn its axis swings round; a move that long is left to who asks for it.)
+Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) const {
+  constexpr double kStep = 1.0 / 60.0;  // s of film
+  Vec3 turn = Vec3::Zero();
+  const auto go_on_at = [&](double time) {
+    turn = from.camera.moved(rig_from_space(from.spec, time))
+               .turn_to(to.camera.moved(rig_from_space(to.spec, time)), turn);
+  };
+  for (int k = 0; to.begins + k * kStep < film; ++k)
+    go_on_at(to.begins + k * kStep);
+  go_on_at(film);
+  return turn;
+}
+
 Camera Composer::camera_at(double film) const {
   const auto placed = [&](const Rig& rig) {
     return rig.camera.moved(rig_from_space(rig.spec, film));
@@ -520,8 +551,11 @@ Camera Composer::camera_at(double film) const {
   const Rig& rig = rigs_[last];
   if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig);
   const Vec3 focus = scenery_.motion.at(staging_.timeline.motion_time(film)).reference_S;
-  return Camera::between(
-      placed(rigs_[last - 1]), placed(rig), eased((film - rig.begins) / rig.move), focus);
+  return Camera::between(placed(rigs_[last - 1]),
+                         placed(rig),
+                         eased((film - rig.begins) / rig.move),
+                         focus,
+                         turn_between_rigs(rigs_[last - 1], rig, film));
 }
 
 Camera Composer::camera_at(double film, std::size_t index) const {

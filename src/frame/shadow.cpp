@@ -170,7 +170,15 @@ MeshPtr mesh_of(const Samples& samples, const Normal& normal) {
       if (amount(0, 0) + amount(1, 0) + amount(0, 1) + amount(1, 1) == 0.0f) continue;
       const std::uint32_t a = corner(x, y), b = corner(x + 1, y);
       const std::uint32_t c = corner(x + 1, y + 1), d = corner(x, y + 1);
-      mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+      // cut along the edge of a shadow, which would get teeth if it were cut across
+      const auto differ = [&](int right1, int right2) {
+        return glm::distance(normals[index(x + right1, y)], normals[index(x + right2, y + 1)]);
+      };
+      if (differ(0, 1) <= differ(1, 0)) {
+        mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+      } else {
+        mesh.indices.insert(mesh.indices.end(), {a, b, d, b, c, d});
+      }
     }
   }
   if (mesh.indices.empty()) return nullptr;

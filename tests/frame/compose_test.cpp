@@ -260,6 +260,31 @@ TEST(Compose, MovesAreSmoothAndCutsAreNot) {
   EXPECT_GT((picture.camera_at(3.0).eye() - picture.camera_at(2.99).eye()).norm(), 0.1);
 }
 
+// moves between cameras of which one turns, past half a turn from the other
+TEST(Compose, MovesBetweenTurningCamerasDoNotJump) {
+  const BodySpec body = test::prolate_body();
+  const Motion motion = test::moving(body, test::wobbling());
+  for (const double orbit : {-1.2, -0.6, 0.6, 1.2}) {
+    CameraSpec turning;
+    turning.orbit = orbit;
+    ShotSpec moved;
+    moved.at = 0.5;
+    moved.move = 3.0;
+    moved.camera.direction = Vec3(-0.5, 1.0, 0.4);
+    const Staging staging{turning, {moved}, Timeline({}, motion.duration(), 1.0), {}};
+    const Composer picture(motion, body, staging, {}, {}, {640, 360});
+    const double h = 1.0 / 240;
+    const Vec3 beside(0.1, 0.0, 0.0), above(0.0, 0.0, 0.1);
+    for (double film = 0.0; film + h < 4.0; film += h) {
+      for (const Vec3& point : {beside, above}) {
+        const Vec2 before = picture.camera_at(film).project(point);
+        const Vec2 after = picture.camera_at(film + h).project(point);
+        EXPECT_LT((after - before).norm(), 4.0) << orbit << " " << film;
+      }
+    }
+  }
+}
+
 // turning the body by the tolerance moves no drawn point by more than the pixels it was made from
 TEST(Compose, AttitudeToleranceIsAnUpperBoundInPixels) {
   const BodySpec body = prolate_body();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A body on a table: where it touches, what the table does to it, and the paths of the contact.
 #include <algorithm>
+#include <cmath>
 
 #include "frame/elements/parts.h"
 
@@ -18,16 +19,29 @@ Vec3 contact_S(const Scenery& scenery, const Sample& sample) {
          sample.q_SB * (scenery.motion.model().R_BP * lowest_point(scenery.motion, sample));
 }
 
+// Which part of a straight way is outside a sphere that it enters: `start` is where the way begins,
+// seen from the centre, and `way` leads to its end. 1 if it does not enter.
+double part_outside(const Vec3& start, const Vec3& way, double radius) {
+  const double along = -start.dot(way), length2 = way.squaredNorm();
+  const double root2 = along * along - length2 * (start.squaredNorm() - radius * radius);
+  if (along <= 0.0 || root2 < 0.0) return 1.0;
+  return std::min(1.0, (along - std::sqrt(root2)) / length2);
+}
+
 // from when on the path has been near the body: the table around it, which a camera takes along
 double near_since(const Scenery& scenery, const Vec3& here, double t) {
-  constexpr double kNear = 4.2;  // in units of the body's radius
+  const double near = 4.2 * scenery.scale.body;
   for (auto trail = scenery.paths.contact.rbegin(); trail != scenery.paths.contact.rend();
        ++trail) {
     const Path& path = trail->path();
     const auto end = std::upper_bound(path.parameters.begin(), path.parameters.end(), t);
     for (auto i = static_cast<std::size_t>(end - path.parameters.begin()); i > 0; --i) {
-      if ((path.points[i - 1] - here).norm() >= kNear * scenery.scale.body)
-        return path.parameters[i - 1];
+      const Vec3 from_here = path.points[i - 1] - here;
+      if (from_here.norm() < near) continue;
+      const double since = path.parameters[i - 1];
+      if (i == path.points.size()) return since;
+      const double part = part_outside(from_here, path.points[i] - path.points[i - 1], near);
+      return since + part * (path.parameters[i] - since);
     }
   }
   return 0.0;
