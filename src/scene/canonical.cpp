@@ -115,6 +115,8 @@ std::string scene_hash(const Scene& scene) {
     std::string all =
         fmt::format("{}\n{} {}\n", Json(scene.title).dump(), scene.same_cameras, scene.same_scales);
     if (scene.in_turn) all += "in turn\n";
+    // what the panels share
+    all += scene_to_json(scene).dump() + "\n";
     for (const ScenePanel& panel : scene.panels)
       all += Json(panel.caption).dump() + scene_hash(panel.scene) + "\n";
     return content_hash(all);

@@ -218,6 +218,26 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: conditioning.exceeds_accuracy is ");
 }
 
+// the panels of a film of several scenes share what stands at the top of its report
+TEST_F(Verify, AFilmOfScenesThatWasTamperedWithIsFound) {
+  write_text(folder_ / "one.toml", test::kSmallScene);
+  write_text(folder_ / "scene.toml",
+             "format = 1\n[sweep]\nscene = \"one.toml\"\nkey = \"body.solid.mass\"\n"
+             "values = [1, 2]\n[motion]\nduration = 0.2\n");
+  render("a.mp4");
+  const Json report = Json::parse(read_text(folder_ / "r.json"));
+  const auto with = [&](const auto& change) {
+    Json changed = report;
+    change(changed);
+    write_text(folder_ / "r.json", changed.dump());
+  };
+  expect("a.mp4", 0, "all 2");
+  with([](Json& r) { r["scene"]["body"]["solid"]["mass"] = 1.000001; });
+  expect("a.mp4", 1, "was altered: its scene");
+  with([](Json& r) { r["film"]["panels"][1]["scene"]["body"]["solid"]["mass"] = 2.000001; });
+  expect("a.mp4", 1, "was altered: its scene");
+}
+
 // a method that blows up drifts without end, which JSON cannot write
 TEST_F(Verify, AComparisonMayDriftWithoutEnd) {
   write_text(folder_ / "scene.toml",

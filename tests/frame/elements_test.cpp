@@ -2,6 +2,7 @@
 // The table of what can be shown: what is there by default, what is refused, what each name adds.
 #include "frame/elements.h"
 
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "frame/compose.h"
 #include "frame/composers.h"
 #include "support/motions.h"
+#include "support/on_table.h"
 #include "support/show_only.h"
 
 namespace polhode {
@@ -107,6 +109,29 @@ TEST(Elements, TinyFrictionIsNotDrawn) {
   ASSERT_EQ(glyphs.labels.size(), 1u);
   EXPECT_EQ(glyphs.labels[0].markup, "<b>N</b>");
   EXPECT_EQ(glyphs.arrows.size(), 1u);
+}
+
+// a camera along the table sees the path of the contact up to a distance, at every moment the same
+TEST(Elements, APathThatIsCutOffEndsEvenly) {
+  MotionSpec spec = test::on_table(1.5, test::coulomb(0.1));
+  spec.velocity = Vec3(0.6, 0.0, 0.0);
+  spec.spin.space = Vec3(3.0, 8.0, 0.0);
+  CameraSpec camera;
+  camera.follow = "center";
+  const Composer picture = composer(test::ball_body(), spec, show_only("contact_trail"), camera);
+  const Scenery& scenery = picture.scenery();
+  for (double t = 0.8; t < 1.5; t += 0.007) {
+    const Sample now = scenery.motion.at(t);
+    const Glyphs glyphs = picture.glyphs_at(now);
+    const auto drawn =
+        std::find_if(glyphs.meshes.begin(), glyphs.meshes.end(), [](const MeshGlyph& mesh) {
+          return mesh.of.trail != nullptr && !mesh.of.on_body;
+        });
+    ASSERT_NE(drawn, glyphs.meshes.end());
+    const Sample then = scenery.motion.at(drawn->of.from);
+    const double away = (now.center_S - then.center_S).norm() / scenery.scale.body;
+    EXPECT_NEAR(away, 4.2, 2e-3) << t;
+  }
 }
 
 TEST(Elements, EachNameAddsItsOwnGlyphs) {

@@ -195,7 +195,8 @@ void make_contact_trails(const Scenery& scenery, int pieces, Paths& paths) {
     if (stretch.second <= stretch.first) continue;
     paths.contact.push_back(trail_during(scenery, stretch, pieces, thick, [&](const Sample& now) {
       const Vec3 at = point_position(model, now, on_body(now));
-      return Vec3(at.x(), at.y(), 0.0);
+      // it lies on the table: where a tube is half below, its edges have teeth
+      return Vec3(at.x(), at.y(), thick * scenery.scale.body);
     }));
     paths.contact_on_body.push_back(trail_during(scenery, stretch, pieces, kRimRadius, on_body));
   }
