@@ -119,17 +119,6 @@ std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
   return points;
 }
 
-// points of the axis of an arrow's head from its tip on (S, m)
-std::vector<Vec3> axis_of_head(const ArrowGlyph& arrow) {
-  constexpr int kPoints = 12;
-  const Vec3 along = arrow.tip - arrow.from;
-  const Vec3 head = along.normalized() * fitting(arrow.shape, along.norm()).head_length;
-  std::vector<Vec3> points;
-  for (int k = 0; k < kPoints; ++k)
-    points.emplace_back(arrow.tip - k * head / kPoints);
-  return points;
-}
-
 // How much of what a label names is on the side of the body that the eye sees, 0..1.
 double facing(const LabelGlyph& label, const Camera& camera) {
   // cosines; what stands off the limb is seen though it faces a little away
@@ -172,18 +161,14 @@ double uncovered(const LabelGlyph& label,
   const auto own = std::find_if(
       arrows.begin(), arrows.end(), [&](const ArrowGlyph& arrow) { return arrow.tip == label.at; });
   if (own == arrows.end() || own->rim) return 1.0;
-  const auto part_seen = [&](const std::vector<Vec3>& points) {
-    const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
-      return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
-        return &other != &*own && hides(other, point, camera);
-      });
+  const std::vector<Vec3> points = outline_of_head(*own);
+  if (points.empty()) return 1.0;
+  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
+    return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
+      return &other != &*own && hides(other, point, camera);
     });
-    return static_cast<double>(seen) / static_cast<double>(points.size());
-  };
-  const std::vector<Vec3> outline = outline_of_head(*own);
-  if (outline.empty()) return 1.0;
-  // a collar around another vector is not seen to be a head
-  const double part = std::min(part_seen(outline), part_seen(axis_of_head(*own)));
+  });
+  const double part = static_cast<double>(seen) / static_cast<double>(points.size());
   return std::clamp((part - kLeast) / (kInFull - kLeast), 0.0, 1.0);
 }
 
