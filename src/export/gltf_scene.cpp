@@ -17,6 +17,7 @@
 #include "film/frame_times.h"
 #include "film/stage.h"
 #include "math/so3.h"
+#include "model/figure_axis.h"
 
 namespace polhode {
 namespace {
@@ -188,7 +189,7 @@ class Export {
 
     add_direction("along_omega", [](const Sample& now) { return now.w_S; });
     add_direction("along_momentum", [](const Sample& now) { return now.L_S; });
-    const Vec3 axis_B = figure_axis_B(composer_.scenery());
+    const Vec3 axis_B = figure_axis_B(composer_.scenery().motion.model());
     add_direction("along_axis", [=](const Sample& now) { return Vec3(now.q_SB * axis_B); });
   }
 

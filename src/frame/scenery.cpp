@@ -264,16 +264,4 @@ Vec3 momentum_tip(const Scenery& scenery, const Sample& sample) {
       scenery, sample.reference_S, sample.reference_S + scenery.scale.momentum * sample.L_S);
 }
 
-Vec3 figure_axis_B(const Scenery& scenery) {
-  const BodyModel& model = scenery.motion.model();
-  const Vec3 arm = model.body.center - model.pivot_B;
-  const bool off_pivot = model.on_pivot && arm.norm() > 1e-9 * scenery.scale.body;
-  if (model.kind.symmetric()) {
-    const Vec3 axis = model.R_BP.col(model.kind.axis);
-    return off_pivot && axis.dot(arm) < 0.0 ? Vec3(-axis) : axis;
-  }
-  if (off_pivot) return arm.normalized();
-  return Vec3::UnitZ();
-}
-
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #include "frame/body_look.h"
 #include "frame/curves.h"
 #include "frame/theme.h"
+#include "model/figure_axis.h"
 #include "motion/motion.h"
 
 namespace polhode {
@@ -127,11 +128,6 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end);
 // The drawn tips of angular velocity and angular momentum, S, m.
 Vec3 omega_tip(const Scenery& scenery, const Sample& sample);
 Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
-
-// The unit vector (B) of the axis whose motion is shown: the symmetry axis, else the direction from
-// the pivot to the centre of mass, else the third body axis. On a pivot it points to the side of
-// the centre of mass.
-Vec3 figure_axis_B(const Scenery& scenery);
 
 // Times (s of motion) from 0 to the end (scattered_times() in motion/deviation.h) at which the film
 // looks at the motion for scales, elements and shutter.

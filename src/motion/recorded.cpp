@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "math/so3.h"
 #include "model/contact_invariants.h"
+#include "model/figure_axis.h"
 #include "motion/deviation.h"
 
 namespace polhode {
@@ -16,11 +17,8 @@ std::vector<double> parts(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// the axis of symmetry, or the third axis of the body
 Vec3 axis_S(const Motion& motion, const Sample& sample) {
-  const BodyModel& model = motion.model();
-  const Vec3 axis = model.kind.symmetric() ? Vec3(model.R_BP.col(model.kind.axis)) : Vec3::UnitZ();
-  return sample.q_SB * (axis.z() < 0.0 ? Vec3(-axis) : axis);
+  return sample.q_SB * figure_axis_B(motion.model());
 }
 
 // what of the momentum the drift is of: on a table, the laws that hold

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "math/so3.h"
+#include "motion/derived.h"
 #include "support/motions.h"
 #include "support/on_table.h"
 
@@ -100,6 +101,21 @@ TEST(Recorded, AnglesAreInDegrees) {
     EXPECT_NEAR(
         recorded("tilt", motion, t).at(0), recorded("euler_angles", motion, t).at(1), 1e-11);
   }
+}
+
+// of a body that hangs, as of one that stands, the axis leads to the centre of mass: what is drawn,
+// plotted and told by `inspect` is the same angle
+TEST(Recorded, TheTiltIsThatOfTheCentreOfMass) {
+  BodySpec rod = prolate_body();
+  rod.pivot = Vec3(0.0, 0.0, 0.05);
+  MotionSpec spec = spinning_on_pivot();
+  spec.attitude.zxz = Vec3(0.0, 0.1, 0.0);
+  const Motion motion = moving(rod, spec);
+  EXPECT_NEAR(recorded("tilt", motion, 0.0).at(0), 180.0 - 0.1 * 180.0 / kPi, 1e-11);
+  const std::optional<double> told =
+      value_of(derived_quantities(motion.model(), spec), "tilt_at_start_rad");
+  ASSERT_TRUE(told);
+  EXPECT_NEAR(*told, kPi - 0.1, 1e-13);
 }
 
 // upright, phi and psi have no values of their own

@@ -82,7 +82,7 @@ void add_angles(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 // between the vertical and the body's axis, theta
 void add_tilt(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Vec3& up = scenery.motion.model().up_S;
-  const Vec3 figure = sample.q_SB * figure_axis_B(scenery);
+  const Vec3 figure = sample.q_SB * figure_axis_B(scenery.motion.model());
   const std::size_t before = glyphs.arcs.size();
   add_arc(scenery, sample, up, figure, 1.05, glyphs);
   if (glyphs.arcs.size() == before || angle_between(up, figure) < 0.1) return;
@@ -105,7 +105,7 @@ void add_space_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
 }
 
 void add_body_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 figure = sample.q_SB * figure_axis_B(scenery);
+  const Vec3 figure = sample.q_SB * figure_axis_B(scenery.motion.model());
   const Vec3 axis = figure.dot(sample.w_S) < 0.0 ? Vec3(-figure) : figure;
   add_cone(scenery,
            sample,
@@ -120,7 +120,7 @@ void add_body_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs)
 // about the vertical, through the body axis of this moment; a flat disc where that is level, and
 // about the other direction beyond
 void add_precession_cone(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 figure = sample.q_SB * figure_axis_B(scenery);
+  const Vec3 figure = sample.q_SB * figure_axis_B(scenery.motion.model());
   const Vec3& up = scenery.motion.model().up_S;
   const Vec3 axis = figure.dot(up) < 0.0 ? Vec3(-up) : up;
   add_cone(scenery,

@@ -149,7 +149,7 @@ void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 // where the axes of the other motions are, on the sphere on which a trail is drawn; and some of
 // their bodies
 void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
+  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery.motion.model());
   const double radius = kTipRadius * scenery.scale.body;
   for (std::size_t i = 0; i < scenery.ensemble.size(); ++i) {
     const Motion& motion = scenery.ensemble[i];
@@ -192,7 +192,7 @@ void add_hinge(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 void add_gimbals(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const BodyModel& model = scenery.motion.model();
   const Vec3& up = model.up_S;
-  Vec3 axle = sample.q_SB * figure_axis_B(scenery);
+  Vec3 axle = sample.q_SB * figure_axis_B(scenery.motion.model());
   const Vec3 across = up.cross(axle);
   Vec3 nodes = across.norm() > 1e-9 ? Vec3(across.normalized()) : up.unitOrthogonal();
   if (model.loads.gimbals) {

@@ -183,7 +183,7 @@ bool has_cones(const Scenery& scenery) {
 
 // a stand under the pivot would be in the way of a body that hangs
 bool stays_above_stand(const Scenery& scenery) {
-  const Vec3 axis_B = figure_axis_B(scenery);
+  const Vec3 axis_B = figure_axis_B(scenery.motion.model());
   const Vec3& up = scenery.motion.model().up_S;
   const std::vector<double> times = framing_times(scenery.motion);
   return std::all_of(times.begin(), times.end(), [&](double t) {

@@ -56,7 +56,7 @@ void add_path_reach(const Trail& trail, double from, double to, Glyphs& glyphs) 
 
 // the path of the axis, and the axis from the body to where it writes: else the path would hover
 void add_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
+  const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery.motion.model());
   glyphs.rods.push_back({sample.reference_S,
                          sample.reference_S + sample.q_SB * tip_B,
                          kRimRadius * scenery.scale.body,
@@ -210,7 +210,7 @@ void make_trails(const Scenery& scenery, Paths& paths) {
     return trail_during(scenery, {0.0, motion.duration()}, pieces, radius, point);
   };
   if (is_asked(scenery.options, "trail")) {
-    const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery);
+    const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery.motion.model());
     paths.axis = trail(kRimRadius,
                        [&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }

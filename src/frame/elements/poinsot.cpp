@@ -247,7 +247,7 @@ void add_binet(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 // L, Omega and the axis of a symmetric top are always in one plane
 void add_axis_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const Vec3 figure = sample.q_SB * figure_axis_B(scenery);
+  const Vec3 figure = sample.q_SB * figure_axis_B(scenery.motion.model());
   const Vec3 across = sample.L_S.cross(figure);
   if (across.norm() < 1e-6 * sample.L_S.norm()) return;
   const Vec3 normal = across.normalized();

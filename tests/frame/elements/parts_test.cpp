@@ -13,16 +13,6 @@ Scenery scenery_of(const BodySpec& body, const MotionSpec& motion) {
   return make_scenery(test::moving(body, motion), body, ThemeSpec{}, ShowSpec{}, 32);
 }
 
-// the axis of symmetry, towards the centre of mass on a pivot; else the third axis
-TEST(Parts, TheFigureAxisIsThatOfSymmetry) {
-  const BodySpec along_x = test::ellipsoid_body({0.2, 0.1, 0.1});
-  const Vec3 axis = figure_axis_B(scenery_of(along_x, test::wobbling()));
-  EXPECT_NEAR(std::abs(axis.x()), 1.0, 1e-12);
-  EXPECT_EQ(figure_axis_B(scenery_of(test::brick_body(), test::wobbling())), Vec3::UnitZ());
-  const Vec3 on_pivot = figure_axis_B(scenery_of(test::cone_body(), test::spinning_on_pivot()));
-  EXPECT_LT((on_pivot - Vec3::UnitZ()).norm(), 1e-12);
-}
-
 // L = I w in principal axes, and w.L is twice the energy
 TEST(Parts, PrincipalAxesDiagonaliseTheMotion) {
   const Scenery scenery = scenery_of(test::brick_body(), test::wobbling());

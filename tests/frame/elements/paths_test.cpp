@@ -23,8 +23,8 @@ TEST(Paths, TrailEndsWhereThePointIs) {
   const Scenery& scenery = picture.scenery();
   for (const double t : {0.3, 1.234, 4.0}) {
     const Sample now = scenery.motion.at(t);
-    const Vec3 tip =
-        now.reference_S + kTrailRadius * scenery.scale.body * (now.q_SB * figure_axis_B(scenery));
+    const Vec3 tip = now.reference_S + kTrailRadius * scenery.scale.body *
+                                           (now.q_SB * figure_axis_B(scenery.motion.model()));
     const std::vector<MeshPtr> meshes = scenery.paths.axis.part(0.0, t);
     ASSERT_FALSE(meshes.empty());
     // the last ring of the tube is around the tip
@@ -105,8 +105,8 @@ TEST(Paths, TrailIsAsLongAsTheSceneAsks) {
   const double now = 2.0;
   const auto tip = [&](double t) {
     const Sample s = scenery.motion.at(t);
-    return Vec3(s.reference_S +
-                kTrailRadius * scenery.scale.body * (s.q_SB * figure_axis_B(scenery)));
+    return Vec3(s.reference_S + kTrailRadius * scenery.scale.body *
+                                    (s.q_SB * figure_axis_B(scenery.motion.model())));
   };
   const Glyphs glyphs = picture.glyphs_at(scenery.motion.at(now));
   ASSERT_FALSE(glyphs.meshes.empty());
