@@ -77,11 +77,9 @@ double crossing_in(const Step& step, const PartOfStep& part) {
 bool may_turn_at_surface(const PartOfStep& part) {
   const double h = part.high - part.low;
   const double bend = 2.0 * std::max(part.at_low.bend, part.at_high.bend);  // it changes within
-  const double slower = std::min(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
   const double faster = std::max(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
-  const bool may_turn = slower <= h * bend && faster <= h * bend;
-  return may_turn &&
-         std::min(std::abs(part.at_low.at), std::abs(part.at_high.at)) <= h * (faster + h * bend);
+  const double farther = std::max(std::abs(part.at_low.at), std::abs(part.at_high.at));
+  return faster <= h * bend && farther <= h * (faster + h * bend);
 }
 
 // Appends when gamma_1 rises through 0 in a part, in order.
