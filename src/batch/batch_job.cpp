@@ -15,7 +15,6 @@
 #include "base/system/files.h"
 
 namespace polhode {
-
 namespace {
 
 namespace fs = std::filesystem;

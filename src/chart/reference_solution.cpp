@@ -71,11 +71,8 @@ void ReferenceSolution::by_closed_form(const State& start) {
   // measured against a 19-digit reference: round-off of the phases
   uncertainty_ = 4e-16 * (10.0 + typical_rate(model_, start) * duration_);
   // near a separatrix the closed form answers a start that has been rounded
-  const auto solve = [&](const State& from) {
-    return std::shared_ptr<const Trajectory>(row.make(model_, from));
-  };
-  const Conditioning conditioning = conditioning_of(
-      model_, *truth, duration_, neighbours_of(start, kLastDigits), 1.0, kHopeless, solve);
+  const Conditioning conditioning =
+      conditioning_of_closed_form(model_, start, *truth, duration_, kHopeless, row.make);
   uncertainty_ = std::max(uncertainty_, conditioning.effect);
   if (!conditioning.exceeds_limit) return;
   source_ = "nobody: one rounding of the start moves the closed form by more than 0.05 rad";

@@ -55,7 +55,7 @@ double crossing_in(const Step& step, const PartOfStep& part) {
   for (int i = 0; i < 100 && high - low > 4e-16 * part.high; ++i) {
     const double at = (low * f_high - high * f_low) / (f_high - f_low);
     if (!(at > low && at < high)) break;
-    const double f = step.surface.passage_of(step.after(at)).at;
+    const double f = step.surface.vertical_F(step.after(at)).x();
     if (std::abs(f) < 1e-16) return at;
     if (f > 0.0) {
       high = at;

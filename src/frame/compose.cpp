@@ -510,6 +510,10 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   return rigs;
 }
 
+Camera Composer::placed(const Rig& rig, double film) const {
+  return rig.camera.moved(rig_from_space(rig.spec, film));
+}
+
 // The turn from one camera to the next one while both go along with something: it goes on as it
 // began. The shortest one would leap to the other side where it passes half a turn. (Near a whole
 // turn its axis swings round; a move that long is left to who asks for it.)
@@ -517,8 +521,7 @@ Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) co
   constexpr double kStep = 1.0 / 60.0;  // s of film
   Vec3 turn = Vec3::Zero();
   const auto go_on_at = [&](double time) {
-    turn = from.camera.moved(rig_from_space(from.spec, time))
-               .turn_to(to.camera.moved(rig_from_space(to.spec, time)), turn);
+    turn = placed(from, time).turn_to(placed(to, time), turn);
   };
   for (int k = 0; to.begins + k * kStep < film; ++k)
     go_on_at(to.begins + k * kStep);
@@ -527,25 +530,21 @@ Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) co
 }
 
 Camera Composer::camera_at(double film) const {
-  const auto placed = [&](const Rig& rig) {
-    return rig.camera.moved(rig_from_space(rig.spec, film));
-  };
   std::size_t last = 0;
   while (last + 1 < rigs_.size() && rigs_[last + 1].begins <= film)
     ++last;
   const Rig& rig = rigs_[last];
-  if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig);
+  if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig, film);
   const Vec3 focus = scenery_.motion.at(staging_.timeline.motion_time(film)).reference_S;
-  return Camera::between(placed(rigs_[last - 1]),
-                         placed(rig),
+  return Camera::between(placed(rigs_[last - 1], film),
+                         placed(rig, film),
                          eased((film - rig.begins) / rig.move),
                          focus,
                          turn_between_rigs(rigs_[last - 1], rig, film));
 }
 
 Camera Composer::camera_at(double film, std::size_t index) const {
-  const Rig& rig = rigs_.at(index);
-  return rig.camera.moved(rig_from_space(rig.spec, film));
+  return placed(rigs_.at(index), film);
 }
 
 SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {

@@ -135,6 +135,8 @@ class Composer {
   bool is_small_on_table(CameraSpec spec, PictureSize size) const;
   bool keeps_place_in_space() const;
   Eigen::Isometry3d rig_from_space(const CameraSpec& spec, double film) const;
+  // a camera where its rig has taken it
+  Camera placed(const Rig& rig, double film) const;
   Vec3 turn_between_rigs(const Rig& from, const Rig& to, double film) const;
   std::vector<Vec3> own_points(const CameraSpec& spec) const;
   // with those of the pictures beside it

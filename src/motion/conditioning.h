@@ -16,9 +16,6 @@ struct Neighbours {
   double size = 0.0;  // of the momentum a fraction, of the attitude rad
 };
 
-// How far neighbours of closed forms are: a turn by the last digit alone would be rounded away.
-inline constexpr double kLastDigits = 0x1p-49;
-
 // Six neighbours: each component of the momentum (P) changed by the fraction `size` of itself, and
 // the attitude turned by `size` about each principal axis.
 Neighbours neighbours_of(const State& start, double size);
@@ -46,5 +43,15 @@ Conditioning conditioning_of(
     double roundings,
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve);
+
+// The same of a closed form that `make` (SolutionMethod::make) has made from `start`: what one
+// rounding of the start does to it.
+Conditioning conditioning_of_closed_form(const BodyModel& model,
+                                         const State& start,
+                                         const Trajectory& motion,
+                                         double duration,
+                                         double limit,
+                                         std::unique_ptr<Trajectory> (*make)(const BodyModel& model,
+                                                                             const State& start));
 
 }  // namespace polhode

@@ -372,16 +372,8 @@ Simulation simulate(const BodyModel& body,
     drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
   }
   report.record.drift = drift.worst();
-  const auto solve = [&](const State& from) {
-    return std::shared_ptr<const Trajectory>(chosen.make(model, from));
-  };
-  report.conditioning = conditioning_of(model,
-                                        *trajectory,
-                                        motion.duration,
-                                        neighbours_of(start, kLastDigits),
-                                        1.0,
-                                        accuracy_rad,
-                                        solve);
+  report.conditioning = conditioning_of_closed_form(
+      model, start, *trajectory, motion.duration, accuracy_rad, chosen.make);
   doubt_conditioning(report);
   doubt_length(typical_rate(model, start), motion.duration, report);
   return {Motion(model, trajectory, motion), report};

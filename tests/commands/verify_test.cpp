@@ -41,6 +41,13 @@ class Verify : public ::testing::Test {
     EXPECT_NE(words.find(says), std::string::npos) << words;
   }
 
+  // the report becomes that one, changed
+  template <class Change>
+  void write_changed(Json report, const Change& change) const {
+    change(report);
+    write_text(folder_ / "r.json", report.dump());
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -140,9 +147,7 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   render("a.mp4");
   const Json report = Json::parse(read_text(folder_ / "r.json"));
   const auto with = [&](const auto& change) {
-    Json changed = report;
-    change(changed);
-    write_text(folder_ / "r.json", changed.dump());
+    write_changed(report, change);
   };
   with([](Json& r) { r["frame_hashes"][7] = std::string(32, '0'); });
   expect("a.mp4", 1, "frame 7 (0.700 s) is not what the report says");
@@ -199,9 +204,7 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   render("a.mp4");
   const Json report = Json::parse(read_text(folder_ / "r.json"));
   const auto with = [&](const auto& change) {
-    Json changed = report;
-    change(changed);
-    write_text(folder_ / "r.json", changed.dump());
+    write_changed(report, change);
   };
   expect("a.mp4", 0, "all 2");
   with([](Json& r) { r["compare"][1]["trusted"] = true; });
@@ -227,9 +230,7 @@ TEST_F(Verify, AFilmOfScenesThatWasTamperedWithIsFound) {
   render("a.mp4");
   const Json report = Json::parse(read_text(folder_ / "r.json"));
   const auto with = [&](const auto& change) {
-    Json changed = report;
-    change(changed);
-    write_text(folder_ / "r.json", changed.dump());
+    write_changed(report, change);
   };
   expect("a.mp4", 0, "all 2");
   with([](Json& r) { r["scene"]["body"]["solid"]["mass"] = 1.000001; });

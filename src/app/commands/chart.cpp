@@ -23,7 +23,6 @@
 #include "scene/canonical.h"
 
 namespace polhode {
-
 namespace {
 
 const std::vector<std::string> kChartFiles = {"chart.csv", "chart.svg", "chart.png", "chart.pdf"};

@@ -45,9 +45,10 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
   }
   const Solved solved = solve(scene, ProgressKind::automatic);
   Waiting waiting(job.progress);
-  plan.tell = [&](const std::string& words) {
-    waiting.show(words);
-  };
+  if (job.progress != ProgressKind::none)
+    plan.tell = [&](const std::string& words) {
+      waiting.show(words);
+    };
   const ExportedScene exported = with_place(scene, [&] { return export_scene(solved, plan); });
   return {glb_of(exported.document), exported.report};
 }

@@ -27,7 +27,7 @@ Action define_export(CLI::App& command) {
   add_numerics_options(command, job->overrides);
   add_quiet(command, *progress);
   return [job, progress] {
-    if (!progress->quiet) job->progress = ProgressKind::automatic;
+    job->progress = progress_of(*progress);
     const Exported made = write_glb(*job);
     if (progress->quiet) return 0;
     const ExportReport& report = made.report;

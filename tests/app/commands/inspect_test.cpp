@@ -10,7 +10,6 @@
 #include "support/run.h"
 
 namespace polhode {
-
 namespace {
 
 Json facts_of(const std::string& text) {
