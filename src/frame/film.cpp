@@ -533,7 +533,8 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
       shaft.from = corner + label.from;
       shaft.tip = own_end(shaft, marks);
     }
-    layout.moment.wishes.push_back({shaft.tip, label.away, box.ink_width(), box.ink_height()});
+    layout.moment.wishes.push_back(
+        {shaft.tip, label.away, box.ink_width(), box.ink_height(), corner + label.at - shaft.tip});
     layout.moment.shafts.push_back(shaft);
     layout.styles.push_back(style);
   }
@@ -615,7 +616,13 @@ void Film::add_labels(const FilmPanel& panel,
                     room,
                     label.fade * std::min(place.opacity, seen_aside)};
     if (label.of_arrow) {
-      text.tip = visible_end(moment.shafts[i], room_of(panel.place));
+      text.whole_tip = wish.tip();
+      const TextRoom all = room_of(panel.place);
+      text.tip = visible_end(moment.shafts[i], all);
+      // a name that still stands beside the tip, where another head comes over it, needs no line
+      const bool by_tip = text.tip && distance(all, *text.whole_tip) == 0.0 &&
+                          distance(room, *text.whole_tip) < distance(room, *text.tip);
+      if (by_tip) text.tip = text.whole_tip;
       const double letter = capital_height(*typesetter_, layout.styles[i]);
       if (text.tip) text.leader = leader_to(*text.tip, room, letter);
     }

@@ -161,7 +161,7 @@ Choices choices_at(std::size_t index,
           return is_over(room, piece);
         });
     if (over_curve) sum += kOverCurve;
-    choices[place].offset = center - wish.at;
+    choices[place].offset = center - wish.tip();
     choices[place].own = sum;
     return !taken && !over_mark;
   };
@@ -266,7 +266,7 @@ LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom
       const std::optional<std::size_t> index = index_of(name, moments[k]);
       if (!index) continue;
       const LabelWish& wish = moments[k].wishes[*index];
-      labels[k].push_back(room_at(wish.at + stays[k].offset, wish.width, wish.height));
+      labels[k].push_back(room_at(wish.tip() + stays[k].offset, wish.width, wish.height));
     }
     tracks_[name] = stays;
   }
@@ -286,12 +286,12 @@ LabelPlace LabelTracks::place(const std::string& name, const LabelWish& wish, do
   if (!before.is_there && !after.is_there) return {center_on(wish, 0, gap_)};
   LabelPlace place;
   if (!before.is_there || !after.is_there) {
-    place.center = wish.at + (before.is_there ? before : after).offset;
+    place.center = wish.tip() + (before.is_there ? before : after).offset;
   } else if (before.changes_after) {
     // half-way between the moments
-    place.center = wish.at + (part < 0.5 ? before : after).offset;
+    place.center = wish.tip() + (part < 0.5 ? before : after).offset;
   } else {
-    place.center = wish.at + (1.0 - part) * before.offset + part * after.offset;
+    place.center = wish.tip() + (1.0 - part) * before.offset + part * after.offset;
   }
   for (long j = k - 3; j <= k + 3; ++j) {
     if (j < 0 || j > last || !stay(j).changes_after) continue;

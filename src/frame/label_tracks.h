@@ -51,7 +51,7 @@ class LabelTracks {
   // Where a label is at one moment.
   struct Stay {
     bool is_there = false;
-    Vec2 offset = Vec2::Zero();  // of its middle from the tip, px
+    Vec2 offset = Vec2::Zero();  // of its middle from the tip, px (LabelWish::tip())
     bool changes_after = false;  // the next moment has another place
   };
   std::vector<Stay> cheapest(const std::vector<LabelMoment>& moments,

@@ -52,6 +52,10 @@ struct LabelWish {
   Vec2 away;
   double width = 0.0;   // of its ink (TextBox in text/typesetter.h)
   double height = 0.0;  // of its ink
+  // From `at` to the point with which it moves: the tip of a vector of which the end is covered.
+  Vec2 to_tip = Vec2::Zero();
+
+  Vec2 tip() const { return at + to_tip; }
 };
 
 // The middle of a label that should stand around `center`, inside `frame`. It overlaps neither

@@ -18,10 +18,11 @@ struct PlacedText {
   TextRole role = TextRole::label;
   std::string markup;
   TextStyle style;
-  TextRoom room;                      // of its ink
-  double opacity = 1.0;               // 0..1
-  std::optional<Vec2> tip = {};       // visible end of the arrow whose name it is
-  std::optional<Leader> leader = {};  // the line from a name to that tip
+  TextRoom room;                       // of its ink
+  double opacity = 1.0;                // 0..1
+  std::optional<Vec2> tip = {};        // visible end of the arrow whose name it is
+  std::optional<Vec2> whole_tip = {};  // of that arrow, where others or the frame may hide it
+  std::optional<Leader> leader = {};   // the line from a name to that tip
 };
 
 }  // namespace polhode

@@ -28,8 +28,14 @@ struct Scale {
   double slip = 0.0;      // metres per m/s of slip on a table
 };
 
-// The curves of a film that the scene asks for, made once; those that it does not ask for, and
-// curves that are a single point, are empty or null.
+// A point that has a name from a time on.
+struct NamedPoint {
+  double from;        // s of motion
+  std::size_t index;  // in Scenery::field_points_B
+};
+
+// What of the whole motion the pictures of a film draw, made once: the curves that the scene asks
+// for; those that it does not ask for, and curves that are a single point, are empty or null.
 struct Paths {
   Trail axis;                  // of the body's axis
   std::vector<Trail> points;   // of the points in ShowSpec::trail_points
@@ -44,6 +50,8 @@ struct Paths {
   std::vector<MeshPtr> polhodes;        // family of polhodes, likewise
   std::vector<MeshPtr> separatrix;      // the two that part them; empty if two moments are equal
   Vec3 on_separatrix_P = Vec3::Zero();  // where its name stands, rad/s
+  // The points of the velocity field that have its name in turn, in the order of their times.
+  std::vector<NamedPoint> named_in_field;
 };
 
 // The radius of the sphere on which the path of the body's axis is drawn, in units of the body's
@@ -115,8 +123,8 @@ bool asks_for(const Scenery& scenery, const std::string& element);
 // as body_look does.
 void make_look(Scenery& scenery, const BodySpec& body, int segments);
 
-// The paths of scenery.motion that scenery.options asks for. Throws Error (check_failed) as
-// Motion::at does.
+// The paths and names of scenery.motion that scenery.options asks for. Throws Error (check_failed)
+// as Motion::at does.
 Paths make_paths(const Scenery& scenery);
 
 // `length` (m), at most 50 times the body's radius, so that vectors of a diverging integration

@@ -76,6 +76,29 @@ TEST(LabelTracks, LabelsDoNotGoToAndFro) {
     EXPECT_LT((tracks.place("name", kWish, at).center - first).norm(), 1e-9) << at;
 }
 
+// a head that covers the end of a vector now and then does not draw its name to and fro
+TEST(LabelTracks, NamesStayWithTheTipsWhoseEndsAreCovered) {
+  std::vector<LabelMoment> moments;
+  const auto wish_at = [](int k) {
+    LabelWish wish = kWish;
+    wish.to_tip = k % 4 < 2 ? Vec2(0.0, 0.0) : Vec2(0.0, -40.0);
+    wish.at -= wish.to_tip;
+    return wish;
+  };
+  for (int k = 0; k < 40; ++k) {
+    LabelMoment moment = moment_with({});
+    moment.wishes[0] = wish_at(k);
+    moments.push_back(moment);
+  }
+  const LabelTracks tracks(moments, kFrame, kGap);
+  const Vec2 first = tracks.place("name", wish_at(0), 0.0).center;
+  for (int k = 0; k < 38; ++k) {
+    const LabelPlace place = tracks.place("name", wish_at(k), k);
+    EXPECT_LT((place.center - first).norm(), 0.6 * kWish.height) << k;
+    EXPECT_EQ(place.opacity, 1.0) << k;
+  }
+}
+
 // one that must change sides fades before and comes back there
 TEST(LabelTracks, LabelsFadeWhereTheyChange) {
   std::vector<LabelMoment> moments;

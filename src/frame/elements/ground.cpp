@@ -128,8 +128,9 @@ void add_body(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
     glyphs.reach.push_back(space_from_body * point_B);
 }
 
-// the body where it was, at equal times back from now
+// the body where it was, at equal times back from now; each comes gently
 void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
+  constexpr double kComes = 0.3;  // of the time between two
   const double apart = scenery.options.ghost_s.value_or(scenery.motion.duration() / 40.0);
   for (int k = scenery.options.ghost_count; k >= 1; --k) {
     const double t = sample.t - k * apart;
@@ -139,6 +140,7 @@ void add_ghosts(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
       Material material = part.material;
       material.alpha =
           kGhostAlpha * static_cast<float>(1.0 - 0.6 * (k - 1.0) / scenery.options.ghost_count);
+      material.fade *= static_cast<float>(std::min(1.0, t / (kComes * apart)));
       glyphs.ghosts.push_back({part.mesh, place * part.body_from_mesh, material});
     }
     for (const Vec3& point_B : scenery.hull_B)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -246,6 +247,33 @@ void make_trails(const Scenery& scenery, Paths& paths) {
       trail(kCurveRadius, [&](const Sample& now) { return omega_tip(scenery, now); });
 }
 
+// Where on the separatrix its name stands: off the polhode of the motion, and where the ellipsoid
+// turns away from the usual side of a camera that goes with the body, so that it stands beside it.
+Vec3 place_of_name(const BodyModel& model,
+                   const std::vector<std::vector<Vec3>>& separatrix,
+                   const std::vector<Vec3>& polhode) {
+  constexpr double kFacing = 0.45;  // the cosine there
+  constexpr double kOff = 0.35;     // rad; farther off is no better
+  constexpr std::size_t kStep = 8;
+  const Vec3 towards = model.R_BP.transpose() * kDefaultDirection.normalized();
+  Vec3 best = separatrix.front().front();
+  double most = -std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec3>& ellipse : separatrix) {
+    for (std::size_t i = 0; i < ellipse.size(); i += kStep) {
+      const Vec3 place = ellipse[i].normalized();
+      double off = kOff;
+      for (std::size_t k = 0; k < polhode.size(); k += kStep)
+        off = std::min(off, std::acos(std::clamp(place.dot(polhode[k].normalized()), -1.0, 1.0)));
+      const double facing = model.moments.cwiseProduct(ellipse[i]).normalized().dot(towards);
+      const double good = off - std::abs(facing - kFacing);
+      if (good <= most) continue;
+      most = good;
+      best = ellipse[i];
+    }
+  }
+  return best;
+}
+
 // closed curves of the body, in units of its radius
 void make_body_curves(const Scenery& scenery, Paths& paths) {
   const BodyModel& model = scenery.motion.model();
@@ -273,13 +301,7 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
   if (ellipses.empty()) return;
   for (const std::vector<Vec3>& ellipse : ellipses)
     paths.separatrix.push_back(tube(ellipse, as_omega, kRimRadius));
-  // named on the ellipse that is farther from where this motion begins
-  const Vec3 &first = ellipses[0][ellipses[0].size() / 4],
-             &second = ellipses[1][ellipses[1].size() / 4];
-  const auto cosine = [&](const Vec3& point) {
-    return std::abs(point.normalized().dot(w_P.normalized()));
-  };
-  paths.on_separatrix_P = cosine(second) < cosine(first) ? second : first;
+  paths.on_separatrix_P = place_of_name(model, ellipses, polhode(model.moments, w_P, pieces));
 }
 
 }  // namespace
@@ -288,6 +310,8 @@ Paths make_paths(const Scenery& scenery) {
   Paths paths;
   make_trails(scenery, paths);
   make_body_curves(scenery, paths);
+  if (is_asked(scenery.options, "velocity_field"))
+    paths.named_in_field = named_in_field(scenery, pieces_of_trail(scenery.motion));
   return paths;
 }
 

@@ -53,6 +53,10 @@ TEST(Ground, GhostsAreTheBodyOfEarlierMoments) {
     EXPECT_GT(ghosts[i].material.alpha, ghosts[i - 1].material.alpha);
   }
   EXPECT_EQ(picture.glyphs_at(motion.at(0.7)).ghosts.size(), 2u) << "none before the start";
+  const std::vector<MeshGlyph> coming = picture.glyphs_at(motion.at(0.63)).ghosts;
+  ASSERT_EQ(coming.size(), 2u);
+  EXPECT_NEAR(coming[0].material.fade, 1.0 / 3.0, 1e-6) << "it comes gently";
+  EXPECT_EQ(coming[1].material.fade, 1.0f);
 }
 
 // the fixed point of a body that hangs is seen through the body

@@ -2,6 +2,9 @@
 // Arrows, against the motion that they belong to.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +81,38 @@ TEST(Vectors, TheVelocityFieldIsNamed) {
   EXPECT_EQ(names(), (Names{field})) << "its centre is at rest";
   spec.velocity = Vec3(0.1, -0.2, 0.3);
   EXPECT_EQ(names(), (Names{field, "<b>V</b>"}));
+}
+
+// the name goes from one arrow to another only where nobody sees it, and not at every turn
+TEST(Vectors, TheNameOfTheVelocityFieldDoesNotJump) {
+  const Composer picture = composer(prolate_body(), wobbling(), show_only("velocity_field"));
+  const Scenery& scenery = picture.scenery();
+  const double duration = scenery.motion.duration();
+  std::optional<std::size_t> before;
+  double visible = 0.0, goes = 0.0;
+  constexpr int kLooks = 4000;
+  for (int i = 0; i <= kLooks; ++i) {
+    const Sample now = scenery.motion.at(duration * i / kLooks);
+    const Glyphs glyphs = picture.glyphs_at(now);
+    ASSERT_EQ(glyphs.labels.size(), 1U);
+    const LabelGlyph& name = glyphs.labels.front();
+    const auto arrow =
+        std::find_if(glyphs.arrows.begin(), glyphs.arrows.end(), [&](const ArrowGlyph& candidate) {
+          return candidate.tip == name.at;
+        });
+    const auto index = static_cast<std::size_t>(arrow - glyphs.arrows.begin());
+    ASSERT_LT(index, glyphs.arrows.size());
+    if (before && index != *before) {
+      goes += 1.0;
+      EXPECT_LT(name.fade, 0.05f) << i;
+    }
+    before = index;
+    visible += name.fade > 0.99f ? 1.0 / kLooks : 0.0;
+  }
+  const double turns = scenery.motion.at(0.0).w_B.norm() * duration / (2.0 * kPi);
+  EXPECT_GT(goes, 0.0);
+  EXPECT_LT(goes, 8.0 * turns);
+  EXPECT_GT(visible, 0.6);
 }
 
 // the place of a body has its name wherever it is
