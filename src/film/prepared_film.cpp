@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/system/log.h"
+#include "base/system/progress.h"
 #include "film/error_places.h"
 #include "film/film_panels.h"
 #include "film/film_plots.h"
@@ -161,6 +162,7 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
   for (std::size_t i = 1; i < plan.scene.panels.size(); ++i)
     solved_.push_back(solve(plan.scene.panels[i].scene, plan.progress));
   const Scene& scene = solved().scene;
+  const Busy busy(plan.progress, "preparing the film");
   frames_ = with_place(scene, [&] { return plan_frame_times(solved(), plan.range); });
   if (!scene.numerics.compare.empty()) {
     comparison_ =

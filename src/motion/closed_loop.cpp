@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/system/interrupt.h"
 #include "math/so3.h"
 
 namespace polhode {
@@ -36,6 +37,7 @@ Loop find_loop(const Motion& motion, double longest, double allowed) {
   bool departed = false;
   double before = 0.0, last = off(motion, start, scale, step);
   for (double t = 2.0 * step; t <= longest + step; t += step) {
+    stop_if_interrupted();
     const double now = off(motion, start, scale, std::min(t, longest));
     if (departed && last <= before && last <= now) {
       double low = t - 2.0 * step, high = std::min(t, longest);

@@ -21,7 +21,7 @@ struct Loop {
 // there is none, the duration with the smallest residual among all minima and `longest`. `longest`
 // with residual 0 for a body at rest. The search samples the motion every tenth of a radian of its
 // fastest rotation, but at most two million times, and assumes nothing about the kind of motion.
-// Throws Error (check_failed) as Motion::at does.
+// Throws Error (check_failed) as Motion::at does, and (interrupted).
 Loop find_loop(const Motion& motion, double longest, double allowed);
 
 }  // namespace polhode

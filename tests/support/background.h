@@ -92,13 +92,14 @@ class Background {
     ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     std::istringstream lines(read_text(folder_ / "err"));
     for (std::string line; std::getline(lines, line);) {
-      if (!line.starts_with(kProgress)) ran.err += line + "\n";
+      if (!line.starts_with(kProgress) && !line.starts_with(kPreparing)) ran.err += line + "\n";
     }
     return ran;
   }
 
  private:
   static constexpr const char* kProgress = "{\"done\":";
+  static constexpr const char* kPreparing = "{\"doing\":";  // on a busy machine
   static constexpr std::size_t npos = std::string::npos;
 
   TemporaryFolder folder_;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <sys/resource.h>
 
@@ -102,8 +103,11 @@ Made render_film(const RenderJob& job) {
   film.warn();
 
   // draw here, convert and encode behind the queue
+  // places of names are found with the first one
+  std::optional<Busy> busy(std::in_place, job.progress, "preparing the first frame");
   Progress progress(job.progress, output->range().count, "frames", output->already_there());
   render_frames(*output, *renderer, [&](const PipelineStep& step) {
+    busy.reset();
     progress.show(step.done, limiting_stage(plan, step));
   });
 

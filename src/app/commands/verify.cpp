@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
@@ -304,8 +306,11 @@ Verified verify(const VerifyJob& job) {
                       renderer->info().gl_renderer)
         .at({report_file, 0, {}});
   }
+  // places of names are found with the first one
+  std::optional<Busy> busy(std::in_place, job.progress, "preparing the first frame");
   Progress progress(job.progress, remade->range().count);
   render_frames(*remade, *renderer, [&](const PipelineStep& step) {
+    busy.reset();
     progress.show(step.done, limiting_stage(plan, step));
   });
 

@@ -21,6 +21,11 @@ ProgressKind settled(ProgressKind kind) {
 }
 
 constexpr std::chrono::milliseconds kBetweenLines{100};
+constexpr std::chrono::seconds kAWhile{1};  // that nobody minds waiting
+
+std::string doing(const std::string& words) {
+  return fmt::format("{{\"doing\":\"{}\"}}\n", words);
+}
 
 }  // namespace
 
@@ -91,8 +96,7 @@ void Progress::print(int done_now, double seconds, const std::string& limit) con
                         limit.empty() ? "" : fmt::format(", {} limits", limit)));
 }
 
-Waiting::Waiting(ProgressKind kind)
-    : kind_(settled(kind)), next_(Clock::now() + std::chrono::seconds(1)) {}
+Waiting::Waiting(ProgressKind kind) : kind_(settled(kind)), next_(Clock::now() + kAWhile) {}
 
 Waiting::~Waiting() {
   if (drawn_ > 0) print_err(fmt::format("\r{: <{}}\r", "", drawn_));
@@ -102,11 +106,31 @@ void Waiting::show(const std::string& words) {
   if (kind_ == ProgressKind::none || Clock::now() < next_) return;
   next_ = Clock::now() + kBetweenLines;
   if (kind_ == ProgressKind::json) {
-    print_err(fmt::format("{{\"doing\":\"{}\"}}\n", words));
+    print_err(doing(words));
     return;
   }
   print_err(fmt::format("\r{: <{}}", words, drawn_));
   drawn_ = std::max(drawn_, words.size());
+}
+
+Busy::Busy(ProgressKind kind, std::string words) : kind_(settled(kind)), words_(std::move(words)) {
+  if (kind_ == ProgressKind::none) return;
+  thread_ = std::jthread([this](const std::stop_token& ended) { tell_after_a_while(ended); });
+}
+
+Busy::~Busy() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+  if (drawn_) print_err(fmt::format("\r{: <{}}\r", "", words_.size()));
+}
+
+void Busy::tell_after_a_while(const std::stop_token& ended) {
+  std::unique_lock lock(mutex_);
+  is_ended_.wait_for(lock, ended, kAWhile, [] { return false; });
+  if (ended.stop_requested()) return;
+  drawn_ = kind_ == ProgressKind::bar;
+  print_err(drawn_ ? "\r" + words_ : doing(words_));
 }
 
 }  // namespace polhode

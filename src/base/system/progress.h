@@ -3,7 +3,10 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace polhode {
@@ -68,6 +71,27 @@ class Waiting {
   ProgressKind kind_;
   Clock::time_point next_;
   std::size_t drawn_ = 0;  // columns
+};
+
+// Says likewise, once it has taken a second, what is being done as long as the object lives, for
+// work that cannot tell how far it is. It has a thread, so no process may be forked meanwhile, and
+// nothing else should be written on stderr.
+class Busy {
+ public:
+  Busy(ProgressKind kind, std::string words);
+  ~Busy();
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  void tell_after_a_while(const std::stop_token& ended);
+
+  ProgressKind kind_;
+  std::string words_;
+  bool drawn_ = false;  // the thread's, until it has ended
+  std::mutex mutex_;
+  std::condition_variable_any is_ended_;
+  std::jthread thread_;  // last, so that it starts when all else is there
 };
 
 }  // namespace polhode

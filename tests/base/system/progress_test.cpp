@@ -104,5 +104,27 @@ TEST(Waiting, IsToldAfterAWhileAndClearsItsLine) {
   EXPECT_EQ(waited(ProgressKind::json, true), "{\"doing\":\"half\"}\n");
 }
 
+// what work that cannot tell how far it is leaves on standard error
+std::string worked(ProgressKind kind, bool long_enough) {
+  ::testing::internal::CaptureStderr();
+  {
+    const Busy busy(kind, "half");
+    if (long_enough) {
+      becomes([] {
+        struct stat file {};
+        return fstat(STDERR_FILENO, &file) == 0 && file.st_size > 0;
+      });
+    }
+  }
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(Busy, IsToldAfterAWhileAndClearsItsLine) {
+  EXPECT_EQ(worked(ProgressKind::bar, false), "");
+  EXPECT_EQ(worked(ProgressKind::none, false), "");
+  EXPECT_EQ(worked(ProgressKind::bar, true), "\rhalf\r    \r");
+  EXPECT_EQ(worked(ProgressKind::json, true), "{\"doing\":\"half\"}\n");
+}
+
 }  // namespace
 }  // namespace polhode::test
