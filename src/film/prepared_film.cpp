@@ -30,7 +30,7 @@ void warn_of_backward_turning(const Scene& scene,
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
   const std::optional<std::string> words =
-      turns_backwards(fastest, scene.video.time_scale / frames.rate);
+      turns_backwards(fastest, frames.timeline.time_scale() / frames.rate);
   if (!words) return;
   const Error warning = input_error(
       "{}: use a higher video.fps, a smaller video.time_scale, or blur it with "
@@ -59,7 +59,7 @@ void warn_of_running_contact(const Scene& scene,
                              const FrameTimes& frames) {
   const Motion& motion = composer.scenery().motion;
   if (frames.count < 2 || !motion.model().table || !composer.shows("contact")) return;
-  const double frame_s = scene.video.time_scale / frames.rate;
+  const double frame_s = frames.timeline.time_scale() / frames.rate;
   double most = 0.0;  // rad from frame to frame
   std::optional<double> since;
   const int looks = std::min(frames.count, 200);
@@ -115,6 +115,21 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
 }
 
+// a loop has whole frames, for which its clock is stretched
+void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
+  constexpr double kNoticed = 0.05;
+  if (!frames.loop) return;
+  const double faster = frames.timeline.time_scale() / scene.video.time_scale;
+  if (std::abs(faster - 1.0) <= kNoticed) return;
+  const Error warning = input_error(
+      "the motion is back after {:.4g} s, which is no whole number of frames, so that it is shown "
+      "{:.3g} times as fast as video.time_scale says; use a higher video.fps or a smaller "
+      "video.time_scale",
+      frames.loop->duration,
+      faster);
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
+}
+
 // the attitude is back, but the body may be elsewhere in the picture
 void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   constexpr double kNoticed = 1.0;  // pixels
@@ -166,7 +181,7 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
   frames_ = with_place(scene, [&] { return plan_frame_times(solved(), plan.range); });
   if (!scene.numerics.compare.empty()) {
     comparison_ =
-        std::make_unique<const Comparison>(solved(), scene.video.time_scale / frames_.rate);
+        std::make_unique<const Comparison>(solved(), frames_.timeline.time_scale() / frames_.rate);
   }
   const FilmCharts charts = with_place(scene, [&] { return make_charts(solved_); });
   film_ = with_place(scene, [&] {
@@ -184,6 +199,7 @@ void PreparedFilm::warn() const {
   if (text_) warn_of_missing_fonts();
   warn_of_sizes(scene, film_->panels());
   warn_of_open_loop(scene, frames_);
+  warn_of_stretched_clock(scene, frames_);
   warn_of_jump(scene, frames_, *film_->panels().front().composer);
   for (std::size_t i = 0; i < solved_.size(); ++i) {
     const Solved& one = solved_[i];

@@ -33,6 +33,8 @@ class Timeline {
     return Timeline(story, duration_, time_scale_);
   }
 
+  // Seconds of motion per second of film, where nothing holds it.
+  double time_scale() const { return time_scale_; }
   // The length of the film, s. Film time begins at 0.
   double film_duration() const;
   // The motion time (s) that is shown at a film time (s); after the end of the film, the duration

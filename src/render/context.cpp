@@ -68,15 +68,19 @@ void refuse_few_threads() {
 
 }  // namespace
 
-std::unique_ptr<Context> open_context(const std::string& name) {
-  refuse_little_memory();
-  refuse_few_threads();
-  leave_full_shader_cache();
+void settle_mesa() {
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   // shaders of another version than ours crash Mesa's compiler, or are refused
   unsetenv("MESA_GLSL_VERSION_OVERRIDE");
   unsetenv("MESA_GL_VERSION_OVERRIDE");
+}
+
+std::unique_ptr<Context> open_context(const std::string& name) {
+  refuse_little_memory();
+  refuse_few_threads();
+  leave_full_shader_cache();
+  settle_mesa();
   std::string reasons;
   for (const Backend& backend : backends()) {
     if (name == backend.name) return backend.open();

@@ -131,6 +131,19 @@ TEST(PreparedFilm, WarnsOfALoopThatDoesNotClose) {
   EXPECT_NE(warnings_of(scene).find("returns to its start only to within"), std::string::npos);
 }
 
+TEST(PreparedFilm, WarnsOfAShortLoopWhoseClockIsStretched) {
+  Scene scene = small_scene("loop = true\n");
+  scene.video.fps = {60, 1};
+  const double turns_per_s = 40.0;  // one and a half frames
+  scene.motion.spin.body = Vec3(0.0, 0.0, 2.0 * kPi * turns_per_s);
+  const PreparedFilm film(plan_of(scene));
+  const double faster = (1.0 / turns_per_s) / (film.frames().count / 60.0);
+  EXPECT_GT(std::abs(faster - 1.0), 0.2);
+  const std::string said = test::logged_by([&] { film.warn(); });
+  EXPECT_NE(said.find(fmt::format("shown {:.3g} times as fast", faster)), std::string::npos)
+      << said;
+}
+
 TEST(PreparedFilm, BadStoriesAndShotsAreOneLineWithTheirPlace) {
   const std::pair<const char*, const char*> cases[] = {
       {"[[story]]\nat = 9\n", "story[0].at"},

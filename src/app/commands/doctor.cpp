@@ -51,6 +51,7 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
   for (const auto& [key, value] : all.items()) {
     rows.push_back({key, value.get<std::string>()});
   }
+  settle_mesa();
   for (const Backend& backend : backends()) {
     const BackendState state = examine_backend(backend);
     rows.push_back({"back end " + backend.name, state.line});

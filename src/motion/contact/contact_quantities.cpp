@@ -26,6 +26,33 @@ double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
 }
 
+// The formulas below are of bodies on a level table without other loads.
+bool is_plain(const BodyModel& model) {
+  constexpr double kLevel = 1e-12;
+  return model.loads.empty() &&
+         horizontal(model.gravity_S).norm() <= kLevel * model.gravity_S.norm();
+}
+
+// whether friction acts where the body slips, and takes energy from it
+bool slip_costs(const Friction& law) {
+  return law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::viscous;
+}
+
+// whether the body may roll, and nothing else resists that
+bool rolls_freely(const Friction& law) {
+  const bool grips = law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::rolling;
+  return grips && law.rolling == 0.0;
+}
+
+bool starts_on_table(const BodyModel& model, const State& start) {
+  constexpr double kTouches = 1e-9;  // of the body's reach
+  const ContactSurface& surface = *model.table->surface;
+  const Vec3 down_P = -up_in_body(model, start.q);
+  const Vec3 lowest_P = surface.at(down_P, Vec3::Zero(), surface.lowest(down_P)).arm_P;
+  const double height = moving_of(model, start).place_S.z() - lowest_P.dot(down_P);
+  return height <= kTouches * surface.reach();
+}
+
 // Equations of motion that do not depend on place and azimuth.
 class ReducedMotion {
  public:
@@ -102,31 +129,36 @@ bool spin_axis(const BodyModel& model, const State& start, Vec3& up_P) {
   return arm.cross(up_P).norm() < 1e-9 * surface.reach();
 }
 
-// The spin at which the largest growth rate becomes 0 or ceases to be it; 0: at none below the spin
-// that is far above what gravity does.
-double limit_of_spin(const BodyModel& model, const Vec3& up_P) {
+// Where spins in the direction of this one become stable or unstable, rad/s, the nearest such spin;
+// 0: at none below the spin that is far above what gravity does.
+double limit_of_spin(const BodyModel& model, const Vec3& up_P, double now) {
+  constexpr double kFactor = 1.2;  // from one look to the next
   const double gravity = std::sqrt(model.gravity_S.norm() / model.table->surface->reach());
   const auto grows = [&](double spin) {
-    return growth_rate_of_spin(model, up_P, spin) > 0.0;
+    return growth_rate_of_spin(model, up_P, std::copysign(spin, now)) > 0.0;
   };
-  // from slow to fast
-  constexpr double kFactor = 1.2;
-  double low = 0.1 * gravity;
-  const bool at_first = grows(low);
-  while (low < 100.0 * gravity && grows(kFactor * low) == at_first)
-    low *= kFactor;
-  if (low >= 100.0 * gravity) return 0.0;
-  double high = kFactor * low;
-  while (high - low > 1e-9 * high) {
-    const double middle = 0.5 * (low + high);
-    (grows(middle) == at_first ? low : high) = middle;
+  double nearest = 0.0;
+  const auto away = [&](double spin) {
+    return std::abs(std::log(spin / std::abs(now)));
+  };
+  bool before = grows(0.1 * gravity);
+  for (double fast = 0.1 * kFactor * gravity; fast <= 100.0 * gravity; fast *= kFactor) {
+    const bool after = grows(fast);
+    if (after == before) continue;
+    double low = fast / kFactor, high = fast;
+    while (high - low > 1e-9 * high) {
+      const double middle = 0.5 * (low + high);
+      (grows(middle) == before ? low : high) = middle;
+    }
+    if (nearest == 0.0 || away(high) < away(nearest)) nearest = high;
+    before = after;
   }
-  return high;
+  return nearest;
 }
 
 void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
   Vec3 up_P;
-  if (!model.loads.empty() || !spin_axis(model, start, up_P)) return;
+  if (!spin_axis(model, start, up_P)) return;
   const Vec3 w_P = angular_velocity(model, start.y);
   const double spin = w_P.dot(up_P);
   if (std::abs(spin) <= 0.5 * w_P.norm()) return;
@@ -136,7 +168,7 @@ void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
   list.push_back({"growth_rate_of_vertical_spin_reversed",
                   Q::growth,
                   growth_rate_of_spin(model, up_P, -spin)});
-  if (const double limit = limit_of_spin(model, up_P); limit > 0.0)
+  if (const double limit = limit_of_spin(model, up_P, spin); limit > 0.0)
     list.push_back({"vertical_spin_limit", Q::rate, limit});
 }
 
@@ -150,7 +182,7 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   const double e = s.offset, ratio = s.across / s.along;
   list.push_back({"eccentricity", Q::none, e});
   list.push_back({"inertia_ratio_across_to_along", Q::none, ratio});
-  if (e == 0.0) return;
+  if (e == 0.0 || !is_plain(model) || !slip_costs(model.table->friction)) return;
   const bool condition = 1.0 - e < ratio && ratio < 1.0 + e;
   list.push_back({"tippe_top_condition", Q::verdict, condition ? 1.0 : 0.0});
   const double lever = model.body.mass * along_up(model) * s.radius * e;
@@ -165,7 +197,9 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
                     Q::rate,
                     (1.0 + e) * (1.0 + e) / (1.0 - e) * std::sqrt(lever / high)});
   }
-  list.push_back({"spin_after_inversion", Q::rate, spin * (1.0 - e) / (1.0 + e)});
+  const bool is_upright = s.axis_P.dot(up_in_body(model, start.q)) > 0.0;
+  if (condition && is_upright)
+    list.push_back({"spin_after_inversion", Q::rate, spin * (1.0 - e) / (1.0 + e)});
 }
 
 // a thin edge or a torus that rolls: its plane upright, or its centre at rest
@@ -181,7 +215,8 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   const double a = edge.ring + edge.ball, tube = edge.ball;
   // Upright rolling, linearised: w^2 I3 (I3 + m a^2) = m g (a - tube) I1 for a thin edge. For a
   // tube the contact moves aside too; the growth of the general equations would be needed.
-  if (tube == 0.0) {
+  const Friction& law = model.table->friction;
+  if (tube == 0.0 && rolls_freely(law)) {
     list.push_back({"upright_rolling_limit",
                     Q::rate,
                     std::sqrt(mass * g * a * across / (along * (along + mass * a * a)))});
@@ -195,7 +230,7 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   list.push_back({"face_tilt", Q::angle, std::asin(sine)});
   list.push_back({"precession_with_center_at_rest", Q::rate, precession});
   list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
-  const double rolling = model.table->friction.rolling;
+  const double rolling = law.rolling;
   if (rolling == 0.0) return;
   // d/dt (3/2 a sin) = -rolling W sin cos, so that the time is (3 a / 2 rolling) sqrt(I1 / m g a)
   // times the integral of d(tilt) / sqrt(sin(tilt)); with tilt = u^2 nothing is singular
@@ -217,11 +252,14 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
   if (ball->center_P.norm() > 1e-12 * ball->ball) return;
   const Friction& law = model.table->friction;
   const double mR2 = model.body.mass * ball->ball * ball->ball, I = model.moments[0];
+  if (law.rolling != 0.0) return;
   if (law.turntable != 0.0 && law.kind == Friction::Kind::rolling) {
+    if (law.boring != 0.0) return;
     list.push_back({"circling_rate", Q::rate, law.turntable * I / (I + mR2)});
     return;
   }
   if (law.kind != Friction::Kind::coulomb || law.turntable != 0.0) return;
+  if (!starts_on_table(model, start)) return;
   const Vec3 slip = horizontal(slip_of(model, Touch{}, moving_of(model, start)));
   // friction mu m g slows the slip by mu g (1 + m R^2 / I)
   const double slows = law.mu * along_up(model) * (1.0 + mR2 / I);
@@ -248,6 +286,7 @@ double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin
 std::vector<Quantity> contact_quantities(const BodyModel& model, const State& start) {
   List list;
   add_eccentric_sphere(list, model, start);
+  if (!is_plain(model)) return list;
   add_ball(list, model, start);
   add_disc(list, model, start);
   add_vertical_spin(list, model, start);

@@ -126,5 +126,90 @@ TEST(EulersDisc, SettlesByItsPowerLaws) {
   EXPECT_NEAR(power, 2.0, 0.03);
 }
 
+// Formulas of level tables, of bodies on them and of their friction are told of no others.
+class Untold : public ::testing::Test {
+ protected:
+  static bool tells(const BodySpec& body, const MotionSpec& spec, const std::string& key) {
+    return value_of(derived_quantities(make_model(body, spec), spec), key).has_value();
+  }
+  static LoadSpec push() {
+    LoadSpec torque;
+    torque.kind = "force";
+    torque.space = Vec3(0.3, 0.0, 0.0);
+    return torque;
+  }
+};
+
+TEST_F(Untold, SlidingTimesOfBallsThatDoMore) {
+  MotionSpec sliding = on_table(1.0, coulomb(0.2));
+  sliding.velocity = Vec3(1.0, 0.0, 0.0);
+  const std::string key = "sliding_time_s";
+  EXPECT_TRUE(tells(ball_body(), sliding, key));
+  MotionSpec other = sliding;
+  other.gravity = Vec3(2.0, 0.0, -9.5);
+  EXPECT_FALSE(tells(ball_body(), other, key)) << "a slope";
+  other = sliding;
+  other.torque = {push()};
+  EXPECT_FALSE(tells(ball_body(), other, key)) << "pushed";
+  other = sliding;
+  other.friction->rolling = 0.02;
+  EXPECT_FALSE(tells(ball_body(), other, key)) << "resistance to rolling";
+  other = sliding;
+  other.position = Vec3(0.0, 0.0, 0.5);
+  EXPECT_FALSE(tells(ball_body(), other, key)) << "it falls first";
+}
+
+TEST_F(Untold, LimitsOfRollingWhereNothingRolls) {
+  const auto tells_limit = [](const std::optional<FrictionSpec>& friction) {
+    MotionSpec spec = on_table(1.0, friction);
+    spec.attitude.tilt = 1.2;
+    return tells(disc_body(), spec, "upright_rolling_limit_rad_per_s");
+  };
+  EXPECT_TRUE(tells_limit(rolling()));
+  EXPECT_TRUE(tells_limit(coulomb(0.5)));
+  EXPECT_FALSE(tells_limit(viscous(1.0)));
+  EXPECT_FALSE(tells_limit({}));
+}
+
+TEST_F(Untold, InversionsOfTopsThatCannotOrHave) {
+  const std::string after = "spin_after_inversion_rad_per_s";
+  const BodySpec top = tippe_top_body(0.2, 1.08);
+  MotionSpec spec = spinning_top(160, 0.05, 1.0);
+  EXPECT_TRUE(tells(top, spec, after));
+  EXPECT_FALSE(tells(tippe_top_body(0.2, 0.75), spec, after)) << "its inertia forbids it";
+  EXPECT_FALSE(tells(top, spinning_top(160, 3.1, 1.0), after)) << "it has";
+  spec.friction = rolling();
+  EXPECT_FALSE(tells(top, spec, after)) << "rolling takes no energy";
+  EXPECT_FALSE(tells(top, spec, "tippe_top_condition"));
+  spec.friction.reset();
+  EXPECT_FALSE(tells(top, spec, "tippe_top_condition")) << "on ice";
+}
+
+// Growth changes at the limit, in the direction of the spin. A celt that has one limit in one
+// direction and none in the other.
+TEST(VerticalSpin, LimitsAreThoseOfItsDirection) {
+  const BodySpec celt = rattleback_body();
+  int told = 0;
+  for (const double spin : {60.0, -60.0, 8.0, -8.0}) {
+    MotionSpec spec = on_table(1.0, rolling());
+    spec.spin.body = Vec3(0.0, 0.0, spin);
+    const BodyModel model = make_model(celt, spec);
+    const std::optional<double> limit =
+        value_of(derived_quantities(model, spec), "vertical_spin_limit_rad_per_s");
+    const auto grows = [&](double fast) {
+      return growth_rate_of_spin(model, Vec3::UnitZ(), std::copysign(fast, spin)) > 0.0;
+    };
+    if (limit) {
+      ++told;
+      EXPECT_NE(grows(0.999 * *limit), grows(1.001 * *limit)) << spin;
+      continue;
+    }
+    for (double fast = 5.0; fast < 1500.0; fast *= 1.1)
+      EXPECT_EQ(grows(fast), grows(5.0)) << spin << ' ' << fast;
+  }
+  EXPECT_GT(told, 0);
+}
+
 }  // namespace
+
 }  // namespace polhode::test
