@@ -72,7 +72,7 @@ void ReferenceSolution::by_closed_form(const State& start) {
   uncertainty_ = 4e-16 * (10.0 + typical_rate(model_, start) * duration_);
   // near a separatrix the closed form answers a start that has been rounded
   const Conditioning conditioning =
-      conditioning_of_closed_form(model_, start, *truth, duration_, kHopeless, row.make);
+      conditioning_of_closed_form(row, model_, start, *truth, duration_, kHopeless);
   uncertainty_ = std::max(uncertainty_, conditioning.effect);
   if (!conditioning.exceeds_limit) return;
   source_ = "nobody: one rounding of the start moves the closed form by more than 0.05 rad";

@@ -31,6 +31,8 @@ struct FrameTimes {
 
   // The film time (s) that a frame shows; the first frame has the index 0.
   double film_time(int index) const { return first + index / rate; }
+  // The motion from one frame to the next, s, where the story does not hold it.
+  double motion_step() const { return timeline.time_scale() / rate; }
 };
 
 // The story, or one with the same steps in other words, as the whole film tells it: once for each

@@ -14,6 +14,10 @@
 namespace polhode {
 namespace {
 
+void warn_at(const Scene& scene, const char* key, const Error& warning) {
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, key})).what());
+}
+
 // the wheels of coaches in films; `scene`: of the motion, which may be one of several in turn
 void warn_of_backward_turning(const Scene& scene,
                               const Motion& motion,
@@ -29,14 +33,13 @@ void warn_of_backward_turning(const Scene& scene,
     const double t = in_turn ? motion.duration() * i / looks : shown;
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
-  const std::optional<std::string> words =
-      turns_backwards(fastest, frames.timeline.time_scale() / frames.rate);
+  const std::optional<std::string> words = turns_backwards(fastest, frames.motion_step());
   if (!words) return;
   const Error warning = input_error(
       "{}: use a higher video.fps, a smaller video.time_scale, or blur it with "
       "video.shutter_deg = 360",
       *words);
-  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.fps"})).what());
+  warn_at(scene, "video.fps", warning);
 }
 
 // How fast the contact runs round the centre of mass, rad/s; 0 where it is so near below that
@@ -59,7 +62,7 @@ void warn_of_running_contact(const Scene& scene,
                              const FrameTimes& frames) {
   const Motion& motion = composer.scenery().motion;
   if (frames.count < 2 || !motion.model().table || !composer.shows("contact")) return;
-  const double frame_s = frames.timeline.time_scale() / frames.rate;
+  const double frame_s = frames.motion_step();
   double most = 0.0;  // rad from frame to frame
   std::optional<double> since;
   const int looks = std::min(frames.count, 200);
@@ -79,7 +82,7 @@ void warn_of_running_contact(const Scene& scene,
       *since,
       most * 180.0 / kPi,
       scene.video.time_scale * kPi / most);
-  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.time_scale"})).what());
+  warn_at(scene, "video.time_scale", warning);
 }
 
 void warn_of_missing_fonts() {
@@ -112,7 +115,7 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
       "motion.duration gives more to choose from",
       frames.loop->residual * 180.0 / kPi,
       frames.loop->duration);
-  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
+  warn_at(scene, "video.loop", warning);
 }
 
 // a loop has whole frames, for which its clock is stretched
@@ -127,7 +130,7 @@ void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
       "video.time_scale",
       frames.loop->duration,
       faster);
-  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
+  warn_at(scene, "video.loop", warning);
 }
 
 // the attitude is back, but the body may be elsewhere in the picture
@@ -148,7 +151,7 @@ void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& 
       "jumps where it repeats",
       end,
       jump);
-  spdlog::warn("{}", placed(scene, warning.at({{}, 0, "video.loop"})).what());
+  warn_at(scene, "video.loop", warning);
 }
 
 // One scale serves bodies of about one size.
@@ -180,8 +183,7 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
   const Busy busy(plan.progress, "preparing the film");
   frames_ = with_place(scene, [&] { return plan_frame_times(solved(), plan.range); });
   if (!scene.numerics.compare.empty()) {
-    comparison_ =
-        std::make_unique<const Comparison>(solved(), frames_.timeline.time_scale() / frames_.rate);
+    comparison_ = std::make_unique<const Comparison>(solved(), frames_.motion_step());
   }
   const FilmCharts charts = with_place(scene, [&] { return make_charts(solved_); });
   film_ = with_place(scene, [&] {

@@ -19,18 +19,14 @@ Vec3 up_in(const Moving& now) {
   return now.q.conjugate() * Vec3::UnitZ();
 }
 
-bool is_upright_and_unloaded(const BodyModel& m) {
-  return m.loads.empty() && m.gravity_S.head<2>().isZero(0.0);
-}
-
 // forces at the contact only, whatever they are
 bool acts_at_contact(const BodyModel& m) {
   const Friction& law = m.table->friction;
-  return is_upright_and_unloaded(m) && law.rolling == 0.0 && law.boring == 0.0;
+  return is_level_and_unloaded(m) && law.rolling == 0.0 && law.boring == 0.0;
 }
 
 bool is_frictionless(const BodyModel& m) {
-  return is_upright_and_unloaded(m) && m.table->friction.kind == Friction::Kind::none;
+  return is_level_and_unloaded(m) && m.table->friction.kind == Friction::Kind::none;
 }
 
 bool rolls_freely(const BodyModel& m) {
@@ -68,6 +64,10 @@ Vec3 routh(const BodyModel& m, const Moving& now) {
 }
 
 }  // namespace
+
+bool is_level_and_unloaded(const BodyModel& model) {
+  return model.loads.empty() && horizontal(model.gravity_S).isZero(0.0);
+}
 
 bool is_eccentric_sphere(const BodyModel& model, EccentricSphere& sphere) {
   const SurfacePiece* piece = model.table->surface->as_sphere();

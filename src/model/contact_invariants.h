@@ -25,6 +25,9 @@ struct ContactInvariant {
 // The table of all invariants; it exists until the program ends.
 const std::vector<ContactInvariant>& contact_invariants();
 
+// Whether the table of the model is level, and nothing but gravity and the table acts on the body.
+bool is_level_and_unloaded(const BodyModel& model);
+
 // A sphere whose centre is on a line through the centre of mass that the body is symmetric about,
 // as far as inertia goes: Jellett's and Routh's spheres, tippe tops.
 struct EccentricSphere {

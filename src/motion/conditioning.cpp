@@ -84,17 +84,16 @@ Conditioning conditioning_of(
   return found;
 }
 
-Conditioning conditioning_of_closed_form(const BodyModel& model,
+Conditioning conditioning_of_closed_form(const SolutionMethod& method,
+                                         const BodyModel& model,
                                          const State& start,
                                          const Trajectory& motion,
                                          double duration,
-                                         double limit,
-                                         std::unique_ptr<Trajectory> (*make)(const BodyModel& model,
-                                                                             const State& start)) {
+                                         double limit) {
   // a turn by the last digit alone would be rounded away
   constexpr double kLastDigits = 0x1p-49;
   const auto solve = [&](const State& from) {
-    return std::shared_ptr<const Trajectory>(make(model, from));
+    return std::shared_ptr<const Trajectory>(method.make(model, from));
   };
   return conditioning_of(
       model, motion, duration, neighbours_of(start, kLastDigits), 1.0, limit, solve);

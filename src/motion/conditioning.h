@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "motion/solution_method.h"
 #include "motion/trajectory.h"
 
 namespace polhode {
@@ -44,14 +45,13 @@ Conditioning conditioning_of(
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve);
 
-// The same of a closed form that `make` (SolutionMethod::make) has made from `start`: what one
-// rounding of the start does to it.
-Conditioning conditioning_of_closed_form(const BodyModel& model,
+// The same of a closed form that `method` has made from `start`: what one rounding of the start
+// does to it.
+Conditioning conditioning_of_closed_form(const SolutionMethod& method,
+                                         const BodyModel& model,
                                          const State& start,
                                          const Trajectory& motion,
                                          double duration,
-                                         double limit,
-                                         std::unique_ptr<Trajectory> (*make)(const BodyModel& model,
-                                                                             const State& start));
+                                         double limit);
 
 }  // namespace polhode

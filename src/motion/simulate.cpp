@@ -372,8 +372,8 @@ Simulation simulate(const BodyModel& body,
     drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
   }
   report.record.drift = drift.worst();
-  report.conditioning = conditioning_of_closed_form(
-      model, start, *trajectory, motion.duration, accuracy_rad, chosen.make);
+  report.conditioning =
+      conditioning_of_closed_form(chosen, model, start, *trajectory, motion.duration, accuracy_rad);
   doubt_conditioning(report);
   doubt_length(typical_rate(model, start), motion.duration, report);
   return {Motion(model, trajectory, motion), report};

@@ -45,11 +45,9 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
   }
   const Solved solved = solve(scene, job.progress);
   Waiting waiting(job.progress);
-  if (job.progress != ProgressKind::none) {
-    plan.tell = [&](const std::string& words) {
-      waiting.show(words);
-    };
-  }
+  plan.tell = [&](const std::string& words) {
+    waiting.show(words);
+  };
   const ExportedScene exported = with_place(scene, [&] { return export_scene(solved, plan); });
   return {glb_of(exported.document), exported.report};
 }

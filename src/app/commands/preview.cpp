@@ -80,8 +80,8 @@ Made write_preview(const PreviewJob& job) {
 
   const PreparedFilm film(plan);
   film.warn();
-  const Busy busy(plan.progress, "drawing the sheet");
   const std::unique_ptr<FrameRenderer> renderer = open_local_renderer(film, {job.backend});
+  const Busy busy(plan.progress, "drawing the sheet");
   const FrameTimes& frames = film.frames();
   const PictureSize tile = plan.scene.video.size;
   const int step_x = tile.width + kGap, step_y = tile.height + kFoot + kGap;

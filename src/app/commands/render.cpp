@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <optional>
 
 #include <sys/resource.h>
 
@@ -103,13 +102,7 @@ Made render_film(const RenderJob& job) {
   film.warn();
 
   // draw here, convert and encode behind the queue
-  // places of names are found with the first one
-  std::optional<Busy> busy(std::in_place, job.progress, "preparing the first frame");
-  Progress progress(job.progress, output->range().count, "frames", output->already_there());
-  render_frames(*output, *renderer, [&](const PipelineStep& step) {
-    busy.reset();
-    progress.show(step.done, limiting_stage(plan, step));
-  });
+  render_with_progress(plan, *output, *renderer, job.progress);
 
   // report
   Made made;

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
-#include <utility>
 
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
@@ -306,13 +304,7 @@ Verified verify(const VerifyJob& job) {
                       renderer->info().gl_renderer)
         .at({report_file, 0, {}});
   }
-  // places of names are found with the first one
-  std::optional<Busy> busy(std::in_place, job.progress, "preparing the first frame");
-  Progress progress(job.progress, remade->range().count);
-  render_frames(*remade, *renderer, [&](const PipelineStep& step) {
-    busy.reset();
-    progress.show(step.done, limiting_stage(plan, step));
-  });
+  render_with_progress(plan, *remade, *renderer, job.progress);
 
   // hold the report against it, and it against the report and the output
   const DifferenceInWords altered =

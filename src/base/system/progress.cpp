@@ -27,6 +27,11 @@ std::string doing(const std::string& words) {
   return fmt::format("{{\"doing\":\"{}\"}}\n", words);
 }
 
+// of a terminal, so many columns from its beginning on
+void clear_line(std::size_t columns) {
+  print_err(fmt::format("\r{: <{}}\r", "", columns));
+}
+
 }  // namespace
 
 const std::vector<std::string>& progress_names() {
@@ -99,7 +104,7 @@ void Progress::print(int done_now, double seconds, const std::string& limit) con
 Waiting::Waiting(ProgressKind kind) : kind_(settled(kind)), next_(Clock::now() + kAWhile) {}
 
 Waiting::~Waiting() {
-  if (drawn_ > 0) print_err(fmt::format("\r{: <{}}\r", "", drawn_));
+  if (drawn_ > 0) clear_line(drawn_);
 }
 
 void Waiting::show(const std::string& words) {
@@ -122,7 +127,7 @@ Busy::~Busy() {
   if (!thread_.joinable()) return;
   thread_.request_stop();
   thread_.join();
-  if (drawn_) print_err(fmt::format("\r{: <{}}\r", "", words_.size()));
+  if (drawn_) clear_line(words_.size());
 }
 
 void Busy::tell_after_a_while(const std::stop_token& ended) {

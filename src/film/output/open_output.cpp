@@ -2,6 +2,8 @@
 #include "film/output/open_output.h"
 
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "film/film_metadata.h"
 #include "film/output/resumed_film.h"
@@ -83,6 +85,19 @@ void render_frames(RenderOutput& output,
   } catch (const Error& error) {
     throw output.explained(error);
   }
+}
+
+void render_with_progress(const RenderPlan& plan,
+                          RenderOutput& output,
+                          FrameRenderer& renderer,
+                          ProgressKind kind) {
+  // the places of names are found with the first frame
+  std::optional<Busy> busy(std::in_place, kind, "preparing the first frame");
+  Progress progress(kind, output.range().count, "frames", output.already_there());
+  render_frames(output, renderer, [&](const PipelineStep& step) {
+    busy.reset();
+    progress.show(step.done, limiting_stage(plan, step));
+  });
 }
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "base/system/progress.h"
 #include "film/frame_renderer.h"
 #include "film/output/render_output.h"
 #include "film/render_plan.h"
@@ -30,5 +31,11 @@ void render_frames(RenderOutput& output,
 // The name of the stage that limits the speed at that step, for Progress::show(): "drawing",
 // "encoding", or "writing" for outputs without an encoder.
 std::string limiting_stage(const RenderPlan& plan, const PipelineStep& step);
+
+// render_frames() for the output of that plan, with its progress on stderr.
+void render_with_progress(const RenderPlan& plan,
+                          RenderOutput& output,
+                          FrameRenderer& renderer,
+                          ProgressKind kind);
 
 }  // namespace polhode

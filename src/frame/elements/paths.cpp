@@ -9,6 +9,7 @@
 
 #include "frame/elements.h"
 #include "frame/elements/parts.h"
+#include "math/so3.h"
 
 namespace polhode {
 namespace {
@@ -260,10 +261,9 @@ Vec3 place_of_name(const BodyModel& model,
   double most = -std::numeric_limits<double>::infinity();
   for (const std::vector<Vec3>& ellipse : separatrix) {
     for (std::size_t i = 0; i < ellipse.size(); i += kStep) {
-      const Vec3 place = ellipse[i].normalized();
       double off = kOff;
       for (std::size_t k = 0; k < polhode.size(); k += kStep)
-        off = std::min(off, std::acos(std::clamp(place.dot(polhode[k].normalized()), -1.0, 1.0)));
+        off = std::min(off, angle_between(ellipse[i], polhode[k]));
       const double facing = model.moments.cwiseProduct(ellipse[i]).normalized().dot(towards);
       const double good = off - std::abs(facing - kFacing);
       if (good <= most) continue;

@@ -26,31 +26,23 @@ double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
 }
 
-// The formulas below are of bodies on a level table without other loads.
-bool is_plain(const BodyModel& model) {
-  constexpr double kLevel = 1e-12;
-  return model.loads.empty() &&
-         horizontal(model.gravity_S).norm() <= kLevel * model.gravity_S.norm();
-}
-
 // whether friction acts where the body slips, and takes energy from it
 bool slip_costs(const Friction& law) {
   return law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::viscous;
 }
 
-// whether the body may roll, and nothing else resists that
-bool rolls_freely(const Friction& law) {
+// whether the body may roll, and nothing resists that
+bool may_roll_freely(const Friction& law) {
   const bool grips = law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::rolling;
   return grips && law.rolling == 0.0;
 }
 
 bool starts_on_table(const BodyModel& model, const State& start) {
-  constexpr double kTouches = 1e-9;  // of the body's reach
+  constexpr double kAbove = 1e-9;  // of the body's reach
   const ContactSurface& surface = *model.table->surface;
   const Vec3 down_P = -up_in_body(model, start.q);
-  const Vec3 lowest_P = surface.at(down_P, Vec3::Zero(), surface.lowest(down_P)).arm_P;
-  const double height = moving_of(model, start).place_S.z() - lowest_P.dot(down_P);
-  return height <= kTouches * surface.reach();
+  const double height = surface.height(down_P, surface.lowest(down_P));
+  return moving_of(model, start).place_S.z() <= height + kAbove * surface.reach();
 }
 
 // Equations of motion that do not depend on place and azimuth.
@@ -182,7 +174,7 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   const double e = s.offset, ratio = s.across / s.along;
   list.push_back({"eccentricity", Q::none, e});
   list.push_back({"inertia_ratio_across_to_along", Q::none, ratio});
-  if (e == 0.0 || !is_plain(model) || !slip_costs(model.table->friction)) return;
+  if (e == 0.0 || !is_level_and_unloaded(model) || !slip_costs(model.table->friction)) return;
   const bool condition = 1.0 - e < ratio && ratio < 1.0 + e;
   list.push_back({"tippe_top_condition", Q::verdict, condition ? 1.0 : 0.0});
   const double lever = model.body.mass * along_up(model) * s.radius * e;
@@ -216,7 +208,7 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   // Upright rolling, linearised: w^2 I3 (I3 + m a^2) = m g (a - tube) I1 for a thin edge. For a
   // tube the contact moves aside too; the growth of the general equations would be needed.
   const Friction& law = model.table->friction;
-  if (tube == 0.0 && rolls_freely(law)) {
+  if (tube == 0.0 && may_roll_freely(law)) {
     list.push_back({"upright_rolling_limit",
                     Q::rate,
                     std::sqrt(mass * g * a * across / (along * (along + mass * a * a)))});
@@ -230,8 +222,7 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   list.push_back({"face_tilt", Q::angle, std::asin(sine)});
   list.push_back({"precession_with_center_at_rest", Q::rate, precession});
   list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
-  const double rolling = law.rolling;
-  if (rolling == 0.0) return;
+  if (law.rolling == 0.0) return;
   // d/dt (3/2 a sin) = -rolling W sin cos, so that the time is (3 a / 2 rolling) sqrt(I1 / m g a)
   // times the integral of d(tilt) / sqrt(sin(tilt)); with tilt = u^2 nothing is singular
   constexpr int kPartsOfTime = 2000;
@@ -242,7 +233,7 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
     sum += 2.0 * u / std::sqrt(std::sin(u * u)) * top / kPartsOfTime;
   }
   list.push_back(
-      {"end_time", Q::time, 1.5 * a / rolling * std::sqrt(across / (mass * g * a)) * sum});
+      {"end_time", Q::time, 1.5 * a / law.rolling * std::sqrt(across / (mass * g * a)) * sum});
 }
 
 // a ball that slides until it rolls: uniform friction on a body whose spin does not change it
@@ -253,11 +244,8 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
   const Friction& law = model.table->friction;
   const double mR2 = model.body.mass * ball->ball * ball->ball, I = model.moments[0];
   if (law.rolling != 0.0) return;
-  if (law.turntable != 0.0 && law.kind == Friction::Kind::rolling) {
-    if (law.boring != 0.0) return;
+  if (law.turntable != 0.0 && law.kind == Friction::Kind::rolling && law.boring == 0.0)
     list.push_back({"circling_rate", Q::rate, law.turntable * I / (I + mR2)});
-    return;
-  }
   if (law.kind != Friction::Kind::coulomb || law.turntable != 0.0) return;
   if (!starts_on_table(model, start)) return;
   const Vec3 slip = horizontal(slip_of(model, Touch{}, moving_of(model, start)));
@@ -286,7 +274,7 @@ double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin
 std::vector<Quantity> contact_quantities(const BodyModel& model, const State& start) {
   List list;
   add_eccentric_sphere(list, model, start);
-  if (!is_plain(model)) return list;
+  if (!is_level_and_unloaded(model)) return list;
   add_ball(list, model, start);
   add_disc(list, model, start);
   add_vertical_spin(list, model, start);

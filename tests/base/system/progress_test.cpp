@@ -81,6 +81,11 @@ TEST(ParseProgress, KnowsItsNamesAndNoOthers) {
   expect_input_error([] { parse_progress("jsn"); }, "--progress", "did you mean 'json'?");
 }
 
+bool is_something_told() {
+  struct stat file {};
+  return fstat(STDERR_FILENO, &file) == 0 && file.st_size > 0;
+}
+
 // what a computation that says "half" leaves on standard error
 std::string waited(ProgressKind kind, bool long_enough) {
   ::testing::internal::CaptureStderr();
@@ -90,8 +95,7 @@ std::string waited(ProgressKind kind, bool long_enough) {
     if (long_enough) {
       becomes([&] {
         waiting.show("half");
-        struct stat file {};
-        return fstat(STDERR_FILENO, &file) == 0 && file.st_size > 0;
+        return is_something_told();
       });
     }
   }
@@ -109,12 +113,7 @@ std::string worked(ProgressKind kind, bool long_enough) {
   ::testing::internal::CaptureStderr();
   {
     const Busy busy(kind, "half");
-    if (long_enough) {
-      becomes([] {
-        struct stat file {};
-        return fstat(STDERR_FILENO, &file) == 0 && file.st_size > 0;
-      });
-    }
+    if (long_enough) becomes(is_something_told);
   }
   return ::testing::internal::GetCapturedStderr();
 }
