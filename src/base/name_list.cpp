@@ -30,6 +30,7 @@ std::set<std::string> known_names(std::string_view list,
                                   const std::string& option) {
   std::set<std::string> names;
   for (const std::string& name : split_names(list)) {
+    if (name.empty()) throw input_error("a name is missing in '{}'", list).at({{}, 0, option});
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw input_error("unknown {} '{}'{}", what, name, suggestion(name, known))
           .at({{}, 0, option});

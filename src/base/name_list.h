@@ -17,8 +17,8 @@ std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\n
 std::vector<std::string> split_names(std::string_view list);
 
 // The set of names in `list` (separated by commas); empty for "". Throws Error (input), with
-// `option` as key, if a name is not in `known`; the message suggests the nearest known name. `what`
-// is the noun for the message: with "case" it reads "unknown case 'x'".
+// `option` as key, if a name is empty or not in `known`; the message suggests the nearest known
+// name. `what` is the noun for the message: with "case" it reads "unknown case 'x'".
 std::set<std::string> known_names(std::string_view list,
                                   const std::vector<std::string>& known,
                                   std::string_view what,

@@ -34,6 +34,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
+// "semi_axes" has the word "axes"
+bool has_word(std::string_view candidate, std::string_view word) {
+  return ("_" + std::string(candidate) + "_").find("_" + std::string(word) + "_") !=
+         std::string::npos;
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
@@ -42,7 +48,8 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   // an absurdly long name has no near neighbour and is not worth a quadratic table
   if (name.size() > 200) return best;
   for (const std::string& candidate : candidates) {
-    const std::size_t d = distance(name, candidate);
+    std::size_t d = distance(name, candidate);
+    if (d > 1 && has_word(candidate, name)) d = 1;
     if (d < least) {
       least = d;
       best = candidate;

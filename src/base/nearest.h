@@ -10,7 +10,8 @@ namespace polhode {
 
 // The candidate with the least Damerau-Levenshtein distance to `name` (optimal string alignment:
 // insertions, deletions, replacements and swaps of neighbouring bytes count 1, ASCII case is
-// ignored). The first of equally near ones. "" if the distance exceeds half the number of bytes of
+// ignored); a whole word between underscores, as "axes" in "semi_axes", is at distance 1. The first
+// of equally near ones. "" if the distance exceeds half the number of bytes of
 // the name (rounded down, but at least 1), and for names of more than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 

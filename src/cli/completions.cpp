@@ -90,8 +90,11 @@ _polhode_folders() {
   mapfile -t COMPREPLY < <(compgen -d -- "$word")
 }
 _polhode() {
-  local word=$2 before=$3 command=${COMP_WORDS[1]} place=0
+  local word=$2 before=$3 at=1 place=0
   COMPREPLY=()
+  # options of the program stand before the command
+  while (( at < COMP_CWORD )) && [[ ${COMP_WORDS[at]} == -* ]]; do (( ++at )); done
+  local command=${COMP_WORDS[at]}
   # --option=value arrives as three words
   if [[ $word == '=' ]]; then
     word=
@@ -129,9 +132,28 @@ std::string bash_command(const CLI::App& program, const CLI::App& command) {
   return text + "      ;;\n";
 }
 
+// what stands behind `submit` is a command with arguments of its own
+constexpr const char* kBashWork = R"sh(  if [[ $command == submit ]]; then
+    local i
+    for (( i = at + 1; i < COMP_CWORD; ++i )); do
+      if [[ ' {} ' == *" ${{COMP_WORDS[i]}} "* ]]; then at=$i; command=${{COMP_WORDS[i]}}; break; fi
+    done
+  fi
+)sh";
+
+constexpr const char* kZshWork = R"sh(  if [[ $command == submit ]]; then
+    local i
+    for (( i = 2; i < CURRENT; ++i )); do
+      if [[ ' {} ' == *" $words[i] "* ]]; then
+        command=$words[i]; shift $(( i - 1 )) words; (( CURRENT -= i - 1 )); break
+      fi
+    done
+  fi
+)sh";
+
 // sets `place`: how many arguments, options and their values not counted, stand before the word
 const char* const kBashPlace = R"sh(_polhode_place() {
-  local i=2
+  local i=$(( at + 1 ))
   place=0
   while (( i < COMP_CWORD )); do
     if [[ " $1 " == *" ${COMP_WORDS[i]} "* ]]; then
@@ -217,11 +239,12 @@ std::string bash_completion(const CLI::App& program) {
   }
   std::string text = kBashHead;
   text += fmt::format(
-      "  if (( COMP_CWORD == 1 )); then\n"
+      "  if (( COMP_CWORD == at )); then\n"
       "    if [[ $word == -* ]]; then _polhode_words '{}'; else _polhode_words '{}'; fi\n"
-      "    return\n  fi\n  case $command in\n",
+      "    return\n  fi\n{}  case $command in\n",
       joined(options),
-      joined(names));
+      joined(names),
+      fmt::format(kBashWork, joined(find_value_kind("WORK")->words)));
   for (const CLI::App* command : program.get_subcommands({}))
     text += bash_command(program, *command);
   return text + "  esac\n}\n" + kBashPlace + "complete -F _polhode polhode\n";
@@ -231,6 +254,7 @@ std::string zsh_completion(const CLI::App& program) {
   std::string text =
       "#compdef polhode\n# zsh completion for polhode, written by `polhode completion zsh`\n"
       "_polhode() {\n  local curcontext=$curcontext state line\n"
+      "  while (( CURRENT > 2 )) && [[ $words[2] == -* ]]; do shift words; (( CURRENT-- )); done\n"
       "  if (( CURRENT == 2 )); then\n    local -a names\n    names=(\n";
   for (const CLI::App* command : program.get_subcommands({})) {
     text += fmt::format(
@@ -241,7 +265,8 @@ std::string zsh_completion(const CLI::App& program) {
     text += zsh_option(*option);
   text +=
       "      && return 0\n    return\n  fi\n"
-      "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n";
+      "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n";
+  text += fmt::format(kZshWork, joined(find_value_kind("WORK")->words)) + "  case $command in\n";
   for (const CLI::App* command : program.get_subcommands({}))
     text += zsh_command(program, *command);
   return text +

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/ranges.h>
+
 #include "base/system/log.h"
 #include "base/system/progress.h"
 #include "film/error_places.h"
@@ -133,25 +135,86 @@ void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
   warn_at(scene, "video.loop", warning);
 }
 
-// the attitude is back, but the body may be elsewhere in the picture
+// the attitude is back, but the body may be elsewhere in the picture, or seen by another camera
 void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   constexpr double kNoticed = 1.0;  // pixels
   if (!frames.loop) return;
-  const Motion& motion = composer.scenery().motion;
+  const Scenery& scenery = composer.scenery();
   const double end = frames.loop->duration;
-  const auto place = [&](double t) {
-    const Camera camera = composer.camera_at(composer.timeline().film_time(t));
-    return camera.project(motion.at(t).reference_S);
+  const auto jump_of = [&](const Vec3& off_S) {
+    const auto place = [&](double t) {
+      const Camera camera = composer.camera_at(composer.timeline().film_time(t));
+      return camera.project(scenery.motion.at(t).reference_S + off_S);
+    };
+    return (place(end) - place(0.0)).norm();
   };
-  const double jump = (place(end) - place(0.0)).norm();
-  if (!(jump > kNoticed)) return;
-  const Error warning = input_error(
-      "the body turns as at the start after {:.4g} s, but stands {:.3g} pixels from there: the "
-      "film "
-      "jumps where it repeats",
-      end,
-      jump);
-  warn_at(scene, "video.loop", warning);
+  if (const double jump = jump_of(Vec3::Zero()); jump > kNoticed) {
+    const Error warning = input_error(
+        "the body turns as at the start after {:.4g} s, but stands {:.3g} pixels from there: the "
+        "film jumps where it repeats",
+        end,
+        jump);
+    warn_at(scene, "video.loop", warning);
+    return;
+  }
+  for (const int axis : {0, 1, 2}) {
+    if (!(jump_of(scenery.scale.body * Vec3::Unit(axis)) > kNoticed)) continue;
+    const Error warning = input_error(
+        "after {:.4g} s the motion is back, but the camera is not where it was: the film jumps "
+        "where it repeats; leave out camera.orbit_deg_per_s and shots that do not come back",
+        end);
+    warn_at(scene, "video.loop", warning);
+    return;
+  }
+}
+
+// what goes on through a film, or comes and goes in it, is not at its end as at its start
+void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
+  if (!frames.loop) return;
+  std::vector<std::string> restarting;
+  const Paths& paths = composer.scenery().paths;
+  if (composer.shows("trail") || composer.shows("herpolhode") || composer.shows("contact_trail") ||
+      !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty())
+    restarting.emplace_back("paths");
+  if (!scene.show.plots.empty()) restarting.emplace_back("plots");
+  const Timeline& timeline = composer.timeline();
+  const double last = timeline.film_duration();
+  const auto caption = [&](double film) {
+    return timeline.caption(film).value_or(scene.show.caption);
+  };
+  if (caption(0.0) != caption(last)) restarting.emplace_back("captions");
+  const bool changes = std::any_of(elements().begin(), elements().end(), [&](const Element& one) {
+    return composer.shows(one.name) &&
+           timeline.presence(one.name, 0.0) != timeline.presence(one.name, last);
+  });
+  if (changes) restarting.emplace_back("what the story shows or hides");
+  if (restarting.empty()) return;
+  warn_at(scene,
+          "video.loop",
+          input_error("where the film repeats, {} begin anew, which is seen as a jump",
+                      fmt::join(restarting, ", ")));
+}
+
+// a step of the story may name what the film does not have
+void warn_of_what_never_comes(const Scene& scene, const std::vector<FilmPanel>& panels) {
+  for (std::size_t i = 0; i < scene.story.size(); ++i) {
+    for (const std::string& name : scene.story[i].show) {
+      const bool comes = std::any_of(panels.begin(), panels.end(), [&](const FilmPanel& panel) {
+        return panel.composer->shows(name);
+      });
+      if (comes) continue;
+      const auto element = std::find_if(elements().begin(),
+                                        elements().end(),
+                                        [&](const Element& one) { return one.name == name; });
+      const std::string wrong = element->why_not(panels.front().composer->scenery());
+      const std::string key = fmt::format("story[{}].show", i);
+      warn_at(scene,
+              key.c_str(),
+              input_error("'{}' will not appear: it {}",
+                          name,
+                          wrong.empty() ? fmt::format("needs show.{} = true", name) : wrong));
+    }
+  }
 }
 
 // One scale serves bodies of about one size.
@@ -203,6 +266,8 @@ void PreparedFilm::warn() const {
   warn_of_open_loop(scene, frames_);
   warn_of_stretched_clock(scene, frames_);
   warn_of_jump(scene, frames_, *film_->panels().front().composer);
+  warn_of_what_restarts(scene, frames_, *film_->panels().front().composer);
+  warn_of_what_never_comes(scene, film_->panels());
   for (std::size_t i = 0; i < solved_.size(); ++i) {
     const Solved& one = solved_[i];
     for (const Error& warning : film_->panels()[i].composer->warnings())

@@ -633,13 +633,47 @@ Composer::Largest Composer::largest_on_screen() const {
   return largest;
 }
 
+// a shot may leave no time for what comes before it
+std::vector<Error> Composer::warnings_of_shots() const {
+  std::vector<Error> found;
+  for (std::size_t i = 0; i < staging_.shots.size(); ++i) {
+    const ShotSpec& shot = staging_.shots[i];
+    const double begins = staging_.timeline.film_time(shot.at);
+    double ends = staging_.timeline.film_duration();
+    bool is_hidden = false;
+    for (std::size_t k = 0; k < staging_.shots.size(); ++k) {
+      const double other = staging_.timeline.film_time(staging_.shots[k].at);
+      if (other > begins) ends = std::min(ends, other);
+      is_hidden = is_hidden || (other == begins && k > i);
+    }
+    const auto warn = [&](const char* key, const std::string& words) {
+      found.push_back(input_error("{}", words).at({{}, 0, fmt::format("shots[{}].{}", i, key)}));
+    };
+    if (is_hidden) {
+      warn("at", "another shot begins at the same time, so that this one is never seen");
+    } else if (begins + shot.move > ends + 1e-9) {
+      warn("move",
+           fmt::format("the camera needs {:.4g} s to get there, but has {:.4g} s",
+                       shot.move,
+                       ends - begins));
+    }
+  }
+  return found;
+}
+
 std::vector<Error> Composer::warnings() const {
+  std::vector<Error> found = warnings_of_shots();
+  if (const std::optional<Error> unseen = warning_of_unseen()) found.push_back(*unseen);
+  return found;
+}
+
+std::optional<Error> Composer::warning_of_unseen() const {
   for (const char* element : {"contact", "slip"}) {
     const auto asked = scenery_.options.asked.find(element);
     if (asked == scenery_.options.asked.end() || !asked->second.value_or(false)) continue;
     if (scenery_.motion.contact_at(0.0)) continue;
-    return {input_error("shows nothing: only the method dop853 tells what touches the table")
-                .at({{}, 0, fmt::format("show.{}", element)})};
+    return input_error("shows nothing: only the method dop853 tells what touches the table")
+        .at({{}, 0, fmt::format("show.{}", element)});
   }
   bool any_seen = false;
   double nearest = std::numeric_limits<double>::infinity();
@@ -661,25 +695,25 @@ std::vector<Error> Composer::warnings() const {
     if (camera.sees(middle)) largest = std::max(largest, body * camera.pixels_per_metre(middle));
   }
   if (!any_seen) {
-    return {
-        input_error(
-            "the camera does not see the scene; without camera.eye it frames the film by itself")
-            .at({{}, 0, "camera.eye"})};
+    return input_error(
+               "the camera does not see the scene; without camera.eye it frames the film by itself")
+        .at({{}, 0, "camera.eye"});
   }
   if (!shows("body")) return {};
   if (nearest < body) {
-    return {input_error("the camera comes within {:.3g} m of the body's middle, but the body "
-                        "reaches {:.3g} m; move it away",
-                        nearest,
-                        body)
-                .at({{}, 0, "camera.eye"})};
+    return input_error(
+               "the camera comes within {:.3g} m of the body's middle, but the body "
+               "reaches {:.3g} m; move it away",
+               nearest,
+               body)
+        .at({{}, 0, "camera.eye"});
   }
   if (largest > 0.0 && largest < 1.0) {
-    return {
-        input_error("the body, {:.3g} m, is never as large as a pixel; the motion or the points "
-                    "shown go too far, or the camera is too far away",
-                    body)
-            .at({{}, 0, "camera"})};
+    return input_error(
+               "the body, {:.3g} m, is never as large as a pixel; the motion or the points "
+               "shown go too far, or the camera is too far away",
+               body)
+        .at({{}, 0, "camera"});
   }
   return {};
 }

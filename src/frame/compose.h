@@ -94,7 +94,8 @@ class Composer {
   LabelView label_view(double film, double end) const;
   // The draw list at the time t (s of motion).
   DrawList at(double t) const;
-  // Warnings, which are not thrown, with the key concerned: camera.eye for a camera that sees
+  // Warnings, which are not thrown, with the key concerned: shots[i].at for a shot that is never
+  // seen, shots[i].move for one that does not come to its end, camera.eye for a camera that sees
   // nothing or comes inside the body, camera for a body that is always smaller than a pixel. Empty:
   // none.
   std::vector<Error> warnings() const;
@@ -126,6 +127,8 @@ class Composer {
     double move = 0.0;
     Camera camera;
   };
+  std::vector<Error> warnings_of_shots() const;
+  std::optional<Error> warning_of_unseen() const;
   std::vector<double> film_times() const;
   // The glyphs shown at that film time; without one, all that are ever shown.
   Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;

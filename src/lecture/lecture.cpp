@@ -213,6 +213,14 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
   return result;
 }
 
+// fontconfig's program tells where the font is
+std::string state_of_formula_font(const std::string& advice) {
+  if (!formula_font_css().empty()) return "ok, Latin Modern Math";
+  const ProgramFound program = find_program("fc-match");
+  if (!program.why_not.empty()) return state_of_program(program, "install fontconfig");
+  return "missing: " + advice + "; browsers take their own font";
+}
+
 }  // namespace
 
 LectureResult lecture(const LectureJob& job) {
@@ -283,10 +291,7 @@ std::vector<ExternalNeed> lecture_needs() {
           {"handouts of lectures",
            printer.program.empty() ? state_of_program(printer.found, install("chromium"))
                                    : "ok, " + printer.program},
-          {"font of formulas",
-           formula_font_css().empty()
-               ? "missing: " + install("fonts-lmodern") + "; browsers take their own font"
-               : "ok, Latin Modern Math"}};
+          {"font of formulas", state_of_formula_font(install("fonts-lmodern"))}};
 }
 
 }  // namespace polhode

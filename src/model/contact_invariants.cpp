@@ -118,7 +118,8 @@ const std::vector<ContactInvariant>& contact_invariants() {
        "friction",
        "kg m^3/s",
        keeps_jellett,
-       [](const BodyModel& m, const Moving& now) { return only(-now.y.dot(arm_of(m, now))); },
+       // not the negative: of nothing that would be -0
+       [](const BodyModel& m, const Moving& now) { return only(0.0 - now.y.dot(arm_of(m, now))); },
        [](const BodyModel& m, const Moving& start) {
          return start.y.norm() * m.table->surface->reach();
        }},

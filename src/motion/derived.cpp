@@ -177,8 +177,10 @@ void add_heavy_symmetric(List& list, const BodyModel& model, const State& start)
   const double u = std::clamp(up_in_body(model, start.q).dot(model.chi_P) / mu, -1.0, 1.0);
   list.push_back(
       {"tilt_at_start", Q::angle, angle_between(up_in_body(model, start.q), model.chi_P)});
-  add_nutation(list, model, start, L3 == 0.0);
-  if (L3 == 0.0) {
+  constexpr double kRoundOffOfSpin = 1e-14;  // of L
+  const bool spins = std::abs(L3) > kRoundOffOfSpin * start.y.norm();
+  add_nutation(list, model, start, !spins);
+  if (!spins) {
     list.push_back({"small_oscillation_period", Q::time, 2.0 * kPi * std::sqrt(A / mu)});
     return;
   }

@@ -43,8 +43,20 @@ std::string name_of_kept(const BodyModel& model) {
   return names.size() == 1 ? names.front() : names.front() + ", " + names.back();
 }
 
+std::string needs_table(const Motion& motion) {
+  if (!motion.model().table) return "needs a body on a table";
+  if (!motion.contact_at(0.0)) return "needs the method dop853; others do not tell what touches";
+  return "";
+}
+
+std::string needs_constants(const Motion& motion) {
+  const Drift drift = drift_at(motion, 0.0);
+  return drift.energy || drift.momentum
+             ? ""
+             : "needs a motion that keeps its energy or angular momentum; loads change both here";
+}
+
 constexpr double kNoPeriod = 0.0;
-constexpr bool kOfATable = true;
 
 }  // namespace
 
@@ -146,7 +158,7 @@ const std::vector<Recorded>& recorded_quantities() {
          return std::vector<double>{drift.energy.value_or(NAN), drift.momentum.value_or(NAN)};
        },
        kNoPeriod,
-       false,
+       needs_constants,
        [](const BodyModel& model) {
          return std::vector<std::string>{"energy", name_of_kept(model)};
        }},
@@ -161,7 +173,7 @@ const std::vector<Recorded>& recorded_quantities() {
          return std::vector<double>{found->normal, found->friction_S.norm()};
        },
        kNoPeriod,
-       kOfATable},
+       needs_table},
       {"slip",
        "slip on the table",
        "m/s",
@@ -171,7 +183,7 @@ const std::vector<Recorded>& recorded_quantities() {
          return std::vector<double>{found ? found->slip_S.norm() : NAN};
        },
        kNoPeriod,
-       kOfATable},
+       needs_table},
       {"jellett",
        "Jellett's constant −L·r",
        "kg m³/s",
@@ -183,7 +195,7 @@ const std::vector<Recorded>& recorded_quantities() {
          return std::vector<double>{-L_P.dot(found->point.arm_P)};
        },
        kNoPeriod,
-       kOfATable},
+       needs_table},
       {"position",
        "centre of mass",
        "m",
@@ -207,10 +219,7 @@ std::vector<std::string> curve_names(const Recorded& quantity, const Motion& mot
 }
 
 std::string why_not(const Recorded& quantity, const Motion& motion) {
-  if (!quantity.of_a_table) return "";
-  if (!motion.model().table) return "needs a body on a table";
-  if (!motion.contact_at(0.0)) return "needs the method dop853; others do not tell what touches";
-  return "";
+  return quantity.why_not != nullptr ? quantity.why_not(motion) : "";
 }
 
 std::vector<std::vector<double>> values_over_time(const Recorded& quantity,

@@ -20,7 +20,8 @@ struct Recorded {
   std::vector<double> (*values)(const Motion& motion, const Sample& sample);
   // The values are angles in `unit` that begin again after this much; 0: no.
   double period = 0.0;
-  bool of_a_table = false;  // only bodies on a table have it
+  // Why the motion does not have it, as in "needs a body on a table"; "": it does. Null: all do.
+  std::string (*why_not)(const Motion& motion) = nullptr;
   // The name of each curve for a motion of this model; null: `curves`.
   std::vector<std::string> (*names)(const BodyModel& model) = nullptr;
 };

@@ -31,6 +31,8 @@ TEST(KnownNames, RefusesNamesOfNothing) {
   EXPECT_EQ(known_names("plane,body,plane", known, "case", "--cases"),
             (std::set<std::string>{"body", "plane"}));
   EXPECT_TRUE(known_names("", known, "case", "--cases").empty());
+  test::expect_input_error(
+      [&] { known_names(",", known, "case", "--cases"); }, "--cases", "a name is missing in ','");
   test::expect_input_error([&] { known_names("body,plan", known, "case", "--cases"); },
                            "--cases",
                            "unknown case 'plan' (did you mean 'plane'?)");

@@ -22,6 +22,12 @@ TEST(NearestName, TakesTheLeastDistanceAndTheFirstOfEquals) {
   EXPECT_EQ(nearest_name("ab", {"ac", "ad"}), "ac");
 }
 
+TEST(NearestName, KnowsAWordOfALongerName) {
+  EXPECT_EQ(nearest_name("axes", {"axis", "semi_axes"}), "axis");
+  EXPECT_EQ(nearest_name("axes", {"radius", "semi_axes"}), "semi_axes");
+  EXPECT_EQ(nearest_name("xes", {"radius", "semi_axes"}), "");
+}
+
 TEST(NearestName, IsSilentWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("xylophone", kNames), "");
   EXPECT_EQ(nearest_name("mass", {}), "");

@@ -67,6 +67,15 @@ TEST_F(Completions, OptionsAndTheirWordsAreCompleted) {
   EXPECT_TRUE(offered({"polhode", "chart", "--methods", "au"}).empty()) << "it takes none";
 }
 
+TEST_F(Completions, WordsBeforeACommandDoNotHideIt) {
+  file("a.toml");
+  EXPECT_EQ(offered({"polhode", "--verbose", "re"}), (Words{"render"}));
+  EXPECT_EQ(offered({"polhode", "--verbose", "render", ""}), (Words{"a.toml"}));
+  EXPECT_EQ(offered({"polhode", "submit", "--wait", "rend"}), (Words{"render"}));
+  EXPECT_EQ(offered({"polhode", "submit", "--tasks", "4", "render", ""}), (Words{"a.toml"}));
+  EXPECT_EQ(offered({"polhode", "submit", "render", "a.toml", "--back"}), (Words{"--backend"}));
+}
+
 TEST_F(Completions, ListsGoOnBehindTheComma) {
   std::filesystem::create_directories(files_);
   EXPECT_EQ(offered({"polhode", "chart", "--methods", "rk4,gauss6"}), (Words{"rk4,gauss6"}));

@@ -144,6 +144,59 @@ TEST(PreparedFilm, WarnsOfAShortLoopWhoseClockIsStretched) {
       << said;
 }
 
+// what begins anew with each round is told, and a loop without any of it has no warning
+TEST(PreparedFilm, WarnsOfLoopsThatShowWhereTheyRepeat) {
+  Scene scene = small_scene("loop = true\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);
+  ASSERT_EQ(warnings_of(scene), "");
+  Scene orbits = scene;
+  orbits.camera.orbit = 1.0;
+  EXPECT_NE(warnings_of(orbits).find("the camera is not where it was"), std::string::npos);
+  Scene traced = scene;
+  traced.show.plots = {"omega"};
+  traced.show["trail"] = true;
+  EXPECT_NE(warnings_of(traced).find("paths, plots begin anew"), std::string::npos);
+  Scene told = scene;
+  StoryStep step;
+  step.at = 0.1;
+  step.caption = "It turns";
+  told.story = {step};
+  EXPECT_NE(warnings_of(told).find("captions begin anew"), std::string::npos);
+  step.caption.reset();
+  step.hide = {"body"};
+  told.story = {step};
+  EXPECT_NE(warnings_of(told).find("what the story shows or hides begin anew"), std::string::npos);
+}
+
+TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {
+  Scene scene = small_scene();
+  StoryStep step;
+  step.show = {"contact"};
+  scene.story = {step};
+  EXPECT_NE(warnings_of(scene).find("story[0].show: 'contact' will not appear: it needs a body on"),
+            std::string::npos)
+      << warnings_of(scene);
+  scene.story.front().show = {"ellipsoid"};
+  EXPECT_NE(warnings_of(scene).find("it needs show.ellipsoid = true"), std::string::npos);
+  scene.show["ellipsoid"] = true;
+  EXPECT_EQ(warnings_of(scene), "");
+}
+
+TEST(PreparedFilm, WarnsOfShotsThatNobodySees) {
+  Scene scene = small_scene();
+  ShotSpec shot;
+  shot.at = 0.5;
+  shot.move = 0.1;
+  scene.shots = {shot};
+  EXPECT_EQ(warnings_of(scene), "");
+  scene.shots.push_back(shot);
+  EXPECT_NE(warnings_of(scene).find("shots[0].at: another shot begins at the same time"),
+            std::string::npos);
+  scene.shots = {shot};
+  scene.shots.front().move = 100.0;
+  EXPECT_NE(warnings_of(scene).find("shots[0].move: the camera needs 100 s"), std::string::npos);
+}
+
 TEST(PreparedFilm, BadStoriesAndShotsAreOneLineWithTheirPlace) {
   const std::pair<const char*, const char*> cases[] = {
       {"[[story]]\nat = 9\n", "story[0].at"},

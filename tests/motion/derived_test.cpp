@@ -189,6 +189,12 @@ TEST(Derived, PendulumAndEnergies) {
                   (small.motion.at(period).center_S - small.motion.at(0).center_S).norm(),
                   1e-13);
 
+  // a spin that is round-off is none
+  spec.attitude.zxz = Vec3(0.3, 1e-4, 0);
+  spec.spin.space = Vec3(std::cos(0.3), std::sin(0.3), 0) * 1e-3;
+  EXPECT_NEAR(case_of(body, spec)("small_oscillation_period_s"), period, 1e-12 * period);
+  spec.attitude.zxz = Vec3(0, 1e-4, 0);
+
   // the split of the energy, against sums over the two masses
   spec.spin.space = Vec3(0.7, 0, 0);
   const Case swung = case_of(body, spec);

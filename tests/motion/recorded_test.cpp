@@ -178,6 +178,19 @@ TEST(Recorded, DriftIsThatOfTheMotion) {
   EXPECT_EQ(now.at(1), wanted.momentum.value());
 }
 
+TEST(Recorded, DriftNeedsSomethingThatIsConserved) {
+  const Recorded& drift = *find_recorded("drift");
+  MotionSpec damped = wobbling();
+  EXPECT_EQ(why_not(drift, moving(brick_body(), damped)), "");
+  LoadSpec load;
+  load.kind = "damping";
+  load.c = 0.1;
+  load.of = "spin";
+  damped.torque = {load};
+  EXPECT_NE(why_not(drift, moving(brick_body(), damped)).find("needs a motion that keeps"),
+            std::string::npos);
+}
+
 // the curve has the name of what the motion conserves
 TEST(Recorded, DriftNamesWhatIsConserved) {
   const auto name = [](const BodySpec& body, const MotionSpec& spec) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/doctor.h"
 
+#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "base/error.h"
 #include "base/json.h"
+#include "base/system/scratch_folder.h"
 #include "base/text_table.h"
 #include "chart/gnuplot.h"
 #include "film/report/motion_report.h"
@@ -34,6 +36,16 @@ BackendState examine_backend(const Backend& backend) {
                         renderer.info().samples)};
   } catch (const Error& error) {
     return {false, fmt::format("missing: {}", error.what())};
+  }
+}
+
+// where sequences, lectures and charts are made
+std::string state_of_temporary_folder() {
+  try {
+    const ScratchFolder folder;
+    return "ok, " + std::filesystem::path(folder / "").parent_path().parent_path().string();
+  } catch (const Error& error) {
+    return fmt::format("fails: {}", error.what());
   }
 }
 
@@ -77,6 +89,7 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
                                 encoder.title,
                                 encoder.doc)});
   }
+  rows.push_back({"temporary files", state_of_temporary_folder()});
   const bool encodes = has_encoder("libx264");
   rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});
   return {aligned(rows), draws && encodes};

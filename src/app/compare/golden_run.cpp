@@ -144,7 +144,8 @@ GoldenResult golden_run(const GoldenJob& job) {
   const bool pictures = std::any_of(results.begin(), results.end(), [](const CaseResult& result) {
     return result.drawn && !result.same();
   });
-  text += good ? fmt::format("all {} cases are the same\n", cases.size())
+  text += good ? (cases.size() == 1 ? "the case is the same\n"
+                                    : fmt::format("all {} cases are the same\n", cases.size()))
                : fmt::format("{} of {} cases failed{}\n",
                              static_cast<long>(cases.size()) - same,
                              cases.size(),

@@ -61,6 +61,18 @@ TEST(Doctor, AProgramThatFailsIsNotToBeInstalled) {
             "fails: program took longer than 10 s");
 }
 
+TEST(Doctor, TriesTheFolderForTemporaryFiles) {
+  EXPECT_TRUE(starts_with(state_of(examine({}), "temporary files"), "ok, "));
+  EXPECT_EQ(test::exit_code_in_child([] {
+              setenv("TMPDIR", "/nowhere", 1);
+              const std::string state = state_of(examine({}), "temporary files");
+              return state == "fails: there is no folder /nowhere for temporary files; set TMPDIR"
+                         ? 0
+                         : 1;
+            }),
+            0);
+}
+
 // without programs and without libraries, on any machine
 TEST(Doctor, SaysWhatToInstall) {
   EXPECT_EQ(
