@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "frame/stand.h"
+#include "math/so3.h"
 #include "motion/deviation.h"
 
 namespace polhode {
@@ -145,6 +146,32 @@ double stand_height(const Scenery& scenery, double radius) {
   return std::max(kStandHeight, kClear - lowest / radius);
 }
 
+// A head on the shaft of a vector would be a collar.
+double axis_length(const Scenery& scenery, int axis) {
+  constexpr double kAlong = 0.05;   // rad
+  constexpr double kBeyond = 0.34;  // of the body's radius; more than a head
+  const auto is_hidden = [&](const char* vector) {
+    const auto asked = scenery.options.asked.find(vector);
+    return asked != scenery.options.asked.end() && !asked->second.value_or(true);
+  };
+  double longest = 0.0;  // of those along it, m
+  const auto look_along = [&](const char* vector, const auto& tip) {
+    if (is_hidden(vector)) return;
+    double reach = 0.0;
+    for (const double t : framing_times(scenery.motion)) {
+      const Sample now = scenery.motion.at(t);
+      const Vec3 drawn = tip(scenery, now) - now.reference_S;
+      if (drawn.norm() > 0.0 && angle_between(drawn, Vec3::Unit(axis)) > kAlong) return;
+      reach = std::max(reach, drawn.norm());
+    }
+    longest = std::max(longest, reach);
+  };
+  look_along("omega", omega_tip);
+  look_along("momentum", momentum_tip);
+  if (longest == 0.0) return kSpaceAxisLength;
+  return std::max(kSpaceAxisLength, longest / scenery.scale.body + kBeyond);
+}
+
 }  // namespace
 
 bool asks_for(const Scenery& scenery, const std::string& element) {
@@ -225,6 +252,8 @@ Scenery make_scenery(const Motion& motion,
   scenery.stand = shared(stand_mesh(scenery.stand_height, segments));
   scenery.rough_stand = shared(stand_mesh(scenery.stand_height, kRoughSegments));
   measure_table(scenery);
+  for (const int axis : {0, 1, 2})
+    scenery.axis_lengths[static_cast<std::size_t>(axis)] = axis_length(scenery, axis);
   scenery.paths = make_paths(scenery);
   return scenery;
 }

@@ -2,6 +2,7 @@
 // What all moments of a film share: the body's meshes, the scales of vectors, and the drawn paths.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,9 @@ inline constexpr double kOuterGimbal = 1.17;
 // the pixels.
 inline constexpr double kDialLine = 0.007;
 
+// The usual length of the axes of space, in units of the body's radius.
+inline constexpr double kSpaceAxisLength = 1.2;
+
 // What all moments of a film share. A value: copies share only the meshes, which never change.
 struct Scenery {
   Motion motion;
@@ -79,23 +83,25 @@ struct Scenery {
   std::vector<LookPart> look = {};
   Scale scale = {};
   double stand_height = kStandHeight;  // in units of the body's radius
-  Vec3 table_middle = Vec3::Zero();    // of where a body goes on its table, S, m
-  double table_reach = 0.0;            // how far it goes from there, m
-  bool table_goes_along = false;       // a camera follows it, so that only the table around is seen
-  std::vector<Vec3> hull_B = {};       // hull_of(look), m
-  MeshPtr ball = {};                   // unit sphere, coarse, for points
-  MeshPtr sphere = {};                 // unit sphere, fine
-  MeshPtr disc = {};                   // unit disc about z
-  MeshPtr ring = {};                   // a thin tube along the rim of the disc
-  MeshPtr stand = {};                  // stand_mesh() (frame/stand.h)
-  MeshPtr rough_stand = {};            // the same, for its shadow
-  MeshPtr gimbal = {};                 // a round tube along the rim of the disc
-  MeshPtr rough_gimbal = {};           // the same, for its shadow
-  MeshPtr dial = {};                   // dial() (frame/mesh.h)
-  double dial_line = kDialLine;        // half the width of its lines, in its radius
-  ShowSpec options = {};               // the [show] table
-  int segments = 96;                   // pieces of a circle as large as the picture
-  int body_segments = 96;              // pieces of a circle as large as the body is ever drawn
+  // Of the axes of space, likewise: one that a vector goes along all the time ends beyond it.
+  std::array<double, 3> axis_lengths = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};
+  Vec3 table_middle = Vec3::Zero();  // of where a body goes on its table, S, m
+  double table_reach = 0.0;          // how far it goes from there, m
+  bool table_goes_along = false;     // a camera follows it, so that only the table around is seen
+  std::vector<Vec3> hull_B = {};     // hull_of(look), m
+  MeshPtr ball = {};                 // unit sphere, coarse, for points
+  MeshPtr sphere = {};               // unit sphere, fine
+  MeshPtr disc = {};                 // unit disc about z
+  MeshPtr ring = {};                 // a thin tube along the rim of the disc
+  MeshPtr stand = {};                // stand_mesh() (frame/stand.h)
+  MeshPtr rough_stand = {};          // the same, for its shadow
+  MeshPtr gimbal = {};               // a round tube along the rim of the disc
+  MeshPtr rough_gimbal = {};         // the same, for its shadow
+  MeshPtr dial = {};                 // dial() (frame/mesh.h)
+  double dial_line = kDialLine;      // half the width of its lines, in its radius
+  ShowSpec options = {};             // the [show] table
+  int segments = 96;                 // pieces of a circle as large as the picture
+  int body_segments = 96;            // pieces of a circle as large as the body is ever drawn
   std::vector<Vec3> field_points_B = {};  // points of the velocity field, m
   Paths paths = {};
   std::vector<Motion> ensemble = {};  // motions beside it, of the same model and duration

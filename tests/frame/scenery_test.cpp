@@ -97,6 +97,26 @@ TEST(Scenery, RoundingErrorsAreNoSlip) {
   EXPECT_GT(small_scenery(test::ball_body(), sliding).scale.slip, 0.0);
 }
 
+// else its head would be a collar on the shaft of L
+TEST(Scenery, AnAxisOfSpaceAlongAVectorEndsBeyondIt) {
+  MotionSpec upright = wobbling();
+  upright.attitude = {};
+  upright.spin = {};
+  upright.spin.body = Vec3(0.0, 0.0, 2.0);
+  const Scenery along = small_scenery(prolate_body(), upright, ShowSpec{});
+  const Sample start = along.motion.at(0.0);
+  const double L = (momentum_tip(along, start) - start.reference_S).norm() / along.scale.body;
+  EXPECT_GT(along.axis_lengths[2], L + 0.3);
+  EXPECT_EQ(along.axis_lengths[0], kSpaceAxisLength);
+  // the other way round, aside, and where no vector is drawn
+  upright.spin.body = Vec3(0.0, 0.0, -2.0);
+  EXPECT_EQ(small_scenery(prolate_body(), upright, ShowSpec{}).axis_lengths[2], kSpaceAxisLength);
+  upright.spin.body = Vec3(0.0, 0.4, 2.0);
+  EXPECT_EQ(small_scenery(prolate_body(), upright, ShowSpec{}).axis_lengths[2], kSpaceAxisLength);
+  upright.spin.body = Vec3(0.0, 0.0, 2.0);
+  EXPECT_EQ(small_scenery(prolate_body(), upright).axis_lengths[2], kSpaceAxisLength);
+}
+
 // over the whole film the longest omega has 1.3 body radii; L of a free body is constant
 TEST(Scenery, VectorsKeepTheirScaleOverTheFilm) {
   const Scenery scenery = small_scenery(brick_body(), wobbling());

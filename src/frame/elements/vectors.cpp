@@ -18,7 +18,6 @@ namespace polhode {
 namespace {
 
 constexpr double kBodyAxisLength = 1.2;
-constexpr double kSpaceAxisLength = 1.2;
 constexpr double kFrameLength = 1.55;  // out of the rings of gimbals
 constexpr double kBallRadius = 0.05;
 constexpr float kHiddenField = 0.4f;  // of the opacity of other hidden vectors: there are many
@@ -48,10 +47,13 @@ std::string name_of(const Scenery& scenery,
   return name.empty() ? "" : "<b>" + plain_text(name) + "</b>";
 }
 
-void add_axes_at(const Scenery& scenery, const Vec3& from, Glyphs& glyphs) {
+void add_axes_at(const Scenery& scenery,
+                 const Vec3& from,
+                 const std::array<double, 3>& lengths,
+                 Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Vec3 along = kSpaceAxisLength * scenery.scale.body * Vec3::Unit(i);
+    const Vec3 along = lengths[k] * scenery.scale.body * Vec3::Unit(i);
     add_vector(scenery,
                from,
                from + along,
@@ -115,11 +117,12 @@ void add_body_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs)
 }
 
 void add_space_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  add_axes_at(scenery, sample.reference_S, glyphs);
+  add_axes_at(scenery, sample.reference_S, scenery.axis_lengths, glyphs);
 }
 
 void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  add_axes_at(scenery, Vec3::Zero(), glyphs);
+  constexpr std::array<double, 3> kUsual = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};
+  add_axes_at(scenery, Vec3::Zero(), kUsual, glyphs);
   add_vector(scenery,
              Vec3::Zero(),
              sample.reference_S,
