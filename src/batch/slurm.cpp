@@ -16,10 +16,16 @@
 namespace polhode {
 namespace {
 
-constexpr std::array<std::string_view, 4> kWaiting = {
-    "PENDING", "REQUEUED", "REQUEUE_HOLD", "SPECIAL_EXIT"};
-constexpr std::array<std::string_view, 5> kRunning = {
-    "RUNNING", "COMPLETING", "CONFIGURING", "SUSPENDED", "STAGE_OUT"};
+constexpr std::array<std::string_view, 6> kWaiting = {
+    "PENDING", "REQUEUED", "REQUEUE_HOLD", "REQUEUE_FED", "RESV_DEL_HOLD", "SPECIAL_EXIT"};
+constexpr std::array<std::string_view, 8> kRunning = {"RUNNING",
+                                                      "COMPLETING",
+                                                      "CONFIGURING",
+                                                      "SUSPENDED",
+                                                      "STOPPED",
+                                                      "SIGNALING",
+                                                      "RESIZING",
+                                                      "STAGE_OUT"};
 
 template <class Names>
 bool is_in(const Names& names, std::string_view word) {

@@ -2,7 +2,9 @@
 #include "export/key_times.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
@@ -14,7 +16,9 @@ namespace {
 constexpr double kTurnBetweenLooks = 0.5;  // rad
 constexpr int kFewestLooks = 16;
 constexpr double kMostLooks = 1e6;
-constexpr double kJump = 1e-5;    // of the animation
+constexpr double kJump = 1e-5;  // of the animation: what is longer is no jump
+constexpr double kFalls = 0.5;  // of its error, where a motion that does not jump is halved twice
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kSafety = 0.75;  // of the tolerance: what is between the tested places is more
 constexpr double kStill = 1e-3;   // of the tolerance
 constexpr std::size_t kFewestTried = 4, kMostTried = 32;  // intervals
@@ -42,27 +46,36 @@ class Search {
     const double exact_part = (played - a) / (b - a);
     return distance(thing_, exact(played), between(thing_, pose_a, pose_b, exact_part));
   }
-  bool is_jump(double a, double b) const { return b - a <= kJump * clock_.duration(); }
-
-  // the keys after a up to b
-  void add(double a, const Pose& pose_a, double b, const Pose& pose_b, KeyedPoses& keys) const {
+  // The keys after a up to b. A motion that is halved is followed better and better; a jump, and
+  // what only rounding errors move, are not. `before`: the error of the interval of which this is a
+  // half.
+  void add(double a,
+           const Pose& pose_a,
+           double b,
+           const Pose& pose_b,
+           KeyedPoses& keys,
+           std::array<double, 2> before = {kUnknown, kUnknown}) const {
     const double middle = in_single_precision(0.5 * (a + b));
-    const bool divisible = middle > a && middle < b && !is_jump(a, b);
+    const bool divisible = middle > a && middle < b;
+    const bool is_short = b - a <= kJump * clock_.duration();
     double error = 0.0;
     for (const double part : {0.5, 0.25, 0.75}) {
-      if (divisible && error <= kSafety * tolerance_)
+      if (divisible && (is_short || error <= kSafety * tolerance_))
         error = std::max(error, error_at(a, pose_a, b, pose_b, part));
     }
+    const bool jumps = !divisible || (is_short && error > kFalls * before[1]);
     // at other places than those that decided, between which something short may have happened
     double measured = 0.0;
     for (const double part : {0.375, 0.625}) {
-      if (!is_jump(a, b) && error <= kSafety * tolerance_)
+      if (!jumps && error <= kSafety * tolerance_)
         measured = std::max(measured, error_at(a, pose_a, b, pose_b, part));
     }
-    if (error > kSafety * tolerance_ || (divisible && measured > tolerance_)) {
+    if (!jumps && (error > kSafety * tolerance_ || measured > tolerance_)) {
       const Pose pose = exact(middle);
-      add(a, pose_a, middle, pose, keys);
-      add(middle, pose, b, pose_b, keys);
+      std::array<double, 2> own = {kUnknown, before[0]};
+      if (is_short) own[0] = error;
+      add(a, pose_a, middle, pose, keys, own);
+      add(middle, pose, b, pose_b, keys, own);
       return;
     }
     keys.times.push_back(b);

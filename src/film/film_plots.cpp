@@ -37,7 +37,7 @@ std::vector<std::vector<double>> shown_values(const Recorded& quantity,
   const int steps = steps_to_show(motion, end, most);
   if (steps == kMostShown) {
     spdlog::warn(
-        "show.plots: the body turns too often for a plot of all its motion; shorten "
+        "show.plots: the body or a load turns too often for a plot of all the motion; shorten "
         "motion.duration");
   }
   std::vector<std::vector<double>> curves = values_over_time(quantity, motion, end, steps);

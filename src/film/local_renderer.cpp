@@ -33,7 +33,7 @@ class LocalRenderer final : public FrameRenderer {
     }
     // what moves while the shutter is open; the text stands still
     for (int k = 0; k < moments; ++k) {
-      renderer_->draw(film_.film().bare_at(time + film_.shutter_s() * (k + 0.5) / moments), image);
+      renderer_->draw(film_.film().bare_at(time + film_.moment(k)), image);
       blurred_.add(image);
     }
     blurred_.mean(image);

@@ -35,12 +35,21 @@ void warn_of_backward_turning(const Scene& scene,
     const double t = in_turn ? motion.duration() * i / looks : shown;
     fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
+  for (const double t : framing_times(motion)) {
+    if (in_turn || (t >= frames.from && t <= frames.to))
+      fastest = std::max(fastest, motion.at(t).w_B.norm());
+  }
   const std::optional<std::string> words = turns_backwards(fastest, frames.motion_step());
   if (!words) return;
+  constexpr double kMargin = 1.02;
+  const double slower = kMargin * fastest * frames.motion_step() / kPi;
   const Error warning = input_error(
-      "{}: use a higher video.fps, a smaller video.time_scale, or blur it with "
+      "{}: use a video.fps of {:.0f} or more, a video.time_scale of at most {:.2g}, or blur it "
+      "with "
       "video.shutter_deg = 360",
-      *words);
+      *words,
+      std::ceil(slower * frames.rate),
+      0.97 * scene.video.time_scale / slower);
   warn_at(scene, "video.fps", warning);
 }
 
@@ -98,16 +107,46 @@ void warn_of_missing_fonts() {
   }
 }
 
-// as many as leave no gaps: the body turns by a few degrees from one to the next
-int moments_of_shutter(const Motion& motion, const Scene& scene, double open) {
-  constexpr double kTurn = 0.06;  // rad
-  constexpr int kMost = 48;
+constexpr int kMostMoments = 48;  // of an open shutter
+
+// How far a body that would not turn goes in the picture while the shutter is open, at most, in
+// heights of the picture: it flies, or its camera moves.
+double shift_of_shutter(const FilmPanel& panel, const FrameTimes& frames, double open) {
+  constexpr int kLooks = 60;
+  const Composer& composer = *panel.composer;
+  const Scenery& scenery = composer.scenery();
+  const double length = composer.timeline().film_duration();
+  const auto place = [&](double film, const Vec3& off_S) -> Vec2 {
+    const double t = std::min(composer.timeline().motion_time(film), scenery.motion.duration());
+    const Camera camera = composer.camera_at(film);
+    return camera.project(scenery.motion.at(t).reference_S + off_S) / panel.place.height;
+  };
+  double most = 0.0;
+  for (int i = 0; i < kLooks; ++i) {
+    const double film = std::min(frames.film_time(frames.count * i / kLooks), length - open);
+    if (film < 0.0) continue;
+    for (const int axis : {-1, 0, 1, 2}) {
+      const Vec3 off_S = axis < 0 ? Vec3(Vec3::Zero()) : scenery.scale.body * Vec3::Unit(axis);
+      const double shift = (place(film + open, off_S) - place(film, off_S)).norm();
+      if (std::isfinite(shift)) most = std::max(most, shift);
+    }
+  }
+  return most;
+}
+
+// as many as leave no gaps: from one to the next the body turns by a few degrees, and goes on by
+// some pixels
+int moments_of_shutter(const FilmPanel& panel, const FrameTimes& frames, double open) {
+  constexpr double kTurn = 0.06;          // rad
+  constexpr double kShift = 1.0 / 180.0;  // of the height of the picture
   if (open <= 0.0) return 1;
+  const Motion& motion = panel.composer->scenery().motion;
   double fastest = 0.0;
   for (const double t : framing_times(motion))
     fastest = std::max(fastest, motion.at(t).w_B.norm());
-  const double turned = fastest * open * scene.video.time_scale;
-  return std::clamp(static_cast<int>(std::ceil(turned / kTurn)), 4, kMost);
+  const double turned = fastest * open * panel.composer->timeline().time_scale();
+  const double wanted = std::max(turned / kTurn, shift_of_shutter(panel, frames, open) / kShift);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 4.0, 1.0 * kMostMoments));
 }
 
 void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
@@ -254,9 +293,15 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
         make_film(solved_, frames_.timeline, comparison_.get(), charts, text_));
   });
   shutter_s_ = scene.video.shutter / (2.0 * kPi) / frames_.rate;
-  for (const Solved& one : solved_) {
-    moments_ = std::max(moments_, moments_of_shutter(one.simulation.motion, scene, shutter_s_));
-  }
+  for (const FilmPanel& panel : film_->panels())
+    moments_ = std::max(moments_, moments_of_shutter(panel, frames_, shutter_s_));
+}
+
+double PreparedFilm::moment(int index) const {
+  // where they are too few for a fast spin, equal steps may be whole turns: blurred, it would stand
+  constexpr double kGolden = 0.6180339887498949;
+  const double inside = moments_ == kMostMoments ? std::fmod((index + 1) * kGolden, 1.0) : 0.5;
+  return shutter_s_ * (index + inside) / moments_;
 }
 
 void PreparedFilm::warn() const {

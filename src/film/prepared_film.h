@@ -42,9 +42,11 @@ class PreparedFilm {
   void warn() const;
 
   // How long the shutter is open for each frame (s of film; 0: an instant), and the number of
-  // pictures (at least 1), equally spaced over that time, whose average is the frame.
+  // pictures (at least 1), spread over that time, whose average is the frame.
   double shutter_s() const { return shutter_s_; }
   int moments() const { return moments_; }
+  // When each of them is, s of film after the frame's time.
+  double moment(int index) const;
 
  private:
   std::vector<Solved> solved_;  // at least one

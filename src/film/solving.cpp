@@ -11,11 +11,17 @@
 
 namespace polhode {
 
-double accuracy_in_radians(const Scene& scene, const BodyModel& model) {
+double accuracy_in_radians(const Scene& scene,
+                           const BodyModel& model,
+                           const std::vector<Vec3>& places) {
   const Accuracy& accuracy = scene.numerics.accuracy;
   if (!accuracy.pixels) return accuracy.value;
   constexpr int kCoarse = 16;  // segments: enough to measure how far the body reaches
   DrawnReach drawn;
+  drawn.places = places;
+  if (places.empty()) {
+    drawn.places = {model.on_pivot ? Vec3(Vec3::Zero()) : start_state(model, scene.motion).place_S};
+  }
   drawn.body = body_radius(body_look(scene.body, model, make_theme(scene.theme), kCoarse), model);
   for (const std::vector<Vec3>& points : {scene.show.points, scene.show.trail_points}) {
     for (const Vec3& point : points)
@@ -68,6 +74,22 @@ void refuse_large_ensemble(const Scene& scene, const Simulation& first) {
       .at({{}, 0, "motion.ensemble.members"});
 }
 
+double accuracy_where_seen(const Scene& scene, const Motion& motion) {
+  const auto stands = [](const CameraSpec& camera) {
+    return camera.eye.has_value();
+  };
+  const bool any_stands = stands(scene.camera) ||
+                          std::any_of(scene.shots.begin(),
+                                      scene.shots.end(),
+                                      [&](const ShotSpec& shot) { return stands(shot.camera); });
+  std::vector<Vec3> places;
+  if (any_stands && scene.numerics.accuracy.pixels && !motion.model().on_pivot) {
+    for (const double t : framing_times(motion))
+      places.push_back(motion.at(t).reference_S);
+  }
+  return accuracy_in_radians(scene, motion.model(), places);
+}
+
 // the motions of the ensemble; `warn` is told once of those that cannot be trusted
 template <class Warn>
 std::vector<Motion> solve_ensemble(const Scene& scene,
@@ -93,7 +115,7 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
     if (!one.report.reliability.doubts.empty()) ++doubted;
   }
   if (doubted > 0) {
-    warn(fmt::format("{} of its {} motions cannot be trusted", doubted, motions.size()),
+    warn(fmt::format("{} of {} motions cannot be trusted", doubted, motions.size()),
          "motion.ensemble");
   }
   return motions;
@@ -105,7 +127,7 @@ Solved solve_watched(const Scene& scene, const SolveWatch& watch) {
   return with_place(scene, [&] {
     StageTime time;
     BodyModel model = make_model(scene.body, scene.motion);
-    const double accuracy = accuracy_in_radians(scene, model);
+    double accuracy = accuracy_in_radians(scene, model);
     const auto warn = [&](const std::string& words, const char* key) {
       if (watch.warn) watch.warn(placed(scene, input_error("{}", words).at({{}, 0, key})));
     };
@@ -113,16 +135,28 @@ Solved solve_watched(const Scene& scene, const SolveWatch& watch) {
     const std::optional<std::string> too_long =
         step_beyond_limit(model, start_state(model, scene.motion), numerics);
     if (too_long) warn(*too_long, "numerics.step");
-    auto found = [&] {
+    const auto simulated = [&] {
       const StageTimer timer(time);
       return simulate(model, scene.motion, numerics, accuracy, watch.progress);
-    }();
+    };
+    Simulation found = simulated();
+    // a body may come nearer to a camera than where it starts
+    constexpr double kNearer = 0.7;
+    if (const double needed = accuracy_where_seen(scene, found.motion);
+        needed < kNearer * accuracy) {
+      accuracy = needed;
+      found = simulated();
+    }
     for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");
     refuse_large_ensemble(scene, found);
     std::vector<Motion> ensemble = [&] {
       const StageTimer timer(time);
-      return solve_ensemble(scene, model, accuracy, warn);
+      // what is shown beside a motion counts as well
+      return solve_ensemble(scene, model, accuracy, [&](const std::string& words, const char* key) {
+        warn(words, key);
+        found.report.reliability.doubts.push_back("of the ensemble, " + words);
+      });
     }();
     return Solved{scene, model, std::move(found), std::move(ensemble), time};
   });

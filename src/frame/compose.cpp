@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "math/so3.h"
+#include "motion/deviation.h"
 
 namespace polhode {
 namespace {
@@ -477,18 +478,19 @@ Eigen::Isometry3d Composer::rig_from_space(const CameraSpec& spec, double film) 
 
 std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
   std::vector<Rig> rigs;
-  const auto add = [&](CameraSpec spec, double begins, double move) {
-    spec.follow = follow_of(spec, size);
-    // looking along L means from the side that it points to
-    const Vec3 L = scenery_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
-    if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
-      spec.direction = L.normalized();
-    Camera camera = make_camera(spec, points_to_frame(spec), size, staging_.margins);
-    // a table reaches farther than what is framed
-    if (scenery_.motion.model().table && shows("floor"))
-      camera = camera.seeing_farther(kFarTable * (scenery_.scale.body + scenery_.table_reach));
-    rigs.push_back({spec, begins, move, camera});
-  };
+  const auto add =
+      [&](CameraSpec spec, double begins, double move, std::optional<std::size_t> shot = {}) {
+        spec.follow = follow_of(spec, size);
+        // looking along L means from the side that it points to
+        const Vec3 L = scenery_.motion.at(staging_.timeline.motion_time(0.0)).L_S;
+        if (spec.follow == "momentum" && !spec.eye && !spec.direction && L.norm() > 0.0)
+          spec.direction = L.normalized();
+        Camera camera = make_camera(spec, points_to_frame(spec), size, staging_.margins);
+        // a table reaches farther than what is framed
+        if (scenery_.motion.model().table && shows("floor"))
+          camera = camera.seeing_farther(kFarTable * (scenery_.scale.body + scenery_.table_reach));
+        rigs.push_back({spec, begins, move, camera, shot});
+      };
   add(staging_.camera, 0.0, 0.0);
   for (std::size_t i = 0; i < staging_.shots.size(); ++i) {
     const ShotSpec& shot = staging_.shots[i];
@@ -498,7 +500,7 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
         throw input_error("must be a time within the motion, 0 to {} s, got {}", end, shot.at)
             .at({{}, 0, fmt::format("shots[{}].at", i)});
       }
-      add(shot.camera, staging_.timeline.film_time(shot.at), shot.move);
+      add(shot.camera, staging_.timeline.film_time(shot.at), shot.move, i);
     } catch (const Error& error) {
       // "camera.eye" of this shot
       const std::string key = error.place().key.substr(error.place().key.find('.') + 1);
@@ -529,10 +531,15 @@ Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) co
   return turn;
 }
 
-Camera Composer::camera_at(double film) const {
+std::size_t Composer::rig_at(double film) const {
   std::size_t last = 0;
   while (last + 1 < rigs_.size() && rigs_[last + 1].begins <= film)
     ++last;
+  return last;
+}
+
+Camera Composer::camera_at(double film) const {
+  const std::size_t last = rig_at(film);
   const Rig& rig = rigs_[last];
   if (last == 0 || rig.move <= 0.0 || film >= rig.begins + rig.move) return placed(rig, film);
   const Vec3 focus = scenery_.motion.at(staging_.timeline.motion_time(film)).reference_S;
@@ -571,6 +578,10 @@ std::vector<double> Composer::film_times() const {
   const double duration = staging_.timeline.film_duration();
   for (int i = 0; i <= kTimes; ++i)
     times.push_back(duration * i / kTimes);
+  const Motion& motion = scenery_.motion;
+  for (const double t : times_after_switches(motion.model().loads.switches, motion.duration()))
+    times.push_back(std::min(staging_.timeline.film_time(t), duration));
+  std::sort(times.begin(), times.end());
   return times;
 }
 
@@ -663,6 +674,20 @@ std::vector<Error> Composer::warnings_of_shots() const {
 
 std::vector<Error> Composer::warnings() const {
   std::vector<Error> found = warnings_of_shots();
+  const Paths& paths = scenery_.paths;
+  const auto is_coarse = [](const Trail& trail) {
+    return trail.coarse();
+  };
+  const auto any_coarse = [&](const std::vector<Trail>& trails) {
+    return std::any_of(trails.begin(), trails.end(), is_coarse);
+  };
+  if (is_coarse(paths.axis) || is_coarse(paths.omega_tip) || is_coarse(paths.momentum_tip) ||
+      is_coarse(paths.herpolhode) || any_coarse(paths.points) || any_coarse(paths.contact) ||
+      any_coarse(paths.contact_on_body)) {
+    found.push_back(input_error("the motion is too long for its path, which is drawn with corners "
+                                "from some time on; shorten it")
+                        .at({{}, 0, "motion.duration"}));
+  }
   if (const std::optional<Error> unseen = warning_of_unseen()) found.push_back(*unseen);
   return found;
 }
@@ -675,8 +700,9 @@ std::optional<Error> Composer::warning_of_unseen() const {
     return input_error("shows nothing: only the method dop853 tells what touches the table")
         .at({{}, 0, fmt::format("show.{}", element)});
   }
-  bool any_seen = false;
+  std::vector<bool> seen(rigs_.size(), false), used(rigs_.size(), false);
   double nearest = std::numeric_limits<double>::infinity();
+  std::size_t nearest_rig = 0;
   double largest = 0.0;  // pixels
   double body = 0.0;  // how far it reaches from its reference point, m; points shown may be farther
   for (const Vec3& point_B : scenery_.hull_B)
@@ -684,20 +710,29 @@ std::optional<Error> Composer::warning_of_unseen() const {
   for (const double film : film_times()) {
     const Sample sample = scenery_.motion.at(staging_.timeline.motion_time(film));
     const Camera camera = camera_at(film);
+    const std::size_t rig = rig_at(film);
     std::vector<Vec3> points;
     add_extent(glyphs_at(sample, film), points);
     points.push_back(sample.reference_S);
-    any_seen = any_seen || std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
-                 return camera.sees(point);
-               });
+    used[rig] = true;
+    seen[rig] = seen[rig] || std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
+                  return camera.sees(point);
+                });
     const Vec3& middle = sample.reference_S;
-    nearest = std::min(nearest, (camera.eye() - middle).norm());
+    if (const double away = (camera.eye() - middle).norm(); away < nearest) {
+      nearest = away;
+      nearest_rig = rig;
+    }
     if (camera.sees(middle)) largest = std::max(largest, body * camera.pixels_per_metre(middle));
   }
-  if (!any_seen) {
+  const auto key_of = [&](std::size_t rig) {
+    return rigs_[rig].shot ? fmt::format("shots[{}].eye", *rigs_[rig].shot) : "camera.eye";
+  };
+  for (std::size_t rig = 0; rig < rigs_.size(); ++rig) {
+    if (seen[rig] || !used[rig]) continue;
     return input_error(
-               "the camera does not see the scene; without camera.eye it frames the film by itself")
-        .at({{}, 0, "camera.eye"});
+               "the camera does not see the scene; without an eye it frames the film by itself")
+        .at({{}, 0, key_of(rig)});
   }
   if (!shows("body")) return {};
   if (nearest < body) {
@@ -706,7 +741,7 @@ std::optional<Error> Composer::warning_of_unseen() const {
                "reaches {:.3g} m; move it away",
                nearest,
                body)
-        .at({{}, 0, "camera.eye"});
+        .at({{}, 0, key_of(nearest_rig)});
   }
   if (largest > 0.0 && largest < 1.0) {
     return input_error(
@@ -732,7 +767,17 @@ double attitude_tolerance(const CameraSpec& camera,
   if (!(distance > 0.0)) {
     throw input_error("must differ from camera.target").at({{}, 0, "camera.eye"});
   }
-  const double nearest = std::max(distance - reach, 0.05 * distance);
+  double least = distance;
+  for (const Vec3& place : drawn.places) {
+    const Vec3 away = *camera.eye - place;
+    // of a camera that goes round the vertical, when it is nearest
+    const Vec3 middle = camera.target.value_or(drawn.places.front());
+    const double around =
+        std::abs((*camera.eye - middle).head<2>().norm() - (place - middle).head<2>().norm());
+    least = std::min(least, camera.orbit != 0.0 ? std::hypot(around, away.z()) : away.norm());
+    if (camera.follow != "auto" && camera.follow != "none") break;
+  }
+  const double nearest = std::max(least - reach, 0.05 * least);
   const double focal_px = camera.zoom * 0.5 * size.height / std::tan(0.5 * camera.fov);
   return pixels * nearest / (focal_px * reach);
 }

@@ -95,9 +95,9 @@ class Composer {
   // The draw list at the time t (s of motion).
   DrawList at(double t) const;
   // Warnings, which are not thrown, with the key concerned: shots[i].at for a shot that is never
-  // seen, shots[i].move for one that does not come to its end, camera.eye for a camera that sees
-  // nothing or comes inside the body, camera for a body that is always smaller than a pixel. Empty:
-  // none.
+  // seen, shots[i].move for one that does not come to its end, motion.duration for paths with
+  // corners, camera.eye or shots[i].eye for a camera that sees nothing or comes inside the body,
+  // camera for a body that is always smaller than a pixel. Empty: none.
   std::vector<Error> warnings() const;
 
   // The camera at the start of the film.
@@ -126,8 +126,11 @@ class Composer {
     double begins = 0.0;  // s of the film
     double move = 0.0;
     Camera camera;
+    std::optional<std::size_t> shot = {};  // its index; absent: the scene's camera
   };
   std::vector<Error> warnings_of_shots() const;
+  // The index of the one that the film is seen by then.
+  std::size_t rig_at(double film) const;
   std::optional<Error> warning_of_unseen() const;
   std::vector<double> film_times() const;
   // The glyphs shown at that film time; without one, all that are ever shown.
@@ -171,15 +174,17 @@ class Composer {
 
 // How far drawn things are from the body's reference point.
 struct DrawnReach {
-  double body = 0.0;    // body_radius() (frame/body_look.h), m
-  double points = 0.0;  // the farthest of show.points and show.trail_points, m
+  double body = 0.0;              // body_radius() (frame/body_look.h), m
+  double points = 0.0;            // the farthest of show.points and show.trail_points, m
+  std::vector<Vec3> places = {};  // where the reference point is seen, S, m
 };
 
 // The attitude error, rad, that moves no drawn point by more than `pixels` (positive) in a picture
-// of that size. It needs no motion: an automatic camera keeps all points in the picture; for one
-// with camera.eye, points are taken to be as far from the target as those of the scene reach, and
+// of that size. An automatic camera keeps all points in the picture; for one with camera.eye,
+// points are taken to be as far from the target and from `places` as those of the scene reach, and
 // vectors kReachOfVectors times as far as the body. A target that is not given counts as the
-// origin. Throws Error (input), naming camera.eye, if the camera is at its target.
+// origin. A camera that moves with the body stays as far from it as it is from the first place.
+// Throws Error (input), naming camera.eye, if the camera is at its target.
 double attitude_tolerance(const CameraSpec& camera,
                           double pixels,
                           const DrawnReach& drawn,

@@ -86,7 +86,9 @@ Path sampled(const std::function<Vec3(double)>& curve,
         };
         const bool off = is_off(m) || is_off(at(0.5 * (a.parameter + m.parameter))) ||
                          is_off(at(0.5 * (m.parameter + b.parameter)));
-        if (off && depth < kMostHalvings && path.points.size() < kMostPoints) {
+        const bool full = path.points.size() >= kMostPoints;
+        path.coarse = path.coarse || (off && full);
+        if (off && depth < kMostHalvings && !full) {
           refine(a, m, depth + 1);
           refine(m, b, depth + 1);
         } else {
@@ -100,7 +102,9 @@ Path sampled(const std::function<Vec3(double)>& curve,
     refine(a, b, 0);
     a = b;
   }
-  return thinned(path, 0.5 * tolerance);
+  Path kept = thinned(path, 0.5 * tolerance);
+  kept.coarse = path.coarse;
+  return kept;
 }
 
 Mesh tube_along(const std::vector<Vec3>& points, double radius, int sides, bool closed) {

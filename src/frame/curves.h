@@ -14,6 +14,7 @@ namespace polhode {
 struct Path {
   std::vector<double> parameters;
   std::vector<Vec3> points;
+  bool coarse = false;  // it is farther from the curve than asked for, as there are too many points
 };
 
 // Samples the curve over [from, to] so that no straight piece, run through at an even pace, is
@@ -39,6 +40,8 @@ class Trail {
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }
+  // Whether the path was too long for its tolerance, so that it has corners.
+  bool coarse() const { return path_.coarse; }
   // The meshes of the part between two parameters of the path, in mesh coordinates; empty for an
   // empty trail.
   std::vector<MeshPtr> part(double from, double to) const;

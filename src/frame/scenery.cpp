@@ -189,16 +189,11 @@ Vec3 drawn_tip(const Scenery& scenery, const Vec3& from, const Vec3& end) {
   return drawn < length ? Vec3(from + (end - from) * (drawn / length)) : end;
 }
 
-// and when loads have just been switched, and halfway to the next time: a pulse is short
 std::vector<double> framing_times(const Motion& motion) {
   const double duration = motion.duration();
   std::vector<double> times = scattered_times(duration, kFramingTimes);
-  double before = 0.0;
-  for (const double t : motion.model().loads.switches) {
-    times.push_back(std::min(duration, 0.5 * (before + t)));
-    times.push_back(std::min(duration, t));
-    before = t;
-  }
+  const std::vector<double> more = times_after_switches(motion.model().loads.switches, duration);
+  times.insert(times.end(), more.begin(), more.end());
   std::sort(times.begin(), times.end());
   return times;
 }

@@ -123,6 +123,7 @@ Image decode_png(const std::string& bytes, const std::string& name) {
   };
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) throw refuse();
 
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits without a gamma are no linear light
   // a size is only a claim until the pixels have been seen: believe no more than memory may hold
   if (std::size_t{png.width} * png.height > kMostPngPixels) {
     throw input_error("claims {}x{} pixels, too many to read", png.width, png.height).at(place);

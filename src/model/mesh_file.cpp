@@ -40,6 +40,24 @@ Point cgal(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
+// The corners and faces of an OBJ file, with blanks between their numbers; lines, points, materials
+// and the like are no part of a surface.
+std::string surface_of_obj(const std::string& bytes) {
+  std::istringstream in(bytes);
+  std::string kept;
+  for (std::string line; std::getline(in, line);) {
+    std::replace(line.begin(), line.end(), '\t', ' ');
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string::npos) continue;
+    const std::string word = line.substr(first, line.find(' ', first) - first);
+    if (word != "v" && word != "f") continue;
+    kept += line;
+    // a file that ends within a line ends early
+    if (!in.eof()) kept += '\n';
+  }
+  return kept;
+}
+
 // the points and faces as they stand in the file
 void read_soup(const std::string& bytes,
                const std::string& name,
@@ -49,7 +67,7 @@ void read_soup(const std::string& bytes,
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
     return static_cast<char>(std::tolower(c));
   });
-  std::istringstream in(bytes);
+  std::istringstream in(ending == ".obj" ? surface_of_obj(bytes) : bytes);
   bool good = false;
   if (ending == ".obj") {
     good = CGAL::IO::read_OBJ(in, points, faces);

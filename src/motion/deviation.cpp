@@ -2,6 +2,7 @@
 #include "motion/deviation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -43,6 +44,23 @@ std::vector<double> cheap_times(const Trajectory& motion, const std::vector<doub
   if (!times.empty()) kept.back() = times.back();
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kFewer * kept.size() < times.size() ? times : kept;
+}
+
+std::vector<double> times_after_switches(const std::vector<double>& switches, double duration) {
+  constexpr std::size_t kMostSwitches = 64;
+  constexpr double kAfter = 0.01;  // of the duration
+  constexpr std::array<double, 12> kParts = {
+      0.0, 1.0 / 64, 1.0 / 32, 1.0 / 16, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+  std::vector<double> times;
+  for (std::size_t i = 0; i < std::min(switches.size(), kMostSwitches); ++i) {
+    if (!(switches[i] < duration)) break;
+    const double next = i + 1 < switches.size() ? switches[i + 1] : duration;
+    const double gap = std::min({next, duration, switches[i] + kAfter * duration}) - switches[i];
+    for (const double part : kParts)
+      times.push_back(switches[i] + part * gap);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 std::vector<double> scattered_times(double duration, int parts, unsigned seed) {

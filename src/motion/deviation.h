@@ -43,4 +43,9 @@ std::vector<double> cheap_times(const Trajectory& motion, const std::vector<doub
 // motion always in the same phases. The same on every machine; another `seed` gives other times.
 std::vector<double> scattered_times(double duration, int parts, unsigned seed = 5489);
 
+// Times up to `duration` (s, in order) at and after each of the first switches of loads, dense
+// enough for a short pulse and for what it leaves: what happens there may be over before the next
+// scattered time.
+std::vector<double> times_after_switches(const std::vector<double>& switches, double duration);
+
 }  // namespace polhode

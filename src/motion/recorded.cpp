@@ -241,11 +241,25 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
 }
 
 int steps_to_show(const Motion& motion, double end, int least) {
-  constexpr double kShownInATurn = 24.0;
-  double fastest = 0.0;
-  for (const double t : scattered_times(end, 256))
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
-  const double needed = std::ceil(kShownInATurn * fastest * end / (2.0 * kPi));
+  constexpr double kShownInATurn = 24.0, kFewestInATurn = 8.0;
+  constexpr double kShownInAPulse = 12.0;
+  const Loads& loads = motion.model().loads;
+  double fastest = 0.0;  // of what turns, rad/s
+  for (const std::vector<double>& times :
+       {scattered_times(end, 256), times_after_switches(loads.switches, end)}) {
+    for (const double t : times)
+      fastest = std::max(fastest, motion.at(t).w_B.norm());
+  }
+  for (const Load& load : loads.listed)
+    fastest = std::max(fastest, std::abs(load.rate));
+  double needed = std::ceil(kShownInATurn * fastest * end / (2.0 * kPi));
+  const bool enough = needed * kFewestInATurn <= kMostShown * kShownInATurn;
+  double before = 0.0;
+  for (const double t : loads.switches) {
+    if (t > before && t < end) needed = std::max(needed, kShownInAPulse * end / (t - before));
+    before = t;
+  }
+  if (enough) needed = std::min(needed, kMostShown - 1.0);
   return static_cast<int>(std::clamp(needed, 1.0 * least, 1.0 * kMostShown));
 }
 

@@ -27,7 +27,8 @@ struct Recorded {
 };
 
 // How many equal steps up to `end` (s) show what the quantities of a motion do: at least `least`,
-// and 24 in a turn of the body's fastest rotation, but no more than kMostShown.
+// 24 in a turn of the body's fastest rotation and of the fastest load, and 12 between two switches
+// of loads, but no more than kMostShown. That many steps are too few for a turn.
 inline constexpr int kMostShown = 100'000;
 int steps_to_show(const Motion& motion, double end, int least);
 

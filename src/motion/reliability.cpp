@@ -68,10 +68,8 @@ std::optional<std::string> turns_backwards(double fastest_rad_per_s, double fram
   if (!(turn > kPi)) return {};
   return fmt::format(
       "the body turns by {:.0f} degrees from frame to frame, so that the eye sees it slower or "
-      "backwards; let at most {:.3g} s of motion pass between frames (now {:.3g} s)",
-      turn * 180.0 / kPi,
-      kPi / fastest_rad_per_s,
-      frame_s);
+      "backwards",
+      turn * 180.0 / kPi);
 }
 
 }  // namespace polhode

@@ -41,7 +41,6 @@ std::optional<std::string> step_beyond_limit(const BodyModel& model,
 
 // A doubt if a body with the greatest angular speed fastest_rad_per_s turns by more than half a
 // turn between frames that are `frame_s` (s of motion) apart, so that it seems to turn backwards.
-// It names the time between frames that would avoid this.
 std::optional<std::string> turns_backwards(double fastest_rad_per_s, double frame_s);
 
 }  // namespace polhode

@@ -177,6 +177,17 @@ TEST_F(Diff, ScenesAreRenderedAtTheSizeOfTheReference) {
   refuses(diff("nowhere.toml", "ref.png"), "file does not exist");
 }
 
+// what cannot be drawn was not found different
+TEST_F(Diff, ASceneThatFailsIsNotComparable) {
+  picture("a.png", flat(100));
+  write_text(
+      folder_ / "edge.toml",
+      "format = 1\n[body]\nsolid = { kind = \"cylinder\", radius_cm = 2, height_cm = 6, mass_g "
+      "= 100 }\n[motion]\nhold = \"table\"\nduration = 1\nfriction = { kind = \"coulomb\", mu "
+      "= 0.3 }\nattitude = { zxz_deg = [0, 40, 0] }\nspin = { rates = [30, 0, -40] }\n");
+  refuses(diff("edge.toml", "a.png"), "comes down on the table");
+}
+
 TEST_F(Diff, WhatCannotBeComparedIsSaidInOneLine) {
   picture("a.png", flat(100));
   picture("wide.png", flat(100, 65, 48));

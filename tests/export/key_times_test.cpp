@@ -72,6 +72,28 @@ TEST(KeyTimes, ASpikeBetweenTheTestedPlacesIsSeen) {
   EXPECT_NEAR(highest, 1.0, tolerance);
 }
 
+// a long animation of a fast motion: an interval may be shorter than what a jump takes
+TEST(KeyTimes, AreAsCloseAsALongAnimationAsks) {
+  constexpr double kFast = 400.0;  // rad/s
+  const AnimationClock clock{0.0, 300.0, 1.0};
+  const auto pose_at = [](double t) {
+    return Pose{Vec3(std::sin(kFast * t), 0, 0), Quat::Identity(), Vec3::Ones()};
+  };
+  std::vector<double> first;
+  for (int i = 0; i <= 200; ++i)
+    first.push_back(static_cast<double>(static_cast<float>(200.0 + 0.005 * i)));
+  constexpr double kTolerance = 1e-3;
+  const KeyedPoses keys = keyed(ball(), pose_at, first, clock, kTolerance);
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < keys.times.size(); ++i) {
+    const double middle = 0.5 * (keys.times[i] + keys.times[i + 1]);
+    const double between = 0.5 * (keys.poses[i].at.x() + keys.poses[i + 1].at.x());
+    most = std::max(most, std::abs(between - std::sin(kFast * middle)));
+  }
+  EXPECT_LE(most, kTolerance);
+  EXPECT_GT(keys.error, 0.3 * most) << "as it is told";
+}
+
 TEST(KeyTimes, AJumpTakesAMomentAndIsNoError) {
   const auto pose_at = [](double t) {
     return Pose{Vec3(t < 0.4 ? 0.0 : 1.0, 0, 0), Quat::Identity(), Vec3::Ones()};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "film/prepared_film.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +64,35 @@ TEST(PreparedFilm, AnOpenShutterHasAsManyMomentsAsTheTurnNeeds) {
   EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 48) << "the most";
   scene.motion.spin.body = Vec3(0.0, 0.0, 0.001);
   EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 4) << "the least";
+}
+
+// a spin of whole turns between 48 equal steps would stand still, blurred as it is
+TEST(PreparedFilm, MomentsOfAFastSpinAreSpread) {
+  Scene scene = small_scene("shutter_deg = 360\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 2.0 * kPi * 480.0);  // 48 turns in a tenth of a second
+  const PreparedFilm film(plan_of(scene));
+  ASSERT_EQ(film.moments(), 48);
+  std::vector<double> turns;
+  for (int k = 0; k < 48; ++k) {
+    EXPECT_GE(film.moment(k), k / 480.0);
+    EXPECT_LT(film.moment(k), (k + 1) / 480.0);
+    turns.push_back(std::fmod(480.0 * film.moment(k), 1.0));
+  }
+  std::sort(turns.begin(), turns.end());
+  for (std::size_t k = 1; k < turns.size(); ++k)
+    EXPECT_LT(turns[k] - turns[k - 1], 0.06);
+}
+
+TEST(PreparedFilm, AnOpenShutterFollowsWhatFliesAndTheCamera) {
+  Scene scene = small_scene("shutter_deg = 360\n");
+  scene.motion.spin.body = Vec3::Zero();
+  scene.motion.velocity = Vec3(3.0, 0.0, 0.0);
+  scene.camera.follow = "none";
+  EXPECT_GT(PreparedFilm(plan_of(scene)).moments(), 15);
+  scene.motion.velocity = Vec3::Zero();
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 4);
+  scene.camera.orbit = 4.0;
+  EXPECT_GT(PreparedFilm(plan_of(scene)).moments(), 15);
 }
 
 // the wheels of coaches: more than half a turn from frame to frame

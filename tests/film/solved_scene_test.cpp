@@ -55,6 +55,7 @@ TEST(SolvedScene, StepsOfAComparisonAreNotThoseOfItsEnsemble) {
   Scene scene = small_scene("[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n");
   scene.motion.ensemble = EnsembleSpec{3, 0.1, 0.0};
   EXPECT_EQ(solve(scene).ensemble.size(), 3U);
+  EXPECT_TRUE(solve(scene).simulation.report.reliability.doubts.empty());
 }
 
 // where only the motion of the scene is asked for, too
@@ -101,6 +102,20 @@ TEST(SolvedScene, AStepBeyondItsMethodIsWarnedOf) {
 TEST(AccuracyInRadians, IsWhatTheSceneSays) {
   Scene scene = small_scene("[numerics]\naccuracy = 0.02\n");
   EXPECT_EQ(accuracy_in_radians(scene, solve(scene).model), 0.02);
+}
+
+// it is the distance of the body that counts, wherever the camera looks, and of its nearest place
+TEST(AccuracyInRadians, PixelsDependOnWhereTheBodyIs) {
+  Scene scene = small_scene("[numerics]\naccuracy = \"0.5px\"\n");
+  scene.camera.eye = Vec3(0.0, -4.0, 0.0);
+  scene.camera.target = Vec3::Zero();
+  const BodyModel model = solve(scene).model;
+  const double there = accuracy_in_radians(scene, model);
+  scene.camera.target = Vec3(0.0, 40.0, 0.0);
+  EXPECT_NEAR(accuracy_in_radians(scene, model), there, 1e-12);
+  const double near = accuracy_in_radians(scene, model, {Vec3::Zero(), Vec3(0.0, -2.0, 0.0)});
+  EXPECT_LT(near, 0.6 * there);
+  EXPECT_GT(near, 0.3 * there);
 }
 
 // pixels are angles: of twice as many rows half the angle, of a nearer camera less

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 
@@ -32,6 +33,23 @@ TEST(Png, KeepsEveryByteWithAlpha) {
   EXPECT_EQ(back.height, 23);
   EXPECT_EQ(back.pixels, image.pixels);
   EXPECT_EQ(folder.entries(), 1);
+}
+
+// 16 bits without a gamma are values like those of 8 bits, of which they keep the upper half
+TEST(Png, SixteenBitsAreTheSamePicture) {
+  const TemporaryFolder folder;
+  const Image image = noise(20, 10, 3);
+  write_png(folder / "a.png", image, false);
+  const std::string command = "ffmpeg -nostdin -loglevel error -y -i '" + (folder / "a.png") +
+                              "' -pix_fmt rgb48be '" + (folder / "b.png") + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const Image back = read_png(folder / "b.png");
+  ASSERT_EQ(back.pixels.size(), image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    // the program that writes them rounds
+    if (i % 4 == 3) continue;
+    EXPECT_NEAR(back.pixels[i], image.pixels[i], 1) << i;
+  }
 }
 
 TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -47,6 +48,15 @@ TEST(MeshFile, StlSaysTheSameAsObj) {
     EXPECT_EQ(read.triangles.size(), 12u);
     EXPECT_LE((mass_properties_of(read).tensor - mass_properties_of(mesh).tensor).norm(), 1e-14);
   }
+}
+
+// tabs between numbers, and what is no part of the surface
+TEST(MeshFile, ReadsWhatOtherProgramsWriteIntoObj) {
+  std::string obj = "# made elsewhere\no thing\n" + std::string(kBox) + "\nl 1 2\np 1\n";
+  std::replace(obj.begin(), obj.end(), ' ', '\t');
+  const TriangleMesh read = parse_triangle_mesh(obj, "box.obj");
+  check_solid(read);
+  EXPECT_EQ(read.triangles.size(), solid(kBox).triangles.size());
 }
 
 TEST(MeshFile, RefusesWhatBoundsNoSolid) {

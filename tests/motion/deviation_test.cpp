@@ -102,6 +102,19 @@ TEST(ScatteredTimes, FillTheDurationAndHaveNoPeriod) {
   }
 }
 
+TEST(TimesAfterSwitches, AreInPulsesAndBehindThem) {
+  EXPECT_TRUE(times_after_switches({}, 10.0).empty());
+  const std::vector<double> times = times_after_switches({5.0, 5.02, 20.0}, 10.0);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  const auto within = [&](double from, double to) {
+    return std::count_if(
+        times.begin(), times.end(), [&](double t) { return t >= from && t <= to; });
+  };
+  EXPECT_GE(within(5.0, 5.02), 12);
+  EXPECT_GE(within(5.02, 5.13), 12) << "a hundredth of the duration";
+  EXPECT_LE(times.back(), 10.0);
+}
+
 TEST(ScatteredTimes, DependOnTheSeed) {
   const std::vector<double> some = scattered_times(1.0, 50), others = scattered_times(1.0, 50, 1);
   EXPECT_EQ(some, scattered_times(1.0, 50));

@@ -251,9 +251,30 @@ TEST(Recorded, AFastMotionIsLookedAtOften) {
   spec.spin.body = Vec3(0, 0, 0.1);
   EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 2400);
   spec.spin.body = Vec3(0, 0, 2000.0 * kPi);  // 1000 turns a second
-  EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 100'000);
+  EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 99'999) << "ten in a turn";
+  spec.spin.body = Vec3(0, 0, 4000.0 * kPi);
+  EXPECT_EQ(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 100'000) << "too few";
   spec.spin.body = Vec3(0, 0, 40.0 * kPi);
   EXPECT_NEAR(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 200 * 24, 1);
+}
+
+// so have a fast load and a short pulse, though the body hardly turns
+TEST(Recorded, FastLoadsAreLookedAtOften) {
+  MotionSpec spec = wobbling();
+  spec.duration = 10.0;
+  spec.spin = {};
+  spec.spin.body = Vec3(0, 0, 0.1);
+  LoadSpec load;
+  load.kind = "constant";
+  load.body = Vec3(0, 0, 1e-3);
+  load.rate = 40.0 * kPi;
+  spec.torque = {load};
+  EXPECT_NEAR(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 200 * 24, 1);
+  load.rate.reset();
+  load.from = 5.0;
+  load.until = 5.01;
+  spec.torque = {load};
+  EXPECT_NEAR(steps_to_show(moving(prolate_body(), spec), 10.0, 2400), 12'000, 1);
 }
 
 // fewer values reach as far up and down, and leave gaps where there were a few

@@ -39,8 +39,10 @@ PlotSheet sheet_of(const Recorded& quantity,
   for (std::size_t k = 0; k < quantity.curves.size(); ++k)
     sheet.curves.push_back({quantity.curves[k], kColors[k % kColors.size()], 2.0, {}});
   const int steps = steps_to_show(motion, motion.duration(), kLeastSteps);
-  if (steps == kMostShown)
-    spdlog::warn("the body turns too often for a plot of all its motion; shorten motion.duration");
+  if (steps == kMostShown) {
+    spdlog::warn(
+        "the body or a load turns too often for a plot of all the motion; shorten motion.duration");
+  }
   const std::vector<std::vector<double>> all =
       values_over_time(quantity, motion, motion.duration(), steps);
   for (std::size_t k = 0; k < all.size(); ++k) {

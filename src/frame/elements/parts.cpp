@@ -64,14 +64,22 @@ void add_vector(const Scenery& scenery,
                 const Material& material,
                 Glyphs& glyphs,
                 const std::string& name) {
-  const double length = (end - from).norm();
-  const Vec3 tip = drawn_tip(scenery, from, end);
+  add_position(scenery, from, drawn_tip(scenery, from, end), shape, material, glyphs, name);
+}
+
+void add_position(const Scenery& scenery,
+                  const Vec3& from,
+                  const Vec3& place,
+                  const ArrowShape& shape,
+                  const Material& material,
+                  Glyphs& glyphs,
+                  const std::string& name) {
   glyphs.arrows.push_back(
-      {from, tip, times(shape, scenery.scale.body), drawn_through(scenery, material)});
+      {from, place, times(shape, scenery.scale.body), drawn_through(scenery, material)});
   // the name of a vector that shrinks into the body goes with it
-  const float fade = name_presence(scenery, length);
+  const float fade = name_presence(scenery, (place - from).norm());
   if (name.empty() || fade <= 0.0f) return;
-  glyphs.labels.push_back({tip, tip - from, name, material.color, fade, true});
+  glyphs.labels.push_back({place, place - from, name, material.color, fade, true});
 }
 
 void add_at_reference(const Scenery& scenery,

@@ -48,6 +48,14 @@ void add_vector(const Scenery& scenery,
                 const Material& material,
                 Glyphs& glyphs,
                 const std::string& name = {});
+// Adds such an arrow to a place, which is drawn as far as that is.
+void add_position(const Scenery& scenery,
+                  const Vec3& from,
+                  const Vec3& place,
+                  const ArrowShape& shape,
+                  const Material& material,
+                  Glyphs& glyphs,
+                  const std::string& name = {});
 // How visible the name of an arrow of this length (m) is, 0..1.
 float name_presence(const Scenery& scenery, double length);
 // Adds such an arrow from the reference point to the reference point + `along` (S, m).

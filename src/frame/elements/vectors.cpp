@@ -123,12 +123,12 @@ void add_space_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
 void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   constexpr std::array<double, 3> kUsual = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};
   add_axes_at(scenery, Vec3::Zero(), kUsual, glyphs);
-  add_vector(scenery,
-             Vec3::Zero(),
-             sample.reference_S,
-             kAxisShape,
-             plain(scenery.theme.position, 0.2f),
-             glyphs);
+  add_position(scenery,
+               Vec3::Zero(),
+               sample.reference_S,
+               kAxisShape,
+               plain(scenery.theme.position, 0.2f),
+               glyphs);
   // at its tip are the feet of all the others
   if (sample.reference_S.norm() < scenery.scale.body) return;
   // above it, or to the right of one that is upright
@@ -373,9 +373,9 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
     const char* name = from_origin ? "<b>r̃</b>" : "<b>r</b>";
-    add_vector(scenery, sample.reference_S, at, kAxisShape, material, glyphs, name);
+    add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs, name);
     if (!from_origin) continue;
-    add_vector(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
+    add_position(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
     add_name_beside(scenery, Vec3::Zero(), at, at - sample.reference_S, "<b>r</b>", glyphs);
   }
 }

@@ -26,11 +26,6 @@ double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
 }
 
-// whether friction acts where the body slips, and takes energy from it
-bool slip_costs(const Friction& law) {
-  return law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::viscous;
-}
-
 // whether the body may roll, and nothing resists that
 bool may_roll_freely(const Friction& law) {
   const bool grips = law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::rolling;
@@ -166,7 +161,7 @@ void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
 
 // Jellett's constant fixed, the energy of spinning at tilt theta without slip is
 // lambda^2 / (2 R^2 D) - m g R e cos(theta), D = I1 sin^2 + I3 (cos - e)^2: its minima are where
-// friction of any kind ends. Ebenfeld and Scheck, Ann. Phys. 243 (1995) 195; derived anew.
+// viscous friction ends. Ebenfeld and Scheck, Ann. Phys. 243 (1995) 195; derived anew.
 void add_eccentric_sphere(List& list, const BodyModel& model, const State& start) {
   EccentricSphere s;
   // a centre of mass outside the sphere is that of a peg top
@@ -174,7 +169,9 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   const double e = s.offset, ratio = s.across / s.along;
   list.push_back({"eccentricity", Q::none, e});
   list.push_back({"inertia_ratio_across_to_along", Q::none, ratio});
-  if (e == 0.0 || !is_level_and_unloaded(model) || !slip_costs(model.table->friction)) return;
+  // dry friction holds a body that slips little, so that it does not leave the upright place
+  if (e == 0.0 || !is_level_and_unloaded(model)) return;
+  if (model.table->friction.kind != Friction::Kind::viscous) return;
   const bool condition = 1.0 - e < ratio && ratio < 1.0 + e;
   list.push_back({"tippe_top_condition", Q::verdict, condition ? 1.0 : 0.0});
   const double lever = model.body.mass * along_up(model) * s.radius * e;
@@ -264,9 +261,17 @@ double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin
   const double reach = model.table->surface->reach();
   const double rate = std::abs(spin) + std::sqrt(model.gravity_S.norm() / reach);
   const Jacobian J = motion.jacobian(x, rate, rate * reach);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(J), false);
-  // neutral directions (another spin, another azimuth) have zeros that rounding splits
-  constexpr double kNeutralRate = 1e-4;
+  // What changes along the vertical, as another spin does, has zeros that rounding would split;
+  // what goes across is apart from it.
+  const Vec3 first = up_P.unitOrthogonal(), second = up_P.cross(first);
+  const Eigen::Index blocks = motion.size() / 3;
+  Eigen::MatrixXd across = Eigen::MatrixXd::Zero(motion.size(), 2 * blocks);
+  for (Eigen::Index i = 0; i < blocks; ++i) {
+    across.block<3, 1>(3 * i, 2 * i) = first;
+    across.block<3, 1>(3 * i, 2 * i + 1) = second;
+  }
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(across.transpose() * J * across, false);
+  constexpr double kNeutralRate = 1e-6;
   const double most = solver.eigenvalues().real().maxCoeff();
   return most > kNeutralRate * rate ? most : 0.0;
 }
