@@ -26,14 +26,14 @@ class LocalRenderer final : public FrameRenderer {
   void render(int index, Image& image) override {
     const double time = film_.frames().film_time(index);
     const Picture picture = composed(time);
-    const int moments = film_.moments();
+    const int moments = film_.shutter().moments();
     if (moments == 1) {
       renderer_->draw(picture, image);
       return;
     }
     // what moves while the shutter is open; the text stands still
     for (int k = 0; k < moments; ++k) {
-      renderer_->draw(film_.film().bare_at(time + film_.moment(k)), image);
+      renderer_->draw(film_.film().bare_at(time + film_.shutter().moment(k)), image);
       blurred_.add(image);
     }
     blurred_.mean(image);

@@ -8,6 +8,7 @@
 #include "film/comparison.h"
 #include "film/frame_times.h"
 #include "film/render_plan.h"
+#include "film/shutter.h"
 #include "film/solved_scene.h"
 #include "frame/film.h"
 
@@ -36,25 +37,19 @@ class PreparedFilm {
   // The runs of numerics.compare; null if no methods are compared.
   const Comparison* comparison() const { return comparison_.get(); }
 
-  // Logs warnings about the film: missing fonts, a loop that does not close, those of
-  // Composer::warnings() for each scene, a body that seems to turn backwards. It opens fonts,
-  // so call it after any fork.
+  // Logs warnings about the film (film/film_warnings.h) and its fonts. It opens these, so call it
+  // after any fork.
   void warn() const;
 
-  // How long the shutter is open for each frame (s of film; 0: an instant), and the number of
-  // pictures (at least 1), spread over that time, whose average is the frame.
-  double shutter_s() const { return shutter_s_; }
-  int moments() const { return moments_; }
-  // When each of them is, s of film after the frame's time.
-  double moment(int index) const;
+  // When the shutter is open in each frame.
+  const Shutter& shutter() const { return shutter_; }
 
  private:
   std::vector<Solved> solved_;  // at least one
   FrameTimes frames_;
   std::unique_ptr<const Comparison> comparison_;
   std::unique_ptr<const Film> film_;
-  double shutter_s_ = 0.0;
-  int moments_ = 1;
+  Shutter shutter_;
   bool text_ = true;
 };
 

@@ -30,8 +30,8 @@ TEST(PreparedFilm, KnowsMotionTimesAndPanels) {
   EXPECT_EQ(film.frames().count, 10);
   EXPECT_EQ(film.film().panels().size(), 1U);
   EXPECT_EQ(film.comparison(), nullptr);
-  EXPECT_EQ(film.shutter_s(), 0.0);
-  EXPECT_EQ(film.moments(), 1);
+  EXPECT_EQ(film.shutter().open_s(), 0.0);
+  EXPECT_EQ(film.shutter().moments(), 1);
 }
 
 TEST(PreparedFilm, ShowsTheRangeThatIsAskedFor) {
@@ -58,12 +58,12 @@ TEST(PreparedFilm, AnOpenShutterHasAsManyMomentsAsTheTurnNeeds) {
   Scene scene = small_scene("shutter_deg = 180\n");
   scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);
   const PreparedFilm film(plan_of(scene));
-  EXPECT_DOUBLE_EQ(film.shutter_s(), 0.05) << "half of a tenth of a second";
-  EXPECT_EQ(film.moments(), 9) << "half a radian in steps of 0.06";
+  EXPECT_DOUBLE_EQ(film.shutter().open_s(), 0.05) << "half of a tenth of a second";
+  EXPECT_EQ(film.shutter().moments(), 9) << "half a radian in steps of 0.06";
   scene.video.time_scale = 10.0;
-  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 48) << "the most";
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 48) << "the most";
   scene.motion.spin.body = Vec3(0.0, 0.0, 0.001);
-  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 4) << "the least";
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 4) << "the least";
 }
 
 // a spin of whole turns between 48 equal steps would stand still, blurred as it is
@@ -71,12 +71,12 @@ TEST(PreparedFilm, MomentsOfAFastSpinAreSpread) {
   Scene scene = small_scene("shutter_deg = 360\n");
   scene.motion.spin.body = Vec3(0.0, 0.0, 2.0 * kPi * 480.0);  // 48 turns in a tenth of a second
   const PreparedFilm film(plan_of(scene));
-  ASSERT_EQ(film.moments(), 48);
+  ASSERT_EQ(film.shutter().moments(), 48);
   std::vector<double> turns;
   for (int k = 0; k < 48; ++k) {
-    EXPECT_GE(film.moment(k), k / 480.0);
-    EXPECT_LT(film.moment(k), (k + 1) / 480.0);
-    turns.push_back(std::fmod(480.0 * film.moment(k), 1.0));
+    EXPECT_GE(film.shutter().moment(k), k / 480.0);
+    EXPECT_LT(film.shutter().moment(k), (k + 1) / 480.0);
+    turns.push_back(std::fmod(480.0 * film.shutter().moment(k), 1.0));
   }
   std::sort(turns.begin(), turns.end());
   for (std::size_t k = 1; k < turns.size(); ++k)
@@ -88,11 +88,11 @@ TEST(PreparedFilm, AnOpenShutterFollowsWhatFliesAndTheCamera) {
   scene.motion.spin.body = Vec3::Zero();
   scene.motion.velocity = Vec3(3.0, 0.0, 0.0);
   scene.camera.follow = "none";
-  EXPECT_GT(PreparedFilm(plan_of(scene)).moments(), 15);
+  EXPECT_GT(PreparedFilm(plan_of(scene)).shutter().moments(), 15);
   scene.motion.velocity = Vec3::Zero();
-  EXPECT_EQ(PreparedFilm(plan_of(scene)).moments(), 4);
+  EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 4);
   scene.camera.orbit = 4.0;
-  EXPECT_GT(PreparedFilm(plan_of(scene)).moments(), 15);
+  EXPECT_GT(PreparedFilm(plan_of(scene)).shutter().moments(), 15);
 }
 
 // the wheels of coaches: more than half a turn from frame to frame

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "film/film_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/ranges.h>
+
+#include "base/system/log.h"
+#include "film/error_places.h"
+#include "motion/reliability.h"
+
+namespace polhode {
+namespace {
+
+void warn_at(const Scene& scene, const char* key, const Error& warning) {
+  spdlog::warn("{}", placed(scene, warning.at({{}, 0, key})).what());
+}
+
+// the wheels of coaches in films; `scene`: of the motion, which may be one of several in turn
+void warn_of_backward_turning(const Scene& scene,
+                              const Motion& motion,
+                              const FrameTimes& frames,
+                              bool in_turn) {
+  constexpr double kBlurring = kPi;  // an angle of the shutter beyond which nothing seems to turn
+  if (frames.count < 2 || scene.video.shutter >= kBlurring) return;
+  double fastest = 0.0;
+  const int looks = std::min(frames.count, 200);
+  for (int i = 0; i < looks; ++i) {
+    const double shown = frames.from + (frames.to - frames.from) * i / looks;
+    // of panels in turn, each shows the whole motion
+    const double t = in_turn ? motion.duration() * i / looks : shown;
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  }
+  for (const double t : framing_times(motion)) {
+    if (in_turn || (t >= frames.from && t <= frames.to))
+      fastest = std::max(fastest, motion.at(t).w_B.norm());
+  }
+  const std::optional<std::string> words = turns_backwards(fastest, frames.motion_step());
+  if (!words) return;
+  constexpr double kMargin = 1.02;
+  const double slower = kMargin * fastest * frames.motion_step() / kPi;
+  const Error warning = input_error(
+      "{}: use a video.fps of {:.0f} or more, a video.time_scale of at most {:.2g}, or "
+      "video.shutter_deg = 360, which blurs it",
+      *words,
+      std::ceil(slower * frames.rate),
+      0.97 * scene.video.time_scale / slower);
+  warn_at(scene, "video.fps", warning);
+}
+
+// How fast the contact runs round the centre of mass, rad/s; 0 where it is so near below that
+// nobody sees it.
+double contact_turning(const Motion& motion, double t) {
+  constexpr double kSeen = 0.05;  // of what the body reaches
+  const std::optional<Reaction> found = reaction_at(motion, t);
+  if (!found) return 0.0;
+  const Sample now = motion.at(t);
+  const Quat q_SP = now.q_SB * Quat(motion.model().R_BP);
+  const Vec3 arm = q_SP * found->point.arm_P;
+  if (arm.head<2>().norm() < kSeen * motion.model().table->surface->reach()) return 0.0;
+  const Vec3 rate = now.w_S.cross(arm) + q_SP * found->point.arm_rate_P;
+  return std::abs(arm.x() * rate.y() - arm.y() * rate.x()) / arm.head<2>().squaredNorm();
+}
+
+// a disc that hardly turns may have a contact that runs round ever faster
+void warn_of_running_contact(const Scene& scene,
+                             const Composer& composer,
+                             const FrameTimes& frames) {
+  const Motion& motion = composer.scenery().motion;
+  if (frames.count < 2 || !motion.model().table || !composer.shows("contact")) return;
+  const double frame_s = frames.motion_step();
+  double most = 0.0;  // rad from frame to frame
+  std::optional<double> since;
+  const int looks = std::min(frames.count, 200);
+  for (int i = 0; i < looks; ++i) {
+    const double t = frames.from + (frames.to - frames.from) * i / looks;
+    const Timeline& timeline = composer.timeline();
+    if (timeline.presence("contact", timeline.film_time(t)) <= 0.0) continue;
+    const double turned = contact_turning(motion, t) * frame_s;
+    most = std::max(most, turned);
+    if (turned > kPi && !since) since = t;
+  }
+  if (!since) return;
+  const Error warning = input_error(
+      "from {:.3g} s on the contact runs round by more than 180 degrees from frame to frame, at "
+      "last by {:.3g}, so that the eye sees it anywhere: end the film there, hide the contact from "
+      "there on by a [[story]] step, or use a video.time_scale of at most {:.2g}",
+      *since,
+      most * 180.0 / kPi,
+      scene.video.time_scale * kPi / most);
+  warn_at(scene, "video.time_scale", warning);
+}
+
+void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
+  if (!frames.loop || frames.loop->residual <= scene.video.loop_residual) return;
+  const Error warning = input_error(
+      "the motion returns to its start only to within {:.2g} degrees (after {:.4g} s); a longer "
+      "motion.duration gives more to choose from",
+      frames.loop->residual * 180.0 / kPi,
+      frames.loop->duration);
+  warn_at(scene, "video.loop", warning);
+}
+
+// a loop has whole frames, for which its clock is stretched
+void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
+  constexpr double kNoticed = 0.05;
+  if (!frames.loop) return;
+  const double faster = frames.timeline.time_scale() / scene.video.time_scale;
+  if (std::abs(faster - 1.0) <= kNoticed) return;
+  const Error warning = input_error(
+      "the motion is back after {:.4g} s, which is no whole number of frames, so that it is shown "
+      "{:.3g} times as fast as video.time_scale says; use a higher video.fps or a smaller "
+      "video.time_scale",
+      frames.loop->duration,
+      faster);
+  warn_at(scene, "video.loop", warning);
+}
+
+// the attitude is back, but the body may be elsewhere in the picture, or seen by another camera
+void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
+  constexpr double kNoticed = 1.0;  // pixels
+  if (!frames.loop) return;
+  const Scenery& scenery = composer.scenery();
+  const double end = frames.loop->duration;
+  const auto jump_of = [&](const Vec3& off_S) {
+    const auto place = [&](double t) {
+      const Camera camera = composer.camera_at(composer.timeline().film_time(t));
+      return camera.project(scenery.motion.at(t).reference_S + off_S);
+    };
+    return (place(end) - place(0.0)).norm();
+  };
+  if (const double jump = jump_of(Vec3::Zero()); jump > kNoticed) {
+    const Error warning = input_error(
+        "the body turns as at the start after {:.4g} s, but stands {:.3g} pixels from there: the "
+        "film jumps where it repeats",
+        end,
+        jump);
+    warn_at(scene, "video.loop", warning);
+    return;
+  }
+  for (const int axis : {0, 1, 2}) {
+    if (!(jump_of(scenery.scale.body * Vec3::Unit(axis)) > kNoticed)) continue;
+    const Error warning = input_error(
+        "after {:.4g} s the motion is back, but the camera is not where it was: the film jumps "
+        "where it repeats; leave out camera.orbit_deg_per_s and shots that do not come back",
+        end);
+    warn_at(scene, "video.loop", warning);
+    return;
+  }
+}
+
+// what goes on through a film, or comes and goes in it, is not at its end as at its start
+void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
+  if (!frames.loop) return;
+  std::vector<std::string> restarting;
+  const Paths& paths = composer.scenery().paths;
+  if (composer.shows("trail") || composer.shows("herpolhode") || composer.shows("contact_trail") ||
+      !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty())
+    restarting.emplace_back("paths");
+  if (!scene.show.plots.empty()) restarting.emplace_back("plots");
+  const Timeline& timeline = composer.timeline();
+  const double last = timeline.film_duration();
+  const auto caption = [&](double film) {
+    return timeline.caption(film).value_or(scene.show.caption);
+  };
+  if (caption(0.0) != caption(last)) restarting.emplace_back("captions");
+  const bool changes = std::any_of(elements().begin(), elements().end(), [&](const Element& one) {
+    return composer.shows(one.name) &&
+           timeline.presence(one.name, 0.0) != timeline.presence(one.name, last);
+  });
+  if (changes) restarting.emplace_back("what the story shows or hides");
+  if (restarting.empty()) return;
+  warn_at(scene,
+          "video.loop",
+          input_error("where the film repeats, {} begin anew, which is seen as a jump",
+                      fmt::join(restarting, ", ")));
+}
+
+// a step of the story may name what the film does not have
+void warn_of_what_never_comes(const Scene& scene, const std::vector<FilmPanel>& panels) {
+  for (std::size_t i = 0; i < scene.story.size(); ++i) {
+    for (const std::string& name : scene.story[i].show) {
+      const bool comes = std::any_of(panels.begin(), panels.end(), [&](const FilmPanel& panel) {
+        return panel.composer->shows(name);
+      });
+      if (comes) continue;
+      const auto element = std::find_if(elements().begin(),
+                                        elements().end(),
+                                        [&](const Element& one) { return one.name == name; });
+      const std::string wrong = element->why_not(panels.front().composer->scenery());
+      const std::string key = fmt::format("story[{}].show", i);
+      warn_at(scene,
+              key.c_str(),
+              input_error("'{}' will not appear: it {}",
+                          name,
+                          wrong.empty() ? fmt::format("needs show.{} = true", name) : wrong));
+    }
+  }
+}
+
+// One scale serves bodies of about one size.
+void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
+  constexpr double kAlike = 5.0;
+  if (scene.panels.size() < 2 || !(scene.same_cameras || scene.same_scales)) return;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const FilmPanel& panel : panels) {
+    const Scenery& scenery = panel.composer->scenery();
+    const double size = body_radius(scenery.look, scenery.motion.model());
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  if (!(most > kAlike * least)) return;
+  spdlog::warn(
+      "{}: one body is {:.2g} times as large as another; cameras = \"own\" and scales = \"own\" "
+      "show each as large as it can be",
+      scene.film_file,
+      most / least);
+}
+
+}  // namespace
+
+void warn_of_missing_fonts() {
+  for (const FontFound& font : examine_fonts()) {
+    if (font.there) continue;
+    if (font.found.empty()) throw environment_error("no font is there; install {}", font.package);
+    spdlog::warn("the font {} is missing, so {} is used instead; install {}",
+                 font.wanted,
+                 font.found,
+                 font.package);
+  }
+}
+
+void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, const Film& film) {
+  const Scene& scene = solved.front().scene;
+  const std::vector<FilmPanel>& panels = film.panels();
+  warn_of_sizes(scene, panels);
+  warn_of_open_loop(scene, frames);
+  warn_of_stretched_clock(scene, frames);
+  warn_of_jump(scene, frames, *panels.front().composer);
+  warn_of_what_restarts(scene, frames, *panels.front().composer);
+  warn_of_what_never_comes(scene, panels);
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    const Solved& one = solved[i];
+    for (const Error& warning : panels[i].composer->warnings())
+      spdlog::warn("{}", placed(one.scene, warning).what());
+    warn_of_backward_turning(one.scene, one.simulation.motion, frames, scene.in_turn);
+    if (!scene.in_turn) warn_of_running_contact(one.scene, *panels[i].composer, frames);
+  }
+}
+
+}  // namespace polhode
