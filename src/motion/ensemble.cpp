@@ -21,7 +21,10 @@ Vec3 point_in_ball(std::mt19937& numbers) {
     return 2.0 * (static_cast<double>(numbers()) + 0.5) / 4294967296.0 - 1.0;
   };
   for (;;) {
-    Vec3 point(number(), number(), number());
+    // one by one: compilers choose the order of arguments
+    Vec3 point;
+    for (const int axis : {2, 1, 0})
+      point[axis] = number();
     if (point.squaredNorm() <= 1.0) return point;
   }
 }
