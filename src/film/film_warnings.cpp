@@ -10,6 +10,8 @@
 #include "base/system/log.h"
 #include "film/error_places.h"
 #include "motion/reliability.h"
+#include "text/markup.h"
+#include "text/typesetter.h"
 
 namespace polhode {
 namespace {
@@ -73,9 +75,9 @@ void warn_of_running_contact(const Scene& scene,
   const double frame_s = frames.motion_step();
   double most = 0.0;  // rad from frame to frame
   std::optional<double> since;
-  const int looks = std::min(frames.count, 200);
-  for (int i = 0; i < looks; ++i) {
-    const double t = frames.from + (frames.to - frames.from) * i / looks;
+  constexpr int kLooks = 2000;
+  for (int i = 0; i <= kLooks; ++i) {
+    const double t = frames.from + (frames.to - frames.from) * i / kLooks;
     const Timeline& timeline = composer.timeline();
     if (timeline.presence("contact", timeline.film_time(t)) <= 0.0) continue;
     const double turned = contact_turning(motion, t) * frame_s;
@@ -86,10 +88,10 @@ void warn_of_running_contact(const Scene& scene,
   const Error warning = input_error(
       "from {:.3g} s on the contact runs round by more than 180 degrees from frame to frame, at "
       "last by {:.3g}, so that the eye sees it anywhere: end the film there, hide the contact from "
-      "there on by a [[story]] step, or use a video.time_scale of at most {:.2g}",
+      "there on by a [[story]] step, or use a video.time_scale of at most {:.3g}",
       *since,
       most * 180.0 / kPi,
-      scene.video.time_scale * kPi / most);
+      0.97 * scene.video.time_scale * kPi / most);
   warn_at(scene, "video.time_scale", warning);
 }
 
@@ -159,6 +161,13 @@ void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const C
   if (composer.shows("trail") || composer.shows("herpolhode") || composer.shows("contact_trail") ||
       !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty())
     restarting.emplace_back("paths");
+  if (composer.shows("ghosts")) restarting.emplace_back("ghosts");
+  if (composer.shows("ensemble")) restarting.emplace_back("the ensemble");
+  const Motion& motion = composer.scenery().motion;
+  const Vec3 gone = motion.at(frames.loop->duration).reference_S - motion.at(0.0).reference_S;
+  constexpr double kGone = 1e-3;  // of the body's reach
+  if (composer.shows("fixed_frame") && gone.norm() > kGone * composer.scenery().scale.body)
+    restarting.emplace_back("R");
   if (!scene.show.plots.empty()) restarting.emplace_back("plots");
   const Timeline& timeline = composer.timeline();
   const double last = timeline.film_duration();
@@ -229,6 +238,37 @@ void warn_of_missing_fonts() {
                  font.wanted,
                  font.found,
                  font.package);
+  }
+}
+
+void warn_of_missing_letters(const std::vector<Solved>& solved) {
+  const Typesetter typesetter;
+  for (const Solved& one : solved) {
+    const Scene& scene = one.scene;
+    std::vector<std::pair<std::string, std::string>> texts = {{"show.caption", scene.show.caption}};
+    if (scene.show.title) texts.emplace_back("title", scene.title);
+    for (std::size_t i = 0; i < scene.story.size(); ++i)
+      texts.emplace_back(fmt::format("story[{}].caption", i), scene.story[i].caption.value_or(""));
+    const VectorNames names = scene.show.names.value_or(VectorNames());
+    for (const auto& name : {names.omega,
+                             names.momentum,
+                             names.torque,
+                             names.gravity,
+                             names.frame_rotation,
+                             names.x,
+                             names.y,
+                             names.z})
+      texts.emplace_back("show.names", name.value_or(""));
+    for (const auto& [key, text] : texts) {
+      const int missing = typesetter.missing_letters(plain_text(text));
+      if (missing == 0) continue;
+      const Error warning = input_error(
+          "no font here has {} of the letters of '{}', which become boxes; install one that has "
+          "them, such as fonts-noto-cjk for Chinese, Japanese and Korean",
+          missing,
+          text);
+      warn_at(scene, key.c_str(), warning);
+    }
   }
 }
 

@@ -16,6 +16,9 @@ namespace polhode {
 // panels, or one.
 void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, const Film& film);
 
+// Logs which texts of the scenes have letters that no font has. Opens fonts.
+void warn_of_missing_letters(const std::vector<Solved>& solved);
+
 // Logs which fonts are missing and what serves instead. Throws Error (environment) without any
 // font.
 void warn_of_missing_fonts();

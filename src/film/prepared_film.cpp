@@ -29,7 +29,10 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
 }
 
 void PreparedFilm::warn() const {
-  if (text_) warn_of_missing_fonts();
+  if (text_) {
+    warn_of_missing_fonts();
+    warn_of_missing_letters(solved_);
+  }
   warn_of_film(solved_, frames_, *film_);
 }
 

@@ -520,13 +520,14 @@ Camera Composer::placed(const Rig& rig, double film) const {
 // began. The shortest one would leap to the other side where it passes half a turn. (Near a whole
 // turn its axis swings round; a move that long is left to who asks for it.)
 Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) const {
-  constexpr double kStep = 1.0 / 60.0;  // s of film
+  constexpr double kMostOfMove = 2000.0;
+  const double step = std::max(1.0 / 60.0, to.move / kMostOfMove);  // s of film
   Vec3 turn = Vec3::Zero();
   const auto go_on_at = [&](double time) {
     turn = placed(from, time).turn_to(placed(to, time), turn);
   };
-  for (int k = 0; to.begins + k * kStep < film; ++k)
-    go_on_at(to.begins + k * kStep);
+  for (int k = 0; to.begins + k * step < film; ++k)
+    go_on_at(to.begins + k * step);
   go_on_at(film);
   return turn;
 }

@@ -6,6 +6,9 @@
 #include <mutex>
 #include <set>
 
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
 #include "base/hash.h"
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
@@ -213,6 +216,19 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
   return result;
 }
 
+// The documents in the folder that are not among these outputs.
+std::vector<std::string> documents_left(const fs::path& folder,
+                                        const std::vector<std::string>& outputs) {
+  std::vector<std::string> left;
+  for (const LectureOutput& output : lecture_outputs()) {
+    const bool made = std::find(outputs.begin(), outputs.end(), output.name) != outputs.end();
+    std::error_code ignored;
+    if (!made && output.name != "data" && fs::exists(folder / output.file, ignored))
+      left.push_back(one_line((folder / output.file).string()));
+  }
+  return left;
+}
+
 // fontconfig's program tells where the font is
 std::string state_of_formula_font(const std::string& advice) {
   if (!formula_font_css().empty()) return "ok, Latin Modern Math";
@@ -261,7 +277,19 @@ LectureResult lecture(const LectureJob& job) {
   stop_if_interrupted();
   if (planned.wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
   documents.commit(contents);
-  media.forget_the_rest();
+  // what documents of an earlier run show must stay with them
+  const std::vector<std::string> older = documents_left(folder, outputs);
+  if (older.empty()) {
+    media.forget_the_rest();
+  } else {
+    spdlog::warn(
+        "{} {} from an earlier run, so that pictures and films of that are kept; make {} again "
+        "with --to, or delete {}",
+        fmt::join(older, ", "),
+        older.size() == 1 ? "is" : "are",
+        older.size() == 1 ? "it" : "them",
+        older.size() == 1 ? "it" : "them");
+  }
   for (const std::string& file : files)
     result.summary += one_line((folder / file).string()) + "\n";
   if (planned.wants("data"))

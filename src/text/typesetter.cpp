@@ -201,6 +201,11 @@ struct Set {
 
 class Typesetter::Implementation {
  public:
+  int missing_letters(const std::string& markup) {
+    const std::lock_guard lock(mutex_);
+    return pango_layout_get_unknown_glyphs_count(layout(markup, {}).get());
+  }
+
   TextBox measure(const std::string& markup, const TextStyle& style) {
     const std::lock_guard lock(mutex_);
     const std::string key = key_of(markup, style);
@@ -450,6 +455,10 @@ class Typesetter::Implementation {
 Typesetter::Typesetter() : implementation_(std::make_unique<Implementation>()) {}
 
 Typesetter::~Typesetter() = default;
+
+int Typesetter::missing_letters(const std::string& markup) const {
+  return implementation_->missing_letters(markup);
+}
 
 TextBox Typesetter::measure(const std::string& markup, const TextStyle& style) const {
   return implementation_->measure(markup, style);

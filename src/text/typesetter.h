@@ -59,6 +59,8 @@ class Typesetter {
   Typesetter(const Typesetter&) = delete;
   Typesetter& operator=(const Typesetter&) = delete;
 
+  // How many letters of the text no font has; boxes with their numbers stand for them.
+  int missing_letters(const std::string& markup) const;
   // The extent of the text in this style.
   TextBox measure(const std::string& markup, const TextStyle& style) const;
   // The text as a stamp (image/sprite.h) with its upper left corner at (x, y) in pixels of the

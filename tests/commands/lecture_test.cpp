@@ -114,6 +114,26 @@ TEST_F(Lecture, RendersOnlyWhatChanged) {
   EXPECT_EQ(films, 1);
 }
 
+// slides that are not made again keep their films, and are told
+TEST_F(Lecture, WhatOlderDocumentsShowIsKept) {
+  ASSERT_EQ(lecture("--to html,pptx").code, 0);
+  const std::string scene = test::kSmallScene;
+  std::string other = scene;
+  write_text(folder_ / "deck/scene.toml", other.replace(other.find("[1, 0, 3]"), 9, "[2, 0, 3]"));
+  const Ran ran = lecture("--to html");
+  ASSERT_EQ(ran.code, 0);
+  EXPECT_NE(ran.err.find("slides.pptx is from an earlier run"), std::string::npos) << ran.err;
+  const auto films = [&] {
+    return std::count_if(fs::directory_iterator(folder_ / "out/media"), {}, [](const auto& entry) {
+      return entry.path().extension() == ".mp4";
+    });
+  };
+  EXPECT_EQ(films(), 2);
+  const Ran all = lecture("--to html,pptx");
+  EXPECT_EQ(all.err.find("earlier run"), std::string::npos) << all.err;
+  EXPECT_EQ(films(), 1);
+}
+
 TEST_F(Lecture, OneBadSceneLeavesTheRest) {
   write_text(folder_ / "deck/bad.toml", "format = 1\n[body]\nmoments = [1, 1, 9]\n");
   write_text(folder_ / "deck/deck.md",

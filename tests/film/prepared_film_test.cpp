@@ -120,7 +120,7 @@ TEST(PreparedFilm, WarnsOfAContactThatRunsRoundTooFast) {
   scene.video.fps = {174, 10};
   const std::string words = warnings_of(scene);
   EXPECT_NE(words.find("from 0 s on the contact runs round"), std::string::npos) << words;
-  EXPECT_NE(words.find("at most 0.98"), std::string::npos) << words;
+  EXPECT_NE(words.find("at most 0.949"), std::string::npos) << words;
   scene.show.asked["contact"] = false;
   EXPECT_EQ(warnings_of(scene), "") << "nothing runs";
 }
@@ -187,6 +187,9 @@ TEST(PreparedFilm, WarnsOfLoopsThatShowWhereTheyRepeat) {
   traced.show.plots = {"omega"};
   traced.show["trail"] = true;
   EXPECT_NE(warnings_of(traced).find("paths, plots begin anew"), std::string::npos);
+  Scene followed = scene;
+  followed.show["ghosts"] = true;
+  EXPECT_NE(warnings_of(followed).find("ghosts begin anew"), std::string::npos);
   Scene told = scene;
   StoryStep step;
   step.at = 0.1;
@@ -211,6 +214,20 @@ TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {
   EXPECT_NE(warnings_of(scene).find("it needs show.ellipsoid = true"), std::string::npos);
   scene.show["ellipsoid"] = true;
   EXPECT_EQ(warnings_of(scene), "");
+}
+
+// a letter of no script has no font anywhere
+TEST(PreparedFilm, WarnsOfLettersThatNoFontHas) {
+  RenderPlan plan = plan_of(small_scene());
+  plan.text = true;
+  plan.scene.show.caption = "from \xCE\xA9 to L, slowly";
+  const auto warnings = [&] {
+    const PreparedFilm film(plan);
+    return test::logged_by([&] { film.warn(); });
+  };
+  EXPECT_EQ(warnings().find("no font here has"), std::string::npos);
+  plan.scene.show.caption = "from \xF3\xBF\xBF\xBD to L";  // U+FFFFD, of private use
+  EXPECT_NE(warnings().find("show.caption: no font here has 1 of the letters"), std::string::npos);
 }
 
 TEST(PreparedFilm, WarnsOfShotsThatNobodySees) {

@@ -285,6 +285,22 @@ TEST(Compose, MovesBetweenTurningCamerasDoNotJump) {
   }
 }
 
+// a move of days is not followed frame by frame, which would take minutes for each picture
+TEST(Compose, ALongMoveBetweenTurningCamerasIsSoonKnown) {
+  const BodySpec body = test::prolate_body();
+  MotionSpec spec = test::wobbling();
+  spec.duration = 1e6;
+  CameraSpec turning;
+  turning.orbit = 1e-4;
+  ShotSpec moved;
+  moved.move = 9e5;
+  moved.camera.direction = Vec3(-0.5, 1.0, 0.4);
+  const Staging staging{turning, {moved}, Timeline({}, spec.duration, 1.0), {}};
+  const Composer picture(test::moving(body, spec), body, staging, {}, {}, {64, 36});
+  for (const double film : {4e5, 8e5, 8.99e5})
+    EXPECT_TRUE(picture.camera_at(film).sees(Vec3::Zero())) << film;
+}
+
 // turning the body by the tolerance moves no drawn point by more than the pixels it was made from
 TEST(Compose, AttitudeToleranceIsAnUpperBoundInPixels) {
   const BodySpec body = prolate_body();

@@ -44,8 +44,15 @@ EncoderSettings encoder_from(const std::string& output, const EncoderRecord& rec
   return encoder;
 }
 
+// The scene without lines: those of its text in the report are not those of its file.
+Scene scene_of_text(const Json& text, const std::string& file) {
+  Scene scene = scene_from_json(text, file);
+  scene.lines.clear();
+  return scene;
+}
+
 Scene scene_from(const FilmReport& record) {
-  Scene scene = scene_from_json(record.scene, record.scene_file);
+  Scene scene = scene_of_text(record.scene, record.scene_file);
   if (!record.film) return scene;
   const Json& film = *record.film;
   scene.film_file = film.at("file");
@@ -54,7 +61,7 @@ Scene scene_from(const FilmReport& record) {
   scene.same_scales = film.at("scales") == "same";
   for (const Json& row : film.at("panels")) {
     scene.panels.push_back(
-        {row.at("caption"), scene_from_json(row.at("scene"), row.at("scene_file"))});
+        {row.at("caption"), scene_of_text(row.at("scene"), row.at("scene_file"))});
   }
   if (scene.panels.empty()) throw input_error("has a film without panels");
   return scene;

@@ -113,7 +113,7 @@ std::vector<std::vector<Vec2>> polhodes(const FreeBody& body, double level) {
 
 std::string why_not_polhodes(const Motion& motion) {
   const BodyModel& model = motion.model();
-  const bool free = model.chi_P.squaredNorm() == 0.0 && !model.loads.turn_body();
+  const bool free = model.chi_P.squaredNorm() == 0.0 && !model.loads.turn_body() && !model.table;
   const bool turns = motion.state_at(0.0).y.norm() > 0.0;
   if (free && turns && !model.kind.rotator && model.kind.shape != TopKind::Shape::spherical)
     return {};
