@@ -74,7 +74,8 @@ void refuse_large_ensemble(const Scene& scene, const Simulation& first) {
       .at({{}, 0, "motion.ensemble.members"});
 }
 
-double accuracy_where_seen(const Scene& scene, const Motion& motion) {
+// Where the reference point is, if a camera that stands sees it nearer or farther; else empty.
+std::vector<Vec3> places_seen(const Scene& scene, const Motion& motion) {
   const auto stands = [](const CameraSpec& camera) {
     return camera.eye.has_value();
   };
@@ -87,7 +88,7 @@ double accuracy_where_seen(const Scene& scene, const Motion& motion) {
     for (const double t : framing_times(motion))
       places.push_back(motion.at(t).reference_S);
   }
-  return accuracy_in_radians(scene, motion.model(), places);
+  return places;
 }
 
 // the motions of the ensemble; `warn` is told once of those that cannot be trusted
@@ -142,10 +143,12 @@ Solved solve_watched(const Scene& scene, const SolveWatch& watch) {
     Simulation found = simulated();
     // a body may come nearer to a camera than where it starts
     constexpr double kNearer = 0.7;
-    if (const double needed = accuracy_where_seen(scene, found.motion);
-        needed < kNearer * accuracy) {
-      accuracy = needed;
-      found = simulated();
+    if (const std::vector<Vec3> places = places_seen(scene, found.motion); !places.empty()) {
+      const double needed = accuracy_in_radians(scene, model, places);
+      if (needed < kNearer * accuracy) {
+        accuracy = needed;
+        found = simulated();
+      }
     }
     for (const std::string& doubt : found.report.reliability.doubts)
       warn("the motion cannot be trusted: " + doubt, "numerics.method");
