@@ -102,10 +102,7 @@ void require_few_keys(std::size_t count) {
 }
 
 std::vector<double> first_times(const Motion& motion, const AnimationClock& clock) {
-  double fastest = 0.0;
-  for (const double t : framing_times(motion))
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
-  const double turned = fastest * (clock.to - clock.from);
+  const double turned = fastest_turn(motion) * (clock.to - clock.from);
   const double looks = std::ceil(turned / kTurnBetweenLooks) + kFewestLooks;
   if (!(looks < kMostLooks)) {
     throw input_error(

@@ -41,10 +41,7 @@ int moments_of_shutter(const FilmPanel& panel, const FrameTimes& frames, double 
   constexpr double kShift = 1.0 / 180.0;  // of the height of the picture
   if (open <= 0.0) return 1;
   const Motion& motion = panel.composer->scenery().motion;
-  double fastest = 0.0;
-  for (const double t : framing_times(motion))
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
-  const double turned = fastest * open * panel.composer->timeline().time_scale();
+  const double turned = fastest_turn(motion) * open * panel.composer->timeline().time_scale();
   const double wanted = std::max(turned / kTurn, shift_of_shutter(panel, frames, open) / kShift);
   return static_cast<int>(std::clamp(std::ceil(wanted), 4.0, 1.0 * kMostMoments));
 }

@@ -2,7 +2,9 @@
 #include "frame/diagram_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -21,25 +23,37 @@ constexpr double kHighest = 0.9;  // of its width
 constexpr double kFaint = 0.55;   // width of curves of other motions, of that of this one
 constexpr double kMark = 0.7;     // radius of a mark, of that of the dot
 
+// where the middle of a name may be, from its mark, in their sizes; the first is the most usual
+const std::array<Vec2, 8> kSidesOfMarks = {{{1.0, -1.0},
+                                            {-1.0, -1.0},
+                                            {1.0, 1.0},
+                                            {-1.0, 1.0},
+                                            {0.0, -1.0},
+                                            {0.0, 1.0},
+                                            {1.0, 0.0},
+                                            {-1.0, 0.0}}};
+constexpr double kReadsOn = 5.0;  // the price of two names that are read as one
+
 // how curves of a kind, and their names, are drawn
 struct CurveStyle {
   glm::vec3 color;
   double width = 1.0;  // of that of curves
   const char* name = nullptr;
+  double importance = 1.0;  // how bad it is that a name hides a piece
 };
 
 CurveStyle style_of(Kind kind, const Theme& theme) {
   switch (kind) {
     case Kind::motion:
-      return {theme.omega};
+      return {theme.omega, 1.0, nullptr, 3.0};
     case Kind::potential:
-      return {theme.momentum, 1.0, "U"};
+      return {theme.momentum, 1.0, "U", 4.0};
     case Kind::energy:
-      return {theme.omega, kFaint, "E"};
+      return {theme.omega, kFaint, "E", 1.0};
     case Kind::separatrix:
-      return {theme.velocity, 1.0, "separatrix"};
+      return {theme.velocity, 1.0, "separatrix", 3.0};
     case Kind::boundary:
-      return {theme.momentum, 1.0, "stable within"};
+      return {theme.momentum, 1.0, "stable within", 2.0};
     case Kind::other:
       return {theme.space_axes, kFaint};
   }
@@ -152,20 +166,22 @@ void DiagramPicture::add_curves() {
       {std::make_shared<const Sprite>(std::move(sprite)), axes_.x - rim, axes_.y - rim});
 }
 
-bool DiagramPicture::crosses_potential(const TextRoom& room) const {
+double DiagramPicture::hidden_by(const TextRoom& room) const {
   const auto place = [&](const Vec2& point) {
     const LinePoint at = pixel(point);
     return Vec2(at.x, at.y);
   };
+  double hidden = 0.0;
   for (const DiagramCurve& curve : diagram_.curves) {
-    if (curve.kind != Kind::potential) continue;
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
       const Vec2 from = place(curve.points[i - 1]), to = place(curve.points[i]);
       // in small pictures pieces are shorter than a pixel, of which is_over() says nothing
-      if (distance(room, to) == 0.0 || is_over(room, {from, to})) return true;
+      if (distance(room, to) > 0.0 && !is_over(room, {from, to})) continue;
+      hidden += style_of(curve.kind, paper_.theme()).importance;
+      break;
     }
   }
-  return false;
+  return hidden;
 }
 
 // discs, of what is unstable with a hole; names beside them, off other names
@@ -191,24 +207,35 @@ void DiagramPicture::add_marks(const Typesetter& typesetter) {
     curves_.push_back({std::make_shared<const Sprite>(std::move(disc)), left, top});
     if (mark.name.empty()) continue;
     const TextBox box = typesetter.measure(plain_text(mark.name), style);
-    const LabelWish wish{{at.x, at.y}, {0.0, -1.0}, box.ink_width(), box.ink_height()};
-    const double aside = radius + 0.5 * box.ink_width();
-    Vec2 wished(at.x + aside, at.y - radius - 0.3 * paper_.size() - 0.5 * box.ink_height());
-    const Vec2 left_of_it(at.x - aside, wished.y());
-    // on its other side if the curve goes through it there, and no name is so near that both would
-    // be read as one
-    const auto room_around = [&](const Vec2& center, double letters) {
-      return grown(
-          room_at(center, box.ink_width(), box.ink_height()), letters * paper_.size(), 0.0);
-    };
-    const TextRoom other = room_around(left_of_it, 0.5);
-    const bool alone = std::none_of(
-        names.begin(), names.end(), [&](const TextRoom& name) { return overlap(name, other); });
-    if (crosses_potential(room_around(wished, 0.15)) &&
-        !crosses_potential(room_around(left_of_it, 0.15)) && alone)
-      wished = left_of_it;
-    const Vec2 center = settled_at(wish, wished, obstacles, names, frame, 0.2 * paper_.size());
-    names.push_back(room_at(center, box.ink_width(), box.ink_height()));
+    // above it to the right if nothing is hidden there and no name is so near that both would be
+    // read as one; else where this is less
+    const LabelWish wish{{at.x, at.y}, {1.0, -1.0}, box.ink_width(), box.ink_height()};
+    const double gap = radius + 0.3 * paper_.size();
+    Vec2 best = Vec2::Zero();
+    double least = std::numeric_limits<double>::infinity();
+    for (const double far : {1.0, 2.0}) {
+      for (const Vec2& toward : kSidesOfMarks) {
+        const Vec2 reach(far * 1.5 * radius + 0.5 * wish.width, far * gap + 0.5 * wish.height);
+        const Vec2 center = settled_at(wish,
+                                       wish.at + toward.cwiseProduct(reach),
+                                       obstacles,
+                                       names,
+                                       frame,
+                                       0.2 * paper_.size());
+        const auto around = [&](double letters) {
+          return grown(room_at(center, wish.width, wish.height), letters * paper_.size(), 0.0);
+        };
+        const bool reads_on = std::any_of(names.begin(), names.end(), [&](const TextRoom& name) {
+          return overlap(name, around(0.5));
+        });
+        const double price = hidden_by(around(0.15)) + (reads_on ? kReadsOn : 0.0) +
+                             (center - wish.at).norm() / (10.0 * paper_.size());
+        if (price >= least) continue;
+        least = price;
+        best = center;
+      }
+    }
+    names.push_back(room_at(best, box.ink_width(), box.ink_height()));
     paper_.add_text(
         mark.name, style, names.back().left - box.ink_left, names.back().top - box.ink_top);
   }

@@ -33,7 +33,8 @@ class DiagramPicture {
 
  private:
   void add_curves();
-  bool crosses_potential(const TextRoom& room) const;
+  // How much it would hide, by the kinds of the curves that go through it; 0: nothing.
+  double hidden_by(const TextRoom& room) const;
   void add_marks(const Typesetter& typesetter);
 
   Diagram diagram_;

@@ -13,8 +13,8 @@ namespace polhode {
 namespace {
 
 // Prices, in heights of a label that it stands from its wish for one moment.
-constexpr double kOverMark = 200.0;   // over the head of an arrow
-constexpr double kOverText = 400.0;   // over text, another label, or the edge of the frame
+constexpr double kOverMark = 1000.0;  // over the head of an arrow
+constexpr double kOverText = 2000.0;  // over text, another label, or the edge of the frame
 constexpr double kOverShaft = 25.0;   // over a vector
 constexpr double kBehindMark = 20.0;  // with another head of an arrow between it and its tip
 constexpr double kBehind = 5.0;       // with another vector there
@@ -22,7 +22,7 @@ constexpr double kNearer = 6.0;       // nearer to another vector than to its ow
 constexpr double kClearly = 0.5;      // heights from which on these two count in full
 constexpr double kOverCurve = 2.0;    // over a rim or an arc
 constexpr double kPushed = 0.5;       // off a side, where that is taken
-constexpr double kChange = 80.0;      // of its place
+constexpr double kChange = 320.0;     // of its place
 constexpr double kWay = 4.0;          // for each height of the label that it goes about its tip
 // From moment to moment a label glides about its tip by at most so many of its heights; farther it
 // changes its place.

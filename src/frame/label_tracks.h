@@ -45,7 +45,7 @@ class LabelTracks {
   // The place of a label at the time `at`, in units of the step between moments. Within
   // kMomentsOfFade moments of a change it is fainter, and invisible when it changes.
   LabelPlace place(const std::string& name, const LabelWish& wish, double at) const;
-  static constexpr double kMomentsOfFade = 2.5;
+  static constexpr double kMomentsOfFade = 1.5;
 
  private:
   // Where a label is at one moment.

@@ -135,7 +135,7 @@ void PlotPaper::add_columns(const PixelBox& axes,
     add_text(ticks.labels[i],
              style(theme_.position),
              at - 0.5 * (box.ink_left + box.ink_right),
-             axes.bottom() + (kPlotTick + kPlotTickGap) * size_ - box.ink_top);
+             axes.bottom() + (kPlotTick + kPlotColumnGap) * size_ - box.ink_top);
   }
   if (name.empty()) return;
   add_text(name,

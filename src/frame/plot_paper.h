@@ -87,11 +87,13 @@ inline constexpr double kPlotPad = 0.5;      // free at the sides
 inline constexpr double kPlotHeading = 1.6;  // height of a heading
 inline constexpr double kPlotOver = 0.35;    // between heading and axes
 inline constexpr double kPlotUnder = 0.65;   // below axes without labels
-inline constexpr double kPlotColumns = 2.9;  // below axes with labels and a name
+inline constexpr double kPlotColumns = 3.1;  // below axes with labels and a name
 inline constexpr double kPlotTick = 0.22;    // length of a tick
 inline constexpr double kPlotTickGap = 0.2;  // between a tick and its label
-inline constexpr double kPlotAside = 0.9;    // free between labels side by side
-inline constexpr double kPlotAbove = 0.45;   // free between labels one above the other
-inline constexpr double kPlotDot = 0.24;     // radius of a dot
+// the same below axes: the lowest label beside them is above the first one below
+inline constexpr double kPlotColumnGap = 0.4;
+inline constexpr double kPlotAside = 0.9;   // free between labels side by side
+inline constexpr double kPlotAbove = 0.45;  // free between labels one above the other
+inline constexpr double kPlotDot = 0.24;    // radius of a dot
 
 }  // namespace polhode

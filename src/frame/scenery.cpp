@@ -198,6 +198,13 @@ std::vector<double> framing_times(const Motion& motion) {
   return times;
 }
 
+double fastest_turn(const Motion& motion) {
+  double fastest = 0.0;
+  for (const double t : framing_times(motion))
+    fastest = std::max(fastest, motion.at(t).w_B.norm());
+  return fastest;
+}
+
 void make_look(Scenery& scenery, const BodySpec& body, int segments) {
   scenery.look = body_look(body, scenery.motion.model(), scenery.theme, segments);
   for (LookPart& part : scenery.look) {

@@ -146,5 +146,7 @@ Vec3 momentum_tip(const Scenery& scenery, const Sample& sample);
 // Times (s of motion) from 0 to the end (scattered_times() in motion/deviation.h) at which the film
 // looks at the motion for scales, elements and shutter.
 std::vector<double> framing_times(const Motion& motion);
+// The greatest angular speed at these times, rad/s. Throws Error (check_failed) as Motion::at does.
+double fastest_turn(const Motion& motion);
 
 }  // namespace polhode

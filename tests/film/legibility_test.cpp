@@ -90,6 +90,29 @@ void expect_no_jump(const Names& before, const Names& here) {
   }
 }
 
+// how many names are pale because they change sides, of those whose vectors are seen
+struct Paleness {
+  int pale = 0, names = 0;
+};
+void count_pale(const PreparedFilm& prepared, double now, Paleness& count) {
+  constexpr float kSeen = 0.5f;      // opacity that a vector gives its name
+  constexpr double kReadable = 0.6;  // part of that
+  std::vector<float> given;
+  for (const FilmPanel& panel : prepared.film().panels()) {
+    for (const SeenLabel& label : panel.composer->label_view(now, panel.end).labels)
+      given.push_back(label.fade);
+  }
+  std::size_t index = 0;
+  for (const PlacedText& text : prepared.film().placed(now).texts) {
+    if (text.role != TextRole::label) continue;
+    ASSERT_LT(index, given.size());
+    const float fade = given[index++];
+    if (fade < kSeen) continue;
+    ++count.names;
+    if (text.opacity < kReadable * fade) ++count.pale;
+  }
+}
+
 class LegibleFilm : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(LegibleFilm, TextIsLargeAndNamesStayByTheirTips) {
@@ -113,6 +136,18 @@ TEST_P(LegibleFilm, TextIsLargeAndNamesStayByTheirTips) {
     if (!cut) expect_no_jump(before, here);
     before = std::move(here);
   }
+}
+
+// a still at any moment shows its names
+TEST_P(LegibleFilm, NamesAreSeldomPale) {
+  constexpr double kMostPale = 0.1;
+  const Scene scene = load_scene(scene_path(GetParam()));
+  if (scene.in_turn) GTEST_SKIP() << "its panels follow one another";
+  const PreparedFilm prepared(plan_with_text(scene));
+  Paleness count;
+  for (double now = 0.0; now <= prepared.frames().timeline.film_duration(); now += kLook)
+    count_pale(prepared, now, count);
+  EXPECT_LE(count.pale, kMostPale * count.names) << count.pale << " of " << count.names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes,

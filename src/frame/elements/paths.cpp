@@ -93,11 +93,9 @@ bool is_asked(const ShowSpec& show, const char* name) {
 }
 
 int pieces_of_trail(const Motion& motion) {
-  double fastest = 0.0;
-  for (const double t : framing_times(motion))
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
   // a straight piece is never more than a tenth of a turn
-  return static_cast<int>(std::clamp(fastest * motion.duration() / 0.6, 64.0, 100'000.0));
+  const double turned = fastest_turn(motion) * motion.duration();
+  return static_cast<int>(std::clamp(turned / 0.6, 64.0, 100'000.0));
 }
 
 // angular velocities of the same energy, other momenta: along the great circle through the axes of

@@ -56,8 +56,8 @@ std::string why_not_satellite(const Motion& motion) {
 Diagram satellite_map(const Motion& motion) {
   using Kind = DiagramCurve::Kind;
   Diagram diagram;
-  diagram.title = "moments of satellites";
-  diagram.across = {"(pitch − roll)/yaw", "", -1.0, 1.0};
+  diagram.title = "moments of inertia";
+  diagram.across = {"moments of inertia: (pitch − roll)/yaw", "", -1.0, 1.0};
   diagram.up = {"(pitch − yaw)/roll", "", -1.0, 1.0};
   diagram.curves.push_back({Kind::other, {{-1.0, 0.0}, {1.0, 0.0}}});
   diagram.curves.push_back({Kind::other, {{0.0, -1.0}, {0.0, 1.0}}});
