@@ -6,6 +6,7 @@
 #include "film/film_panels.h"
 #include "film/film_plots.h"
 #include "film/film_warnings.h"
+#include "film/stage.h"
 
 namespace polhode {
 
@@ -34,6 +35,18 @@ void PreparedFilm::warn() const {
     warn_of_missing_letters(solved_);
   }
   warn_of_film(solved_, frames_, *film_);
+}
+
+void check_film(Solved solved) {
+  ShowSpec& show = solved.scene.show;
+  for (const char* path : {"trail", "herpolhode", "contact_trail"})
+    show.asked[path] = false;
+  show.trail_points.clear();
+  show.trail_tips = {};
+  const Scene scene = solved.scene;
+  with_place(scene, [&] { return plan_frame_times(solved, {}); });
+  with_place(scene, [&] { return composer_alone(solved); });
+  with_place(scene, [&] { return make_charts({std::move(solved)}); });
 }
 
 }  // namespace polhode

@@ -53,4 +53,8 @@ class PreparedFilm {
   bool text_ = true;
 };
 
+// Throws Error (input), with file and line, where a film of the scene alone would, for times,
+// elements and plots that it cannot show. Paths, which take long to prepare, are left out.
+void check_film(Solved solved);
+
 }  // namespace polhode

@@ -320,9 +320,12 @@ Glyphs Composer::glyphs_at(const Sample& sample, double film) const {
   return glyphs_of(sample, film);
 }
 
-Glyphs Composer::glyphs_of(const Sample& sample, std::optional<double> film) const {
+Glyphs Composer::glyphs_of(const Sample& sample,
+                           std::optional<double> film,
+                           bool for_framing) const {
   Glyphs glyphs;
   glyphs.middle = sample.reference_S;
+  glyphs.for_framing = for_framing;
   for (const Element& element : elements()) {
     if (!shows(element.name)) continue;
     const double presence = film ? staging_.timeline.presence(element.name, *film) : 1.0;
@@ -346,7 +349,7 @@ CameraView Composer::camera_view(double film, double end) const {
   CameraView seen_now;
   const double t = std::min(staging_.timeline.motion_time(film), end);
   const Sample sample = scenery_.motion.at(t);
-  const Glyphs glyphs = glyphs_at(sample, film);
+  const Glyphs glyphs = glyphs_of(sample, film, false);
   const Camera camera = camera_at(film);
   seen_now.list.view = camera.view(drawing_);
   seen_now.list.background = scenery_.theme.background;
@@ -367,7 +370,7 @@ std::optional<Vec2> Composer::way_to_body(const Sample& sample,
 
 LabelView Composer::label_view(double film, double end) const {
   const double t = std::min(staging_.timeline.motion_time(film), end);
-  return labels_of(glyphs_at(scenery_.motion.at(t), film), camera_at(film));
+  return labels_of(glyphs_of(scenery_.motion.at(t), film, false), camera_at(film));
 }
 
 LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
@@ -704,7 +707,7 @@ std::optional<Error> Composer::warning_of_unseen() const {
   std::vector<bool> seen(rigs_.size(), false), used(rigs_.size(), false);
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t nearest_rig = 0;
-  double largest = 0.0;  // pixels
+  std::vector<double> largest(rigs_.size(), 0.0);  // pixels
   double body = 0.0;  // how far it reaches from its reference point, m; points shown may be farther
   for (const Vec3& point_B : scenery_.hull_B)
     body = std::max(body, (point_B - scenery_.motion.model().reference_B()).norm());
@@ -724,7 +727,10 @@ std::optional<Error> Composer::warning_of_unseen() const {
       nearest = away;
       nearest_rig = rig;
     }
-    if (camera.sees(middle)) largest = std::max(largest, body * camera.pixels_per_metre(middle));
+    // by the camera where it comes to rest: on its way there it may be nearer
+    const Camera own = camera_at(film, rig);
+    if (own.sees(middle))
+      largest[rig] = std::max(largest[rig], body * own.pixels_per_metre(middle));
   }
   const auto key_of = [&](std::size_t rig) {
     return rigs_[rig].shot ? fmt::format("shots[{}].eye", *rigs_[rig].shot) : "camera.eye";
@@ -744,12 +750,14 @@ std::optional<Error> Composer::warning_of_unseen() const {
                body)
         .at({{}, 0, key_of(nearest_rig)});
   }
-  if (largest > 0.0 && largest < 1.0) {
+  for (std::size_t rig = 0; rig < rigs_.size(); ++rig) {
+    if (largest[rig] == 0.0 || largest[rig] >= 1.0) continue;
+    const std::optional<std::size_t>& shot = rigs_[rig].shot;
     return input_error(
                "the body, {:.3g} m, is never as large as a pixel; the motion or the points "
                "shown go too far, or the camera is too far away",
                body)
-        .at({{}, 0, "camera"});
+        .at({{}, 0, shot ? fmt::format("shots[{}]", *shot) : "camera"});
   }
   return {};
 }

@@ -97,7 +97,7 @@ class Composer {
   // Warnings, which are not thrown, with the key concerned: shots[i].at for a shot that is never
   // seen, shots[i].move for one that does not come to its end, motion.duration for paths with
   // corners, camera.eye or shots[i].eye for a camera that sees nothing or comes inside the body,
-  // camera for a body that is always smaller than a pixel. Empty: none.
+  // camera or shots[i] for a body that is always smaller than a pixel from there. Empty: none.
   std::vector<Error> warnings() const;
 
   // The camera at the start of the film.
@@ -133,8 +133,11 @@ class Composer {
   std::size_t rig_at(double film) const;
   std::optional<Error> warning_of_unseen() const;
   std::vector<double> film_times() const;
-  // The glyphs shown at that film time; without one, all that are ever shown.
-  Glyphs glyphs_of(const Sample& sample, std::optional<double> film) const;
+  // The glyphs shown at that film time; without one, all that are ever shown. for_framing: as in
+  // Glyphs.
+  Glyphs glyphs_of(const Sample& sample,
+                   std::optional<double> film,
+                   bool for_framing = true) const;
   // What a camera follows: never "auto".
   std::string follow_of(const CameraSpec& spec, PictureSize size) const;
   bool is_larger_followed(CameraSpec spec, PictureSize size) const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/system/interrupt.h"
 #include "base/units.h"
 #include "math/so3.h"
 
@@ -14,7 +15,6 @@ namespace polhode {
 namespace {
 
 constexpr int kMostHalvings = 12;
-constexpr std::size_t kMostPoints = 200'000;
 constexpr std::size_t kPointsOfPiece = 64;
 
 struct PathPoint {
@@ -68,7 +68,8 @@ Path sampled(const std::function<Vec3(double)>& curve,
              double from,
              double to,
              int pieces,
-             double tolerance) {
+             double tolerance,
+             std::size_t most_points) {
   Path path;
   const auto add = [&](const PathPoint& end) {
     path.parameters.push_back(end.parameter);
@@ -86,7 +87,7 @@ Path sampled(const std::function<Vec3(double)>& curve,
         };
         const bool off = is_off(m) || is_off(at(0.5 * (a.parameter + m.parameter))) ||
                          is_off(at(0.5 * (m.parameter + b.parameter)));
-        const bool full = path.points.size() >= kMostPoints;
+        const bool full = path.points.size() >= most_points;
         path.coarse = path.coarse || (off && full);
         if (off && depth < kMostHalvings && !full) {
           refine(a, m, depth + 1);
@@ -98,6 +99,7 @@ Path sampled(const std::function<Vec3(double)>& curve,
   PathPoint a = at(from);
   add(a);
   for (int i = 1; i <= pieces; ++i) {
+    stop_if_interrupted();
     const PathPoint b = at(from + (to - from) * i / pieces);
     refine(a, b, 0);
     a = b;
@@ -175,6 +177,7 @@ Trail::Trail(Path path, double tube_radius, double unit, int sides)
   place_.translation() = path_.points.front();
   place_.linear() *= unit;
   for (std::size_t start = 0; start + 1 < path_.points.size(); start += kPointsOfPiece) {
+    stop_if_interrupted();
     const std::size_t end = std::min(start + kPointsOfPiece + 1, path_.points.size());
     pieces_.push_back(std::make_shared<const Mesh>(
         tube({path_.points.begin() + static_cast<std::ptrdiff_t>(start),

@@ -17,14 +17,20 @@ struct Path {
   bool coarse = false;  // it is farther from the curve than asked for, as there are too many points
 };
 
+inline constexpr std::size_t kMostPointsOfPath = 200'000;
+
 // Samples the curve over [from, to] so that no straight piece, run through at an even pace, is
 // farther from it at any parameter than about `tolerance` (in the unit of the points; tested at the
 // middle and the quarters of each piece).
 // pieces: into how many equal parts the interval is first divided; they must resolve every turn.
-// Each is halved up to twelve times, until there are 200,000 points; then points within half the
-// tolerance of the piece between those kept are dropped.
-Path sampled(
-    const std::function<Vec3(double)>& curve, double from, double to, int pieces, double tolerance);
+// Each is halved up to twelve times, until there are `most_points`; then points within half the
+// tolerance of the piece between those kept are dropped. Throws Error (interrupted).
+Path sampled(const std::function<Vec3(double)>& curve,
+             double from,
+             double to,
+             int pieces,
+             double tolerance,
+             std::size_t most_points = kMostPointsOfPath);
 
 // A tube with flat ends along at least two points (else it aborts); `closed` joins the last to the
 // first instead. Radius in the unit of the points; sides: corners of the cross-section.
@@ -36,7 +42,7 @@ class Trail {
  public:
   Trail() = default;  // empty
   // Points (S or B) and tube radius in m. unit: metres per unit of the meshes. sides: as for
-  // tube_along().
+  // tube_along(). Throws Error (interrupted).
   Trail(Path path, double tube_radius, double unit, int sides);
 
   bool empty() const { return path_.points.size() < 2; }

@@ -118,6 +118,7 @@ struct Glyphs {
   Vec3 middle = Vec3::Zero();  // the reference point, in S, m
   std::vector<Vec3> reach;     // points (S, m) that show how far the meshes, ghosts, shells and
                                // sheets reach, for framing
+  bool for_framing = true;     // false: `reach` may leave out long paths
   std::vector<LabelGlyph> labels;
   std::vector<MarkGlyph> marks;
   std::vector<LineGlyph> lines;  // pieces of curves that are drawn as meshes

@@ -71,6 +71,15 @@ void check_times(const DeckPicture& picture,
   const std::optional<double> to = number_in(picture, "to");
   if (to && *to <= from)
     throw input_error("must be later than from ({} s), got {}", from, *to).at({{}, 0, "to"});
+  // a poster shows what its film does
+  const double last = to.value_or(duration);
+  for (const char* key : {"at", "stills"}) {
+    for (const double t : numbers_in(picture, key)) {
+      if (t >= from && t <= last) continue;
+      throw input_error("must be a time of the film, {} to {} s, got {}", from, last, t)
+          .at({{}, 0, key});
+    }
+  }
 }
 
 // what the picture and the command line say in place of the scene
@@ -226,8 +235,8 @@ Json make_film_files(const DeckPicture& picture,
     for (const Pause& pause : stops.pauses)
       times.push_back(pause.at);
   }
-  const double at =
-      number_in(picture, "at").value_or(times.empty() ? from + (to - from) / 3.0 : times.back());
+  const double unasked = stops.pauses.empty() ? from + (to - from) / 3.0 : stops.pauses.back().at;
+  const double at = number_in(picture, "at").value_or(unasked);
   const std::string poster = stem + "-poster.png";
   const std::string paper =
       render_for_both(scene, overrides, settings, at, folder, poster, stem + "-paper.png");

@@ -2,16 +2,24 @@
 // OBJ and STL to TriangleMesh, and whether it bounds a solid: the only file that sees CGAL.
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
+#include <CGAL/Projection_traits_3.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
@@ -40,10 +48,90 @@ Point cgal(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return text;
+}
+
+// A text without the mark of its byte order, with a line feed after each line, and lines that are
+// continued after a backslash in one.
+std::string plain_lines(const std::string& bytes) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  const std::size_t first = bytes.compare(0, kMark.size(), kMark) == 0 ? kMark.size() : 0;
+  std::string lines;
+  lines.reserve(bytes.size());
+  for (std::size_t i = first; i < bytes.size(); ++i) {
+    const char c = bytes[i];
+    if (c != '\r' && c != '\n') {
+      lines += c;
+      continue;
+    }
+    if (c == '\r' && i + 1 < bytes.size() && bytes[i + 1] == '\n') ++i;
+    if (!lines.empty() && lines.back() == '\\') {
+      lines.back() = ' ';
+    } else {
+      lines += '\n';
+    }
+  }
+  return lines;
+}
+
+// Faces name corners that were given, from 1 on or from the last one backwards.
+class ObjCorners {
+ public:
+  explicit ObjCorners(const std::string& name) : name_(name) {}
+
+  void add_corner() { ++corners_; }
+
+  // those of a line "f 1 2/5 3//7"
+  void add_face(const std::string& line) {
+    ++faces_;
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    while (words >> word) {
+      const std::string index = word.substr(0, word.find('/'));
+      long number = 0;
+      const auto [end, failed] = std::from_chars(index.data(), index.data() + index.size(), number);
+      if (failed != std::errc() || end != index.data() + index.size() || number == 0) {
+        throw input_error("'{}': face {} has the corner '{}', which is no number of a vertex",
+                          name_,
+                          faces_,
+                          word.substr(0, 40));
+      }
+      if (number < -corners_) refuse(number);
+      if (number > most_) {
+        most_ = number;
+        of_most_ = faces_;
+      }
+    }
+  }
+
+  // called at the end of the file: faces may come before their corners
+  void check() const {
+    if (most_ > corners_) refuse(most_);
+  }
+
+ private:
+  [[noreturn]] void refuse(long number) const {
+    throw input_error("'{}': face {} names the vertex {}, but there are {}",
+                      name_,
+                      number > 0 ? of_most_ : faces_,
+                      number,
+                      corners_);
+  }
+
+  std::string name_;
+  long corners_ = 0, faces_ = 0, most_ = 0, of_most_ = 0;
+};
+
 // The corners and faces of an OBJ file, with blanks between their numbers; lines, points, materials
 // and the like are no part of a surface.
-std::string surface_of_obj(const std::string& bytes) {
-  std::istringstream in(bytes);
+std::string surface_of_obj(const std::string& bytes, const std::string& name) {
+  std::istringstream in(plain_lines(bytes));
+  ObjCorners corners(name);
   std::string kept;
   for (std::string line; std::getline(in, line);) {
     std::replace(line.begin(), line.end(), '\t', ' ');
@@ -51,11 +139,25 @@ std::string surface_of_obj(const std::string& bytes) {
     if (first == std::string::npos) continue;
     const std::string word = line.substr(first, line.find(' ', first) - first);
     if (word != "v" && word != "f") continue;
-    kept += line;
     // a file that ends within a line ends early
-    if (!in.eof()) kept += '\n';
+    const bool whole = !in.eof();
+    if (word == "v") corners.add_corner();
+    if (word == "f" && whole) corners.add_face(line);
+    kept += line;
+    if (whole) kept += '\n';
   }
+  corners.check();
   return kept;
+}
+
+// An STL file in words, as the standard writes them; a binary one as it is.
+std::string surface_of_stl(const std::string& bytes) {
+  constexpr std::size_t kHeader = 80, kTriangle = 50;
+  std::uint32_t triangles = 0;
+  if (bytes.size() >= kHeader + sizeof triangles)
+    std::memcpy(&triangles, bytes.data() + kHeader, sizeof triangles);
+  const bool binary = bytes.size() == kHeader + sizeof triangles + kTriangle * triangles;
+  return binary ? bytes : lower(plain_lines(bytes));
 }
 
 // the points and faces as they stand in the file
@@ -63,15 +165,13 @@ void read_soup(const std::string& bytes,
                const std::string& name,
                std::vector<Point>& points,
                Faces& faces) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  std::istringstream in(ending == ".obj" ? surface_of_obj(bytes) : bytes);
+  const std::string ending = lower(std::filesystem::path(name).extension().string());
   bool good = false;
   if (ending == ".obj") {
+    std::istringstream in(surface_of_obj(bytes, name));
     good = CGAL::IO::read_OBJ(in, points, faces);
   } else if (ending == ".stl") {
+    std::istringstream in(surface_of_stl(bytes));
     good = CGAL::IO::read_STL(in, points, faces);
   } else {
     throw input_error("'{}' is not a mesh file; give one that ends in .obj or .stl", name);
@@ -81,6 +181,84 @@ void read_soup(const std::string& bytes,
         "'{}' ends early or is not {} after face {}", name, ending.substr(1), faces.size());
   }
   if (faces.empty()) throw input_error("'{}' has no faces", name);
+}
+
+// twice the area of a face, along its normal (Newell)
+Vec3 area_vector(const TriangleMesh& mesh, const std::vector<int>& face) {
+  const auto point = [&](std::size_t i) -> const Vec3& {
+    return mesh.points[static_cast<std::size_t>(face[i % face.size()])];
+  };
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    area += (point(i) - point(0)).cross(point(i + 1) - point(0));
+  return area;
+}
+
+bool is_convex(const TriangleMesh& mesh, const std::vector<int>& face) {
+  const Vec3 area = area_vector(mesh, face);
+  const std::size_t n = face.size();
+  const auto point = [&](std::size_t i) -> const Vec3& {
+    return mesh.points[static_cast<std::size_t>(face[i % n])];
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 before = point(i + 1) - point(i), after = point(i + 2) - point(i + 1);
+    if (!(before.cross(after).dot(area) > 1e-9 * before.norm() * after.norm() * area.norm()))
+      return false;
+  }
+  return true;
+}
+
+// A face of any outline that does not cross itself, seen along its normal, as the triangles of a
+// constrained Delaunay triangulation; no triangles if it does.
+std::vector<Triangle> cut_face(const TriangleMesh& mesh, const std::vector<int>& face) {
+  using Plane = CGAL::Projection_traits_3<Kernel>;
+  using Corner = CGAL::Triangulation_vertex_base_with_info_2<int, Plane>;
+  using Cell =
+      CGAL::Triangulation_face_base_with_info_2<bool,  // whether it is outside
+                                                Plane,
+                                                CGAL::Constrained_triangulation_face_base_2<Plane>>;
+  using Cut = CGAL::Constrained_Delaunay_triangulation_2<
+      Plane,
+      CGAL::Triangulation_data_structure_2<Corner, Cell>>;
+  const Vec3 area = area_vector(mesh, face);
+  if (!(area.norm() > 0.0)) return {};
+  Cut cut(Plane({area.x(), area.y(), area.z()}));
+  std::vector<Cut::Vertex_handle> corners;
+  try {
+    for (const int i : face) {
+      corners.push_back(cut.insert(cgal(mesh.points[static_cast<std::size_t>(i)])));
+      corners.back()->info() = i;
+    }
+    if (cut.number_of_vertices() != face.size()) return {};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      cut.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+  } catch (const Cut::Intersection_of_constraints_exception&) {
+    return {};
+  }
+  for (const Cut::Face_handle cell : cut.all_face_handles())
+    cell->info() = false;
+  std::vector<Cut::Face_handle> outside = {cut.infinite_face()};
+  outside.front()->info() = true;
+  while (!outside.empty()) {
+    const Cut::Face_handle cell = outside.back();
+    outside.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const Cut::Face_handle next = cell->neighbor(i);
+      if (next->info() || cut.is_constrained({cell, i})) continue;
+      next->info() = true;
+      outside.push_back(next);
+    }
+  }
+  std::vector<Triangle> triangles;
+  for (const Cut::Face_handle cell : cut.finite_face_handles()) {
+    if (cell->info()) continue;
+    Triangle triangle{cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info()};
+    const Vec3& a = corner(mesh, triangle, 0);
+    const Vec3 across = (corner(mesh, triangle, 1) - a).cross(corner(mesh, triangle, 2) - a);
+    if (across.dot(area) < 0.0) std::swap(triangle[1], triangle[2]);
+    triangles.push_back(triangle);
+  }
+  return triangles;
 }
 
 // do two triangles touch anywhere but at the corners they share?
@@ -216,8 +394,11 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
     merged.push_back(place->second);
   }
 
-  // faces become fans of triangles
+  // convex faces become fans of triangles
+  constexpr std::size_t kLongestFan = 16;
+  constexpr std::size_t kFacesBetweenLooks = 1 << 12;
   for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (f % kFacesBetweenLooks == 0) stop_if_interrupted();
     if (faces[f].size() < 3) {
       throw input_error("'{}': face {} has {} corners", name, f + 1, faces[f].size());
     }
@@ -228,9 +409,22 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
                         f + 1,
                         merged.size());
     }
-    for (std::size_t i = 1; i + 1 < faces[f].size(); ++i) {
-      mesh.triangles.push_back({merged[faces[f][0]], merged[faces[f][i]], merged[faces[f][i + 1]]});
+    std::vector<int> face;
+    for (const std::size_t i : faces[f])
+      face.push_back(merged[i]);
+    if (face.size() == 3 || (face.size() <= kLongestFan && is_convex(mesh, face))) {
+      for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        mesh.triangles.push_back({face[0], face[i], face[i + 1]});
+      continue;
     }
+    const std::vector<Triangle> triangles = cut_face(mesh, face);
+    if (triangles.empty()) {
+      throw input_error(
+          "'{}': face {} crosses or touches itself, or has no area; cut it into triangles",
+          name,
+          f + 1);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
   }
   return mesh;
 }

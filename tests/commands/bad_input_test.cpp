@@ -301,6 +301,7 @@ TEST(BadInput, ACameraThatSeesNothingIsWarnedOf) {
                {"eye = [0.05, 0, 0]", "comes within 0.05 m"},
                {"eye = [1e5, 0, 0]", "never as large as a pixel"},
                {"zoom = 1\n[show]\ntrail_points = [[0, 0, 1e5]]", "never as large as a pixel"},
+               {"[[shots]]\nat = 0.1\neye = [1e5, 0, 0]\ntarget = [0, 0, 0]", "shots[0]: the body"},
                {"eye = [2, 0, 0]", ""},
                {"target = [0, 0, 0.1]", ""}};
   for (const auto& one : cases) {

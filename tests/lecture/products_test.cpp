@@ -167,6 +167,18 @@ TEST(Products, AFilmShowsTheStillsThatAreAskedFor) {
   EXPECT_TRUE(plain.facts.at("stills").empty());
 }
 
+// stills are for the handout; a poster shows a moment of its film
+TEST(Products, ThePosterIsThatOfTheFilm) {
+  const DeckSceneFolder folder("[[story]]\nat = 0.3\nhold = 0.5\n");
+  const MadeProduct made(film_product(
+      picture_of(PictureKind::film, {{"stills", "0.1 0.9"}}), folder.scene, small_settings()));
+  EXPECT_EQ(made.facts.at("poster_at"), 0.3);
+  const DeckPicture late = picture_of(PictureKind::film, {{"to", "0.4"}, {"at", "0.5"}});
+  test::expect_input_error([&] { film_product(late, folder.scene, {}); },
+                           "at",
+                           "must be a time of the film, 0 to 0.4 s, got 0.5");
+}
+
 TEST(Products, AStillIsOnePictureAtItsTime) {
   const DeckSceneFolder folder;
   const MadeProduct made(still_product(

@@ -59,6 +59,69 @@ TEST(MeshFile, ReadsWhatOtherProgramsWriteIntoObj) {
   EXPECT_EQ(read.triangles.size(), solid(kBox).triangles.size());
 }
 
+// a mark of the byte order, any ends of lines, lines that go on, capitals
+TEST(MeshFile, ReadsTextsOfAnySystem) {
+  const auto ended = [](std::string text, const std::string& end) {
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+      text.replace(at, 1, end);
+    return text;
+  };
+  std::string goes_on = kBox;
+  goes_on.insert(goes_on.find("f ") + 2, "\\\n ");
+  for (const std::string& bytes :
+       {"\xEF\xBB\xBF" + std::string(kBox), ended(kBox, "\r"), ended(kBox, "\r\n"), goes_on}) {
+    const TriangleMesh read = parse_triangle_mesh(bytes, "box.obj");
+    check_solid(read);
+    EXPECT_NEAR(volume_of(read), 24.0, 1e-13) << bytes;
+  }
+  const TriangleMesh read = parse_triangle_mesh(
+      "SOLID T\nFACET NORMAL 0 0 0\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1E0 0 0\nVERTEX 0 1 0\n"
+      "ENDLOOP\nENDFACET\nENDSOLID T\n",
+      "t.stl");
+  EXPECT_EQ(read.triangles.size(), 1U);
+}
+
+// wherever the list of a face begins: an L, and a square with a corner within a side
+TEST(MeshFile, FacesMayHaveAnyOutline) {
+  const auto turned = [](std::vector<int> face, std::size_t by) {
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(by), face.end());
+    std::string line = "f";
+    for (const int corner : face)
+      line += fmt::format(" {}", corner);
+    return line + "\n";
+  };
+  const std::string prism =
+      "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+      "v 0 0 1\nv 3 0 1\nv 3 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+      "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+  for (std::size_t by = 0; by < 6; ++by) {
+    EXPECT_NEAR(volume_of(solid(prism + turned({6, 5, 4, 3, 2, 1}, by) +
+                                turned({7, 8, 9, 10, 11, 12}, 5 - by))),
+                4.0,
+                1e-14);
+  }
+  const std::string cube =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv .5 0 0\n"
+      "f 5 6 7 8\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  for (std::size_t by = 0; by < 5; ++by) {
+    EXPECT_NEAR(
+        volume_of(solid(cube + turned({1, 4, 3, 2, 9}, by) + turned({1, 9, 2, 6, 5}, 4 - by))),
+        1.0,
+        1e-14);
+  }
+  expect_input_error([] { obj("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n"); },
+                     "",
+                     "face 1 crosses or touches itself");
+}
+
+TEST(MeshFile, NamesTheCornerThatIsNotThere) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  expect_input_error(
+      [&] { obj(three + "f 1 2 4\n"); }, "", "face 2 names the vertex 4, but there are 3");
+  expect_input_error([&] { obj(three + "f 1 2 -4\n"); }, "", "face 2 names the vertex -4");
+  expect_input_error([&] { obj(three + "f 1.0 2 3\n"); }, "", "the corner '1.0'");
+}
+
 TEST(MeshFile, RefusesWhatBoundsNoSolid) {
   const std::string tetrahedron = kTetrahedron;
   expect_input_error([&] { solid(tetrahedron.substr(0, tetrahedron.size() - 8)); }, "", "is open");

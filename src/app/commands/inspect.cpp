@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "base/one_line.h"
 #include "film/overrides.h"
+#include "film/prepared_film.h"
 #include "motion/derived.h"
 #include "motion/scales.h"
 
@@ -175,7 +176,9 @@ Json inspection(const Solved& solved) {
 std::string inspect(const InspectJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
   const auto facts_of = [](const Scene& one) {
-    return inspection(solve_alone(one, ProgressKind::automatic));
+    const Solved solved = solve_alone(one, ProgressKind::automatic);
+    check_film(solved);
+    return inspection(solved);
   };
   if (scene.panels.empty()) {
     const Json facts = facts_of(scene);

@@ -47,6 +47,9 @@ Action define_manual(CLI::App& command) {
     const CLI::App& program = *command.get_parent();
     if (folder->empty()) {
       print_out(man_page(program, *name));
+    } else if (!name->empty()) {
+      throw input_error("writes the pages of all commands; leave '{}' out", *name)
+          .at({{}, 0, "--output"});
     } else {
       write_man_pages(program, *folder);
     }

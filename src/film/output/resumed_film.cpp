@@ -76,6 +76,9 @@ void ResumedFilm::begin(const PreparedFilm& film) {
     numbers_.push_back(static_cast<int>(piece) + 1);
   for (const int number : numbers_)
     look_at_old_segment(number);
+  for (int number = 1; number <= segments_; ++number)
+    if (std::find(numbers_.begin(), numbers_.end(), number) == numbers_.end())
+      refuse_other_film(number);
   const std::size_t whole = seals_.size();
   std::error_code failed;
   fs::create_directory(folder_, failed);
@@ -126,10 +129,29 @@ void ResumedFilm::look_at_old_segment(int number) {
     spdlog::warn("{}: is damaged and made again", file);
     return;
   }
-  throw input_error(
-      "'{}' holds pieces of another film: {}; delete it to start again, or choose another output",
-      folder_,
-      difference)
+  throw other_film(difference);
+}
+
+// whoever makes it sees to it that it is whole
+void ResumedFilm::refuse_other_film(int number) const {
+  std::string difference;
+  try {
+    if (!fs::is_regular_file(file_of(number))) return;
+    difference = difference_between(record_, record_in(file_of(number)));
+  } catch (const Error& error) {
+    if (error.fault() == Fault::interrupted) throw;
+  } catch (const fs::filesystem_error&) {
+    return;
+  }
+  if (!difference.empty()) throw other_film(difference);
+}
+
+Error ResumedFilm::other_film(const std::string& difference) const {
+  return input_error(
+             "'{}' holds pieces of another film: {}; delete it to start again, or choose another "
+             "output",
+             folder_,
+             difference)
       .at({{}, 0, "--resume"});
 }
 

@@ -48,6 +48,7 @@ void add_path(const Trail& trail, double from, double to, const glm::vec3& color
 }
 
 void add_path_reach(const Trail& trail, double from, double to, Glyphs& glyphs) {
+  if (!glyphs.for_framing) return;
   const Path& path = trail.path();
   const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);
   for (auto i = static_cast<std::size_t>(first - path.parameters.begin());
@@ -131,23 +132,37 @@ int sides_of(const Scenery& scenery, double radius) {
 // when something begins and ends, s of motion
 using Stretch = std::pair<double, double>;
 
-// The path of a point during a stretch of the film. pieces: those of a path through all of it;
-// radius: in units of the body's radius.
+// How finely a path through the whole motion is sampled.
+struct Fineness {
+  int pieces = 0;               // as for sampled()
+  std::size_t most_points = 0;  // of each path: all together have no more than three of them may
+};
+
+Fineness fineness_of(const Motion& motion, std::size_t paths) {
+  const std::size_t most = 3 * kMostPointsOfPath / std::max<std::size_t>(3, paths);
+  return {std::min(pieces_of_trail(motion), static_cast<int>(most / 2)), most};
+}
+
+// The path of a point during a stretch of the film. radius: in units of the body's radius.
 Trail trail_during(const Scenery& scenery,
                    const Stretch& stretch,
-                   int pieces,
+                   const Fineness& fine,
                    double radius,
                    const std::function<Vec3(const Sample& now)>& point) {
   const Motion& motion = scenery.motion;
   const auto& [from, to] = stretch;
   // a quarter of a pixel where the body is as high as the frame
   const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
-  const int of_stretch = static_cast<int>(std::ceil(pieces * (to - from) / motion.duration()));
-  return Trail(
-      sampled([&](double t) { return point(motion.at(t)); }, from, to, of_stretch, tolerance),
-      radius * scenery.scale.body,
-      scenery.scale.body,
-      sides_of(scenery, radius));
+  const int pieces = static_cast<int>(std::ceil(fine.pieces * (to - from) / motion.duration()));
+  return Trail(sampled([&](double t) { return point(motion.at(t)); },
+                       from,
+                       to,
+                       pieces,
+                       tolerance,
+                       fine.most_points),
+               radius * scenery.scale.body,
+               scenery.scale.body,
+               sides_of(scenery, radius));
 }
 
 // when a body is on its table, or so near that nobody sees it fly
@@ -182,7 +197,7 @@ std::vector<Stretch> touching(const Scenery& scenery, int looks) {
 }
 
 // paths of the contact on the table and on the body, with gaps where it flies
-void make_contact_trails(const Scenery& scenery, int pieces, Paths& paths) {
+void make_contact_trails(const Scenery& scenery, const Fineness& fine, Paths& paths) {
   const BodyModel& model = scenery.motion.model();
   const auto on_body = [&](const Sample& now) {
     return Vec3(model.body.center + model.R_BP * lowest_point(scenery.motion, now));
@@ -191,40 +206,45 @@ void make_contact_trails(const Scenery& scenery, int pieces, Paths& paths) {
   constexpr double kFar = 0.0035;
   const double whole = scenery.table_goes_along ? 0.0 : scenery.table_reach;
   const double thick = std::max(kRimRadius, kFar * whole / scenery.scale.body);
-  for (const Stretch& stretch : touching(scenery, pieces)) {
+  for (const Stretch& stretch : touching(scenery, fine.pieces)) {
     if (stretch.second <= stretch.first) continue;
-    paths.contact.push_back(trail_during(scenery, stretch, pieces, thick, [&](const Sample& now) {
+    paths.contact.push_back(trail_during(scenery, stretch, fine, thick, [&](const Sample& now) {
       const Vec3 at = point_position(model, now, on_body(now));
       // it lies on the table: where a tube is half below, its edges have teeth
       return Vec3(at.x(), at.y(), thick * scenery.scale.body);
     }));
-    paths.contact_on_body.push_back(trail_during(scenery, stretch, pieces, kRimRadius, on_body));
+    paths.contact_on_body.push_back(trail_during(scenery, stretch, fine, kRimRadius, on_body));
   }
 }
 
 // paths of points in space, which grow with the motion
 void make_trails(const Scenery& scenery, Paths& paths) {
   const Motion& motion = scenery.motion;
-  const int pieces = pieces_of_trail(motion);
+  const auto contact_trail = scenery.options.asked.find("contact_trail");
+  const bool shows_contact =
+      motion.model().table &&
+      (contact_trail == scenery.options.asked.end() || contact_trail->second.value_or(true));
+  const std::vector<std::string> tips =
+      scenery.options.trail_tips.value_or(std::vector<std::string>());
+  const bool shows_axis = is_asked(scenery.options, "trail");
+  const bool shows_herpolhode = is_asked(scenery.options, "herpolhode");
+  const std::size_t count = (shows_axis ? 1 : 0) + (shows_contact ? 2 : 0) + tips.size() +
+                            scenery.options.trail_points.size() + (shows_herpolhode ? 1 : 0);
+  const Fineness fine = fineness_of(motion, count);
   const auto trail = [&](double radius, const auto& point) {
-    return trail_during(scenery, {0.0, motion.duration()}, pieces, radius, point);
+    return trail_during(scenery, {0.0, motion.duration()}, fine, radius, point);
   };
-  if (is_asked(scenery.options, "trail")) {
+  if (shows_axis) {
     const Vec3 tip_B = kTrailRadius * scenery.scale.body * figure_axis_B(scenery.motion.model());
     paths.axis = trail(kRimRadius,
                        [&](const Sample& now) { return Vec3(now.reference_S + now.q_SB * tip_B); });
   }
-  const auto contact_trail = scenery.options.asked.find("contact_trail");
-  const bool shows_contact =
-      contact_trail == scenery.options.asked.end() || contact_trail->second.value_or(true);
-  if (motion.model().table && shows_contact) make_contact_trails(scenery, pieces, paths);
+  if (shows_contact) make_contact_trails(scenery, fine, paths);
   for (const Vec3& point_B : scenery.options.trail_points) {
     paths.points.push_back(trail(kRimRadius, [&](const Sample& now) {
       return point_position(motion.model(), now, point_B);
     }));
   }
-  const std::vector<std::string> tips =
-      scenery.options.trail_tips.value_or(std::vector<std::string>());
   for (const std::string& tip : tips) {
     if (tip == "omega") {
       paths.omega_tip =
@@ -235,7 +255,7 @@ void make_trails(const Scenery& scenery, Paths& paths) {
           trail(kRimRadius, [&](const Sample& now) { return momentum_tip(scenery, now); });
     }
   }
-  if (!is_asked(scenery.options, "herpolhode")) return;
+  if (!shows_herpolhode) return;
   for (const double t : framing_times(motion)) {
     const Sample now = motion.at(t);
     if (now.L_S.norm() == 0.0) continue;

@@ -132,6 +132,21 @@ TEST_F(FilmInSegments, RefusesSegmentsOfAnotherFilm) {
   EXPECT_TRUE(has(1)) << "hours of work stay";
 }
 
+// before work is done that could not be joined with that of the others
+TEST_F(FilmInSegments, AShardRefusesSegmentsOfAnotherFilmInOtherShards) {
+  run_until(kPerSegment);
+  RenderPlan other = plan_;
+  other.shard = Shard{2, 3};
+  other.pieces = 3;
+  other.sink.encoder.crf = 30;
+  ResumedFilm output(other);
+  const std::string message = test::message_of([&] { output.begin(film_); });
+  EXPECT_NE(message.find("settings differ (crf 30 and 18)"), std::string::npos) << message;
+  other.sink.encoder.crf = plan_.sink.encoder.crf;
+  ResumedFilm same(other);
+  EXPECT_EQ(test::message_of([&] { same.begin(film_); }), "");
+}
+
 TEST_F(FilmInSegments, AnEarlyEndSaysWhatIsKept) {
   ResumedFilm output(plan_);
   output.begin(film_);
