@@ -135,9 +135,7 @@ class Composer {
   std::vector<double> film_times() const;
   // The glyphs shown at that film time; without one, all that are ever shown. for_framing: as in
   // Glyphs.
-  Glyphs glyphs_of(const Sample& sample,
-                   std::optional<double> film,
-                   bool for_framing = true) const;
+  Glyphs glyphs_of(const Sample& sample, std::optional<double> film, bool for_framing = true) const;
   // What a camera follows: never "auto".
   std::string follow_of(const CameraSpec& spec, PictureSize size) const;
   bool is_larger_followed(CameraSpec spec, PictureSize size) const;

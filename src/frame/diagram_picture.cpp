@@ -71,7 +71,8 @@ DiagramPicture::DiagramPicture(Diagram diagram,
                                const PixelBox& room,
                                double size,
                                const Theme& theme,
-                               const Typesetter& typesetter)
+                               const Typesetter& typesetter,
+                               int left)
     : diagram_(std::move(diagram)),
       paper_(theme,
              typesetter,
@@ -98,7 +99,7 @@ DiagramPicture::DiagramPicture(Diagram diagram,
   double widest = 0.0;
   for (const std::string& label : rows.labels)
     widest = std::max(widest, ink_width(label));
-  axes_.x = rounded(room.x + pad + widest + (kPlotTick + kPlotTickGap) * type);
+  axes_.x = std::max(left, rounded(room.x + pad + widest + (kPlotTick + kPlotTickGap) * type));
   // the last label below stands half beside the axes
   axes_.width = std::max(1, rounded(room.right() - pad - 1.5 * type) - axes_.x);
   const Ticks columns =

@@ -13,13 +13,15 @@ namespace polhode {
 class DiagramPicture {
  public:
   // `room` (pixels of the frame) is where it stands; `size` is that of its type, pixels, which is
-  // smaller where there is too little room. The typesetter must outlive the picture. Throws Error
-  // as Typesetter does.
+  // smaller where there is too little room. left: where the axes begin, px of the frame, unless
+  // their labels need more. The typesetter must outlive the picture. Throws Error as Typesetter
+  // does.
   DiagramPicture(Diagram diagram,
                  const PixelBox& room,
                  double size,
                  const Theme& theme,
-                 const Typesetter& typesetter);
+                 const Typesetter& typesetter,
+                 int left = 0);
 
   // Appends the stamps of the time t, s of motion, in the range of Diagram::now. All but the dot
   // are the same for any time. Throws Error as Diagram::now does.

@@ -215,12 +215,22 @@ const Film::WithFonts& Film::with_fonts() const {
     const ChartPlaces places = chart_places(areas_.plots,
                                             static_cast<int>(asked.diagrams.size()),
                                             static_cast<int>(asked.plots.size()));
+    // those above one another begin at one place, so that points can be followed up and down
+    std::map<int, int> left;  // of axes, by the left side of their room
+    const auto picture = [&](std::size_t i, const Diagram& diagram) {
+      const PixelBox& room = places.diagrams[i];
+      return std::make_unique<const DiagramPicture>(
+          diagram, room, type, theme, *typesetter_, left[room.x]);
+    };
+    for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
+      int& most = left[places.diagrams[i].x];
+      for (const Diagram& diagram : asked.diagrams[i])
+        most = std::max(most, picture(i, diagram)->axes().x);
+    }
     for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
       auto& pictures = with_fonts_->diagrams.emplace_back();
-      for (const Diagram& diagram : asked.diagrams[i]) {
-        pictures.push_back(std::make_unique<const DiagramPicture>(
-            diagram, places.diagrams[i], type, theme, *typesetter_));
-      }
+      for (const Diagram& diagram : asked.diagrams[i])
+        pictures.push_back(picture(i, diagram));
     }
     if (asked.plots.empty()) return;
     with_fonts_->plots = std::make_unique<const PlotStack>(

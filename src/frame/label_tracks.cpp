@@ -15,9 +15,9 @@ namespace {
 // Prices, in heights of a label that it stands from its wish for one moment.
 constexpr double kOverMark = 1000.0;  // over the head of an arrow
 constexpr double kOverText = 2000.0;  // over text, another label, or the edge of the frame
-constexpr double kOverShaft = 25.0;   // over a vector
-constexpr double kBehindMark = 20.0;  // with another head of an arrow between it and its tip
-constexpr double kBehind = 5.0;       // with another vector there
+constexpr double kOverShaft = 60.0;   // over a vector
+constexpr double kBehindMark = 40.0;  // with another head of an arrow between it and its tip
+constexpr double kBehind = 10.0;      // with another vector there
 constexpr double kNearer = 6.0;       // nearer to another vector than to its own
 constexpr double kClearly = 0.5;      // heights from which on these two count in full
 constexpr double kOverCurve = 2.0;    // over a rim or an arc

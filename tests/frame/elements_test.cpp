@@ -154,7 +154,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"gimbals", {.meshes = 3, .rods = 3}},
                                                {"frame_rotation", {.arrows = 1}},
                                                {"ensemble", {.meshes = 2, .ghosts = 2}},
-                                               {"forces", {.arrows = 3, .meshes = 1}},
+                                               {"forces", {.arrows = 3, .meshes = 2}},
                                                {"contact", {.arrows = 2, .meshes = 1}},
                                                {"contact_trail", {.meshes = 2}},
                                                {"slip", {.arrows = 1}},

@@ -76,9 +76,10 @@ void ResumedFilm::begin(const PreparedFilm& film) {
     numbers_.push_back(static_cast<int>(piece) + 1);
   for (const int number : numbers_)
     look_at_old_segment(number);
-  for (int number = 1; number <= segments_; ++number)
-    if (std::find(numbers_.begin(), numbers_.end(), number) == numbers_.end())
-      refuse_other_film(number);
+  for (int number = 1; number <= segments_; ++number) {
+    const bool mine = std::find(numbers_.begin(), numbers_.end(), number) != numbers_.end();
+    if (!mine) refuse_other_film(number);
+  }
   const std::size_t whole = seals_.size();
   std::error_code failed;
   fs::create_directory(folder_, failed);

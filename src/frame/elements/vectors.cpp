@@ -78,7 +78,8 @@ void add_name_beside(const Scenery& scenery,
       {0.5 * (from + to), 0.05 * scenery.scale.body * across, name, scenery.theme.position});
 }
 
-// A spring from `from` to `to` (S, m), as a coil whose turns and thickness are always the same.
+// A spring from `from` on the body to `to` in space (S, m), where a ball holds it, as a coil whose
+// turns and thickness are always the same.
 void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs& glyphs) {
   const double size = scenery.scale.body;
   const double length = (to - from).norm() / size;
@@ -99,6 +100,11 @@ void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs
       {std::make_shared<const Mesh>(std::move(mesh)), disc_placement(from, axis, size), material});
   for (const Vec3& end : {from, to})
     add_rim_reach(disc_placement(end, axis, kCoilRadius * size), 8, glyphs);
+  // what holds it
+  Placement held = Placement::Identity();
+  held.translation() = to;
+  held.linear() *= kBallRadius * size;
+  glyphs.meshes.push_back({scenery.ball, held, plain(scenery.theme.space_axes, 0.35f)});
 }
 
 }  // namespace

@@ -179,7 +179,8 @@ TEST(Vectors, ASpringReachesFromTheBodyToWhereItIsHeld) {
     spec.torque[0].to = held + along;
     const Composer picture = composer(prolate_body(), spec, show_only("forces"));
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.0));
-    ASSERT_EQ(glyphs.meshes.size(), 1u);
+    ASSERT_EQ(glyphs.meshes.size(), 2u) << "the coil, and a ball that holds it";
+    EXPECT_LT((glyphs.meshes[1].space_from_mesh.translation() - held - along).norm(), 1e-12);
     const double size = picture.scenery().scale.body;
     const Placement& place = glyphs.meshes[0].space_from_mesh;
     EXPECT_NEAR(place.linear().determinant(), std::pow(size, 3), 1e-12 * std::pow(size, 3));
