@@ -36,6 +36,7 @@ constexpr double kBearingRadius = 0.014;  // of axles and bearings, in units of 
 constexpr double kHingeRadius = 0.035;    // in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
+constexpr double kApart = 0.08;           // rad from the body until they are seen in full
 constexpr float kGhostAlpha = 0.16f;
 
 // a disc that fades outwards, with a dial of the radius `of_dial` (m), and what lies on it
@@ -163,9 +164,15 @@ void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
     glyphs.meshes.push_back({scenery.ball, ball, plain(scenery.theme.trail, 0.2f)});
     glyphs.reach.push_back(tip);
     if (i >= kPaleBodies) continue;
+    // those that are all but where the body is would speckle it
+    const double apart = sample.q_SB.angularDistance(now.q_SB) +
+                         (now.reference_S - sample.reference_S).norm() / scenery.scale.body;
+    const double presence = std::clamp(apart / kApart - 0.2, 0.0, 1.0);
+    if (presence == 0.0) continue;
     for (const LookPart& part : scenery.look) {
       Material material = part.material;
       material.alpha = kGhostAlpha;
+      material.fade *= static_cast<float>(presence);
       glyphs.ghosts.push_back(
           {part.mesh, body_placement(scenery, now) * part.body_from_mesh, material});
     }
