@@ -153,7 +153,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"hinge", {.meshes = 1}},
                                                {"gimbals", {.meshes = 3, .rods = 3}},
                                                {"frame_rotation", {.arrows = 1}},
-                                               {"ensemble", {.meshes = 2, .ghosts = 2}},
+                                               {"ensemble", {.meshes = 3, .ghosts = 2}},
                                                {"forces", {.arrows = 3, .meshes = 2}},
                                                {"contact", {.arrows = 2, .meshes = 1}},
                                                {"contact_trail", {.meshes = 2}},
@@ -192,8 +192,14 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     if (name == "frame_rotation") motion.frame_rotation = Vec3(0.0, 0.1, 0.2);
     const BodySpec body = heavy ? cone_body() : prolate_body();
     Shared shared;
-    if (name == "ensemble")
-      shared.ensemble = {test::moving(body, motion), test::moving(body, motion)};
+    if (name == "ensemble") {
+      MotionSpec other = motion;
+      other.attitude = {};
+      other.attitude.zxz = Vec3(0.3, 1.0, 0.0);
+      // one that is where the body is has no pale body, but its point
+      shared.ensemble = {
+          test::moving(body, motion), test::moving(body, other), test::moving(body, other)};
+    }
     Staging staging;
     staging.timeline = Timeline({}, motion.duration, 1.0);
     ShowSpec show = show_only(name);
