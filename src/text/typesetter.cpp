@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <pango/pangocairo.h>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/system/console.h"
 #include "base/system/log.h"
@@ -184,6 +185,7 @@ void copy_columns(const Sprite& from, int first, int count, Sprite& to, int at) 
   const auto place = [](const Sprite& sprite, int x, int y) {
     return 4 * (static_cast<std::ptrdiff_t>(y) * sprite.width + x);
   };
+  CHECK(first + count <= from.width && at + count <= to.width && from.height == to.height);
   for (int y = 0; y < from.height; ++y) {
     std::copy_n(from.pixels.begin() + place(from, first, y),
                 4 * static_cast<std::size_t>(count),
@@ -337,7 +339,9 @@ class Typesetter::Implementation {
     int first = 0;
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const bool is_last = i + 1 == letters.size();
-      const int end = is_last ? width : static_cast<int>(x + pixels(letters[i + 1].x));
+      // blanks at the end stand beyond the last ink
+      const int end =
+          is_last ? width : std::min(width, static_cast<int>(x + pixels(letters[i + 1].x)));
       if (end <= first) continue;
       const SpritePtr strip = strip_of(letters, style, x - first, y, end - first, height);
       if (strip) copy_columns(*strip, kBesideStrip, end - first, *sprite, first);

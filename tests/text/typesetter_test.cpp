@@ -118,6 +118,23 @@ TEST(Typesetter, StripsAreAsTheWhole) {
   }
 }
 
+// blanks beside the ink are as wide as those within, and no pixels of the picture
+TEST(Typesetter, BlanksAtTheEndAreNotDrawn) {
+  const Typesetter typesetter;
+  for (const std::string text : {"error 0.0000°", "t"}) {
+    const Stamp alone = typesetter.set(text, style(33.0), 0.0, 0.0);
+    for (const int count : {1, 4, 300}) {
+      const Stamp with = typesetter.set(text + std::string(count, ' '), style(33.0), 0.0, 0.0);
+      EXPECT_EQ(with.sprite->width, alone.sprite->width) << text << count;
+      EXPECT_EQ(with.sprite->pixels, alone.sprite->pixels) << text << count;
+    }
+  }
+  // to the left of what is read from the right
+  EXPECT_LE(typesetter.set("אב    ", style(33.0), 0.0, 0.0).sprite->width,
+            typesetter.set("אב", style(33.0), 0.0, 0.0).sprite->width + 1);
+  EXPECT_LE(typesetter.set("        ", style(33.0), 0.0, 0.0).sprite->width, 4);
+}
+
 TEST(Typesetter, PlainTextIsNoMarkup) {
   const Typesetter typesetter;
   for (const char* text : {"<b>", "a & b", "</span><span size='900%'>", "\"'<i>", "&#x41;", ""}) {
