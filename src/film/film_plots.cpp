@@ -41,6 +41,7 @@ std::vector<std::vector<double>> shown_values(const Recorded& quantity,
         "motion.duration");
   }
   std::vector<std::vector<double>> curves = values_over_time(quantity, motion, end, steps);
+  add_peaks(quantity, motion, end, curves);
   for (std::vector<double>& values : curves)
     values = extremes_of(values, most);
   return curves;

@@ -44,7 +44,10 @@ void check_film(Solved solved) {
   show.trail_points.clear();
   show.trail_tips = {};
   const Scene scene = solved.scene;
-  with_place(scene, [&] { return plan_frame_times(solved, {}); });
+  // of one picture: a motion may be too long for a film
+  TimeRange one;
+  one.one_picture = true;
+  with_place(scene, [&] { return plan_frame_times(solved, one); });
   with_place(scene, [&] { return composer_alone(solved); });
   with_place(scene, [&] { return make_charts({std::move(solved)}); });
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <string_view>
 #include <tuple>
@@ -135,6 +136,7 @@ std::string surface_of_obj(const std::string& bytes, const std::string& name) {
   std::string kept;
   for (std::string line; std::getline(in, line);) {
     std::replace(line.begin(), line.end(), '\t', ' ');
+    line = line.substr(0, line.find('#'));
     const std::size_t first = line.find_first_not_of(' ');
     if (first == std::string::npos) continue;
     const std::string word = line.substr(first, line.find(' ', first) - first);
@@ -220,18 +222,26 @@ std::vector<Triangle> cut_face(const TriangleMesh& mesh, const std::vector<int>&
   using Cut = CGAL::Constrained_Delaunay_triangulation_2<
       Plane,
       CGAL::Triangulation_data_structure_2<Corner, Cell>>;
+  constexpr std::size_t kCornersBetweenLooks = 1 << 8;
   const Vec3 area = area_vector(mesh, face);
   if (!(area.norm() > 0.0)) return {};
   Cut cut(Plane({area.x(), area.y(), area.z()}));
-  std::vector<Cut::Vertex_handle> corners;
+  std::vector<Cut::Vertex_handle> corners(face.size());
+  // one after another along the outline would take a time that grows with the square
+  std::vector<std::size_t> order(face.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::minstd_rand(1));
   try {
-    for (const int i : face) {
-      corners.push_back(cut.insert(cgal(mesh.points[static_cast<std::size_t>(i)])));
-      corners.back()->info() = i;
+    for (const std::size_t i : order) {
+      if (i % kCornersBetweenLooks == 0) stop_if_interrupted();
+      corners[i] = cut.insert(cgal(mesh.points[static_cast<std::size_t>(face[i])]));
+      corners[i]->info() = face[i];
     }
     if (cut.number_of_vertices() != face.size()) return {};
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    for (const std::size_t i : order) {
+      if (i % kCornersBetweenLooks == 0) stop_if_interrupted();
       cut.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+    }
   } catch (const Cut::Intersection_of_constraints_exception&) {
     return {};
   }
@@ -396,6 +406,8 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
 
   // convex faces become fans of triangles
   constexpr std::size_t kLongestFan = 16;
+  constexpr double kMostWork = 4e8;  // some four seconds
+  double work = 0.0;
   constexpr std::size_t kFacesBetweenLooks = 1 << 12;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (f % kFacesBetweenLooks == 0) stop_if_interrupted();
@@ -416,6 +428,16 @@ TriangleMesh parse_triangle_mesh(const std::string& bytes, const std::string& na
       for (std::size_t i = 1; i + 1 < face.size(); ++i)
         mesh.triangles.push_back({face[0], face[i], face[i + 1]});
       continue;
+    }
+    // the time to cut a face grows with the square of its corners
+    work += static_cast<double>(face.size()) * static_cast<double>(face.size());
+    if (work > kMostWork) {
+      throw input_error(
+          "'{}': up to face {}, which has {} corners, there are too many large faces to cut; cut "
+          "them into triangles",
+          name,
+          f + 1,
+          face.size());
     }
     const std::vector<Triangle> triangles = cut_face(mesh, face);
     if (triangles.empty()) {

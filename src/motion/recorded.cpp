@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/units.h"
 #include "math/so3.h"
@@ -238,6 +239,93 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
     before = now;
   }
   return curves;
+}
+
+namespace {
+
+// The least and the greatest value of a curve within a step, and where they are, s.
+struct Peaks {
+  double low, high, at_low, at_high;
+
+  void meet(double value, double at) {
+    if (value < low) {
+      low = value;
+      at_low = at;
+    }
+    if (value > high) {
+      high = value;
+      at_high = at;
+    }
+  }
+};
+
+}  // namespace
+
+void add_peaks(const Recorded& quantity,
+               const Motion& motion,
+               double end,
+               std::vector<std::vector<double>>& curves) {
+  constexpr double kBent = 0.05;   // of the values, and
+  constexpr double kSeen = 0.002;  // of the range of the curve
+  constexpr int kMostHalvings = 20;
+  if (quantity.period > 0.0 || curves.empty()) return;
+  const std::size_t steps = curves.front().size() - 1;
+  const auto most_looks = 4 * static_cast<long>(steps) + 20'000;  // round-off is bent everywhere
+  std::vector<double> range;
+  for (const std::vector<double>& values : curves) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const double value : values) {
+      low = std::fmin(low, value);
+      high = std::fmax(high, value);
+    }
+    range.push_back(high - low);
+  }
+  long looks = 0;
+  std::vector<Peaks> peaks(curves.size());
+  using Values = std::vector<double>;
+  const std::function<void(double, const Values&, double, const Values&, int)> look =
+      [&](double from, const Values& a, double to, const Values& b, int depth) {
+        const double middle = 0.5 * (from + to);
+        const Values m = quantity.values(motion, motion.at(middle));
+        ++looks;
+        bool bent = false;
+        for (std::size_t k = 0; k < m.size(); ++k) {
+          const double off = std::abs(m[k] - 0.5 * (a[k] + b[k]));
+          const double size = std::abs(a[k]) + std::abs(m[k]) + std::abs(b[k]);
+          bent = bent || (off > kBent * size / 3.0 && off > kSeen * range[k]);
+          peaks[k].meet(m[k], middle);
+        }
+        if (!bent || depth >= kMostHalvings || looks > most_looks) return;
+        look(from, a, middle, m, depth + 1);
+        look(middle, m, to, b, depth + 1);
+      };
+  const auto values_at = [&](std::size_t i) {
+    Values values;
+    for (const std::vector<double>& curve : curves)
+      values.push_back(curve[i]);
+    return values;
+  };
+  const double step = end / static_cast<double>(steps);
+  Values a = values_at(0);
+  for (std::size_t i = 0; i < steps && looks <= most_looks; ++i) {
+    const Values b = values_at(i + 1);
+    const double from = step * static_cast<double>(i), to = from + step;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      peaks[k] = {a[k], a[k], from, from};
+      peaks[k].meet(b[k], to);
+    }
+    const long before = looks;
+    look(from, a, to, b, 0);
+    // what is hardly bent stays as it is
+    for (std::size_t k = 0; k < b.size() && looks > before + 1; ++k) {
+      const auto put = [&](double value, double at) {
+        curves[k][at < from + 0.5 * step ? i : i + 1] = value;
+      };
+      if (peaks[k].low < std::fmin(a[k], b[k])) put(peaks[k].low, peaks[k].at_low);
+      if (peaks[k].high > std::fmax(a[k], b[k])) put(peaks[k].high, peaks[k].at_high);
+    }
+    a = b;
+  }
 }
 
 int steps_to_show(const Motion& motion, double end, int least) {

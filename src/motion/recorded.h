@@ -40,6 +40,16 @@ std::vector<std::vector<double>> values_over_time(const Recorded& quantity,
                                                   double end,
                                                   int steps);
 
+// Puts peaks between the steps into curves of values_over_time(): a step whose middle is far from
+// the line between its ends, as where an axis passes close by the vertical and the rates of its
+// angles are great, is halved up to twenty times, and what is beyond its ends takes the place of
+// the nearer end. For pictures, not for tables. Not for angles that begin again. Throws Error
+// likewise.
+void add_peaks(const Recorded& quantity,
+               const Motion& motion,
+               double end,
+               std::vector<std::vector<double>>& curves);
+
 // The same number of values or fewer, at most `most` + 1 at equal steps: of the values that a
 // column of two steps stands for, the least and the greatest, in their order, so that a line
 // through them covers what the whole line covers. A column with a NaN is NaN, unless that would

@@ -68,8 +68,11 @@ TEST(MeshFile, ReadsTextsOfAnySystem) {
   };
   std::string goes_on = kBox;
   goes_on.insert(goes_on.find("f ") + 2, "\\\n ");
-  for (const std::string& bytes :
-       {"\xEF\xBB\xBF" + std::string(kBox), ended(kBox, "\r"), ended(kBox, "\r\n"), goes_on}) {
+  for (const std::string& bytes : {"\xEF\xBB\xBF" + std::string(kBox),
+                                   ended(kBox, "\r"),
+                                   ended(kBox, "\r\n"),
+                                   ended(kBox, " # a remark\n"),
+                                   goes_on}) {
     const TriangleMesh read = parse_triangle_mesh(bytes, "box.obj");
     check_solid(read);
     EXPECT_NEAR(volume_of(read), 24.0, 1e-13) << bytes;
@@ -112,6 +115,17 @@ TEST(MeshFile, FacesMayHaveAnyOutline) {
   expect_input_error([] { obj("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n"); },
                      "",
                      "face 1 crosses or touches itself");
+}
+
+// a fan of a hundred thousand corners would take minutes
+TEST(MeshFile, RefusesFacesThatWouldTakeMinutes) {
+  std::string disc, face = "f";
+  for (int i = 0; i < 30'000; ++i) {
+    const double angle = 2.0 * kPi * i / 30'000;
+    disc += fmt::format("v {} {} 0\n", std::cos(angle), std::sin(angle));
+    face += fmt::format(" {}", i + 1);
+  }
+  expect_input_error([&] { obj(disc + face + "\n"); }, "", "which has 30000 corners");
 }
 
 TEST(MeshFile, NamesTheCornerThatIsNotThere) {

@@ -278,6 +278,52 @@ TEST(Recorded, FastLoadsAreLookedAtOften) {
 }
 
 // fewer values reach as far up and down, and leave gaps where there were a few
+// A pendulum that all but stays in a plane passes close by the vertical: its azimuth goes half
+// round at once. At the lowest place, which it passes at the speed v of energy, L_z = m l^2 sin^2
+// phi'.
+TEST(Recorded, PeaksBetweenStepsAreDrawn) {
+  const Recorded& rates = *find_recorded("euler_rates");
+  MotionSpec spec = test::spinning_on_pivot();
+  spec.duration = 10.0;
+  spec.attitude = {};
+  spec.attitude.zxz = Vec3(0.0, 2.0, 0.0);
+  spec.spin = {};
+  spec.spin.space = Vec3(0.0, 0.0, 1e-3);
+  const Motion motion = test::moving(test::cone_body(), spec);
+  const int steps = 2400;
+  const auto seen = values_over_time(rates, motion, spec.duration, steps);
+  auto drawn = seen;
+  add_peaks(rates, motion, spec.duration, drawn);
+  const auto most = [](const std::vector<double>& values) {
+    return *std::max_element(
+        values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  };
+  // of the peaks near the largest value that is drawn, by looks that are much closer
+  double peak = 0.0;
+  std::size_t passages = 0;
+  for (std::size_t i = 1; i + 1 < drawn[0].size(); ++i) {
+    if (std::abs(drawn[0][i]) < 0.5 * std::abs(most(drawn[0]))) continue;
+    ++passages;
+    for (int k = -20'000; k <= 20'000; ++k) {
+      const double t = spec.duration * (static_cast<double>(i) + k / 20'000.0) / steps;
+      peak = std::max(peak, std::abs(rates.values(motion, motion.at(t))[0]));
+    }
+    break;
+  }
+  EXPECT_GT(passages, 0U);
+  EXPECT_GT(peak, 5.0 * std::abs(most(seen[0]))) << "between the steps";
+  EXPECT_NEAR(std::abs(most(drawn[0])), peak, 0.02 * peak);
+  // what is smooth stays as it is
+  const Recorded& energy = *find_recorded("tilt");
+  auto tilt = values_over_time(energy, motion, spec.duration, steps);
+  const auto before = tilt;
+  add_peaks(energy, motion, spec.duration, tilt);
+  double change = 0.0;
+  for (std::size_t i = 0; i < tilt[0].size(); ++i)
+    change = std::max(change, std::abs(tilt[0][i] - before[0][i]));
+  EXPECT_LT(change, 2.0) << "degrees, where the tilt turns back in a corner";
+}
+
 TEST(Recorded, ExtremesKeepTheReachOfACurve) {
   std::vector<double> values;
   for (int i = 0; i <= 30'000; ++i)

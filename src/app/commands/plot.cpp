@@ -43,8 +43,9 @@ PlotSheet sheet_of(const Recorded& quantity,
     spdlog::warn(
         "the body or a load turns too often for a plot of all the motion; shorten motion.duration");
   }
-  const std::vector<std::vector<double>> all =
+  std::vector<std::vector<double>> all =
       values_over_time(quantity, motion, motion.duration(), steps);
+  if (!as_table) add_peaks(quantity, motion, motion.duration(), all);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const std::vector<double> values = as_table ? all[k] : extremes_of(all[k], kMostDrawn);
     const double last = static_cast<double>(values.size()) - 1.0;

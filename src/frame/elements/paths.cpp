@@ -93,10 +93,9 @@ bool is_asked(const ShowSpec& show, const char* name) {
   return found != show.asked.end() && found->second.value_or(false);
 }
 
-int pieces_of_trail(const Motion& motion) {
-  // a straight piece is never more than a tenth of a turn
-  const double turned = fastest_turn(motion) * motion.duration();
-  return static_cast<int>(std::clamp(turned / 0.6, 64.0, 100'000.0));
+// how many straight pieces, of a tenth of a turn at most, a path through the whole motion has
+double pieces_of_trail(const Motion& motion) {
+  return std::max(64.0, fastest_turn(motion) * motion.duration() / 0.6);
 }
 
 // angular velocities of the same energy, other momenta: along the great circle through the axes of
@@ -136,11 +135,13 @@ using Stretch = std::pair<double, double>;
 struct Fineness {
   int pieces = 0;               // as for sampled()
   std::size_t most_points = 0;  // of each path: all together have no more than three of them may
+  bool coarse = false;          // pieces go over whole turns
 };
 
 Fineness fineness_of(const Motion& motion, std::size_t paths) {
   const std::size_t most = 3 * kMostPointsOfPath / std::max<std::size_t>(3, paths);
-  return {std::min(pieces_of_trail(motion), static_cast<int>(most / 2)), most};
+  const double wanted = pieces_of_trail(motion), given = static_cast<double>(most) / 2.0;
+  return {static_cast<int>(std::min(wanted, given)), most, wanted > given};
 }
 
 // The path of a point during a stretch of the film. radius: in units of the body's radius.
@@ -154,15 +155,12 @@ Trail trail_during(const Scenery& scenery,
   // a quarter of a pixel where the body is as high as the frame
   const double tolerance = scenery.scale.body * (1.0 - std::cos(kPi / scenery.segments));
   const int pieces = static_cast<int>(std::ceil(fine.pieces * (to - from) / motion.duration()));
-  return Trail(sampled([&](double t) { return point(motion.at(t)); },
-                       from,
-                       to,
-                       pieces,
-                       tolerance,
-                       fine.most_points),
-               radius * scenery.scale.body,
-               scenery.scale.body,
-               sides_of(scenery, radius));
+  Path path = sampled(
+      [&](double t) { return point(motion.at(t)); }, from, to, pieces, tolerance, fine.most_points);
+  // equal steps over whole turns may all meet the same place
+  path.coarse = path.coarse || fine.coarse;
+  return Trail(
+      std::move(path), radius * scenery.scale.body, scenery.scale.body, sides_of(scenery, radius));
 }
 
 // when a body is on its table, or so near that nobody sees it fly
