@@ -326,8 +326,10 @@ Paths make_paths(const Scenery& scenery) {
   Paths paths;
   make_trails(scenery, paths);
   make_body_curves(scenery, paths);
-  if (is_asked(scenery.options, "velocity_field"))
-    paths.named_in_field = named_in_field(scenery, pieces_of_trail(scenery.motion));
+  if (is_asked(scenery.options, "velocity_field")) {
+    const double looks = std::min(pieces_of_trail(scenery.motion), 100'000.0);
+    paths.named_in_field = named_in_field(scenery, static_cast<int>(looks));
+  }
   return paths;
 }
 
