@@ -40,11 +40,7 @@ std::vector<std::vector<double>> shown_values(const Recorded& quantity,
         "show.plots: the body or a load turns too often for a plot of all the motion; shorten "
         "motion.duration");
   }
-  std::vector<std::vector<double>> curves = values_over_time(quantity, motion, end, steps);
-  add_peaks(quantity, motion, end, curves);
-  for (std::vector<double>& values : curves)
-    values = extremes_of(values, most);
-  return curves;
+  return drawn_values(quantity, motion, end, steps, most);
 }
 
 // one motion after the other, with a gap between

@@ -43,13 +43,14 @@ void check_film(Solved solved) {
     show.asked[path] = false;
   show.trail_points.clear();
   show.trail_tips = {};
-  const Scene scene = solved.scene;
+  const std::vector<Solved> alone = {std::move(solved)};
+  const Scene& scene = alone.front().scene;
   // of one picture: a motion may be too long for a film
   TimeRange one;
   one.one_picture = true;
-  with_place(scene, [&] { return plan_frame_times(solved, one); });
-  with_place(scene, [&] { return composer_alone(solved); });
-  with_place(scene, [&] { return make_charts({std::move(solved)}); });
+  with_place(scene, [&] { return plan_frame_times(alone.front(), one); });
+  with_place(scene, [&] { return composer_alone(alone.front()); });
+  with_place(scene, [&] { return make_charts(alone); });
 }
 
 }  // namespace polhode

@@ -217,20 +217,24 @@ const Film::WithFonts& Film::with_fonts() const {
                                             static_cast<int>(asked.plots.size()));
     // those above one another begin at one place, so that points can be followed up and down
     std::map<int, int> left;  // of axes, by the left side of their room
-    const auto picture = [&](std::size_t i, const Diagram& diagram) {
-      const PixelBox& room = places.diagrams[i];
+    const auto picture = [&](std::size_t i, const Diagram& diagram, int begins) {
       return std::make_unique<const DiagramPicture>(
-          diagram, room, type, theme, *typesetter_, left[room.x]);
+          diagram, places.diagrams[i], type, theme, *typesetter_, begins);
     };
     for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
-      int& most = left[places.diagrams[i].x];
-      for (const Diagram& diagram : asked.diagrams[i])
-        most = std::max(most, picture(i, diagram)->axes().x);
+      auto& pictures = with_fonts_->diagrams.emplace_back();
+      for (const Diagram& diagram : asked.diagrams[i]) {
+        pictures.push_back(picture(i, diagram, 0));
+        int& most = left[places.diagrams[i].x];
+        most = std::max(most, pictures.back()->axes().x);
+      }
     }
     for (std::size_t i = 0; i < asked.diagrams.size(); ++i) {
-      auto& pictures = with_fonts_->diagrams.emplace_back();
-      for (const Diagram& diagram : asked.diagrams[i])
-        pictures.push_back(picture(i, diagram));
+      const int begins = left[places.diagrams[i].x];
+      for (std::size_t k = 0; k < asked.diagrams[i].size(); ++k) {
+        auto& made = with_fonts_->diagrams[i][k];
+        if (made->axes().x < begins) made = picture(i, asked.diagrams[i][k], begins);
+      }
     }
     if (asked.plots.empty()) return;
     with_fonts_->plots = std::make_unique<const PlotStack>(

@@ -4,8 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -39,6 +37,11 @@ using Triangle = std::array<int, 3>;
 
 std::string text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+// of a face of any number of corners
+const Vec3& corner(const TriangleMesh& mesh, const std::vector<int>& face, std::size_t i) {
+  return mesh.points[static_cast<std::size_t>(face[i % face.size()])];
 }
 
 const Vec3& corner(const TriangleMesh& mesh, const Triangle& triangle, int i) {
@@ -152,14 +155,9 @@ std::string surface_of_obj(const std::string& bytes, const std::string& name) {
   return kept;
 }
 
-// An STL file in words, as the standard writes them; a binary one as it is.
+// An STL file in words, as the standard writes them; a binary one, which has zeros, as it is.
 std::string surface_of_stl(const std::string& bytes) {
-  constexpr std::size_t kHeader = 80, kTriangle = 50;
-  std::uint32_t triangles = 0;
-  if (bytes.size() >= kHeader + sizeof triangles)
-    std::memcpy(&triangles, bytes.data() + kHeader, sizeof triangles);
-  const bool binary = bytes.size() == kHeader + sizeof triangles + kTriangle * triangles;
-  return binary ? bytes : lower(plain_lines(bytes));
+  return bytes.find('\0') == std::string::npos ? lower(plain_lines(bytes)) : bytes;
 }
 
 // the points and faces as they stand in the file
@@ -187,23 +185,18 @@ void read_soup(const std::string& bytes,
 
 // twice the area of a face, along its normal (Newell)
 Vec3 area_vector(const TriangleMesh& mesh, const std::vector<int>& face) {
-  const auto point = [&](std::size_t i) -> const Vec3& {
-    return mesh.points[static_cast<std::size_t>(face[i % face.size()])];
-  };
+  const Vec3& first = corner(mesh, face, 0);
   Vec3 area = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i)
-    area += (point(i) - point(0)).cross(point(i + 1) - point(0));
+    area += (corner(mesh, face, i) - first).cross(corner(mesh, face, i + 1) - first);
   return area;
 }
 
 bool is_convex(const TriangleMesh& mesh, const std::vector<int>& face) {
   const Vec3 area = area_vector(mesh, face);
-  const std::size_t n = face.size();
-  const auto point = [&](std::size_t i) -> const Vec3& {
-    return mesh.points[static_cast<std::size_t>(face[i % n])];
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 before = point(i + 1) - point(i), after = point(i + 2) - point(i + 1);
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const Vec3& middle = corner(mesh, face, i + 1);
+    const Vec3 before = middle - corner(mesh, face, i), after = corner(mesh, face, i + 2) - middle;
     if (!(before.cross(after).dot(area) > 1e-9 * before.norm() * after.norm() * area.norm()))
       return false;
   }
@@ -227,7 +220,7 @@ std::vector<Triangle> cut_face(const TriangleMesh& mesh, const std::vector<int>&
   if (!(area.norm() > 0.0)) return {};
   Cut cut(Plane({area.x(), area.y(), area.z()}));
   std::vector<Cut::Vertex_handle> corners(face.size());
-  // one after another along the outline would take a time that grows with the square
+  // one after another along the outline would take longer
   std::vector<std::size_t> order(face.size());
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::minstd_rand(1));

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/system/atomic_file.h"
+#include "base/units.h"
 
 namespace polhode {
 namespace {
@@ -53,21 +54,19 @@ MassProperties mass_properties_of(const TriangleMesh& mesh) {
 TriangleMesh load_solid_mesh(const std::filesystem::path& file, double scale) {
   TriangleMesh mesh =
       parse_triangle_mesh(read_file(file, kLargestMeshFile), file.filename().string());
-  constexpr double kSmallest = 1e-12, kLargest = 1e15;  // m, as lengths in scenes
   Eigen::AlignedBox3d box;
   for (Vec3& point : mesh.points) {
     point *= scale;
     box.extend(point);
   }
-  const double size = mesh.points.empty()
-                          ? 1.0
-                          : std::max(box.diagonal().stableNorm(), box.max().cwiseAbs().maxCoeff());
-  if (!(size >= kSmallest && size <= kLargest)) {
+  const double size = std::max(box.diagonal().stableNorm(), box.max().cwiseAbs().maxCoeff());
+  const Magnitude lengths = magnitude_of(Unit::length);
+  if (!(size >= lengths.least && size <= lengths.most)) {
     throw input_error(
         "the mesh is {:.3g} m large or far, of {:g} to {:g} m that are possible; change scale",
         size,
-        kSmallest,
-        kLargest);
+        lengths.least,
+        lengths.most);
   }
   check_solid(mesh);
   return mesh;

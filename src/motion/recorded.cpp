@@ -379,6 +379,15 @@ std::vector<double> extremes_of(const std::vector<double>& values, int most) {
   return kept;
 }
 
+std::vector<std::vector<double>> drawn_values(
+    const Recorded& quantity, const Motion& motion, double end, int steps, int most) {
+  std::vector<std::vector<double>> curves = values_over_time(quantity, motion, end, steps);
+  add_peaks(quantity, motion, end, curves);
+  for (std::vector<double>& values : curves)
+    values = extremes_of(values, most);
+  return curves;
+}
+
 std::vector<std::string> recorded_names() {
   std::vector<std::string> names;
   for (const Recorded& row : recorded_quantities())

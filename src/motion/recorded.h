@@ -56,6 +56,11 @@ void add_peaks(const Recorded& quantity,
 // leave little.
 std::vector<double> extremes_of(const std::vector<double>& values, int most);
 
+// What a picture shows of values_over_time(), with peaks, as extremes_of() that many steps. Throws
+// Error likewise.
+std::vector<std::vector<double>> drawn_values(
+    const Recorded& quantity, const Motion& motion, double end, int steps, int most);
+
 // All quantities; the table exists until the program ends.
 const std::vector<Recorded>& recorded_quantities();
 // The one of this name; null if there is none.

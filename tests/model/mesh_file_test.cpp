@@ -84,6 +84,18 @@ TEST(MeshFile, ReadsTextsOfAnySystem) {
   EXPECT_EQ(read.triangles.size(), 1U);
 }
 
+// whatever its letters and its end, a binary file is no text
+TEST(MeshFile, BytesOfBinaryFilesStayAsTheyAre) {
+  const TriangleMesh mesh = solid(
+      "v 65.5 0 0\nv 0 66.6 0\nv 0 0 67.7\nv -70 -80 -90\n"
+      "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n");
+  for (const std::string& rest : {std::string(), std::string("WRITTEN BY\r\nA PROGRAM")}) {
+    const TriangleMesh read = parse_triangle_mesh(binary_stl(mesh) + rest, "test.stl");
+    ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
+    EXPECT_NEAR(volume_of(read), volume_of(mesh), 1e-5 * volume_of(mesh));
+  }
+}
+
 // wherever the list of a face begins: an L, and a square with a corner within a side
 TEST(MeshFile, FacesMayHaveAnyOutline) {
   const auto turned = [](std::vector<int> face, std::size_t by) {

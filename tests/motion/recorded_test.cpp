@@ -314,10 +314,10 @@ TEST(Recorded, PeaksBetweenStepsAreDrawn) {
   EXPECT_GT(peak, 5.0 * std::abs(most(seen[0]))) << "between the steps";
   EXPECT_NEAR(std::abs(most(drawn[0])), peak, 0.02 * peak);
   // what is smooth stays as it is
-  const Recorded& energy = *find_recorded("tilt");
-  auto tilt = values_over_time(energy, motion, spec.duration, steps);
+  const Recorded& of_tilt = *find_recorded("tilt");
+  auto tilt = values_over_time(of_tilt, motion, spec.duration, steps);
   const auto before = tilt;
-  add_peaks(energy, motion, spec.duration, tilt);
+  add_peaks(of_tilt, motion, spec.duration, tilt);
   double change = 0.0;
   for (std::size_t i = 0; i < tilt[0].size(); ++i)
     change = std::max(change, std::abs(tilt[0][i] - before[0][i]));

@@ -43,14 +43,15 @@ PlotSheet sheet_of(const Recorded& quantity,
     spdlog::warn(
         "the body or a load turns too often for a plot of all the motion; shorten motion.duration");
   }
-  std::vector<std::vector<double>> all =
-      values_over_time(quantity, motion, motion.duration(), steps);
-  if (!as_table) add_peaks(quantity, motion, motion.duration(), all);
+  const double end = motion.duration();
+  const std::vector<std::vector<double>> all =
+      as_table ? values_over_time(quantity, motion, end, steps)
+               : drawn_values(quantity, motion, end, steps, kMostDrawn);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::vector<double> values = as_table ? all[k] : extremes_of(all[k], kMostDrawn);
+    const std::vector<double>& values = all[k];
     const double last = static_cast<double>(values.size()) - 1.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double t = motion.duration() * static_cast<double>(i) / last;
+      const double t = end * static_cast<double>(i) / last;
       sheet.curves[k].points.emplace_back(t, values[i]);
     }
   }

@@ -54,8 +54,9 @@ class ResumedFilm final : public RenderOutput, private FrameSink {
   std::string kept() const;
   std::string file_of(int number) const;
   void look_at_old_segment(int number);
-  // Throws Error (input) with --resume as key if another shard's segment is of another film.
-  void refuse_other_film(int number) const;
+  // Throws Error (input) with --resume as key if a segment that is there, also of another shard, is
+  // of another film.
+  void refuse_other_film() const;
   Error other_film(const std::string& difference) const;
   void open_segment(int frame);
   void collect_hashes();

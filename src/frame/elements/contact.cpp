@@ -73,9 +73,7 @@ void add_contact(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   if (!found) return;
   const Vec3 at = contact_S(scenery, sample);
   const Material material = plain(scenery.theme.force, 0.25f);
-  Placement place = Placement::Identity();
-  place.translation() = at;
-  place.linear() *= kTouchRadius * scenery.scale.body;
+  const Placement place = ball_placement(at, kTouchRadius * scenery.scale.body);
   glyphs.meshes.push_back({scenery.ball, place, drawn_through(scenery, material)});
   glyphs.marks.push_back({at, kTouchRadius * scenery.scale.body});
   glyphs.reach.push_back(at);

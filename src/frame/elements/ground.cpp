@@ -158,9 +158,7 @@ void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
     const Motion& motion = scenery.ensemble[i];
     const Sample now = motion.at(std::min(sample.t, motion.duration()));
     const Vec3 tip = now.reference_S + now.q_SB * tip_B;
-    Placement ball = Placement::Identity();
-    ball.translation() = tip;
-    ball.linear() *= radius;
+    const Placement ball = ball_placement(tip, radius);
     glyphs.meshes.push_back({scenery.ball, ball, plain(scenery.theme.trail, 0.2f)});
     glyphs.reach.push_back(tip);
     if (i >= kPaleBodies) continue;
@@ -185,9 +183,7 @@ void add_stand(const Scenery& scenery, const Sample&, Glyphs& glyphs) {
 
 // the fixed point of a body that leaves no room for a stand, seen through the body
 void add_hinge(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  Placement ball = Placement::Identity();
-  ball.translation() = sample.reference_S;
-  ball.linear() *= kHingeRadius * scenery.scale.body;
+  const Placement ball = ball_placement(sample.reference_S, kHingeRadius * scenery.scale.body);
   Material material = drawn_through(scenery, plain(scenery.theme.position, 0.3f));
   material.dashes = 0.0f;
   glyphs.meshes.push_back({scenery.ball, ball, material});

@@ -115,6 +115,13 @@ Placement principal_placement(const Scenery& scenery, const Sample& sample) {
   return place;
 }
 
+Placement ball_placement(const Vec3& center, double radius) {
+  Placement place = Placement::Identity();
+  place.translation() = center;
+  place.linear() *= radius;
+  return place;
+}
+
 Placement disc_placement(const Vec3& center, const Vec3& normal, double radius) {
   Placement place = Placement::Identity();
   place.translation() = center;

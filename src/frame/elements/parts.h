@@ -75,6 +75,8 @@ bool in_gimbals(const Scenery& scenery);
 Placement body_placement(const Scenery& scenery, const Sample& sample);
 // Maps points in P (from the reference point) to S at this moment, m.
 Placement principal_placement(const Scenery& scenery, const Sample& sample);
+// Maps the unit ball to the ball around `center` (S, m); radius in m.
+Placement ball_placement(const Vec3& center, double radius);
 // Maps the unit disc about z to the disc around `center` (S, m) perpendicular to the unit vector
 // `normal`; radius in m.
 Placement disc_placement(const Vec3& center, const Vec3& normal, double radius);

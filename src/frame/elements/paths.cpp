@@ -79,9 +79,8 @@ void add_tip_trails(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
 
 // the sphere on which the body's axis writes
 void add_trail_sphere(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  Placement place = Placement::Identity();
-  place.translation() = sample.reference_S;
-  place.linear() *= 0.997 * kTrailRadius * scenery.scale.body;
+  const Placement place =
+      ball_placement(sample.reference_S, 0.997 * kTrailRadius * scenery.scale.body);
   glyphs.shells.push_back({scenery.sphere, place, shell(scenery.theme.space_axes, 0.12f)});
   add_ball_reach(place, glyphs);
 }
@@ -326,10 +325,8 @@ Paths make_paths(const Scenery& scenery) {
   Paths paths;
   make_trails(scenery, paths);
   make_body_curves(scenery, paths);
-  if (is_asked(scenery.options, "velocity_field")) {
-    const double looks = std::min(pieces_of_trail(scenery.motion), 100'000.0);
-    paths.named_in_field = named_in_field(scenery, static_cast<int>(looks));
-  }
+  if (is_asked(scenery.options, "velocity_field"))
+    paths.named_in_field = named_in_field(scenery, fineness_of(scenery.motion, 1).pieces);
   return paths;
 }
 

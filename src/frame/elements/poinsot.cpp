@@ -143,9 +143,8 @@ void add_plane(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
       kPiecesOfLine,
       glyphs);
 
-  Placement contact = Placement::Identity();
-  contact.translation() = omega_tip(scenery, sample);
-  contact.linear() *= kPlaneContactRadius * scenery.scale.body;
+  const Placement contact =
+      ball_placement(omega_tip(scenery, sample), kPlaneContactRadius * scenery.scale.body);
   glyphs.meshes.push_back({scenery.ball, contact, plain(scenery.theme.position, 0.3f)});
   glyphs.marks.push_back({contact.translation(), kPlaneContactRadius * scenery.scale.body});
 
@@ -237,9 +236,8 @@ void add_binet(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   material.covers = true;
   glyphs.meshes.push_back({scenery.sphere, ellipsoid, material});
   add_ball_reach(ellipsoid, glyphs);
-  Placement sphere = Placement::Identity();
-  sphere.translation() = sample.reference_S;
-  sphere.linear() *= scenery.scale.momentum * sample.L_S.norm();
+  const Placement sphere =
+      ball_placement(sample.reference_S, scenery.scale.momentum * sample.L_S.norm());
   glyphs.shells.push_back({scenery.sphere, sphere, shell(scenery.theme.momentum, 0.22f)});
   add_ball_reach(sphere, glyphs);
   add_body_curve(scenery, sample, scenery.paths.binet, scenery.theme.polhode, {}, glyphs);

@@ -101,9 +101,7 @@ void add_spring(const Scenery& scenery, const Vec3& from, const Vec3& to, Glyphs
   for (const Vec3& end : {from, to})
     add_rim_reach(disc_placement(end, axis, kCoilRadius * size), 8, glyphs);
   // what holds it
-  Placement held = Placement::Identity();
-  held.translation() = to;
-  held.linear() *= kBallRadius * size;
+  const Placement held = ball_placement(to, kBallRadius * size);
   glyphs.meshes.push_back({scenery.ball, held, plain(scenery.theme.space_axes, 0.35f)});
 }
 
@@ -369,9 +367,7 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
   const Material material = plain(scenery.theme.position, 0.3f);
   for (const Vec3& r_B : scenery.options.points) {
     const Vec3 at = point_position(scenery.motion.model(), sample, r_B);
-    Placement place = Placement::Identity();
-    place.translation() = at;
-    place.linear() *= kBallRadius * scenery.scale.body;
+    const Placement place = ball_placement(at, kBallRadius * scenery.scale.body);
     glyphs.meshes.push_back({scenery.ball, place, material});
     glyphs.marks.push_back({at, kBallRadius * scenery.scale.body});
     for (int i = 0; i < 3; ++i) {
