@@ -134,6 +134,19 @@ void Observer::put(std::size_t index, const Pose& pose, std::vector<Pose>& poses
   poses[index] = pose;
 }
 
+void Observer::add_paths(const std::string& element, const std::vector<PathGlyph>& paths) {
+  for (const PathGlyph& path : paths) {
+    of_element_[element];  // it has been seen, though it has no thing
+    const auto found = std::find_if(
+        trails_.begin(), trails_.end(), [&](const auto& one) { return one.trail == path.trail; });
+    ObservedTrail& trail = found != trails_.end()
+                               ? *found
+                               : trails_.emplace_back(ObservedTrail{
+                                     element, path.trail, path.material, 0.0, path.on_body});
+    trail.length = std::max(trail.length, path.to - path.from);
+  }
+}
+
 // Glyphs with the same mesh are told apart by their number, counted from the last: of ghosts, that
 // is the latest. A mesh that nobody else has was made for this moment, as a spring is: the one that
 // was seen first is then stretched to the box of each later one.
@@ -144,19 +157,6 @@ void Observer::add_meshes(const std::string& element,
                           std::vector<Pose>& poses) {
   std::map<const Mesh*, int> counts;
   for (auto glyph = glyphs.rbegin(); glyph != glyphs.rend(); ++glyph) {
-    if (glyph->of.trail != nullptr) {
-      of_element_[element];  // it has been seen, though it has no thing
-      const auto found = std::find_if(trails_.begin(), trails_.end(), [&](const auto& one) {
-        return one.trail == glyph->of.trail;
-      });
-      ObservedTrail& trail =
-          found != trails_.end()
-              ? *found
-              : trails_.emplace_back(ObservedTrail{
-                    element, glyph->of.trail, glyph->material, 0.0, glyph->of.on_body});
-      trail.length = std::max(trail.length, glyph->of.to - glyph->of.from);
-      continue;
-    }
     const bool made_anew = glyph->mesh.use_count() == 1;
     const Mesh* mesh = made_anew ? nullptr : glyph->mesh.get();
     const std::string key =
@@ -272,6 +272,7 @@ void Observer::add_labels(const std::string& element,
 void Observer::add_glyphs(const std::string& element,
                           const Glyphs& glyphs,
                           std::vector<Pose>& poses) {
+  add_paths(element, glyphs.paths);
   add_meshes(element, "solid", glyphs.meshes, false, poses);
   add_meshes(element, "ghost", glyphs.ghosts, true, poses);
   add_meshes(element, "shell", glyphs.shells, true, poses);

@@ -80,6 +80,7 @@ class Observer {
                   const std::vector<MeshGlyph>& glyphs,
                   bool both_sides,
                   std::vector<Pose>& poses);
+  void add_paths(const std::string& element, const std::vector<PathGlyph>& paths);
   void add_cones(const std::string& element,
                  const std::vector<Cone>& cones,
                  std::vector<Pose>& poses);

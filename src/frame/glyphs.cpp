@@ -74,6 +74,12 @@ DrawItem item_of(const MeshGlyph& glyph, const DrawingFrame& frame, Faces faces)
   return {glyph.mesh, drawn(glyph.space_from_mesh, frame), glyph.material, faces};
 }
 
+void add_path(const PathGlyph& path, const DrawingFrame& frame, DrawList& list) {
+  const Placement place = path.space_from_path * path.trail->place();
+  for (const MeshPtr& mesh : path.trail->part(path.from, path.to))
+    list.opaque.push_back(item_of({mesh, place, path.material}, frame, Faces::front));
+}
+
 // Which side of a curve the eye sees: that of the polar plane of the eye with the ellipsoid, which
 // holds the points where lines of sight touch it.
 glm::vec4 near_side(const MeshGlyph& curve, const Vec3& eye) {
@@ -222,6 +228,7 @@ void add_translucent(const Glyphs& glyphs,
 GlyphCounts::GlyphCounts(const Glyphs& glyphs)
     : arrows(glyphs.arrows.size()),
       meshes(glyphs.meshes.size()),
+      paths(glyphs.paths.size()),
       rods(glyphs.rods.size()),
       arcs(glyphs.arcs.size()),
       cones(glyphs.cones.size()),
@@ -239,6 +246,7 @@ void fade_new(Glyphs& glyphs, const GlyphCounts& before, double presence) {
   };
   materials(glyphs.arrows, before.arrows);
   materials(glyphs.meshes, before.meshes);
+  materials(glyphs.paths, before.paths);
   materials(glyphs.rods, before.rods);
   materials(glyphs.arcs, before.arcs);
   materials(glyphs.cones, before.cones);
@@ -270,6 +278,8 @@ void mark_as_ended(Glyphs& glyphs) {
   glyphs.labels.clear();
   for (MeshGlyph& mesh : glyphs.meshes)
     mesh.material.fade *= kPale;
+  for (PathGlyph& path : glyphs.paths)
+    path.material.fade *= kPale;
 }
 
 Vec3 point_of(const ArcGlyph& arc, double part) {
@@ -315,6 +325,8 @@ void add_items(const Glyphs& glyphs,
     list.opaque.push_back(item_of(glyph, frame, Faces::front));
     if (glyph.ellipsoid) list.opaque.back().material.near_side = near_side(glyph, eye);
   }
+  for (const PathGlyph& path : glyphs.paths)
+    add_path(path, frame, list);
   // before what they surround, which is blended over them if it is coming or going
   for (const ArrowGlyph& arrow : glyphs.arrows) {
     if (arrow.rim) add_rim(arrow, glyphs.arrows, meshes.arrows, frame, list);

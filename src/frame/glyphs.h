@@ -23,23 +23,24 @@ struct ArrowGlyph {
   bool rim = false;  // has a rim where it lies in a thicker one, see rim_around()
 };
 
-// The part of a path that has been drawn, between two times (s of motion).
-struct TrailPart {
-  const Trail* trail = nullptr;  // of the scenery, which it must not outlive; null: no path
-  double from = 0.0, to = 0.0;
-  bool on_body = false;  // the path is in B, else in S
-};
-
 // A mesh at its position.
 struct MeshGlyph {
   MeshPtr mesh;
   Placement space_from_mesh;  // maps mesh coordinates to S, m
   Material material;
   MeshPtr rough = {};  // roughly the same mesh, which throws its shadow; null: it throws none
-  TrailPart of = {};   // it is drawn with others as this part of a path
   // Of a curve on a translucent ellipsoid: maps the unit ball to that, S, m. Its parts on the side
   // that the eye does not see have the colour of the mark.
   std::optional<Placement> ellipsoid = {};
+};
+
+// The part of a path that has been drawn, between two times.
+struct PathGlyph {
+  const Trail* trail;         // of the scenery, which the glyph must not outlive
+  double from, to;            // s of motion
+  Placement space_from_path;  // maps the points of the path to S, m
+  Material material;
+  bool on_body = false;  // the path is in B, else in S
 };
 
 // A floor, with the shadows of the meshes that throw one.
@@ -108,6 +109,7 @@ struct SheetGlyph {
 struct Glyphs {
   std::vector<ArrowGlyph> arrows;
   std::vector<MeshGlyph> meshes;
+  std::vector<PathGlyph> paths;
   std::vector<RodGlyph> rods;
   std::vector<ArcGlyph> arcs;
   std::vector<Cone> cones;  // with a common apex
@@ -116,8 +118,8 @@ struct Glyphs {
   std::vector<MeshGlyph> shells;  // translucent convex surfaces around all cones, outermost first
   std::vector<SheetGlyph> sheets;
   Vec3 middle = Vec3::Zero();  // the reference point, in S, m
-  std::vector<Vec3> reach;     // points (S, m) that show how far the meshes, ghosts, shells and
-                               // sheets reach, for framing
+  std::vector<Vec3> reach;     // points (S, m) that show how far the meshes, paths, ghosts, shells
+                               // and sheets reach, for framing
   bool for_framing = true;     // false: `reach` may leave out long paths
   std::vector<LabelGlyph> labels;
   std::vector<MarkGlyph> marks;
@@ -127,7 +129,7 @@ struct Glyphs {
 // How many glyphs there were of each kind when this was made, for fade_new().
 struct GlyphCounts {
   explicit GlyphCounts(const Glyphs& glyphs);
-  std::size_t arrows, meshes, rods, arcs, cones, floors, ghosts, shells, sheets, labels;
+  std::size_t arrows, meshes, paths, rods, arcs, cones, floors, ghosts, shells, sheets, labels;
 };
 // Multiplies the fade of the glyphs that were added since `before` by `presence`: 1 is fully
 // visible, 0 invisible.

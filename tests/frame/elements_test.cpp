@@ -123,12 +123,11 @@ TEST(Elements, APathThatIsCutOffEndsEvenly) {
   for (double t = 0.8; t < 1.5; t += 0.007) {
     const Sample now = scenery.motion.at(t);
     const Glyphs glyphs = picture.glyphs_at(now);
-    const auto drawn =
-        std::find_if(glyphs.meshes.begin(), glyphs.meshes.end(), [](const MeshGlyph& mesh) {
-          return mesh.of.trail != nullptr && !mesh.of.on_body;
-        });
-    ASSERT_NE(drawn, glyphs.meshes.end());
-    const Sample then = scenery.motion.at(drawn->of.from);
+    const auto drawn = std::find_if(glyphs.paths.begin(),
+                                    glyphs.paths.end(),
+                                    [](const PathGlyph& path) { return !path.on_body; });
+    ASSERT_NE(drawn, glyphs.paths.end());
+    const Sample then = scenery.motion.at(drawn->from);
     const double away = (now.center_S - then.center_S).norm() / scenery.scale.body;
     EXPECT_NEAR(away, 4.2, 2e-3) << t;
   }
@@ -136,7 +135,7 @@ TEST(Elements, APathThatIsCutOffEndsEvenly) {
 
 TEST(Elements, EachNameAddsItsOwnGlyphs) {
   struct Count {
-    std::size_t arrows = 0, meshes = 0, rods = 0, arcs = 0, cones = 0;
+    std::size_t arrows = 0, meshes = 0, paths = 0, rods = 0, arcs = 0, cones = 0;
     std::size_t floors = 0, ghosts = 0, shells = 0, sheets = 0;
     bool operator==(const Count&) const = default;
   };
@@ -156,7 +155,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"ensemble", {.meshes = 3, .ghosts = 2}},
                                                {"forces", {.arrows = 3, .meshes = 2}},
                                                {"contact", {.arrows = 2, .meshes = 1}},
-                                               {"contact_trail", {.meshes = 2}},
+                                               {"contact_trail", {.paths = 2}},
                                                {"slip", {.arrows = 1}},
                                                {"velocity_field", {.arrows = 48}},
                                                {"fixed_frame", {.arrows = 4}},
@@ -173,9 +172,9 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                                                {"plane", {.meshes = 2, .sheets = 1}},
                                                {"polhode", {.meshes = 1}},
                                                {"polhodes", {.meshes = 36}},
-                                               {"herpolhode", {.meshes = 1}},
+                                               {"herpolhode", {.paths = 1}},
                                                {"binet", {.meshes = 2, .shells = 1}},
-                                               {"trail", {.meshes = 1, .rods = 1}},
+                                               {"trail", {.paths = 1, .rods = 1}},
                                                {"trail_sphere", {.shells = 1}},
                                                {"floor", {.floors = 1}}};
   ASSERT_EQ(wanted.size(), elements().size() + 1) << "a name without its glyphs here";
@@ -209,6 +208,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
     const Glyphs glyphs = picture.glyphs_at(picture.scenery().motion.at(0.5));
     const Count found{glyphs.arrows.size(),
                       glyphs.meshes.size(),
+                      glyphs.paths.size(),
                       glyphs.rods.size(),
                       glyphs.arcs.size(),
                       glyphs.cones.size(),
@@ -218,6 +218,7 @@ TEST(Elements, EachNameAddsItsOwnGlyphs) {
                       glyphs.sheets.size()};
     EXPECT_TRUE(found == count) << ::testing::PrintToString(std::vector<std::size_t>{found.arrows,
                                                                                      found.meshes,
+                                                                                     found.paths,
                                                                                      found.rods,
                                                                                      found.arcs,
                                                                                      found.cones,

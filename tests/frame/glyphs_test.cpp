@@ -60,8 +60,7 @@ TEST(Glyphs, CurvesOnAnEllipsoidKnowTheirFarSide) {
   mesh.translation() = Vec3(0.1, 0.3, 0.2);
   const DrawingFrame frame{Vec3(0.2, 0.0, 0.1), 0.4};
   Glyphs glyphs;
-  glyphs.meshes.push_back(
-      {std::make_shared<const Mesh>(unit_disc(8)), mesh, {}, {}, {}, ellipsoid});
+  glyphs.meshes.push_back({std::make_shared<const Mesh>(unit_disc(8)), mesh, {}, {}, ellipsoid});
   int near_ones = 0, all = 0;
   for (const Vec3& eye : {Vec3(3, 1, 0.5), Vec3(-0.4, 1.5, 2), Vec3(0, 0, -9)}) {
     const glm::vec4 plane = items_of(glyphs, eye, frame).opaque.front().material.near_side;

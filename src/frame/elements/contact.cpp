@@ -110,15 +110,9 @@ void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& gly
   for (const Trail& trail : scenery.paths.contact)
     add_path(trail, std::max(begins, on_table), sample.t, scenery.theme.trail, glyphs);
   const Placement space_from_body = body_placement(scenery, sample);
-  for (const Trail& on_body : scenery.paths.contact_on_body) {
-    for (const MeshPtr& mesh : on_body.part(begins, sample.t)) {
-      glyphs.meshes.push_back({mesh,
-                               space_from_body * on_body.place(),
-                               plain(scenery.theme.force, 0.1f),
-                               {},
-                               {&on_body, begins, sample.t, true}});
-    }
-  }
+  const Material material = plain(scenery.theme.force, 0.1f);
+  for (const Trail& on_body : scenery.paths.contact_on_body)
+    glyphs.paths.push_back({&on_body, begins, sample.t, space_from_body, material, true});
 }
 
 }  // namespace polhode

@@ -32,8 +32,7 @@ void add_tail(const Scenery& scenery,
 
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs) {
   if (trail.empty()) return;
-  for (const MeshPtr& mesh : trail.part(from, to))
-    glyphs.meshes.push_back({mesh, trail.place(), plain(color, 0.1f), {}, {&trail, from, to}});
+  glyphs.paths.push_back({&trail, from, to, Placement::Identity(), plain(color, 0.1f)});
   const Path& path = trail.path();
   const auto first = std::lower_bound(path.parameters.begin(), path.parameters.end(), from);
   constexpr std::size_t kPieces = 40;

@@ -45,7 +45,7 @@ void add_body_curve(const Scenery& scenery,
   place.linear() *= scenery.scale.body;
   Material material = plain(color, 0.1f);
   material.mark_color = glm::mix(scenery.theme.background, color, kFarSide);
-  glyphs.meshes.push_back({mesh, place, material, {}, {}, ellipsoid});
+  glyphs.meshes.push_back({mesh, place, material, {}, ellipsoid});
   // corners of the tube are near enough to its middle
   const std::vector<Vertex>& corners = mesh->vertices;
   add_line([&](std::size_t i) { return Vec3(place * to_eigen(corners[i].position)); },

@@ -64,8 +64,14 @@ TEST(Paths, OfTheContactBeginWhereTheBodyTouches) {
   EXPECT_NEAR(path.parameters.front(), near, 1e-6);
   EXPECT_NEAR(path.points.front().x(), 0.3 * near, 1e-6);
   EXPECT_EQ(path.parameters.back(), spec.duration);
-  EXPECT_TRUE(picture.glyphs_at(scenery.motion.at(0.9 * near)).meshes.empty());
-  EXPECT_FALSE(picture.glyphs_at(scenery.motion.at(0.5)).meshes.empty());
+  const auto is_drawn = [&](double t) {
+    const std::vector<PathGlyph> paths = picture.glyphs_at(scenery.motion.at(t)).paths;
+    return std::any_of(paths.begin(), paths.end(), [](const PathGlyph& one) {
+      return !one.trail->part(one.from, one.to).empty();
+    });
+  };
+  EXPECT_FALSE(is_drawn(0.9 * near));
+  EXPECT_TRUE(is_drawn(0.5));
 }
 
 // the tips of vectors are on their paths at any time, to half a pixel
@@ -109,11 +115,13 @@ TEST(Paths, TrailIsAsLongAsTheSceneAsks) {
                                     (s.q_SB * figure_axis_B(scenery.motion.model())));
   };
   const Glyphs glyphs = picture.glyphs_at(scenery.motion.at(now));
-  ASSERT_FALSE(glyphs.meshes.empty());
+  ASSERT_EQ(glyphs.paths.size(), 1u);
+  const PathGlyph& path = glyphs.paths.front();
+  const Placement space_from_mesh = path.space_from_path * path.trail->place();
   double earliest = now, farthest = 0.0;
-  for (const MeshGlyph& glyph : glyphs.meshes) {
-    for (const Vertex& vertex : glyph.mesh->vertices) {
-      const Vec3 point = glyph.space_from_mesh * to_eigen(vertex.position);
+  for (const MeshPtr& mesh : path.trail->part(path.from, path.to)) {
+    for (const Vertex& vertex : mesh->vertices) {
+      const Vec3 point = space_from_mesh * to_eigen(vertex.position);
       double nearest = 1e9, at = now;
       for (double t = now - 1.0; t <= now; t += 0.005) {
         const double distance = (tip(t) - point).norm();
