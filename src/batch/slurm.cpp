@@ -16,16 +16,23 @@
 namespace polhode {
 namespace {
 
-constexpr std::array<std::string_view, 6> kWaiting = {
-    "PENDING", "REQUEUED", "REQUEUE_HOLD", "REQUEUE_FED", "RESV_DEL_HOLD", "SPECIAL_EXIT"};
-constexpr std::array<std::string_view, 8> kRunning = {"RUNNING",
-                                                      "COMPLETING",
-                                                      "CONFIGURING",
-                                                      "SUSPENDED",
-                                                      "STOPPED",
-                                                      "SIGNALING",
-                                                      "RESIZING",
-                                                      "STAGE_OUT"};
+constexpr std::array<std::string_view, 7> kWaiting = {"PENDING",
+                                                      "REQUEUED",
+                                                      "REQUEUE_HOLD",
+                                                      "REQUEUE_FED",
+                                                      "RESV_DEL_HOLD",
+                                                      "SPECIAL_EXIT",
+                                                      "EXPEDITING"};
+constexpr std::array<std::string_view, 10> kEndedBadly = {"CANCELLED",
+                                                          "FAILED",
+                                                          "TIMEOUT",
+                                                          "NODE_FAIL",
+                                                          "PREEMPTED",
+                                                          "BOOT_FAIL",
+                                                          "DEADLINE",
+                                                          "OUT_OF_MEMORY",
+                                                          "LAUNCH_FAILED",
+                                                          "REVOKED"};
 
 template <class Names>
 bool is_in(const Names& names, std::string_view word) {
@@ -34,9 +41,11 @@ bool is_in(const Names& names, std::string_view word) {
 
 SlurmState state_of(const std::string& word) {
   using Kind = SlurmState::Kind;
+  if (word == "COMPLETED") return {Kind::ended_well, word};
   if (is_in(kWaiting, word)) return {Kind::waiting, word};
-  if (is_in(kRunning, word)) return {Kind::running, word};
-  return {word == "COMPLETED" ? Kind::ended_well : Kind::ended_badly, word};
+  if (is_in(kEndedBadly, word)) return {Kind::ended_badly, word};
+  // the others, as COMPLETING, and those of a later Slurm: it forgets a job soon after its end
+  return {Kind::running, word};
 }
 
 // the value of NAME=value in a line of scontrol; empty: it is not there

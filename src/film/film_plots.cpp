@@ -37,8 +37,9 @@ std::vector<std::vector<double>> shown_values(const Recorded& quantity,
   const int steps = steps_to_show(motion, end, most);
   if (steps == kMostShown) {
     spdlog::warn(
-        "show.plots: the body or a load turns too often for a plot of all the motion; shorten "
-        "motion.duration");
+        "show.plots: the body or a load turns too often for a plot '{}' of all the motion; shorten "
+        "motion.duration",
+        quantity.name);
   }
   return drawn_values(quantity, motion, end, steps, most);
 }

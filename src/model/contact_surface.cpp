@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "math/so3.h"
+#include "model/given_keys.h"
 #include "model/solids.h"
 
 namespace polhode {
@@ -320,10 +321,10 @@ std::shared_ptr<const ContactSurface> make_contact_surface(const BodySpec& spec,
         at_place({{}, 0, path + ".profile"}, [&] { return pieces_of(solid); });
     if (own.empty()) {
       throw input_error(
-          "a {} has facets, on which no body rolls: it lies on them; on a table take a solid "
+          "{} has facets, on which no body rolls: it lies on them; on a table take a solid "
           "without them, such as sphere, ellipsoid, disc, ring or lathe (body.look gives the "
           "surface, where the mass is given otherwise)",
-          solid.kind)
+          with_article(solid.kind))
           .at({{}, 0, path + ".kind"});
     }
     const Mat3 R_BD = from_xyz_turns(solid.turn);

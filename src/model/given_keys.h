@@ -10,6 +10,9 @@ namespace polhode {
 // Whether `name` is in `names`.
 bool contains(const std::vector<std::string>& names, const std::string& name);
 
+// The name of a kind with its article: "a box", "an ellipsoid".
+std::string with_article(const std::string& kind);
+
 // Throws Error (input) naming `path`, the dotted key of the table, if one of `needed` is missing
 // from `given`. kind: name of the solid or load, for the message.
 void require_keys(const std::string& kind,

@@ -61,7 +61,8 @@ void check_keys_of(const LoadSpec& spec, const std::string& path) {
   known.insert(known.end(), {"from", "until", "ramp"});
   require_keys(kind.name, kind.needs, given, path);
   if (kind.directed && !spec.space && !spec.body) {
-    throw input_error("a {} needs 'space' or 'body', its vector in those axes", kind.name)
+    throw input_error("{} needs 'space' or 'body', its vector in those axes",
+                      with_article(kind.name))
         .at({{}, 0, path});
   }
   refuse_other_keys(kind.name, known, given, path);

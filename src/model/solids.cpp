@@ -357,7 +357,8 @@ MassProperties mass_properties(const SolidSpec& solid, const std::string& path) 
   check_dimensions(solid, path);
   const SolidKind& kind = kind_of(solid, path);
   if (solid.mass.has_value() == solid.density.has_value()) {
-    throw input_error("give a {} exactly one of mass and density", kind.name).at({{}, 0, path});
+    throw input_error("give {} exactly one of mass and density", with_article(kind.name))
+        .at({{}, 0, path});
   }
   const double volume = kind.volume(solid);
   if (solid.density && volume <= 0.0) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/name_list.h"
 #include "base/units.h"
 #include "scene/toml_text.h"
 
@@ -139,6 +141,22 @@ bool is_long_number(std::string_view text) {
          }) > static_cast<std::ptrdiff_t>(kMostDigits);
 }
 
+// A list of words without quotes, which shells take away: [omega, energy].
+std::optional<toml::array> list_of_words(std::string_view text) {
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return {};
+  toml::array list;
+  for (const std::string& word : split_names(text.substr(1, text.size() - 2))) {
+    const bool is_word = !word.empty() &&
+                         std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
+                         std::all_of(word.begin(), word.end(), [](unsigned char c) {
+                           return std::isalnum(c) != 0 || c == '_';
+                         });
+    if (!is_word) return {};
+    list.push_back(word);
+  }
+  return list;
+}
+
 }  // namespace
 
 const toml::node* node_at(const toml::table& tree, const std::string& path) {
@@ -167,6 +185,10 @@ void replace_value(toml::table& tree, const std::string& path, const std::string
   try {
     parsed = parse_toml("value = " + value, "");
   } catch (const Error& error) {
+    if (const std::optional<toml::array> words = list_of_words(value)) {
+      replace_node(tree, path, *words);
+      return;
+    }
     // what begins as a text, list or table was meant as one
     if (value.empty() || std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
       throw input_error("{}", error.message());

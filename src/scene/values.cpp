@@ -37,34 +37,29 @@ std::string described(const toml::node& node) {
   }
 }
 
-// the bounds hold in SI, the message speaks in the unit that the user wrote
-void check_range(const Found& found, const Range& range, double written, double si) {
-  const auto bound = [&](double value) {
-    return fmt::format("{:.6g}", value / found.unit.factor);
-  };
-  if (range.low == range.high && si != range.low) {
-    refuse(found, fmt::format("must be {}, got {}", bound(range.low), written));
-  }
-  if (range.low_open && !(si > range.low)) {
-    refuse(found, fmt::format("must be greater than {}, got {}", bound(range.low), written));
-  }
-  if (si < range.low) {
-    refuse(found, fmt::format("must be at least {}, got {}", bound(range.low), written));
-  }
-  if (si > range.high) {
-    refuse(found, fmt::format("must be at most {}, got {}", bound(range.high), written));
-  }
+// Bounds are kept in SI and compared in the unit that the user wrote, in which the schema has them.
+void check_range(const Found& found, const Range& range, double written) {
+  const double low = range.low / found.unit.factor, high = range.high / found.unit.factor;
+  const char* wrong = range.low == range.high && written != low ? ""
+                      : range.low_open && !(written > low)      ? " greater than"
+                      : written < low                           ? " at least"
+                      : written > high                          ? " at most"
+                                                                : nullptr;
+  if (wrong == nullptr) return;
+  const double bound = written > high ? high : low;
+  refuse(found, fmt::format("must be{} {:.6g}, got {}", wrong, bound, written));
 }
 
 // what no scene can mean would overflow later, far from its place
-void check_magnitude(const Found& found, const Doc& doc, double written, double si) {
+void check_magnitude(const Found& found, const Doc& doc, double written) {
   const Range range = within_magnitude(doc.range, doc.unit);
-  const char* wrong = si > range.high   ? "large"
-                      : si >= range.low ? nullptr
-                      : si < 0.0        ? "large"
-                                        : "small";
+  const double low = range.low / found.unit.factor, high = range.high / found.unit.factor;
+  const char* wrong = written > high   ? "large"
+                      : written >= low ? nullptr
+                      : written < 0.0  ? "large"
+                                       : "small";
   if (wrong == nullptr) return;
-  const double bound = (si > range.high ? range.high : range.low) / found.unit.factor;
+  const double bound = written > high ? high : low;
   refuse(found,
          fmt::format("is too {} to be computed with (the limit is {:.6g}{}{}), got {}",
                      wrong,
@@ -85,12 +80,11 @@ double number(const Found& found, const Doc& doc, const std::string& wanted) {
   }
   if (!std::isfinite(written))
     refuse(found, fmt::format("must be a finite number, got {}", written));
-  const double si = to_si(written, found.unit);
-  check_range(found, doc.range, written, si);
+  check_range(found, doc.range, written);
   if (doc.whole && written != std::floor(written))
     refuse(found, fmt::format("must be a whole number, got {}", written));
-  check_magnitude(found, doc, written, si);
-  return si;
+  check_magnitude(found, doc, written);
+  return to_si(written, found.unit);
 }
 
 template <class Vector>

@@ -256,6 +256,20 @@ TEST_F(Submit, DoesNotTakeSilenceForTheEnd) {
   EXPECT_NE(over.out.find("nothing is queued"), std::string::npos) << over.out << over.err;
 }
 
+// of later versions
+TEST_F(Submit, TakesUnknownStatesForNoFailures) {
+  write_program("sbatch", "echo 12");
+  ASSERT_EQ(run_polhode(map_in_two_tasks(), in_bin()).code, 0);
+  const auto status = [&](const std::string& state) {
+    write_program("scontrol", fmt::format("echo JobId=12 ArrayTaskId=1-2 JobState={}", state));
+    return run_polhode("status " + at("maps"), in_bin());
+  };
+  for (const char* state : {"PENDING", "EXPEDITING", "COMPLETING", "POWER_UP_NODE", "NEW_STATE"})
+    EXPECT_EQ(status(state).code, 0) << state;
+  for (const char* state : {"TIMEOUT", "REVOKED", "LAUNCH_FAILED"})
+    EXPECT_EQ(status(state).code, 1) << state;
+}
+
 // a number of a job and nothing else
 TEST_F(Submit, TakesNoOddAnswerForAJob) {
   for (const char* answer : {"0", "12; rm", "123456789012345678901234567890", "twelve", ""}) {

@@ -177,6 +177,14 @@ TEST_F(SceneSettings, StandAsIfInTheFile) {
   EXPECT_EQ(line_of(scene, "motion.attitude.zxz"), line_of(scene, "motion"));
 }
 
+// shells take quotes away
+TEST_F(SceneSettings, TakeListsOfWordsWithoutQuotes) {
+  const Scene scene = with({"show.plots=[omega, tilt]"});
+  EXPECT_EQ(scene.show.plots, (std::vector<std::string>{"omega", "tilt"}));
+  for (const char* text : {"show.plots=[omega, 3 4]", "show.plots=[omega", "show.plots=[a.b, c]"})
+    expect_input_error([&] { with({text}); }, "--set show.plots", "not valid TOML");
+}
+
 // a table that the option brings, and one of the file that it does not go with
 TEST_F(SceneSettings, ThatBringATableAreToBlame) {
   expect_error([&] { with({"motion.spinn.body=[1,2,3]"}); },

@@ -28,6 +28,21 @@ TEST(Schema, ConvertsRangesToTheUnitOfTheKey) {
   EXPECT_NEAR(camera["fov_deg"]["maximum"].get<double>(), 148.969, 1e-3);
 }
 
+// whatever they round to in SI
+TEST(Schema, LimitsAreAllowedThemselves) {
+  const Json schema = scene_schema()["properties"];
+  const Json attitude = schema["motion"]["properties"]["attitude"]["properties"];
+  const auto reads = [](const std::string& line, const Json& value) {
+    const std::string body = "[body]\nsolid = { kind = \"sphere\", radius = 1, mass = 1 }\n";
+    EXPECT_NO_THROW(parse_scene(body + fmt::format(fmt::runtime(line), value.dump()), "t"));
+  };
+  for (const char* limit : {"minimum", "maximum"}) {
+    reads("[motion.attitude]\nzxz_deg = [0, {}, 0]", attitude["zxz_deg"]["items"][limit]);
+    reads("[motion.attitude]\ntilt_deg = {}", attitude["tilt_deg"][limit]);
+    reads("[camera]\nfov_deg = {}", schema["camera"]["properties"]["fov_deg"][limit]);
+  }
+}
+
 TEST(Schema, SharesTheVideoTable) {
   const Json video = scene_schema()["properties"]["video"]["properties"];
   EXPECT_TRUE(video.contains("fps"));
