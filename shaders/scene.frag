@@ -62,16 +62,16 @@ vec3 painted() {
 #endif
 }
 
-// What wood and metal do to the colour: grain in rings about the axis, brush strokes.
+// What wood and metal do to the colour: grain, brush strokes.
 vec3 worn(vec3 color) {
 #if FINISH == 1 || FINISH == 2
   float unit_length = max(f_alpha.w, 1e-9);
 #endif
-#if FINISH == 1 || TURNED
+#if TURNED
   float radius = sqrt(dot(v_mesh.xy, v_mesh.xy)) / unit_length;
 #endif
 #if FINISH == 1
-  return grained(color, radius, v_mesh.z / unit_length);
+  return grained(color, v_mesh / unit_length);
 #elif FINISH == 2
   // faces across x have strokes along y
 #if TURNED

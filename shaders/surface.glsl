@@ -25,13 +25,15 @@ float brushed(float x) {
   return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7);
 }
 
-// Wood: grain in rings about the axis; both lengths in units of the finish.
-vec3 grained(vec3 color, float radius, float along) {
-  // years are not equally wide
-  float years = 0.8 * radius + 0.25 * along;
+// Wood: the body is turned from a board, whose rings of years go round an axis along y beside it.
+// Rings about the body's own axis would look like ridges of a lathe. at: in units of the finish.
+vec3 grained(vec3 color, vec3 at) {
+  vec2 from_core = at.xz + vec2(9.0, 5.0) + 0.25 * sin(0.31 * at.y + vec2(0.0, 1.3));
+  float years = 1.1 * length(from_core);
+  // they are not equally wide
   years += 0.5 * sin(0.9 * years) + 0.25 * sin(2.3 * years + 1.0);
-  float grain = bands(years);
-  return color * (0.88 + 0.17 * grain * grain);
+  float late = 1.0 - bands(years);
+  return color * (1.03 - 0.17 * late * late);
 }
 // Metal: each stroke, across and along, brightens and darkens a little.
 vec3 stroked(vec3 color, float across, float along) {

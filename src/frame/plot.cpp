@@ -195,7 +195,7 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
 void PlotStack::add_heading(const Drawn& one, const PixelBox& row) {
   std::vector<PlotEntry> entries;
   for (std::size_t i = 0; i < one.plot.curves.size(); ++i)
-    entries.push_back({one.plot.curves[i].name, color(i), dashes(i)});
+    entries.push_back({one.plot.curves[i].name, color(i), dashes(one, i)});
   paper_.add_heading(heading_of(one.plot, one.ticks.exponent), entries, row);
 }
 
@@ -209,28 +209,37 @@ void PlotStack::add_axes(const Drawn& one, const Ticks& times, const TimeUnit& u
   paper_.add_axes(one.axes);
 }
 
+// a curve on the sprite of draw_curves(), in as many lines as it has parts where it is defined
+std::vector<Polyline> PlotStack::lines_of(const Drawn& one, std::size_t curve) const {
+  const double left = one.axes.x - one.rim;
+  const double top = one.axes.y - one.rim;
+  const std::vector<double>& values = one.plot.curves[curve].values;
+  const double step = (one.plot.ends - one.plot.begins) / static_cast<double>(values.size() - 1);
+  std::vector<Polyline> lines;
+  bool goes_on = false;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::isfinite(values[k])) {
+      if (!goes_on) lines.emplace_back();
+      const double t = one.plot.begins + static_cast<double>(k) * step;
+      lines.back().push_back({column_of(one, t) - left, row_of(one, values[k]) - top});
+    }
+    goes_on = std::isfinite(values[k]);
+  }
+  return lines;
+}
+
 Stamp PlotStack::draw_curves(const Drawn& one) const {
   Sprite sprite(one.axes.width + 2 * one.rim, one.axes.height + 2 * one.rim);
   const double left = one.axes.x - one.rim;
   const double top = one.axes.y - one.rim;
   for (std::size_t i = 0; i < one.plot.curves.size(); ++i) {
-    const std::vector<double>& values = one.plot.curves[i].values;
-    const double step = (one.plot.ends - one.plot.begins) / static_cast<double>(values.size() - 1);
-    std::vector<Polyline> lines;
-    Polyline line;
-    for (std::size_t k = 0; k <= values.size(); ++k) {
-      if (k < values.size() && std::isfinite(values[k])) {
-        const double t = one.plot.begins + static_cast<double>(k) * step;
-        line.push_back({column_of(one, t) - left, row_of(one, values[k]) - top});
-        continue;
-      }
-      // the curve ends, or is not defined here
-      if (line.empty()) continue;
-      for (Polyline& dash : dashes_of(line, dashes(i)))
-        lines.push_back(std::move(dash));
-      line.clear();
+    const std::vector<double> pattern = dashes(one, i);
+    std::vector<Polyline> pieces;
+    for (const Polyline& line : lines_of(one, i)) {
+      for (Polyline& dash : dashes_of(line, pattern))
+        pieces.push_back(std::move(dash));
     }
-    stroke(sprite, lines, paper_.line(), bytes_of(color(i)));
+    stroke(sprite, pieces, paper_.line(), bytes_of(color(i)));
   }
   return {std::make_shared<const Sprite>(std::move(sprite)),
           static_cast<int>(left),
@@ -242,7 +251,15 @@ std::string PlotStack::value_text(const Drawn& one, double value) const {
 }
 
 // with round ends, which are as long as the line is wide
-std::vector<double> PlotStack::dashes(std::size_t curve) const {
+std::vector<double> PlotStack::dashes(const Drawn& one, std::size_t curve) const {
+  // dashes of a curve that goes up and down all the time would look like a scribble
+  constexpr double kScribble = 2.5;  // widths of the plot
+  double length = 0.0;
+  for (const Polyline& line : lines_of(one, curve)) {
+    for (std::size_t k = 1; k < line.size(); ++k)
+      length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
+  }
+  if (length > kScribble * one.axes.width) return {};
   const auto pattern = [&](double drawn, double free) {
     return std::vector<double>{drawn * paper_.size() - paper_.line(),
                                free * paper_.size() + paper_.line()};

@@ -87,7 +87,8 @@ class PlotStack {
   Stamp plate_of(const Drawn& one, const Value& value) const;
   std::vector<Value> values_of(const Drawn& one, double t) const;
   std::string value_text(const Drawn& one, double value) const;
-  std::vector<double> dashes(std::size_t curve) const;
+  std::vector<Polyline> lines_of(const Drawn& one, std::size_t curve) const;
+  std::vector<double> dashes(const Drawn& one, std::size_t curve) const;
   glm::vec3 color(std::size_t curve) const;
   double column_of(const Drawn& one, double t) const;
   double row_of(const Drawn& one, double value) const;

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "frame/lettering.h"
 
@@ -17,6 +20,20 @@ constexpr double kThin = 0.05;               // width of axes
 constexpr double kBetween = 0.8;             // names of curves
 constexpr double kSample = 1.6;              // width of a curve's sample, below its name
 constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
+
+// the name of a curve, as markup
+std::string markup_of(const std::string& name) {
+  for (const char* component : {"Ωx", "Ωy", "Ωz", "Lx", "Ly", "Lz"}) {
+    const std::string_view vector_and_axis = component;
+    if (!name.starts_with(vector_and_axis)) continue;
+    const std::size_t axis = vector_and_axis.size() - 1;
+    return fmt::format("{}<sub>{}</sub>{}",
+                       vector_and_axis.substr(0, axis),
+                       vector_and_axis.substr(axis),
+                       plain_text(name.substr(axis + 1)));
+  }
+  return plain_text(name);
+}
 
 }  // namespace
 
@@ -44,7 +61,10 @@ Stamp PlotPaper::text(const std::string& text, const TextStyle& style, double x,
 }
 
 void PlotPaper::add_text(const std::string& text, const TextStyle& style, double x, double y) {
-  const std::string markup = plain_text(text);
+  add_markup(plain_text(text), style, x, y);
+}
+
+void PlotPaper::add_markup(const std::string& markup, const TextStyle& style, double x, double y) {
   stamps_.push_back(typesetter_.set(markup, style, x, y));
   texts_.push_back(
       {TextRole::plot, markup, style, ink_of(typesetter_.measure(markup, style), x, y)});
@@ -62,13 +82,13 @@ void PlotPaper::add_heading(const std::string& title,
                             const std::vector<PlotEntry>& entries,
                             const PixelBox& row) {
   TextStyle style = this->style(theme_.position);
-  const auto width = [&](const std::string& text) {
-    return typesetter_.measure(plain_text(text), style).width;
+  const auto width = [&](const std::string& markup) {
+    return typesetter_.measure(markup, style).width;
   };
   const auto room_of = [&](const PlotEntry& entry) {
-    return std::max(width(entry.name), kSample * style.size);
+    return std::max(width(markup_of(entry.name)), kSample * style.size);
   };
-  double all = width(title);
+  double all = width(plain_text(title));
   for (const PlotEntry& entry : entries)
     all += kBetween * style.size + room_of(entry);
   const double shrink = std::min(1.0, row.width / all);
@@ -83,7 +103,8 @@ void PlotPaper::add_heading(const std::string& title,
     const double room = room_of(entry);
     x -= room;
     style.color = this->style(entry.color).color;
-    add_text(entry.name, style, x + 0.5 * (room - width(entry.name)), y);
+    const std::string name = markup_of(entry.name);
+    add_markup(name, style, x + 0.5 * (room - width(name)), y);
     // a piece of the curve
     Sprite sample(static_cast<int>(std::ceil(room)), static_cast<int>(std::ceil(line_)) + 2);
     const double middle = 0.5 * sample.height;

@@ -18,7 +18,7 @@ namespace polhode {
 
 // The name of a curve in a heading, with a piece of it.
 struct PlotEntry {
-  std::string name;                 // plain text
+  std::string name;                 // plain text; the axis of a component, as in Ωx, is set lower
   glm::vec3 color;                  // sRGB-encoded, 0..1
   std::vector<double> dashes = {};  // px: pattern for dashes_of() (image/stroke.h)
 };
@@ -70,6 +70,7 @@ class PlotPaper {
 
  private:
   void add_line(const PixelBox& box, double opacity);
+  void add_markup(const std::string& markup, const TextStyle& style, double x, double y);
 
   Theme theme_;
   const Typesetter& typesetter_;

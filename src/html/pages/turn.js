@@ -87,7 +87,7 @@
       painted = mix(halved(color, front), mark, on);
     #endif
     #if FINISH == 1
-      painted = grained(painted, length(v_mesh.xy) / grain, v_mesh.z / grain);
+      painted = grained(painted, v_mesh / grain);
     #elif FINISH == 2
       float across = TURNED == 1 ? brushed(length(v_mesh.xy) / grain) : brushed(v_mesh.y / grain);
       painted = stroked(painted, across, brushed(v_mesh.z / grain));
