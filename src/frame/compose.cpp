@@ -231,6 +231,22 @@ std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
   return curves;
 }
 
+// nothing if the camera does not see all of it
+std::optional<SeenCircle> seen_circle(const CircleGlyph& circle, const Camera& camera) {
+  const Vec3 ends[] = {circle.center + circle.half_a,
+                       circle.center - circle.half_a,
+                       circle.center + circle.half_b,
+                       circle.center - circle.half_b};
+  Vec2 seen[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!camera.sees(ends[i])) return {};
+    seen[i] = camera.project(ends[i]);
+  }
+  return SeenCircle{0.25 * (seen[0] + seen[1] + seen[2] + seen[3]),
+                    0.5 * (seen[0] - seen[1]),
+                    0.5 * (seen[2] - seen[3])};
+}
+
 Camera make_camera(const CameraSpec& spec,
                    const std::vector<Vec3>& points,
                    PictureSize size,
@@ -355,7 +371,7 @@ CameraView Composer::camera_view(double film, double end) const {
   seen_now.list.background = scenery_.theme.background;
   seen_now.list.view.light_ground = is_light(scenery_.theme.background);
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
-  seen_now.names = labels_of(glyphs, camera);
+  seen_now.names = labels_of(glyphs, sample, camera);
   seen_now.way_to_body = way_to_body(sample, film, camera);
   return seen_now;
 }
@@ -370,10 +386,34 @@ std::optional<Vec2> Composer::way_to_body(const Sample& sample,
 
 LabelView Composer::label_view(double film, double end) const {
   const double t = std::min(staging_.timeline.motion_time(film), end);
-  return labels_of(glyphs_of(scenery_.motion.at(t), film, false), camera_at(film));
+  const Sample sample = scenery_.motion.at(t);
+  return labels_of(glyphs_of(sample, film, false), sample, camera_at(film));
 }
 
-LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
+// support points in directions of the picture
+std::vector<Vec2> Composer::outline_of_body(const Sample& sample, const Camera& camera) const {
+  constexpr int kDirections = 24;
+  std::vector<Vec2> points;
+  for (const Vec3& point_B : scenery_.hull_B) {
+    const Vec3 point = point_position(scenery_.motion.model(), sample, point_B);
+    if (!camera.sees(point)) return {};
+    points.push_back(camera.project(point));
+  }
+  std::vector<Vec2> outline;
+  for (int k = 0; k < kDirections && !points.empty(); ++k) {
+    const double angle = 2.0 * kPi * k / kDirections;
+    const Vec2 direction(std::cos(angle), std::sin(angle));
+    outline.push_back(
+        *std::max_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
+          return a.dot(direction) < b.dot(direction);
+        }));
+  }
+  return outline;
+}
+
+LabelView Composer::labels_of(const Glyphs& glyphs,
+                              const Sample& sample,
+                              const Camera& camera) const {
   LabelView names;
   for (const LabelGlyph& label : glyphs.labels) {
     if (!camera.sees(label.at)) continue;
@@ -384,6 +424,11 @@ LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const 
   }
   names.marks = marks_of(glyphs, camera);
   names.curves = curves_of(glyphs, camera);
+  const bool any_circle =
+      std::any_of(names.labels.begin(), names.labels.end(), [](const SeenLabel& label) {
+        return label.circle.has_value();
+      });
+  if (any_circle && shows("body")) names.body = outline_of_body(sample, camera);
   return names;
 }
 
@@ -566,14 +611,16 @@ SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const double pixel = 0.05 * scenery_.scale.body * camera.pixels_per_metre(label.at);
   const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
   const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
-  return {from,
-          at,
-          away.normalized(),
-          label.markup,
-          readable(label.color, scenery_.theme.background),
-          label.fade,
-          label.of_arrow,
-          label.size};
+  SeenLabel seen{from,
+                 at,
+                 away.normalized(),
+                 label.markup,
+                 readable(label.color, scenery_.theme.background),
+                 label.fade,
+                 label.of_arrow,
+                 label.size};
+  if (label.circle) seen.circle = seen_circle(*label.circle, camera);
+  return seen;
 }
 
 std::vector<double> Composer::film_times() const {

@@ -15,17 +15,23 @@
 
 namespace polhode {
 
+// A circle as a camera sees it, nearly: the ellipse with these half axes; pixels likewise.
+struct SeenCircle {
+  Vec2 center, half_a, half_b;
+};
+
 // A label as a camera sees it. Positions are in pixels from the upper left corner of the camera's
 // picture, x to the right, y down.
 struct SeenLabel {
   Vec2 from;  // foot of the vector that it names; `at` if it names a point or the foot is not seen
   Vec2 at;
-  Vec2 away;              // unit vector from `at` towards the label
-  std::string markup;     // see text/typesetter.h
-  glm::vec3 color;        // sRGB-encoded, 0..1
-  float fade = 1.0f;      // multiplies the opacity
-  bool of_arrow = false;  // it names an arrow whose tip is `at`
-  double size = 1.0;      // of its type, in that of names of vectors
+  Vec2 away;                              // unit vector from `at` towards the label
+  std::string markup;                     // see text/typesetter.h
+  glm::vec3 color;                        // sRGB-encoded, 0..1
+  float fade = 1.0f;                      // multiplies the opacity
+  bool of_arrow = false;                  // it names an arrow whose tip is `at`
+  double size = 1.0;                      // of its type, in that of names of vectors
+  std::optional<SeenCircle> circle = {};  // that it names
 };
 
 // The labels that a camera sees at one moment, and what they must not cover.
@@ -33,6 +39,7 @@ struct LabelView {
   std::vector<SeenLabel> labels;
   std::vector<TextRoom> marks;         // around heads of arrows and marked points, pixels likewise
   std::vector<TextShaft> curves = {};  // pieces of rims of cones and of arcs, pixels likewise
+  std::vector<Vec2> body = {};         // its convex outline, likewise, if a circle has a name
 };
 
 // What a camera sees at one moment.
@@ -159,7 +166,8 @@ class Composer {
   };
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
-  LabelView labels_of(const Glyphs& glyphs, const Camera& camera) const;
+  LabelView labels_of(const Glyphs& glyphs, const Sample& sample, const Camera& camera) const;
+  std::vector<Vec2> outline_of_body(const Sample& sample, const Camera& camera) const;
   std::optional<Vec2> way_to_body(const Sample& sample, double film, const Camera& camera) const;
 
   Scenery scenery_;

@@ -534,6 +534,8 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
     marks.push_back(moved(mark, corner));
   for (const TextShaft& piece : view.curves)
     layout.moment.curves.push_back({corner + piece.from, corner + piece.tip});
+  for (const Vec2& point : view.body)
+    layout.moment.body.push_back(corner + point);
   std::map<std::string, int> count;
   for (const SeenLabel& label : view.labels) {
     const double size = std::max(label.size * layout.size, least_text_size(text_, size_));
@@ -547,8 +549,15 @@ Film::Layout Film::layout_of(const FilmPanel& panel,
       shaft.from = corner + label.from;
       shaft.tip = own_end(shaft, marks);
     }
-    layout.moment.wishes.push_back(
-        {shaft.tip, label.away, box.ink_width(), box.ink_height(), corner + label.at - shaft.tip});
+    LabelWish wish{
+        shaft.tip, label.away, box.ink_width(), box.ink_height(), corner + label.at - shaft.tip};
+    if (label.circle) {
+      wish.at = corner + label.circle->center;
+      wish.to_tip = Vec2::Zero();
+      wish.half_a = label.circle->half_a;
+      wish.half_b = label.circle->half_b;
+    }
+    layout.moment.wishes.push_back(wish);
     layout.moment.shafts.push_back(shaft);
     layout.styles.push_back(style);
   }

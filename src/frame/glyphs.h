@@ -70,6 +70,13 @@ struct ArcGlyph {
   Material material;
 };
 
+// A circle in space.
+struct CircleGlyph {
+  Vec3 center;  // in S, m
+  Vec3 half_a;  // from the centre to points of the circle, in S, m,
+  Vec3 half_b;  // at right angles
+};
+
 // A label beside the point `at`.
 struct LabelGlyph {
   Vec3 at;    // in S, m
@@ -83,6 +90,8 @@ struct LabelGlyph {
   // The direction (S) in which what it names faces: it fades as that turns from the eye. Zero: it
   // does not.
   Vec3 faces = Vec3::Zero();
+  // What it names, if that is a circle: in a film it stands wherever there is room around it.
+  std::optional<CircleGlyph> circle = {};
 };
 
 // A point that labels should not cover.

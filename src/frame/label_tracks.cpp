@@ -21,6 +21,8 @@ constexpr double kBehind = 10.0;      // with another vector there
 constexpr double kNearer = 6.0;       // nearer to another vector than to its own
 constexpr double kClearly = 0.5;      // heights from which on these two count in full
 constexpr double kOverCurve = 2.0;    // over a rim or an arc
+constexpr double kOverBody = 20.0;    // of what stands around an ellipse, and
+constexpr double kUpright = 4.0;      // above or below that and not beside it
 constexpr double kPushed = 0.5;       // off a side, where that is taken
 constexpr double kChange = 320.0;     // of its place
 constexpr double kWay = 4.0;          // for each height of the label that it goes about its tip
@@ -90,9 +92,19 @@ double distance(const TextRoom& room, const TextShaft& shaft) {
   return distance(room, nearest_on(shaft, room.center()));
 }
 
+int side_of(std::size_t place) {
+  return static_cast<int>(place % kLabelSides);
+}
+
+// the direction of a side of an ellipse
+Vec2 direction_of(int side) {
+  const double angle = 2.0 * kPi * (side % kLabelDirections) / kLabelDirections;
+  return {std::cos(angle), std::sin(angle)};
+}
+
 // A place that a label might take at one moment, and the cheapest way there.
 struct Choice {
-  Vec2 offset = Vec2::Zero();
+  Vec2 offset = Vec2::Zero();                            // from anchor_on() its side
   double own = std::numeric_limits<double>::infinity();  // its price
   double sum = 0.0;                                      // with that of the cheapest way there
   std::size_t before = 0;  // the place on that way at the moment before
@@ -132,20 +144,29 @@ Choices choices_at(std::size_t index,
   };
   const auto add = [&](std::size_t place, const Vec2& center) {
     const TextRoom room = room_at(center, wish.width, wish.height);
+    const int side = side_of(place);
+    const Vec2 anchor = anchor_on(wish, side);
+    // the point from which it should not be parted
+    const Vec2 named = wish.is_around() ? anchor : wish.at;
     double sum = (center - wished).norm() / wish.height;
+    if (wish.is_around()) {
+      sum = (center - anchor).norm() / wish.height + kUpright * std::abs(direction_of(side).y());
+      if (overlap(room, moment.body)) sum += kOverBody;
+    }
     const bool taken = is_taken(room), over_mark = is_over_mark(room);
     if (taken) sum += kOverText;
     if (over_mark) sum += kOverMark;
     // where vectors all but coincide, no side is better than the other
     const double clearly = kClearly * wish.height;
-    const double own = distance(room, moment.shafts[index]);
+    const double own =
+        wish.is_around() ? distance(room, anchor) : distance(room, moment.shafts[index]);
     double nearer = 0.0;
     for (std::size_t i = 0; i < moment.shafts.size(); ++i) {
       const TextShaft& shaft = moment.shafts[i];
       if (is_over(room, shaft)) sum += kOverShaft;
       if (i == index) continue;
-      if (parts(shaft, wish.at, center)) {
-        const double across = (nearest_on(shaft, wish.at) - wish.at).norm();
+      if (parts(shaft, named, center)) {
+        const double across = (nearest_on(shaft, named) - named).norm();
         sum += kBehind * std::min(1.0, across / clearly);
       }
       nearer = std::max(nearer, own - distance(room, shaft));
@@ -153,7 +174,7 @@ Choices choices_at(std::size_t index,
     sum += kNearer * std::min(1.0, nearer / clearly);
     const std::vector<TextRoom>& marks = moment.obstacles.marks;
     const bool behind_mark = std::any_of(marks.begin(), marks.end(), [&](const TextRoom& mark) {
-      return distance(mark, wish.at) > 0.0 && is_over(mark, {center, wish.at});
+      return distance(mark, named) > 0.0 && is_over(mark, {center, named});
     });
     if (behind_mark) sum += kBehindMark;
     const bool over_curve =
@@ -161,7 +182,7 @@ Choices choices_at(std::size_t index,
           return is_over(room, piece);
         });
     if (over_curve) sum += kOverCurve;
-    choices[place].offset = center - wish.tip();
+    choices[place].offset = center - anchor;
     choices[place].own = sum;
     return !taken && !over_mark;
   };
@@ -177,11 +198,22 @@ Choices choices_at(std::size_t index,
 
 }  // namespace
 
+Vec2 anchor_on(const LabelWish& wish, int side) {
+  if (!wish.is_around()) return wish.tip();
+  const Vec2 d = direction_of(side);
+  const double a = d.dot(wish.half_a), b = d.dot(wish.half_b);
+  return wish.at + (a * wish.half_a + b * wish.half_b) / std::max(std::hypot(a, b), 1e-12);
+}
+
 Vec2 center_on(const LabelWish& wish, int side, double gap) {
   Vec2 away = wish.away;
   Vec2 from = wish.at;
   double far = gap;
-  if (side > 2 * kLabelDirections) {
+  if (wish.is_around()) {
+    away = direction_of(side);
+    from = anchor_on(wish, side);
+    far += wish.height * (0.25 + 0.5 * (side / kLabelDirections));
+  } else if (side > 2 * kLabelDirections) {
     const double turn = side % 2 == 0 ? 1.0 : -1.0;
     from -= 0.7 * wish.height * wish.away;
     away = turn * Vec2(-wish.away.y(), wish.away.x());
@@ -204,7 +236,7 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
   std::vector<Choices> choices(count);
   std::vector<const LabelWish*> wishes(count, nullptr);
   const auto stay = [&](std::size_t k, std::size_t place) {
-    return Stay{true, choices[k][place].offset, false};
+    return Stay{true, side_of(place), choices[k][place].offset, false};
   };
   for (std::size_t k = 0; k < count; ++k) {
     const std::optional<std::size_t> index = index_of(name, moments[k]);
@@ -219,11 +251,12 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
       Choice& here = choices[k][place];
       here.sum = here.own;
       if (!was_there || !std::isfinite(here.own)) continue;
+      const Vec2 center = stay(k, place).center(*wishes[k]);
       double least = std::numeric_limits<double>::infinity();
       for (const std::size_t from : before) {
         const Choice& there = choices[k - 1][from];
         if (there.sum >= least) break;  // the ways to all others are dearer
-        const double way = (there.offset - here.offset).norm();
+        const double way = (stay(k - 1, from).center(*wishes[k]) - center).norm();
         const double price =
             there.sum + kWay * way / height + (way > kGlide * height ? kChange : 0.0);
         if (price >= least) continue;
@@ -250,7 +283,8 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
     stays[k] = stay(k, place);
     if (k + 1 < count && wishes[k + 1] != nullptr) {
       stays[k].changes_after =
-          (stays[k].offset - stays[k + 1].offset).norm() > kGlide * wishes[k]->height;
+          (stays[k].center(*wishes[k + 1]) - stays[k + 1].center(*wishes[k + 1])).norm() >
+          kGlide * wishes[k]->height;
     }
   }
   return stays;
@@ -266,7 +300,7 @@ LabelTracks::LabelTracks(const std::vector<LabelMoment>& moments, const TextRoom
       const std::optional<std::size_t> index = index_of(name, moments[k]);
       if (!index) continue;
       const LabelWish& wish = moments[k].wishes[*index];
-      labels[k].push_back(room_at(wish.tip() + stays[k].offset, wish.width, wish.height));
+      labels[k].push_back(room_at(stays[k].center(wish), wish.width, wish.height));
     }
     tracks_[name] = stays;
   }
@@ -286,12 +320,12 @@ LabelPlace LabelTracks::place(const std::string& name, const LabelWish& wish, do
   if (!before.is_there && !after.is_there) return {center_on(wish, 0, gap_)};
   LabelPlace place;
   if (!before.is_there || !after.is_there) {
-    place.center = wish.tip() + (before.is_there ? before : after).offset;
+    place.center = (before.is_there ? before : after).center(wish);
   } else if (before.changes_after) {
     // half-way between the moments
-    place.center = wish.tip() + (part < 0.5 ? before : after).offset;
+    place.center = (part < 0.5 ? before : after).center(wish);
   } else {
-    place.center = wish.tip() + (1.0 - part) * before.offset + part * after.offset;
+    place.center = (1.0 - part) * before.center(wish) + part * after.center(wish);
   }
   for (long j = k - 3; j <= k + 3; ++j) {
     if (j < 0 || j > last || !stay(j).changes_after) continue;

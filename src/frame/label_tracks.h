@@ -18,14 +18,18 @@ struct LabelMoment {
   std::vector<TextShaft> shafts;  // of no length where they name no vector
   Obstacles obstacles;
   std::vector<TextShaft> curves = {};  // pieces of other lines, which may be covered if need be
+  std::vector<Vec2> body = {};         // its convex outline, off which names of circles keep
 };
 
 // The sides on which a label may stand: in its wished direction, in directions of the picture near
-// the point and a little farther, and on both sides of a head that ends there.
+// the point and a little farther, and on both sides of a head that ends there. Around an ellipse:
+// in directions of the picture, each time a little farther.
 inline constexpr int kLabelDirections = 16;
 inline constexpr int kLabelSides = 1 + 2 * kLabelDirections + 2;
 // The middle of a label on that side, 0 <= side < kLabelSides.
 Vec2 center_on(const LabelWish& wish, int side, double gap);
+// The point of what it names with which a label on that side moves.
+Vec2 anchor_on(const LabelWish& wish, int side);
 
 // Where a label stands.
 struct LabelPlace {
@@ -51,7 +55,10 @@ class LabelTracks {
   // Where a label is at one moment.
   struct Stay {
     bool is_there = false;
-    Vec2 offset = Vec2::Zero();  // of its middle from the tip, px (LabelWish::tip())
+    int side = 0;
+    Vec2 offset = Vec2::Zero();  // of its middle from anchor_on() that side, px
+
+    Vec2 center(const LabelWish& wish) const { return anchor_on(wish, side) + offset; }
     bool changes_after = false;  // the next moment has another place
   };
   std::vector<Stay> cheapest(const std::vector<LabelMoment>& moments,

@@ -83,6 +83,34 @@ bool is_over(const TextRoom& room, const TextShaft& shaft) {
   return std::abs(n.dot(from_foot)) < half_across;
 }
 
+bool overlap(const TextRoom& room, const std::vector<Vec2>& polygon) {
+  const std::size_t count = polygon.size();
+  if (count < 3) return false;
+  const Vec2 corners[] = {{room.left, room.top},
+                          {room.right, room.top},
+                          {room.left, room.bottom},
+                          {room.right, room.bottom}};
+  // do all points lie on one side of a line, and all of the others on the other?
+  const auto parts = [&](const Vec2& normal) {
+    double low = HUGE_VAL, high = -HUGE_VAL, lowest = HUGE_VAL, highest = -HUGE_VAL;
+    for (const Vec2& corner : corners) {
+      low = std::min(low, normal.dot(corner));
+      high = std::max(high, normal.dot(corner));
+    }
+    for (const Vec2& corner : polygon) {
+      lowest = std::min(lowest, normal.dot(corner));
+      highest = std::max(highest, normal.dot(corner));
+    }
+    return high <= lowest || highest <= low;
+  };
+  if (parts(Vec2::UnitX()) || parts(Vec2::UnitY())) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 side = polygon[(i + 1) % count] - polygon[i];
+    if (parts(Vec2(-side.y(), side.x()))) return false;
+  }
+  return true;
+}
+
 bool overlap(const TextRoom& a, const TextRoom& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }

@@ -42,6 +42,8 @@ TextRoom room_at(const Vec2& center, double width, double height);
 TextRoom grown(const TextRoom& room, double across, double along);
 // Whether a rectangle covers a part of a shaft.
 bool is_over(const TextRoom& room, const TextShaft& shaft);
+// Whether a rectangle and a convex polygon have a common area. Corners in turn, either way round.
+bool overlap(const TextRoom& room, const std::vector<Vec2>& polygon);
 // Whether the rectangles have a common area.
 bool overlap(const TextRoom& a, const TextRoom& b);
 
@@ -54,8 +56,12 @@ struct LabelWish {
   double height = 0.0;  // of its ink
   // From `at` to the point with which it moves: the tip of a vector of which the end is covered.
   Vec2 to_tip = Vec2::Zero();
+  // Half axes of the ellipse about `at` around which it may stand anywhere; zero: it stands at
+  // `at`.
+  Vec2 half_a = Vec2::Zero(), half_b = Vec2::Zero();
 
   Vec2 tip() const { return at + to_tip; }
+  bool is_around() const { return !half_a.isZero() || !half_b.isZero(); }
 };
 
 // The middle of a label that should stand around `center`, inside `frame`. It overlaps neither

@@ -155,6 +155,37 @@ INSTANTIATE_TEST_SUITE_P(Scenes,
                          ::testing::ValuesIn(scene_names()),
                          [](const auto& row) { return row.param; });
 
+// They stand around their rims, where they do not cover the body, and do not jump.
+TEST(LegibleCones, NamesStandBesideTheBody) {
+  constexpr double kMostOver = 0.05;
+  constexpr double kJump = 25.0;     // px
+  constexpr double kVisible = 0.25;  // opacity
+  for (const char* name : {"feynman_plate", "free_symmetric_top", "free_symmetric_top_oblate"}) {
+    const PreparedFilm prepared(plan_with_text(load_scene(scene_path(name))));
+    const FilmPanel& panel = prepared.film().panels().front();
+    std::map<std::string, PlacedText> before;
+    int names = 0, over = 0;
+    const double end = std::min(6.0, prepared.frames().timeline.film_duration());
+    for (double now = 0.0; now <= end; now += 1.0 / 60.0) {
+      const LabelView view = panel.composer->label_view(now, panel.end);
+      ASSERT_FALSE(view.body.empty()) << name;
+      for (const PlacedText& text : prepared.film().placed(now).texts) {
+        if (text.role != TextRole::label || !text.markup.ends_with("cone")) continue;
+        ++names;
+        if (overlap(text.room, view.body)) ++over;
+        const auto found = before.find(text.markup);
+        if (found != before.end() &&
+            (found->second.room.center() - text.room.center()).norm() > kJump) {
+          EXPECT_LT(std::min(text.opacity, found->second.opacity), kVisible) << name << ' ' << now;
+        }
+        before[text.markup] = text;
+      }
+    }
+    EXPECT_GT(names, 100) << name;
+    EXPECT_LE(over, kMostOver * names) << name;
+  }
+}
+
 // each quantity alone, and as many plots as fit, six
 TEST(LegiblePlots, TextIsLarge) {
   std::vector<std::vector<std::string>> stacks;

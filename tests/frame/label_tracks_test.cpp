@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
+
 namespace polhode {
 namespace {
 
@@ -74,6 +76,41 @@ TEST(LabelTracks, LabelsDoNotGoToAndFro) {
   EXPECT_GT((first - Vec2(300, 168)).norm(), 10.0);
   for (double at = 0.0; at < 38.0; at += 0.5)
     EXPECT_LT((tracks.place("name", kWish, at).center - first).norm(), 1e-9) << at;
+}
+
+// around an ellipse that turns: beside it and off the body, always as near, and without a jump
+TEST(LabelTracks, NamesOfCirclesStandAroundThem) {
+  const auto wish_at = [](double k) {
+    LabelWish wish = kWish;
+    wish.half_a = 80.0 * Vec2(std::cos(0.05 * k), std::sin(0.05 * k));
+    wish.half_b = 30.0 * Vec2(-std::sin(0.05 * k), std::cos(0.05 * k));
+    return wish;
+  };
+  std::vector<LabelMoment> moments;
+  for (int k = 0; k < 60; ++k) {
+    LabelMoment moment = moment_with({});
+    moment.wishes[0] = wish_at(k);
+    moment.shafts[0] = {kWish.at, kWish.at};
+    moment.body = {Vec2(310, 0), Vec2(640, 0), Vec2(640, 360), Vec2(310, 360)};
+    moments.push_back(moment);
+  }
+  const LabelTracks tracks(moments, kFrame, kGap);
+  Vec2 before = tracks.place("name", wish_at(0.0), 0.0).center;
+  for (double k = 0.0; k < 58.0; k += 0.5) {
+    const LabelWish wish = wish_at(k);
+    const LabelPlace place = tracks.place("name", wish, k);
+    const TextRoom room = room_at(place.center, wish.width, wish.height);
+    EXPECT_FALSE(overlap(room, moments.front().body)) << k;
+    double nearest = HUGE_VAL;
+    for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.01) {
+      const Vec2 on = wish.at + std::cos(angle) * wish.half_a + std::sin(angle) * wish.half_b;
+      nearest = std::min(nearest, distance(room, on));
+    }
+    EXPECT_GT(nearest, 0.5 * kGap) << k;
+    EXPECT_LT(nearest, 2.0 * kWish.height) << k;
+    EXPECT_TRUE(place.opacity < 0.5 || (place.center - before).norm() < 8.0) << k;
+    before = place.center;
+  }
 }
 
 // a head that covers the end of a vector now and then does not draw its name to and fro

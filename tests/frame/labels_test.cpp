@@ -101,6 +101,16 @@ TEST(Labels, KeepOffHeads) {
   EXPECT_LT((rooms[1].center() - Vec2(300, 150)).norm(), 60.0);
 }
 
+TEST(Labels, RoomsOverlapPolygons) {
+  const std::vector<Vec2> triangle = {{0, 0}, {100, 0}, {0, 100}};
+  EXPECT_TRUE(overlap({10, 10, 20, 20}, triangle)) << "inside";
+  EXPECT_TRUE(overlap({-10, -10, 200, 200}, triangle)) << "around it";
+  EXPECT_TRUE(overlap({45, 45, 80, 80}, triangle)) << "a corner is over the long side";
+  EXPECT_FALSE(overlap({55, 55, 80, 80}, triangle)) << "in its box, but beyond the long side";
+  EXPECT_FALSE(overlap({-30, 10, -1, 20}, triangle));
+  EXPECT_FALSE(overlap({10, 10, 20, 20}, std::vector<Vec2>{}));
+}
+
 TEST(Labels, RoomsThatTouchDoNotOverlap) {
   const TextRoom room{0, 0, 10, 10};
   EXPECT_FALSE(overlap(room, {10, 0, 20, 10}));

@@ -50,8 +50,8 @@ void add_cone(const Scenery& scenery,
       {sample.reference_S, axis, half_angle, slant, kRimRadius * scenery.scale.body, material});
 }
 
-// where the line on which omega lies is opposite: there the rim is far from its arrow and the other
-// cone
+// Around the rim; where nobody seeks a place for it, as in models, opposite to the line on which
+// omega lies: there the rim is far from its arrow and the other cone.
 void name_rim(const Scenery& scenery,
               const Sample& sample,
               const Vec3& axis,
@@ -63,6 +63,8 @@ void name_rim(const Scenery& scenery,
   const Vec3 across = tip - tip.dot(axis) * axis;
   if (across.norm() < kNarrowCone * scenery.scale.body) return;
   add_name(scenery, sample.reference_S + tip - 2.0 * across, -across, name, color, 1.0f, glyphs);
+  glyphs.labels.back().circle =
+      CircleGlyph{sample.reference_S + tip - across, across, axis.cross(across)};
 }
 
 }  // namespace
