@@ -71,7 +71,7 @@ std::string video_element(const Json& facts, const DeckPicture& picture, bool sl
   const std::string words = facts.at("vtt");
   if (!words.empty()) {
     text += fmt::format(
-        "<track kind=\"captions\" srclang=\"en\" label=\"Captions\" "
+        "<track kind=\"captions\" label=\"Captions\" "
         "src=\"data:text/vtt;base64,{}\">",
         base64(words));
   }
@@ -152,11 +152,14 @@ Json document_blocks(const Figure& figure, bool links) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) return figure.facts.at("table");
-  if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", "fig:");
+  // pandoc describes pictures by their titles in PowerPoint, and by "fig:" knows those with
+  // captions
+  const std::string title = links ? alt_of(picture) : "fig:";
+  if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", title);
   const Json& facts = figure.facts;
   std::string link = links && facts.contains("film") ? media(facts, "film") : "";
   if (links && picture.kind == PictureKind::turn) link = viewer_link(picture);
-  return picture_blocks(picture, shown_in(facts, links), link, "fig:");
+  return picture_blocks(picture, shown_in(facts, links), link, title);
 }
 
 Json cell(const Json& inlines) {

@@ -190,8 +190,11 @@ void replace_value(toml::table& tree, const std::string& path, const std::string
       return;
     }
     // what begins as a text, list or table was meant as one
-    if (value.empty() || std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
-      throw input_error("{}", error.message());
+    if (value.empty() || std::string_view("\"'[{").find(value.front()) != std::string_view::npos) {
+      const bool is_table = value.starts_with('{');
+      throw input_error(
+          "{}{}", error.message(), is_table ? "; words in braces need quotes, as in the file" : "");
+    }
     if (is_long_number(value))
       throw input_error("'{}' is beyond what an integer holds; write 1e20 or the like", value);
     replace_node(tree, path, toml::value<std::string>(value));

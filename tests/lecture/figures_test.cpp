@@ -6,6 +6,19 @@
 namespace polhode {
 namespace {
 
+// pandoc writes titles of pictures into PowerPoint as their descriptions
+TEST(Figures, PicturesInOfficeAreDescribed) {
+  DeckPicture picture;
+  picture.kind = PictureKind::still;
+  picture.name = "n";
+  picture.scenes = {"s.toml"};
+  picture.settings["alt"] = "A top that leans";
+  const Json facts = {{"poster", "p.png"}, {"paper", "q.png"}, {"poster_at", 0.0}};
+  const Json blocks = office_blocks({&picture, facts, ""});
+  const Json target = blocks[0]["c"][0]["c"][2];
+  EXPECT_EQ(target, Json::array({"media/p.png", "A top that leans"})) << blocks.dump();
+}
+
 TEST(Figures, HostileWordsAreEscaped) {
   DeckPicture picture;
   picture.kind = PictureKind::film;

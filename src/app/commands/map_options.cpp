@@ -42,7 +42,10 @@ CellCount parse_cells(const std::string& text) {
   if (std::sscanf(text.c_str(), "%4dx%4d%n", &columns, &rows, &used) != 2 ||
       used != static_cast<int>(text.size()) || columns < 2 || rows < 2 || columns > kMostCells ||
       rows > kMostCells) {
-    throw input_error("'{}' is not the size of a map; write 64x64, at most {}", text, kMostCells)
+    throw input_error(
+        "'{}' is not the size of a map; write 64x64; each number is at least 2 and at most {}",
+        text,
+        kMostCells)
         .at({{}, 0, "--cells"});
   }
   return {columns, rows};

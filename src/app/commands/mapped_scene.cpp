@@ -84,6 +84,10 @@ MapAxis make_axis(const MappedScene& place,
                   const std::optional<std::string>& range,
                   const std::string& option,
                   double rate) {
+  if (key == "motion.duration") {
+    throw input_error("changes nothing: --turns says how long each run is")
+        .at({{}, 0, fmt::format("{} {}", option, key)});
+  }
   MapAxis axis;
   if (range || (key != kStepKey && key != kSpinKey)) {
     axis = axis_of_key(place.file, settings, key, range, option);

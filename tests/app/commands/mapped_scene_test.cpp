@@ -112,6 +112,8 @@ TEST_F(SceneOfMaps, WrongAxesSizesAndBodiesAreRefused) {
   job_.cells = "3x2";
   job_.y = "motion.spin.body[9]";
   expect_refused("--y", "has no number at 'motion.spin.body[9]'; give --y-range A:B");
+  job_.y = "motion.duration";
+  expect_refused("--y motion.duration", "changes nothing: --turns says how long");
   job_.y = "spin";
   test::write_text(folder_ / "scene.toml", "[body]\nmoments = [1, 2, 2.5]\n");
   EXPECT_THROW(place(), Error) << "at rest nothing can fail";
