@@ -212,7 +212,8 @@ Vec2 center_on(const LabelWish& wish, int side, double gap) {
   if (wish.is_around()) {
     away = direction_of(side);
     from = anchor_on(wish, side);
-    far += wish.height * (0.25 + 0.5 * (side / kLabelDirections));
+    const int round = side / kLabelDirections;  // how often all directions were tried nearer
+    far += wish.height * (0.25 + 0.5 * round);
   } else if (side > 2 * kLabelDirections) {
     const double turn = side % 2 == 0 ? 1.0 : -1.0;
     from -= 0.7 * wish.height * wish.away;

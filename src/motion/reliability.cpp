@@ -26,10 +26,10 @@ Reliability reliability_of(const BodyModel& model,
   Reliability result;
   const Drift& drift = found.record.drift;
   const auto watch = [&](const std::optional<double>& worst, const char* what) {
-    if (worst && !(*worst <= kTrustedDrift))
-      result.doubts.push_back(std::isfinite(*worst)
-                                  ? fmt::format("{} drifts by {:.2g} of itself", what, *worst)
-                                  : fmt::format("{} drifts without end", what));
+    if (!worst || *worst <= kTrustedDrift) return;
+    result.doubts.push_back(std::isfinite(*worst)
+                                ? fmt::format("{} drifts by {:.2g} of itself", what, *worst)
+                                : fmt::format("{} drifts without end", what));
   };
   watch(drift.energy, "energy");
   watch(drift.momentum, model.chi_P.squaredNorm() > 0.0 ? "L about the vertical" : "L");
