@@ -152,6 +152,33 @@ Json for_latex(const Json& tree) {
   return copy;
 }
 
+// Titles, captions and tables with formulas in letters: for PowerPoint pandoc writes formulas there
+// that are no XML, because their namespace is not declared. What letters cannot say, as fractions
+// and roots, stays TeX.
+Json with_lettered_formulas(Json tree) {
+  std::vector<Json*> formulas;
+  const auto collect = [&](Json& node) {
+    if (node["t"] == "Math") formulas.push_back(&node);
+  };
+  for_each_node(tree["meta"], collect);
+  for_each_node(tree["blocks"], [&](Json& node) {
+    const std::string type = node["t"];
+    if (type == "Header" || type == "Image" || type == "Table") for_each_node(node["c"], collect);
+  });
+  if (formulas.empty()) return tree;
+  Json alone = tree;
+  alone["meta"] = Json::object();
+  alone["blocks"] = Json::array();
+  for (const Json* formula : formulas)
+    alone["blocks"].push_back(paragraph(Json::array({*formula})));
+  const Json letters = read_html(write_document(alone, {"-t", "html5"}).text)["blocks"];
+  for (std::size_t i = 0; i < formulas.size() && i < letters.size(); ++i) {
+    const Json none = Json::array({"", Json::array(), Json::array()});
+    *formulas[i] = {{"t", "Span"}, {"c", {none, letters[i]["c"]}}};
+  }
+  return tree;
+}
+
 // Words for the speaker are text on the page: the page is what a student reads.
 Json with_notes_as_text(Json blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -260,7 +287,7 @@ std::string make_pptx(const Deck& deck,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
   slides.blocks = as_slides(deck, true);
-  const Json tree = deck.tree(filled(slides, figure_of, office_blocks));
+  const Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";
   // it reads the posters, which are ours, and copies of the deck's own pictures

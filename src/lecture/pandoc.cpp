@@ -185,6 +185,15 @@ Json parse_tree(const std::string& json) {
   return tree;
 }
 
+Json read_html(const std::string& html) {
+  const ChildResult ran = run_child(
+      {"pandoc", "--sandbox", "-f", "html", "-t", "json"}, html, {.seconds = kMostSeconds});
+  if (!ended_well(ran)) {
+    throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
+  }
+  return parse_tree(ran.out);
+}
+
 Written write_document(const Json& tree, const std::vector<std::string>& words, bool sandbox) {
   std::vector<std::string> command = {"pandoc", "-f", "json"};
   if (sandbox) command.emplace_back("--sandbox");

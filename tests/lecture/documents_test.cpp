@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/system/child_process.h"
 #include "image/png.h"
 #include "lecture/decks.h"
 #include "support/flat_image.h"
@@ -97,6 +98,29 @@ TEST(Documents, PowerPointHasThePosters) {
   EXPECT_EQ(pptx.substr(0, 2), "PK");
   EXPECT_TRUE(has(pptx, "ppt/media/image1.png"));
   EXPECT_TRUE(has(pptx, "ppt/slides/slide1.xml"));
+}
+
+// wherever formulas stand
+TEST(Documents, PowerPointIsXml) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "media");
+  write_png(folder / "media/poster.png", test::flat_image(64, 36, 1, 2, 3), false);
+  const Deck deck = deck_of(
+      "---\ntitle: On $\\Omega$\n---\n\n# Part $x^2$\n\n## Slide $y_1 = \\frac{1}{2}$\n\n"
+      "![A caption with $L_3$](s.toml){.film}\n\n## Table\n\n| a $b$ | c |\n|---|---|\n| $d$ | e "
+      "|\n\n"
+      "## Words\n\n- $f$ and **$g$**\n\n$$h = \\sqrt{i}$$\n");
+  test::write_text(folder / "slides.pptx", make_pptx(deck, figure_of, folder.path()));
+  const char* script = R"(import sys, zipfile, xml.dom.minidom as xml
+parts = zipfile.ZipFile(sys.argv[1])
+for name in parts.namelist():
+    if name.endswith((".xml", ".rels")): xml.parseString(parts.read(name))
+print(parts.read("ppt/slides/slide1.xml").decode())
+)";
+  const ChildResult ran =
+      run_child({"python3", "-c", script, folder / "slides.pptx"}, "", {.seconds = 60.0});
+  EXPECT_TRUE(ended_well(ran)) << ran.err;
+  EXPECT_TRUE(has(ran.out, "Ω")) << ran.out;
 }
 
 // what has failed says so in its place
