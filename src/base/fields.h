@@ -56,6 +56,11 @@ inline Range within_magnitude(const Range& range, Unit unit) {
   return cut;
 }
 
+// The same range in the unit of a suffix.
+inline Range in_unit(const Range& range, const UnitSuffix& unit) {
+  return {range.low / unit.factor, range.high / unit.factor, range.low_open};
+}
+
 // The description of one key: its meaning, unit and allowed values.
 struct Doc {
   std::string text;                       // one phrase, for the schema and for errors

@@ -99,8 +99,7 @@ void warn_of_open_loop(const Scene& scene, const FrameTimes& frames) {
   if (!frames.loop || frames.loop->residual <= scene.video.loop_residual) return;
   const Error warning = input_error(
       "the motion returns to its start only to within {:.3g} degrees, attitude and angular "
-      "velocity "
-      "together (after {:.4g} s); a longer motion.duration gives more to choose from",
+      "velocity together (after {:.4g} s); a longer motion.duration gives more to choose from",
       frames.loop->residual * 180.0 / kPi,
       frames.loop->duration);
   warn_at(scene, "video.loop", warning);

@@ -371,7 +371,7 @@ CameraView Composer::camera_view(double film, double end) const {
   seen_now.list.background = scenery_.theme.background;
   seen_now.list.view.light_ground = is_light(scenery_.theme.background);
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
-  seen_now.names = labels_of(glyphs, sample, camera);
+  seen_now.names = labels_of(glyphs, camera);
   seen_now.way_to_body = way_to_body(sample, film, camera);
   return seen_now;
 }
@@ -387,7 +387,14 @@ std::optional<Vec2> Composer::way_to_body(const Sample& sample,
 LabelView Composer::label_view(double film, double end) const {
   const double t = std::min(staging_.timeline.motion_time(film), end);
   const Sample sample = scenery_.motion.at(t);
-  return labels_of(glyphs_of(sample, film, false), sample, camera_at(film));
+  const Camera camera = camera_at(film);
+  LabelView view = labels_of(glyphs_of(sample, film, false), camera);
+  const bool any_circle =
+      std::any_of(view.labels.begin(), view.labels.end(), [](const SeenLabel& label) {
+        return label.circle.has_value();
+      });
+  if (any_circle && shows("body")) view.body = outline_of_body(sample, camera);
+  return view;
 }
 
 // support points in directions of the picture
@@ -411,9 +418,7 @@ std::vector<Vec2> Composer::outline_of_body(const Sample& sample, const Camera& 
   return outline;
 }
 
-LabelView Composer::labels_of(const Glyphs& glyphs,
-                              const Sample& sample,
-                              const Camera& camera) const {
+LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
   LabelView names;
   for (const LabelGlyph& label : glyphs.labels) {
     if (!camera.sees(label.at)) continue;
@@ -424,11 +429,6 @@ LabelView Composer::labels_of(const Glyphs& glyphs,
   }
   names.marks = marks_of(glyphs, camera);
   names.curves = curves_of(glyphs, camera);
-  const bool any_circle =
-      std::any_of(names.labels.begin(), names.labels.end(), [](const SeenLabel& label) {
-        return label.circle.has_value();
-      });
-  if (any_circle && shows("body")) names.body = outline_of_body(sample, camera);
   return names;
 }
 

@@ -166,7 +166,7 @@ class Composer {
   };
   Largest largest_on_screen() const;
   SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
-  LabelView labels_of(const Glyphs& glyphs, const Sample& sample, const Camera& camera) const;
+  LabelView labels_of(const Glyphs& glyphs, const Camera& camera) const;
   std::vector<Vec2> outline_of_body(const Sample& sample, const Camera& camera) const;
   std::optional<Vec2> way_to_body(const Sample& sample, double film, const Camera& camera) const;
 

@@ -137,6 +137,15 @@ void refuse_deep(const Tree& tree) {
   }
 }
 
+// pandoc's answer to what Polhode has written itself
+ChildResult converted(const std::vector<std::string>& command, const std::string& text) {
+  ChildResult ran = run_child(command, text, {.seconds = kMostSeconds});
+  if (!ended_well(ran)) {
+    throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
+  }
+  return ran;
+}
+
 }  // namespace
 
 ProgramFound find_pandoc() {
@@ -186,22 +195,14 @@ Json parse_tree(const std::string& json) {
 }
 
 Json read_html(const std::string& html) {
-  const ChildResult ran = run_child(
-      {"pandoc", "--sandbox", "-f", "html", "-t", "json"}, html, {.seconds = kMostSeconds});
-  if (!ended_well(ran)) {
-    throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
-  }
-  return parse_tree(ran.out);
+  return parse_tree(converted({"pandoc", "--sandbox", "-f", "html", "-t", "json"}, html).out);
 }
 
 Written write_document(const Json& tree, const std::vector<std::string>& words, bool sandbox) {
   std::vector<std::string> command = {"pandoc", "-f", "json"};
   if (sandbox) command.emplace_back("--sandbox");
   command.insert(command.end(), words.begin(), words.end());
-  ChildResult ran = run_child(command, tree.dump(), {.seconds = kMostSeconds});
-  if (!ended_well(ran)) {
-    throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
-  }
+  ChildResult ran = converted(command, tree.dump());
   return {std::move(ran.out), formulas_in(ran.err)};
 }
 

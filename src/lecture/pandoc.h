@@ -24,13 +24,14 @@ void require_pandoc();
 // without a place, if pandoc cannot read it; (environment) if pandoc is missing or fails otherwise.
 Json read_markdown(const std::string& text);
 
-// The syntax tree of HTML that pandoc has written. Throws likewise.
-Json read_html(const std::string& html);
-
 // Such a tree from the text of its JSON. Throws Error without a place: (input) if it is nested too
 // deeply, (environment) if it is not JSON or lacks what the nodes that decks are made of have in
 // pandoc's syntax tree. Nodes of unknown types may contain anything.
 Json parse_tree(const std::string& json);
+
+// The syntax tree of HTML that pandoc has written. Throws Error (environment) if pandoc is missing
+// or fails, and as parse_tree() does.
+Json read_html(const std::string& html);
 
 // A document written by pandoc.
 struct Written {

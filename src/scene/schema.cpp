@@ -22,11 +22,9 @@ struct Of {};
 // bounds are kept in SI; the value of a suffixed key is in its own unit
 Json number_schema(const std::string& type, const Range& allowed, const UnitSuffix& unit) {
   Json json{{"type", type}};
-  const Range range = within_magnitude(allowed, unit.unit);
-  const double low = range.low / unit.factor;
-  const double high = range.high / unit.factor;
-  if (std::isfinite(low)) json[range.low_open ? "exclusiveMinimum" : "minimum"] = low;
-  if (std::isfinite(high)) json["maximum"] = high;
+  const Range range = in_unit(within_magnitude(allowed, unit.unit), unit);
+  if (std::isfinite(range.low)) json[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  if (std::isfinite(range.high)) json["maximum"] = range.high;
   return json;
 }
 

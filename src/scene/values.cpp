@@ -38,28 +38,27 @@ std::string described(const toml::node& node) {
 }
 
 // Bounds are kept in SI and compared in the unit that the user wrote, in which the schema has them.
-void check_range(const Found& found, const Range& range, double written) {
-  const double low = range.low / found.unit.factor, high = range.high / found.unit.factor;
-  const char* wrong = range.low == range.high && written != low ? ""
-                      : range.low_open && !(written > low)      ? " greater than"
-                      : written < low                           ? " at least"
-                      : written > high                          ? " at most"
-                                                                : nullptr;
+void check_range(const Found& found, const Range& allowed, double written) {
+  const Range range = in_unit(allowed, found.unit);
+  const char* wrong = range.low == range.high && written != range.low ? ""
+                      : range.low_open && !(written > range.low)      ? " greater than"
+                      : written < range.low                           ? " at least"
+                      : written > range.high                          ? " at most"
+                                                                      : nullptr;
   if (wrong == nullptr) return;
-  const double bound = written > high ? high : low;
+  const double bound = written > range.high ? range.high : range.low;
   refuse(found, fmt::format("must be{} {:.6g}, got {}", wrong, bound, written));
 }
 
 // what no scene can mean would overflow later, far from its place
 void check_magnitude(const Found& found, const Doc& doc, double written) {
-  const Range range = within_magnitude(doc.range, doc.unit);
-  const double low = range.low / found.unit.factor, high = range.high / found.unit.factor;
-  const char* wrong = written > high   ? "large"
-                      : written >= low ? nullptr
-                      : written < 0.0  ? "large"
-                                       : "small";
+  const Range range = in_unit(within_magnitude(doc.range, doc.unit), found.unit);
+  const char* wrong = written > range.high   ? "large"
+                      : written >= range.low ? nullptr
+                      : written < 0.0        ? "large"
+                                             : "small";
   if (wrong == nullptr) return;
-  const double bound = written > high ? high : low;
+  const double bound = written > range.high ? range.high : range.low;
   refuse(found,
          fmt::format("is too {} to be computed with (the limit is {:.6g}{}{}), got {}",
                      wrong,

@@ -6,13 +6,18 @@
 namespace polhode {
 namespace {
 
-// pandoc writes titles of pictures into PowerPoint as their descriptions
-TEST(Figures, PicturesInOfficeAreDescribed) {
+DeckPicture picture_of(PictureKind kind, const std::string& alt) {
   DeckPicture picture;
-  picture.kind = PictureKind::still;
+  picture.kind = kind;
   picture.name = "n";
   picture.scenes = {"s.toml"};
-  picture.settings["alt"] = "A top that leans";
+  picture.settings["alt"] = alt;
+  return picture;
+}
+
+// pandoc writes titles of pictures into PowerPoint as their descriptions
+TEST(Figures, PicturesInOfficeAreDescribed) {
+  const DeckPicture picture = picture_of(PictureKind::still, "A top that leans");
   const Json facts = {{"poster", "p.png"}, {"paper", "q.png"}, {"poster_at", 0.0}};
   const Json blocks = office_blocks({&picture, facts, ""});
   const Json target = blocks[0]["c"][0]["c"][2];
@@ -20,11 +25,7 @@ TEST(Figures, PicturesInOfficeAreDescribed) {
 }
 
 TEST(Figures, HostileWordsAreEscaped) {
-  DeckPicture picture;
-  picture.kind = PictureKind::film;
-  picture.name = "n";
-  picture.scenes = {"s.toml"};
-  picture.settings["alt"] = "\"><script>alert(1)</script>";
+  const DeckPicture picture = picture_of(PictureKind::film, "\"><script>alert(1)</script>");
   const Json facts = {{"film", "a\"b.mp4"},
                       {"poster", "p<.png"},
                       {"paper", "q<.png"},
