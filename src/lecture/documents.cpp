@@ -169,12 +169,17 @@ Json with_lettered_formulas(Json tree) {
   Json alone = tree;
   alone["meta"] = Json::object();
   alone["blocks"] = Json::array();
+  // a word in front of each keeps the paragraphs of formulas without letters, such as $\,$
+  const Json word = string_inlines("|")[0];
   for (const Json* formula : formulas)
-    alone["blocks"].push_back(paragraph(Json::array({*formula})));
+    alone["blocks"].push_back(paragraph(Json::array({word, *formula})));
   const Json letters = read_html(write_document(alone, {"-t", "html5"}).text)["blocks"];
-  for (std::size_t i = 0; i < formulas.size() && i < letters.size(); ++i) {
-    const Json none = Json::array({"", Json::array(), Json::array()});
-    *formulas[i] = {{"t", "Span"}, {"c", {none, letters[i]["c"]}}};
+  if (letters.size() != formulas.size()) return tree;
+  const Json none = Json::array({"", Json::array(), Json::array()});
+  for (std::size_t i = 0; i < formulas.size(); ++i) {
+    Json inlines = letters[i]["c"];
+    inlines.erase(0);
+    *formulas[i] = {{"t", "Span"}, {"c", {none, inlines}}};
   }
   return tree;
 }
