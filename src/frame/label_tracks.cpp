@@ -21,8 +21,9 @@ constexpr double kBehind = 10.0;      // with another vector there
 constexpr double kNearer = 6.0;       // nearer to another vector than to its own
 constexpr double kClearly = 0.5;      // heights from which on these two count in full
 constexpr double kOverCurve = 2.0;    // over a rim or an arc
-constexpr double kOverBody = 20.0;    // of what stands around an ellipse, and
-constexpr double kUpright = 4.0;      // above or below that and not beside it
+constexpr double kOverBody = 20.0;    // of what stands around an ellipse: over the body,
+constexpr double kOverRim = 12.0;     // over the ellipse,
+constexpr double kUpright = 4.0;      // above or below it and not beside it
 constexpr double kPushed = 0.5;       // off a side, where that is taken
 constexpr double kChange = 320.0;     // of its place
 constexpr double kWay = 4.0;          // for each height of the label that it goes about its tip
@@ -102,6 +103,18 @@ Vec2 direction_of(int side) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+// the ellipse around which a label may stand, as a polygon
+std::vector<Vec2> rim_of(const LabelWish& wish) {
+  constexpr int kCorners = 32;
+  std::vector<Vec2> rim;
+  if (!wish.is_around()) return rim;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2.0 * kPi * k / kCorners;
+    rim.emplace_back(wish.at + std::cos(angle) * wish.half_a + std::sin(angle) * wish.half_b);
+  }
+  return rim;
+}
+
 // A place that a label might take at one moment, and the cheapest way there.
 struct Choice {
   Vec2 offset = Vec2::Zero();                            // from anchor_on() its side
@@ -132,6 +145,7 @@ Choices choices_at(std::size_t index,
   Choices choices;
   const LabelWish& wish = moment.wishes[index];
   const Vec2 wished = center_on(wish, 0, gap);
+  const std::vector<Vec2> rim = rim_of(wish);
   const auto is_taken = [&](const TextRoom& room) {
     const TextRoom with_gap = grown(room, 0.9 * gap, 0.9 * gap);
     const bool is_inside = room.left >= frame.left && room.right <= frame.right &&
@@ -152,6 +166,7 @@ Choices choices_at(std::size_t index,
     if (wish.is_around()) {
       sum = (center - anchor).norm() / wish.height + kUpright * std::abs(direction_of(side).y());
       if (overlap(room, moment.body)) sum += kOverBody;
+      if (overlap(room, rim)) sum += kOverRim;
     }
     const bool taken = is_taken(room), over_mark = is_over_mark(room);
     if (taken) sum += kOverText;
@@ -239,6 +254,14 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
   const auto stay = [&](std::size_t k, std::size_t place) {
     return Stay{true, side_of(place), choices[k][place].offset, false};
   };
+  // How far the label goes to the moment k: about its tip; around an ellipse, which may turn away
+  // under it, at most as far as on the picture.
+  const auto way_between = [&](std::size_t k, const Stay& before, const Stay& here) {
+    const Vec2 center = here.center(*wishes[k]);
+    const double way = (before.center(*wishes[k]) - center).norm();
+    if (!wishes[k]->is_around()) return way;
+    return std::min(way, (before.center(*wishes[k - 1]) - center).norm());
+  };
   for (std::size_t k = 0; k < count; ++k) {
     const std::optional<std::size_t> index = index_of(name, moments[k]);
     if (!index) continue;
@@ -252,12 +275,11 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
       Choice& here = choices[k][place];
       here.sum = here.own;
       if (!was_there || !std::isfinite(here.own)) continue;
-      const Vec2 center = stay(k, place).center(*wishes[k]);
       double least = std::numeric_limits<double>::infinity();
       for (const std::size_t from : before) {
         const Choice& there = choices[k - 1][from];
         if (there.sum >= least) break;  // the ways to all others are dearer
-        const double way = (stay(k - 1, from).center(*wishes[k]) - center).norm();
+        const double way = way_between(k, stay(k - 1, from), stay(k, place));
         const double price =
             there.sum + kWay * way / height + (way > kGlide * height ? kChange : 0.0);
         if (price >= least) continue;
@@ -284,8 +306,7 @@ std::vector<LabelTracks::Stay> LabelTracks::cheapest(
     stays[k] = stay(k, place);
     if (k + 1 < count && wishes[k + 1] != nullptr) {
       stays[k].changes_after =
-          (stays[k].center(*wishes[k + 1]) - stays[k + 1].center(*wishes[k + 1])).norm() >
-          kGlide * wishes[k]->height;
+          way_between(k + 1, stays[k], stays[k + 1]) > kGlide * wishes[k]->height;
     }
   }
   return stays;
