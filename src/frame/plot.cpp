@@ -50,6 +50,28 @@ double room_beside(double low, double high, bool ratio) {
   return std::max({0.08 * (high - low), ratio ? 1e-16 : 1e-3 * size, 1e-300});
 }
 
+// Appends the part of a line, which never goes to the left, from about one column to another, with
+// its columns counted from `origin`.
+void add_part(
+    const Polyline& line, double from, double to, double origin, std::vector<Polyline>& parts) {
+  Polyline part;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const LinePoint& point = line[k];
+    if (k + 1 < line.size() && line[k + 1].x < from) continue;
+    if (point.x <= to) {
+      part.push_back({point.x - origin, point.y});
+      continue;
+    }
+    if (!part.empty()) {
+      const LinePoint& last = line[k - 1];
+      const double share = (to - last.x) / (point.x - last.x);
+      part.push_back({to - origin, last.y + share * (point.y - last.y)});
+    }
+    break;
+  }
+  if (!part.empty()) parts.push_back(std::move(part));
+}
+
 // "tilt of the axis, °"
 std::string heading_of(const FilmPlot& plot, int exponent) {
   const std::string unit = scaled_unit(exponent, plot.unit);
@@ -177,6 +199,8 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
     Drawn& one = plots_[i];
     one.axes.x = first;
     one.axes.width = last - first;
+    one.rim = static_cast<int>(std::ceil(paper_.line()));
+    one.curves = curves_of(one);
     const int y = one.axes.y - static_cast<int>(std::lround((kPlotHeading + kPlotOver) * type));
     add_heading(one,
                 {static_cast<int>(std::lround(left)),
@@ -184,8 +208,7 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
                  static_cast<int>(std::lround(right - left)),
                  static_cast<int>(std::lround(kPlotHeading * type))});
     add_axes(one, times, unit, i + 1 == plots_.size());
-    one.rim = static_cast<int>(std::ceil(paper_.line()));
-    one.curves = draw_curves(one);
+    one.sprite = draw_curves(one);
   }
   const int thin = paper_.thin();
   present_ = std::make_shared<const Sprite>(
@@ -195,7 +218,7 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
 void PlotStack::add_heading(const Drawn& one, const PixelBox& row) {
   std::vector<PlotEntry> entries;
   for (std::size_t i = 0; i < one.plot.curves.size(); ++i)
-    entries.push_back({one.plot.curves[i].name, color(i), dashes(one, i)});
+    entries.push_back({one.plot.curves[i].name, color(i), one.curves[i].dashes});
   paper_.add_heading(heading_of(one.plot, one.ticks.exponent), entries, row);
 }
 
@@ -209,7 +232,6 @@ void PlotStack::add_axes(const Drawn& one, const Ticks& times, const TimeUnit& u
   paper_.add_axes(one.axes);
 }
 
-// a curve on the sprite of draw_curves(), in as many lines as it has parts where it is defined
 std::vector<Polyline> PlotStack::lines_of(const Drawn& one, std::size_t curve) const {
   const double left = one.axes.x - one.rim;
   const double top = one.axes.y - one.rim;
@@ -228,22 +250,54 @@ std::vector<Polyline> PlotStack::lines_of(const Drawn& one, std::size_t curve) c
   return lines;
 }
 
+std::vector<PlotStack::Curve> PlotStack::curves_of(const Drawn& one) const {
+  // dashes of a curve that goes up and down all the time would look like a scribble
+  constexpr double kScribble = 2.5;  // widths of the plot
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < one.plot.curves.size(); ++i) {
+    const std::vector<Polyline> lines = lines_of(one, i);
+    double length = 0.0;
+    for (const Polyline& line : lines) {
+      for (std::size_t k = 1; k < line.size(); ++k)
+        length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
+    }
+    Curve curve;
+    if (length <= kScribble * one.axes.width) curve.dashes = dashes(i);
+    for (const Polyline& line : lines) {
+      for (Polyline& dash : dashes_of(line, curve.dashes))
+        curve.pieces.push_back(std::move(dash));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
 Stamp PlotStack::draw_curves(const Drawn& one) const {
   Sprite sprite(one.axes.width + 2 * one.rim, one.axes.height + 2 * one.rim);
-  const double left = one.axes.x - one.rim;
-  const double top = one.axes.y - one.rim;
-  for (std::size_t i = 0; i < one.plot.curves.size(); ++i) {
-    const std::vector<double> pattern = dashes(one, i);
-    std::vector<Polyline> pieces;
-    for (const Polyline& line : lines_of(one, i)) {
-      for (Polyline& dash : dashes_of(line, pattern))
-        pieces.push_back(std::move(dash));
-    }
-    stroke(sprite, pieces, paper_.line(), bytes_of(color(i)));
-  }
+  for (std::size_t i = 0; i < one.curves.size(); ++i)
+    stroke(sprite, one.curves[i].pieces, paper_.line(), bytes_of(color(i)));
   return {std::make_shared<const Sprite>(std::move(sprite)),
-          static_cast<int>(left),
-          static_cast<int>(top)};
+          one.axes.x - one.rim,
+          one.axes.y - one.rim};
+}
+
+void PlotStack::add_curves(const Drawn& one, double column, std::vector<Stamp>& stamps) const {
+  // in the last columns the sprite shows the width of what comes later, in steep curves far off
+  const double end = column - one.sprite.x;
+  const double reach = 0.5 * paper_.line() + 1.0;
+  const int cut = std::max(0, static_cast<int>(std::floor(end - reach)));
+  Stamp whole = one.sprite;
+  whole.columns = cut;
+  stamps.push_back(whole);
+  Sprite last(static_cast<int>(std::ceil(end + reach)) - cut, one.sprite.sprite->height);
+  for (std::size_t i = 0; i < one.curves.size(); ++i) {
+    std::vector<Polyline> parts;
+    for (const Polyline& piece : one.curves[i].pieces)
+      add_part(piece, cut - reach, end, cut, parts);
+    stroke(last, parts, paper_.line(), bytes_of(color(i)));
+  }
+  stamps.push_back(
+      {std::make_shared<const Sprite>(std::move(last)), one.sprite.x + cut, one.sprite.y});
 }
 
 std::string PlotStack::value_text(const Drawn& one, double value) const {
@@ -251,15 +305,7 @@ std::string PlotStack::value_text(const Drawn& one, double value) const {
 }
 
 // with round ends, which are as long as the line is wide
-std::vector<double> PlotStack::dashes(const Drawn& one, std::size_t curve) const {
-  // dashes of a curve that goes up and down all the time would look like a scribble
-  constexpr double kScribble = 2.5;  // widths of the plot
-  double length = 0.0;
-  for (const Polyline& line : lines_of(one, curve)) {
-    for (std::size_t k = 1; k < line.size(); ++k)
-      length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-  }
-  if (length > kScribble * one.axes.width) return {};
+std::vector<double> PlotStack::dashes(std::size_t curve) const {
   const auto pattern = [&](double drawn, double free) {
     return std::vector<double>{drawn * paper_.size() - paper_.line(),
                                free * paper_.size() + paper_.line()};
@@ -342,10 +388,8 @@ Stamp PlotStack::plate_of(const Drawn& one, const Value& value) const {
 void PlotStack::draw(double t, std::vector<Stamp>& stamps) const {
   stamps.insert(stamps.end(), paper_.stamps().begin(), paper_.stamps().end());
   for (const Drawn& one : plots_) {
-    Stamp curves = one.curves;
     const double column = column_of(one, t);
-    curves.columns = static_cast<int>(std::lround(column)) - curves.x;
-    stamps.push_back(curves);
+    add_curves(one, column, stamps);
     stamps.push_back(
         {present_, static_cast<int>(std::lround(column - 0.5 * present_->width)), one.axes.y});
     const std::vector<Value> values = values_of(one, t);

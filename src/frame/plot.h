@@ -62,6 +62,11 @@ class PlotStack {
   std::vector<PlacedText> texts(double t) const;
 
  private:
+  // A curve on the sprite of draw_curves(): the pattern of its dashes, and these.
+  struct Curve {
+    std::vector<double> dashes;
+    std::vector<Polyline> pieces;
+  };
   // A plot with its place and scale.
   struct Drawn {
     FilmPlot plot;
@@ -70,8 +75,9 @@ class PlotStack {
     double value_width = 0.0;      // px: of the widest value
     SpritePtr plate;               // of the background, under each value
     Ticks ticks;
-    Stamp curves;
-    int rim = 0;  // px that `curves` has around the axes
+    int rim = 0;  // px that `sprite` has around the axes
+    std::vector<Curve> curves;
+    Stamp sprite;  // of all curves
   };
   // A value beside its dot.
   struct Value {
@@ -81,14 +87,17 @@ class PlotStack {
     double x = 0.0, y = 0.0;  // of the text's corner
     TextBox box;
   };
+  std::vector<Curve> curves_of(const Drawn& one) const;
   void add_heading(const Drawn& one, const PixelBox& row);
   void add_axes(const Drawn& one, const Ticks& times, const TimeUnit& unit, bool is_last);
   Stamp draw_curves(const Drawn& one) const;
+  // The curves up to a column of the frame: all but the last columns are those of the sprite.
+  void add_curves(const Drawn& one, double column, std::vector<Stamp>& stamps) const;
   Stamp plate_of(const Drawn& one, const Value& value) const;
   std::vector<Value> values_of(const Drawn& one, double t) const;
   std::string value_text(const Drawn& one, double value) const;
   std::vector<Polyline> lines_of(const Drawn& one, std::size_t curve) const;
-  std::vector<double> dashes(const Drawn& one, std::size_t curve) const;
+  std::vector<double> dashes(std::size_t curve) const;
   glm::vec3 color(std::size_t curve) const;
   double column_of(const Drawn& one, double t) const;
   double row_of(const Drawn& one, double value) const;

@@ -129,7 +129,8 @@ TEST(Plot, OnlyWhatMovesIsDrawnAnew) {
   std::size_t fresh = 0;
   for (const Stamp& stamp : second)
     fresh += seen.count(stamp.sprite) == 0 ? 1 : 0;
-  EXPECT_LE(fresh, 8U) << "a dot and a value for each of four curves";
+  EXPECT_LE(fresh, 10U)
+      << "a dot and a value for each of four curves, the last columns of each plot";
 }
 
 // the curve, read back from its pixels, is the function, up to the dot and no further
@@ -143,7 +144,10 @@ TEST(Plot, CurvesAreTheirValues) {
   const auto found = std::find_if(
       stamps.begin(), stamps.end(), [](const Stamp& stamp) { return stamp.columns >= 0; });
   ASSERT_NE(found, stamps.end());
-  EXPECT_NEAR(found->x + found->columns, axes.x + axes.width * now / kDuration, 1.0);
+  const double end = axes.x + axes.width * now / kDuration;
+  EXPECT_EQ(found[1].x, found->x + found->columns) << "the last columns go on where it is cut";
+  EXPECT_NEAR(found->x + found->columns, end, 5.0);
+  EXPECT_NEAR(found[1].x + found[1].sprite->width, end, 5.0);
   const auto row_at = [&](double t) {
     const int column = static_cast<int>(axes.x + axes.width * t / kDuration) - found->x;
     double sum = 0.0, rows = 0.0;
@@ -163,6 +167,38 @@ TEST(Plot, CurvesAreTheirValues) {
     const double part = wave(0, t, 0.0, 1.0);
     EXPECT_NEAR(row_at(t), least + part * (most - least), 0.02 * (least - most)) << t;
   }
+}
+
+// A line has a width: what comes within half of it, and goes far up, is not shown before its time.
+TEST(Plot, SteepCurvesEndAtTheirDots) {
+  constexpr std::size_t kSteps = 3000, kJump = 1500;
+  const Typesetter typesetter;
+  FilmPlot jump = plot(0.0, 1.0, 1);
+  jump.curves[0].values.assign(kSteps + 1, 1.0);
+  std::fill_n(jump.curves[0].values.begin(), kJump, 0.0);
+  const PlotStack made = stack({jump}, typesetter);
+  const PixelBox axes = made.axes()[0];
+  const auto highest = [&](double t) {
+    std::vector<Stamp> stamps;
+    made.draw(t, stamps);
+    const auto whole = std::find_if(
+        stamps.begin(), stamps.end(), [](const Stamp& stamp) { return stamp.columns >= 0; });
+    int least = axes.bottom();
+    for (const Stamp& stamp : {whole[0], whole[1]}) {
+      const Sprite& sprite = *stamp.sprite;
+      const int columns = stamp.columns < 0 ? sprite.width : stamp.columns;
+      for (int y = 0; y < sprite.height; ++y) {
+        for (int x = 0; x < columns; ++x) {
+          const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(sprite.width) +
+                             static_cast<std::size_t>(x);
+          if (sprite.pixels[4 * pixel + 3] > 0) least = std::min(least, stamp.y + y);
+        }
+      }
+    }
+    return (least - axes.y) / static_cast<double>(axes.height);
+  };
+  EXPECT_GT(highest(kDuration * (kJump - 1.0) / kSteps), 0.8);
+  EXPECT_LT(highest(kDuration * (kJump + 1.0) / kSteps), 0.2);
 }
 
 // where a value is not defined the curve has a gap, and no dot
