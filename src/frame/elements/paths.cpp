@@ -192,6 +192,14 @@ std::vector<Stretch> touching(const Scenery& scenery, int looks) {
   return stretches;
 }
 
+// Whether it can only touch with edges and tips.
+bool touches_with_edges(const ContactSurface& surface) {
+  const std::vector<SurfacePiece>& pieces = surface.pieces();
+  return std::all_of(pieces.begin(), pieces.end(), [](const SurfacePiece& piece) {
+    return piece.semi_axes.isZero() && piece.ball == 0.0 && !piece.outline;
+  });
+}
+
 // paths of the contact on the table and on the body, with gaps where it flies
 void make_contact_trails(const Scenery& scenery, const Fineness& fine, Paths& paths) {
   const BodyModel& model = scenery.motion.model();
@@ -209,7 +217,9 @@ void make_contact_trails(const Scenery& scenery, const Fineness& fine, Paths& pa
       // it lies on the table: where a tube is half below, its edges have teeth
       return Vec3(at.x(), at.y(), thick * scenery.scale.body);
     }));
-    paths.contact_on_body.push_back(trail_during(scenery, stretch, fine, kRimRadius, on_body));
+    // along an edge it would only be that edge once more
+    if (!touches_with_edges(*model.table->surface))
+      paths.contact_on_body.push_back(trail_during(scenery, stretch, fine, kRimRadius, on_body));
   }
 }
 
