@@ -113,6 +113,31 @@ TEST(LabelTracks, NamesOfCirclesStandAroundThem) {
   }
 }
 
+// where the frame holds a name, its ellipse goes away from under it: it stands still and is seen
+TEST(LabelTracks, NamesAtTheEdgeOfTheFrameDoNotFlicker) {
+  const auto wish_at = [](double k) {
+    LabelWish wish = kWish;
+    wish.at = {100.0, 180.0};
+    wish.half_a = {75.0 + 20.0 * std::cos(k), 0.0};
+    wish.half_b = {0.0, 300.0};  // nothing is free above and below
+    return wish;
+  };
+  std::vector<LabelMoment> moments;
+  for (int k = 0; k < 60; ++k) {
+    LabelMoment moment = moment_with({});
+    moment.wishes[0] = wish_at(k);
+    moment.shafts[0] = {moment.wishes[0].at, moment.wishes[0].at};
+    moment.body = {Vec2(90, 0), Vec2(640, 0), Vec2(640, 360), Vec2(90, 360)};
+    moments.push_back(moment);
+  }
+  const LabelTracks tracks(moments, kFrame, kGap);
+  for (double k = 0.0; k < 58.0; k += 0.5) {
+    const LabelPlace place = tracks.place("name", wish_at(k), k);
+    EXPECT_EQ(place.opacity, 1.0) << k;
+    EXPECT_LT(place.center.x() + 0.5 * kWish.width, 90.0) << k << ": over the body";
+  }
+}
+
 // a head that covers the end of a vector now and then does not draw its name to and fro
 TEST(LabelTracks, NamesStayWithTheTipsWhoseEndsAreCovered) {
   std::vector<LabelMoment> moments;
