@@ -7,12 +7,6 @@ vec3 halved(vec3 color, float front) {
   return color * mix(vec3(0.54, 0.71, 0.90), vec3(1.0), front);
 }
 
-// Bands of period 1 in x between 0 and 1, fading to their mean where they are finer than pixels.
-float bands(float x) {
-  float wave = abs(2.0 * fract(x) - 1.0);
-  return mix(wave, 0.5, clamp(2.0 * fwidth(x), 0.0, 1.0));
-}
-
 // Brush strokes of period 1 in x between -1 and 1: parabolas, which lack the high harmonics of a
 // triangle. They are full where a period has eight pixels and gone where it has four.
 float strokes(float x) {
@@ -25,15 +19,23 @@ float brushed(float x) {
   return strokes(0.83 * x) + strokes(2.11 * x + 0.3) + strokes(5.3 * x + 0.7);
 }
 
+// A thin line in each period 1 of x, 0 to 1, some fainter than others. It fades to its mean where
+// periods are finer than pixels.
+float fine_lines(float x) {
+  float line = clamp(1.0 - 5.0 * abs(fract(x) - 0.5), 0.0, 1.0);
+  float strength = 0.6 + 0.4 * sin(2.4 * floor(x));
+  return strength * mix(line, 0.2, clamp(3.0 * fwidth(x) - 0.5, 0.0, 1.0));
+}
+
 // Wood: the body is turned from a board, whose rings of years go round an axis along y beside it.
-// Rings about the body's own axis would look like ridges of a lathe. at: in units of the finish.
+// Rings about the body's own axis would look like ridges of a lathe, broad ones like folds. at: in
+// units of the finish.
 vec3 grained(vec3 color, vec3 at) {
   vec2 from_core = at.xz + vec2(9.0, 5.0) + 0.25 * sin(0.31 * at.y + vec2(0.0, 1.3));
-  float years = 1.1 * length(from_core);
+  float years = 2.6 * length(from_core);
   // they are not equally wide
-  years += 0.5 * sin(0.9 * years) + 0.25 * sin(2.3 * years + 1.0);
-  float late = 1.0 - bands(years);
-  return color * (1.03 - 0.17 * late * late);
+  years += 0.7 * sin(0.45 * years) + 0.3 * sin(1.3 * years + 1.0);
+  return color * mix(vec3(1.02), vec3(0.88, 0.84, 0.78), fine_lines(years));
 }
 // Metal: each stroke, across and along, brightens and darkens a little.
 vec3 stroked(vec3 color, float across, float along) {
