@@ -24,6 +24,16 @@ std::function<PanelNotes(double)> heading(const std::string& text) {
   };
 }
 
+// how a panel is staged from space or from the body
+Staging seen_from(const std::string& view, Staging staging) {
+  if (view == "body") {
+    staging.camera.follow = "body";
+    for (ShotSpec& shot : staging.shots)
+      shot.camera.follow = "body";
+  }
+  return staging;
+}
+
 std::vector<FilmPanel> panels_of_views(const Solved& solved,
                                        const Stage& stage,
                                        const std::vector<PixelBox>& places) {
@@ -31,12 +41,7 @@ std::vector<FilmPanel> panels_of_views(const Solved& solved,
   std::vector<FilmPanel> panels;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::string& view = scene.show.views[i];
-    Staging staging = staging_of(scene, stage);
-    if (view == "body") {
-      staging.camera.follow = "body";
-      for (ShotSpec& shot : staging.shots)
-        shot.camera.follow = "body";
-    }
+    const Staging staging = seen_from(view, staging_of(scene, stage));
     panels.push_back({places[i], composer_of(solved, staging, places[i]), scene.motion.duration});
     if (stage.rows.name) panels.back().notes = heading(heading_of(view));
   }
@@ -47,10 +52,12 @@ std::vector<FilmPanel> panels_of_methods(const Solved& solved,
                                          const Comparison& comparison,
                                          const Stage& stage,
                                          const std::vector<PixelBox>& places) {
+  const Scene& scene = solved.scene;
+  const Staging staging = seen_from(scene.show.views.front(), staging_of(scene, stage));
   std::vector<FilmPanel> panels;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Contender& one = comparison.contenders()[i];
-    const auto exact = composer_of(solved, staging_of(solved.scene, stage), places[i]);
+    const auto exact = composer_of(solved, staging, places[i]);
     const auto fails = one.failure.empty() ? std::nullopt : std::optional(one.end);
     panels.push_back(
         {places[i], std::make_shared<const Composer>(*exact, one.motion, fails), one.end});
@@ -85,7 +92,8 @@ std::vector<FilmPanel> panels_of_scenes(const std::vector<Solved>& solved,
   const auto composer = [&](std::size_t i) {
     const Scene& scene = solved[i].scene;
     return with_place(scene, [&] {
-      const Staging staging = staging_of(first.same_cameras ? first : scene, stage);
+      const Staging staging = seen_from(scene.show.views.front(),
+                                        staging_of(first.same_cameras ? first : scene, stage));
       return composer_of(solved[i], staging, places[i], shared);
     });
   };
@@ -125,6 +133,8 @@ Film make_film(const std::vector<Solved>& solved,
     throw input_error("plots show one motion, not several that are compared; remove them")
         .at({{}, 0, "show.plots"});
   }
+  if (comparison != nullptr && scene.show.views.size() > 1)
+    throw input_error("methods are compared from one view").at({{}, 0, "show.views"});
   const std::size_t count = solved.size() > 1       ? solved.size()
                             : comparison != nullptr ? comparison->contenders().size()
                                                     : scene.show.views.size();

@@ -54,7 +54,11 @@ std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<Story
         .at({{}, 0, fmt::format("story[{}].at", i)});
   }
   std::vector<StoryStep> whole = story;
-  for (std::size_t i = 1; scene.in_turn && i < scene.panels.size(); ++i) {
+  for (std::size_t i = 1; scene.in_turn && !story.empty() && i < scene.panels.size(); ++i) {
+    StoryStep begins;  // without the words of the panel before
+    begins.at = static_cast<double>(i) * scene.motion.duration;
+    begins.caption = "";
+    whole.push_back(begins);
     for (StoryStep step : story) {
       step.at += static_cast<double>(i) * scene.motion.duration;
       whole.push_back(step);

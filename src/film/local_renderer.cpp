@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "film/local_renderer.h"
 
+#include <algorithm>
 #include <set>
 
 #include "image/average.h"
@@ -31,9 +32,11 @@ class LocalRenderer final : public FrameRenderer {
       renderer_->draw(picture, image);
       return;
     }
-    // what moves while the shutter is open; the text stands still
+    // what moves while the shutter is open, which ends with the shot; the text stands still
+    const double shot = film_.film().next_cut(time) - time;
+    const double part = std::min(1.0, shot / film_.shutter().open_s());
     for (int k = 0; k < moments; ++k) {
-      renderer_->draw(film_.film().bare_at(time + film_.shutter().moment(k)), image);
+      renderer_->draw(film_.film().bare_at(time + part * film_.shutter().moment(k)), image);
       blurred_.add(image);
     }
     blurred_.mean(image);

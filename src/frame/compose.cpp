@@ -603,6 +603,13 @@ Camera Composer::camera_at(double film, std::size_t index) const {
   return placed(rigs_.at(index), film);
 }
 
+double Composer::next_cut(double film) const {
+  const auto cut = std::find_if(rigs_.begin() + 1, rigs_.end(), [&](const Rig& rig) {
+    return rig.begins > film && rig.move <= 0.0;
+  });
+  return cut == rigs_.end() ? std::numeric_limits<double>::infinity() : cut->begins;
+}
+
 SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
   const Vec2 at = camera.project(label.at);
   // a little way along; where that is towards the eye, the label stands above

@@ -116,6 +116,9 @@ class Composer {
   std::size_t cameras() const { return rigs_.size(); }
   // One of them at the time `film` (s of film), whether or not the film is seen by it then.
   Camera camera_at(double film, std::size_t index) const;
+  // The first time after `film` at which the film is cut to another camera, s of film; infinite:
+  // never.
+  double next_cut(double film) const;
   // References to members.
   const Timeline& timeline() const { return staging_.timeline; }
   const Scenery& scenery() const { return scenery_; }

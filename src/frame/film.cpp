@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -270,6 +271,22 @@ std::vector<Film::Shown> Film::shown_at(double film) const {
   return shown;
 }
 
+double Film::next_cut(double film) const {
+  double cut = std::numeric_limits<double>::infinity();
+  for (const Shown& shown : shown_at(film)) {
+    const double begins = film - shown.film;
+    cut = std::min(cut, begins + panels_[shown.panel].composer->next_cut(shown.film));
+    if (in_turn_ && shown.panel + 1 < panels_.size()) cut = std::min(cut, begins + turn());
+  }
+  return cut;
+}
+
+std::string Film::caption_at(double film) const {
+  // each panel in turn tells the story from its beginning
+  const Shown shown = shown_at(film).front();
+  return panels_[shown.panel].composer->timeline().caption(shown.film).value_or(text_.caption);
+}
+
 Film::Page Film::page_at(double film) const {
   Page page;
   // the text that keeps its place comes first: labels give way to it
@@ -387,7 +404,7 @@ void Film::add_bars(double film, Page& page) const {
     style = fitted(*typesetter_, markup, style, free_to - edge, above.height);
     add(TextRole::title, markup, style, edge, middle);
   }
-  const std::string caption = timeline.caption(film).value_or(text_.caption);
+  const std::string caption = caption_at(film);
   if (!caption.empty() && !areas_.caption.empty()) {
     const PixelBox& below = areas_.caption;
     const TextStyle style = style_of(theme, caption_size(text_, size_), theme.position);
@@ -403,7 +420,7 @@ void Film::add_bars(double film, Page& page) const {
 void Film::add_frame_text(double film, Page& page) const {
   const Timeline& timeline = this->timeline();
   const double t = timeline.motion_time(film);
-  const std::string caption = timeline.caption(film).value_or(text_.caption);
+  const std::string caption = caption_at(film);
   const double edge = edge_of({0, 0, size_.width, size_.height});
   const Theme& theme = panels_.front().composer->scenery().theme;
   const auto add =

@@ -74,6 +74,9 @@ class Film {
   // The picture at that time without text, plots and separator lines. Throws Error (check_failed)
   // as Motion::at does.
   Picture bare_at(double film) const;
+  // The first time after `film` at which another panel follows or a panel is cut to another camera,
+  // s of film; infinite: never.
+  double next_cut(double film) const;
   const std::vector<FilmPanel>& panels() const { return panels_; }
   // Where everything stands at this moment; for tests. Throws Error as at() does.
   PlacedPage placed(double film) const;
@@ -88,6 +91,8 @@ class Film {
     double film;
   };
   std::vector<Shown> shown_at(double film) const;
+  // the story's caption at a time, else that of the film
+  std::string caption_at(double film) const;
   // how long each panel is shown in turn, s of film
   double turn() const;
   const Timeline& timeline() const;

@@ -165,14 +165,16 @@ std::vector<Asked> panels_of(const FilmFile& film,
 
 // What all panels share cannot be changed in one of them.
 void refuse_shared(const Changes& changes, bool same_cameras) {
-  constexpr std::array<const char*, 8> kShared = {"video",
-                                                  "story",
-                                                  "show.clock",
-                                                  "show.title",
-                                                  "show.text_size",
-                                                  "show.plots",
-                                                  "format",
-                                                  "title"};
+  constexpr std::array<const char*, 10> kShared = {"video",
+                                                   "story",
+                                                   "show.clock",
+                                                   "show.title",
+                                                   "show.caption",
+                                                   "show.labels",
+                                                   "show.text_size",
+                                                   "show.plots",
+                                                   "format",
+                                                   "title"};
   const auto refuse = [](const Change& change, const char* how) {
     throw input_error("'{}' is one for the whole film: {}", change.path, how).at(change.place);
   };

@@ -120,6 +120,22 @@ TEST_F(SeveralScenes, FollowOneAnotherInTurn) {
   run(fmt::format("render {} -o {} --still 2.1", at("turns.toml"), at("b.png")), 2);
 }
 
+// the last frame of a panel shows nothing of the next, which begins while it is exposed
+TEST_F(SeveralScenes, AnOpenShutterClosesWithItsPanel) {
+  const auto frame = [&](double next_spin) {
+    write_text(folder_ / "turns.toml",
+               fmt::format("arrange = \"in_turn\"\ncameras = \"own\"\nscales = \"own\"\n"
+                           "[sweep]\nscene = \"scene.toml\"\nkey = \"motion.spin.body[2]\"\n"
+                           "values = [9, {}]\n[motion]\nduration = 0.97\n"
+                           "[video]\nshutter_deg = 360\n",
+                           next_spin));
+    run(fmt::format(
+        "render {} -o {} --no-text --from 0.9 --to 0.96", at("turns.toml"), at("a.hash")));
+    return read_text(folder_ / "a.hash");
+  };
+  EXPECT_EQ(frame(3.0), frame(5.0));
+}
+
 // a body that turns ever faster, and too fast for the film after its end
 TEST_F(SeveralScenes, InTurnAreLookedAtWithinTheirMotions) {
   write_text(folder_ / "spun.toml",

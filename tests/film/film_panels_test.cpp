@@ -72,6 +72,31 @@ TEST(FilmPanels, TheBodysViewGoesAlongWithTheBody) {
   }
 }
 
+// panels of methods and of scenes, too, and there is only one view of each
+TEST(FilmPanels, AreSeenFromTheViewOfTheirScene) {
+  const Vec3 point(0.02, 0.05, 0.15);
+  const auto goes = [&](const FilmPanel& panel, const Solved& solved) {
+    return (seen_in(panel, solved, 0.7, point) - seen_in(panel, solved, 0.2, point)).norm();
+  };
+  const std::string methods = "[numerics]\ncompare = [\"exact\", \"rk4\"]\nstep = 0.001\n";
+  const Panels compared(small_scene("[show]\nviews = [\"body\"]\n" + methods));
+  EXPECT_LT(goes(compared.all()[0], compared.solved), 1e-9);
+  test::expect_input_error(
+      [&] { Panels(small_scene("[show]\nviews = [\"space\", \"body\"]\n" + methods)); },
+      "show.views",
+      "methods are compared from one view");
+  for (const bool same_cameras : {true, false}) {
+    Scene space = small_scene();
+    space.same_cameras = same_cameras;
+    const std::vector<Solved> solved = {solve(space),
+                                        solve(small_scene("[show]\nviews = [\"body\"]\n"))};
+    const Film film =
+        make_film(solved, plan_frame_times(solved[0], {}).timeline, nullptr, {}, false);
+    EXPECT_GT(goes(film.panels()[0], solved[0]), 0.5);
+    EXPECT_LT(goes(film.panels()[1], solved[1]), 1e-9);
+  }
+}
+
 TEST(FilmPanels, ComparedMethodsHaveAPanelEach) {
   const Panels panels(small_scene("[numerics]\ncompare = [\"rk4\", \"exact\"]\nstep = 0.3\n"));
   ASSERT_EQ(panels.all().size(), 2U);

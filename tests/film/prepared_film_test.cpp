@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "film/film_metadata.h"
 #include "film/small_films.h"
 #include "scene/scene_file.h"
 #include "support/logged.h"
@@ -64,6 +65,52 @@ TEST(PreparedFilm, AnOpenShutterHasAsManyMomentsAsTheTurnNeeds) {
   EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 48) << "the most";
   scene.motion.spin.body = Vec3(0.0, 0.0, 0.001);
   EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 4) << "the least";
+}
+
+Scene twice_in_turn(const Scene& scene) {
+  ScenePanel panel;
+  panel.scene = scene;
+  Scene film = scene;
+  film.panels = {panel, panel};
+  film.in_turn = true;
+  return film;
+}
+
+// where an open shutter closes
+TEST(PreparedFilm, KnowsItsCuts) {
+  const std::string shots =
+      "[[shots]]\nat = 0.47\ndirection = [1, 0, 0]\n"
+      "[[shots]]\nat = 0.7\nmove = 0.1\ndirection = [0, 1, 0]\n";
+  Scene scene = small_scene(shots);
+  const PreparedFilm cut(plan_of(scene));
+  EXPECT_DOUBLE_EQ(cut.film().next_cut(0.4), 0.47);
+  EXPECT_TRUE(std::isinf(cut.film().next_cut(0.47))) << "the camera moves";
+  scene = twice_in_turn(scene);
+  const PreparedFilm turns(plan_of(scene));
+  EXPECT_DOUBLE_EQ(turns.film().next_cut(0.5), 1.0);
+  EXPECT_DOUBLE_EQ(turns.film().next_cut(1.2), 1.47);
+  EXPECT_TRUE(std::isinf(turns.film().next_cut(1.5)));
+}
+
+// each panel in turn begins without the words with which the one before has ended
+TEST(PreparedFilm, PanelsInTurnBeginTheirStoryAnew) {
+  Scene scene = small_scene("[[story]]\nat = 0.8\ncaption = \"late\"\n");
+  scene = twice_in_turn(scene);
+  RenderPlan plan = plan_of(scene);
+  plan.text = true;
+  const PreparedFilm turns(plan);
+  const auto words = [&](double film) {
+    std::string found;
+    for (const PlacedText& text : turns.film().placed(film).texts)
+      if (text.role == TextRole::caption) found += text.markup;
+    return found;
+  };
+  EXPECT_EQ(words(0.9), "late");
+  EXPECT_EQ(words(1.05), "");
+  EXPECT_EQ(words(1.9), "late");
+  const FilmMetadata told = film_metadata(scene, scene.story, turns.frames());
+  ASSERT_EQ(told.captions.size(), 2U);
+  EXPECT_EQ(told.captions[0].end, 10);
 }
 
 // a spin of whole turns between 48 equal steps would stand still, blurred as it is
