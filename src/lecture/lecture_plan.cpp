@@ -38,7 +38,7 @@ double cost_of_film(const DeckPicture& picture,
                     const LectureSettings& settings) {
   double seconds = 0.0;
   for (const DeckScene& scene : scenes)
-    seconds = std::max(seconds, scene.scene.motion.duration / scene.scene.video.time_scale);
+    seconds = std::max(seconds, shown_duration(scene.scene) / scene.scene.video.time_scale);
   const RenderJob job = film_job(picture, scenes.front(), settings, {});
   const VideoSpec video = load_with_overrides(job.scene, job.overrides).video;
   return seconds * video.fps.value() * video.size.width * video.size.height * kPixelSeconds;

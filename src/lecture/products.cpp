@@ -14,6 +14,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "export/viewer_data.h"
+#include "film/frame_times.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
 #include "lecture/sliders.h"
@@ -188,8 +189,8 @@ struct Stops {
 
 Stops stops_of(const Scene& scene, const Json& report, double length, bool loop) {
   const double from = report["from_s"],
-               duration = loop ? double(report["to_s"]) : scene.motion.duration;
-  const Timeline timeline(scene.story, duration, scene.video.time_scale);
+               duration = loop ? double(report["to_s"]) : shown_duration(scene);
+  const Timeline timeline(story_of_film(scene, scene.story), duration, scene.video.time_scale);
   Stops stops;
   stops.first = timeline.first_film_time(from);
   for (Pause pause : timeline.pauses()) {
@@ -295,7 +296,7 @@ Product film_product(const DeckPicture& picture,
   const char* kind = picture.kind == PictureKind::loop ? "loop" : "film";
   for (const char* key : {"from", "to", "at"})
     number_in(picture, key);
-  check_times(picture, scene.scene.motion.duration, {"from", "to", "at", "stills"});
+  check_times(picture, shown_duration(scene.scene), {"from", "to", "at", "stills"});
   return {name_of_product(scene, kind),
           key_of_product(kind, scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {
@@ -371,7 +372,7 @@ Product still_product(const DeckPicture& picture,
                       const LectureSettings& settings) {
   const Overrides overrides = overrides_of(picture, settings);
   const double at = number_in(picture, "at").value_or(0.0);
-  check_times(picture, scene.scene.motion.duration, {"at"});
+  check_times(picture, shown_duration(scene.scene), {"at"});
   return {name_of_product(scene, "still"),
           key_of_product("still", scene, words_of(picture, settings)),
           [=](const fs::path& folder, const std::string& stem) {

@@ -147,6 +147,24 @@ TEST(Products, AFilmHasItsPosterAndItsPauses) {
   EXPECT_FALSE(made.has("stem.report"));
 }
 
+// each panel in turn tells the story, and has times of its own
+TEST(Products, AFilmOfPanelsInTurnHasThePausesOfAll) {
+  const DeckSceneFolder folder("[[story]]\nat = 0.3\nhold = 0.5\ncaption = \"It stands\"\n");
+  test::write_text(folder / "turns.toml",
+                   "arrange = \"in_turn\"\n[[panel]]\nscene = \"top.toml\"\n"
+                   "[[panel]]\nscene = \"top.toml\"\n");
+  const Scene turns = load_scene(folder / "turns.toml");
+  const DeckScene film{"turns.toml", folder / "turns.toml", turns, scene_hash(turns)};
+  const MadeProduct made(film_product(picture_of(PictureKind::film, {}), film, small_settings()));
+  ASSERT_EQ(made.facts.at("pauses").size(), 2U);
+  EXPECT_NEAR(made.facts.at("pauses").at(1).at(0), 1.8, 1e-12);
+  ASSERT_EQ(made.facts.at("stills").size(), 2U);
+  EXPECT_EQ(made.facts.at("poster_at"), 1.3);
+  const MadeProduct still(
+      still_product(picture_of(PictureKind::still, {{"at", "1.6"}}), film, small_settings()));
+  EXPECT_EQ(still.facts.at("poster_at"), 1.6);
+}
+
 TEST(Products, AFilmShowsTheStillsThatAreAskedFor) {
   const DeckSceneFolder folder;
   const MadeProduct made(film_product(
