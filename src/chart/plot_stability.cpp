@@ -14,7 +14,7 @@ namespace {
 
 // fine is calm, the rest told apart by the colour-blind too: lightness rises along the list
 constexpr std::array<const char*, kRunOutcomes> kOutcomeColors = {
-    "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222"};
+    "#E8F1E4", "#9CC3E6", "#0072B2", "#D55E00", "#7B3294", "#E69F00", "#222222", "#BBBBBB"};
 
 // an outcome in the key: its colour and its name
 std::string key_entry(int outcome) {

@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "base/units.h"
+#include "math/so3.h"
 #include "motion/deviation.h"
 #include "motion/scales.h"
 #include "motion/walk.h"
@@ -25,7 +27,8 @@ constexpr std::array<const char*, kRunOutcomes> kNames = {"fine",
                                                           "energy_grows",
                                                           "energy_decays",
                                                           "solver_failed",
-                                                          "not_a_number"};
+                                                          "not_a_number",
+                                                          "unchecked"};
 
 // Which way the body points, as a number between -1 and 1: towards its centre of mass against the
 // vertical, or for a free body its angular momentum along the axis that it is closest to at first.
@@ -66,6 +69,8 @@ void states_at(const std::vector<double>& times,
 
 RunOutcome outcome_of(const StabilityCell& cell, bool flipped, double allowed_rad) {
   const bool known = !std::isnan(cell.error_rad);
+  if (!known && std::isnan(cell.energy_drift) && std::isnan(cell.momentum_drift))
+    return RunOutcome::unchecked;
   const bool kept = !(std::abs(cell.energy_drift) > kKept) && !(cell.momentum_drift > kKept);
   if (known ? cell.error_rad <= allowed_rad : kept) return RunOutcome::fine;
   if (cell.energy_drift > kChanged) return RunOutcome::energy_grows;
@@ -121,7 +126,8 @@ StabilityCell try_method(const StepperInfo& method,
           constexpr double kClearly = 0.3;
           const double found = pointing.of(s), wanted = pointing.of(truth);
           flipped = flipped || (found * wanted < 0.0 && std::abs(found) > kClearly &&
-                                std::abs(wanted) > kClearly);
+                                std::abs(wanted) > kClearly &&
+                                rotation_angle_between(s.q, truth.q) > 0.5 * kPi);
           blown_up = drift.worst().energy.value_or(0.0) > kBlownUp;
           return !blown_up;
         });

@@ -23,13 +23,15 @@ namespace polhode {
 enum class RunOutcome {
   fine,           // the error is within the allowed one
   phase_wrong,    // too large an error, but none of the failures below
-  flips_wrongly,  // at some time the body points the opposite way from the reference
+  flips_wrongly,  // at some time the body points the opposite way from the reference, and its
+                  // attitude is off by more than a right angle
   energy_grows,
   energy_decays,
   solver_failed,  // a step has no solution (Stepper::step)
   not_a_number,   // the state became NaN or infinite
+  unchecked,      // it came to its end, and there is nothing to hold it against
 };
-inline constexpr int kRunOutcomes = 7;  // number of outcomes
+inline constexpr int kRunOutcomes = 8;  // number of outcomes
 
 // The name as it is spelled above: "fine", "phase_wrong", and so on.
 const char* name_of(RunOutcome outcome);
@@ -60,9 +62,10 @@ struct StabilityCell {
 // Runs the method with fixed steps h (s, positive) over the whole motion and looks at it at the
 // times of the reference. The outcome is `fine` if the deviation never exceeds allowed_rad or,
 // without a usable reference, if energy and momentum, where the loads conserve them, drift by at
-// most 1e-3. A run whose energy drift exceeds 1e6 is ended as energy_grows. The method must be able
-// to integrate the model so (why_not_by_fixed_steps() in motion/stepper_table.h). Throws Error
-// (interrupted) only. Thread-safe.
+// most 1e-3, and `unchecked` if they conserve neither. A run whose energy drift exceeds 1e6 is
+// ended as energy_grows. The method must be able to integrate the model so
+// (why_not_by_fixed_steps() in motion/stepper_table.h). Throws Error (interrupted) only.
+// Thread-safe.
 StabilityCell try_method(const StepperInfo& method,
                          const StabilityProblem& problem,
                          double h,

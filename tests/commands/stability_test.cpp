@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 // `polhode stability` as a user calls it.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "support/background.h"
+#include "support/scenes.h"
 
 namespace polhode {
 namespace {
@@ -51,6 +57,62 @@ TEST_F(Stability, TakesAnyTwoKeys) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(table().find("\nscene,rk4,0.3,0.1,"), std::string::npos) << table();
   EXPECT_NE(table().find("\nscene,rk4,30,0.15,"), std::string::npos) << table();
+}
+
+// cells of a table: verdict and error
+std::vector<std::pair<std::string, double>> cells_of(const std::string& csv) {
+  std::vector<std::pair<std::string, double>> cells;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string field, verdict, error;
+    for (int i = 0; i < 4; ++i)
+      std::getline(fields, field, ',');
+    std::getline(fields, verdict, ',');
+    std::getline(fields, error, ',');
+    cells.emplace_back(verdict, std::strtod(error.c_str(), nullptr));
+  }
+  return cells;
+}
+
+// a body that points the opposite way is off by more than a right angle
+TEST_F(Stability, WhatFlipsWronglyIsFarOff) {
+  write_text(folder_ / "scene.toml", read_text(test::scene_path("satellite")));
+  ASSERT_EQ(stability("--methods rk2,rk4 --cells 8x8 --turns 5").code, 0);
+  int flips = 0;
+  for (const auto& [verdict, error] : cells_of(table())) {
+    if (verdict != "flips_wrongly") continue;
+    ++flips;
+    EXPECT_GT(error, 1.57);
+  }
+  EXPECT_GT(flips, 0);
+}
+
+// a chaotic motion for which nobody knows the truth, under loads that conserve nothing
+TEST_F(Stability, NothingIsFineThatWasNotLookedAt) {
+  write_text(folder_ / "scene.toml",
+             "[body]\ntensor = [[3.8, 0.35, -0.56], [0.35, 3.03, -0.63], [-0.56, -0.63, 3.01]]\n"
+             "mass = 3\n[motion]\nduration = 2\nattitude = { tilt_deg = 40 }\n"
+             "spin = { body = [0.16, -0.84, 2.16] }\n"
+             "torque = [{ kind = \"gravity_gradient\", rate = 1.9 },\n"
+             "          { kind = \"constant\", space = [0.19, -0.42, -0.27], rate = 1.93 }]\n");
+  ASSERT_EQ(
+      stability("--methods rk4 --cells 2x2 --x-range 0.1:0.2 --y-range 0.9:1 --turns 2000").code,
+      0);
+  for (const auto& [verdict, error] : cells_of(table())) {
+    EXPECT_EQ(verdict, "unchecked");
+    EXPECT_TRUE(std::isnan(error));
+  }
+}
+
+TEST_F(Stability, RefusesAxesThatChangeNothing) {
+  for (const char* key : {"camera.zoom", "numerics.tolerance", "motion.duration"}) {
+    const Ran ran = stability(fmt::format("--cells 2x2 --x {}", key));
+    EXPECT_EQ(ran.code, 2) << key;
+    EXPECT_NE(ran.err.find("changes nothing"), std::string::npos) << ran.err;
+  }
 }
 
 // the same table for any number of threads, and from a run that was stopped and taken up again

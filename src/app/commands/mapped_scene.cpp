@@ -84,10 +84,13 @@ MapAxis make_axis(const MappedScene& place,
                   const std::optional<std::string>& range,
                   const std::string& option,
                   double rate) {
-  if (key == "motion.duration") {
-    throw input_error("changes nothing: --turns says how long each run is")
-        .at({{}, 0, fmt::format("{} {}", option, key)});
-  }
+  const auto refuse = [&](const char* why) {
+    throw input_error("changes nothing: {}", why).at({{}, 0, fmt::format("{} {}", option, key)});
+  };
+  if (key == "motion.duration") refuse("--turns says how long each run is");
+  const bool matters =
+      key == kSpinKey || key == kStepKey || key.starts_with("body.") || key.starts_with("motion.");
+  if (!matters) refuse("runs depend on spin, numerics.step and the keys of [body] and [motion]");
   MapAxis axis;
   if (range || (key != kStepKey && key != kSpinKey)) {
     axis = axis_of_key(place.file, settings, key, range, option);

@@ -58,7 +58,10 @@ std::shared_ptr<StabilityOptions> add_stability_options(CLI::App& command) {
       ->type_name("A:B");
   add_text(command, "--cells", job->cells, "number of cells, horizontal x vertical")
       ->type_name("NxM");
-  add_number(command, "--turns", options->turns, "turns of the body in each run (default: 100)")
+  add_number(command,
+             "--turns",
+             options->turns,
+             "length of each run, in turns at the rate of the motion (default: 100)")
       ->type_name("N");
   add_number(command, "--allowed", options->allowed, "allowed attitude error, rad (default: 0.1)")
       ->type_name("RAD");

@@ -64,9 +64,8 @@ TEST_F(SceneOfMaps, AKeyOfTheSceneIsChangedAroundItsOwnNumber) {
   EXPECT_EQ(made.y.from, -1.0) << "around zero";
   EXPECT_EQ(made.y.to, 1.0);
   EXPECT_TRUE(made.setup_per_cell());
-  test::write_text(folder_ / "scene.toml",
-                   std::string(test::kSmallScene) + "[camera]\norbit = -3\n");
-  job_.x = "camera.orbit";
+  job_.x = "motion.attitude.zxz_deg[1]";
+  job_.settings = {parse_setting("motion.attitude.zxz_deg[1]=-3")};
   EXPECT_EQ(place().x.from, -6.0);
   EXPECT_EQ(place().x.to, 6.0);
 }
