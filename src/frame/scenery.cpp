@@ -74,10 +74,12 @@ Scale make_scale(const Scenery& scenery, double radius) {
       const Quat q_SP = sample.q_SB * Quat(model.R_BP);
       force = std::max(force, point_force(load, t, q_SP, sample.reference_S).norm());
     }
-    turned_by = std::max(turned_by, torque(model, t, scenery.motion.state_at(t)).norm());
+    // what a table bears for an instant would make all other forces short
+    const double weight = model.body.mass * model.gravity_S.norm();
+    const double most = model.table ? 3.0 * weight * radius : HUGE_VAL;
+    if (const std::optional<Vec3> torque_S = torque_at(scenery.motion, t))
+      turned_by = std::max(turned_by, std::min(torque_S->norm(), most));
     if (const std::optional<Reaction> found = reaction_at(scenery.motion, t)) {
-      // what the table bears for an instant would make all other forces short
-      const double weight = model.body.mass * model.gravity_S.norm();
       force = std::max(force, std::min(found->normal, 3.0 * weight));
       slip = std::max(slip, found->slip_S.norm());
     }

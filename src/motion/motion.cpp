@@ -131,6 +131,16 @@ std::optional<Reaction> reaction_at(const Motion& motion, double t) {
   return found;
 }
 
+std::optional<Vec3> torque_at(const Motion& motion, double t) {
+  const BodyModel& model = motion.model();
+  const State state = motion.state_at(t);
+  if (!model.table) return Vec3(state.q * torque(model, t, state));
+  const std::optional<ContactState> contact = motion.contact_at(t);
+  if (!contact) return {};
+  const Reaction found = reaction_of(model, contact->touch, t, moving_of(model, state));
+  return Vec3(state.q * (found.momentum_rate_P + angular_velocity(model, state.y).cross(state.y)));
+}
+
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B) {
   return sample.reference_S + sample.q_SB * (r_B - model.reference_B());
 }

@@ -65,6 +65,11 @@ Drift drift_at(const Motion& motion, double t);
 // contact. Throws Error (check_failed) as Motion::at does.
 std::optional<Reaction> reaction_at(const Motion& motion, double t);
 
+// The torque about the reference point, S, N m: of gravity, of loads, and of what a table does.
+// Null on a table where the method does not tell what touches. Throws Error (check_failed) as
+// reaction_of() does.
+std::optional<Vec3> torque_at(const Motion& motion, double t);
+
 // Position in S (m) of the point r_B of the body (m, from the body origin).
 Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "motion/simulate.h"
 #include "support/expect_error.h"
+#include "support/on_table.h"
 #include "support/residual.h"
 #include "support/tops.h"
 
@@ -187,6 +188,32 @@ TEST(Pendulum, StartsAtRestAndSwingsWithItsPeriod) {
   EXPECT_NEAR(motion.at(period / 4).center_S.z(), -0.6, 4e-15);
   for (const double t : {0.3, 1.0, 4.9})
     EXPECT_NEAR(motion.at(t).energy, motion.at(0.0).energy, 1e-14);
+}
+
+// on a table with what that does, in flight too: the rate of the angular momentum
+TEST(Motion, TorqueChangesTheAngularMomentum) {
+  MotionSpec spec = on_table(0.6, rolling());
+  spec.attitude.zxz = Vec3(0.0, 0.9, 0.4);
+  spec.spin.body = Vec3(1.0, 3.0, 5.0);
+  BodySpec body;
+  body.solid = SolidSpec{};
+  body.solid->kind = "ellipsoid";
+  body.solid->semi_axes = Vec3(0.1, 0.06, 0.05);
+  body.solid->mass = 1.0;
+  const Motion motion = simulate(make_model(body, spec), spec, {}, 1e-9).motion;
+  constexpr double kStep = 1e-4;
+  for (const double t : {0.1, 0.3, 0.5}) {
+    const Vec3 rate = (motion.at(t + kStep).L_S - motion.at(t - kStep).L_S) / (2.0 * kStep);
+    const std::optional<Vec3> torque_S = torque_at(motion, t);
+    ASSERT_TRUE(torque_S);
+    EXPECT_GT(rate.norm(), 0.05);
+    EXPECT_LT((*torque_S - rate).norm(), 1e-4 * rate.norm()) << t;
+  }
+  NumericsSpec coarse;
+  coarse.method = "table_euler";
+  coarse.step = 1e-3;
+  EXPECT_FALSE(torque_at(simulate(make_model(body, spec), spec, coarse, 1.0).motion, 0.1))
+      << "it does not tell what touches";
 }
 
 }  // namespace

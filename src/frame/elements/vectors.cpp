@@ -212,13 +212,12 @@ void add_euler_rates(const Scenery& scenery, const Sample& sample, Glyphs& glyph
 // what changes L, about the reference point; with two heads, as engineers draw moments: the weight
 // has the same colour
 void add_torque(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const BodyModel& model = scenery.motion.model();
-  const State state = scenery.motion.state_at(sample.t);
-  const Vec3 torque_S = state.q * torque(model, sample.t, state);
+  const std::optional<Vec3> torque_S = torque_at(scenery.motion, sample.t);
+  if (!torque_S) return;
   const std::size_t before = glyphs.arrows.size();
   add_at_reference(scenery,
                    sample,
-                   scenery.scale.torque * torque_S,
+                   scenery.scale.torque * *torque_S,
                    kForceShape,
                    plain(scenery.theme.force, 0.25f),
                    glyphs,

@@ -187,6 +187,29 @@ TEST_F(Untold, InversionsOfTopsThatCannotOrHave) {
   EXPECT_FALSE(tells(top, spec, "tippe_top_condition")) << "on ice";
 }
 
+TEST_F(Untold, WhatTurningTablesAndMomentsOfFrictionChange) {
+  const char* growth = "growth_rate_of_vertical_spin_per_s";
+  MotionSpec celt = on_table(1.0, rolling());
+  celt.spin.body = Vec3(0.0, 0.0, 4.0);
+  EXPECT_TRUE(tells(rattleback_body(), celt, growth));
+  celt.friction->turntable = 2.0;
+  EXPECT_FALSE(tells(rattleback_body(), celt, growth));
+  celt.friction->turntable = 0.0;
+  celt.friction->rolling = 1e-4;
+  EXPECT_FALSE(tells(rattleback_body(), celt, growth)) << "it holds small deviations";
+  MotionSpec top = spinning_top(160, 0.0, 1.0);
+  EXPECT_TRUE(tells(tippe_top_body(), top, "spin_after_inversion_rad_per_s"));
+  top.friction->boring = 3e-4;
+  EXPECT_FALSE(tells(tippe_top_body(), top, "spin_after_inversion_rad_per_s"));
+  MotionSpec disc = on_table(1.0, rolling());
+  disc.friction->rolling = 1e-4;
+  disc.attitude.tilt = 0.7;
+  disc.spin.rates = Vec3(30.0, 0.0, 0.0);
+  EXPECT_TRUE(tells(disc_body(), disc, "end_time_s"));
+  disc.friction->boring = 2e-4;
+  EXPECT_FALSE(tells(disc_body(), disc, "end_time_s"));
+}
+
 // However weak the friction is, a spin that it makes unstable grows, slowly.
 TEST(VerticalSpin, WeakFrictionHasTheSameLimit) {
   const BodySpec top = tippe_top_body(0.2, 1.08);
@@ -211,6 +234,57 @@ TEST(VerticalSpin, ACeltHasNoLimit) {
     for (double fast = 5.0; fast < 1500.0; fast *= 1.1)
       EXPECT_GT(growth_rate_of_spin(model, Vec3::UnitZ(), fast * direction), 0.0) << fast;
   }
+}
+
+// An ellipsoid of mass `mass` with principal axes turned about z, its centre `up` above that of
+// mass, upside down.
+BodySpec turned_ellipsoid(const Mat3& tensor, double mass, const Vec3& semi_axes, double up) {
+  BodySpec body;
+  body.tensor = tensor;
+  body.mass = mass;
+  body.look = SolidSpec{};
+  body.look->kind = "ellipsoid";
+  body.look->semi_axes = semi_axes;
+  body.look->at = Vec3(0, 0, up);
+  return body;
+}
+MotionSpec upside_down(double spin, const std::optional<FrictionSpec>& friction) {
+  MotionSpec spec = on_table(1.0, rolling());
+  spec.friction = friction;
+  spec.attitude.tilt = kPi;
+  spec.spin.body = Vec3(0.0, 0.0, spin);
+  return spec;
+}
+
+// growth that fades away with the spin has no limit where it falls below what is told
+TEST(VerticalSpin, FadingGrowthHasNoLimit) {
+  Mat3 tensor;
+  tensor << 8.018e-4, 2.068e-5, 0.0, 2.068e-5, 5.074e-4, 0.0, 0.0, 0.0, 3.164e-4;
+  const BodySpec body = turned_ellipsoid(tensor, 0.184, Vec3(0.0652, 0.06612, 0.09156), 0.018);
+  const MotionSpec spec = upside_down(33.0, rolling());
+  EXPECT_GT(quantity(body, spec, "growth_rate_of_vertical_spin_per_s"), 0.0);
+  EXPECT_FALSE(
+      value_of(derived_quantities(make_model(body, spec), spec), "vertical_spin_limit_rad_per_s"));
+}
+
+// a range of stable spins that is as narrow as one in seventy
+TEST(VerticalSpin, NarrowRangesAreFound) {
+  Mat3 tensor;
+  tensor << 3.02211807260199e-05, 4.142492980126705e-06, 0.0, 4.142492980126705e-06,
+      1.9868075651119517e-05, 0.0, 0.0, 0.0, 2.7226721030098552e-05;
+  const BodySpec body =
+      turned_ellipsoid(tensor,
+                       0.10879027971005353,
+                       Vec3(0.057841279348973734, 0.0579080102844164, 0.09048602923224229),
+                       -0.01602962371999372);
+  const auto growth = [&](double spin) {
+    return quantity(body, upside_down(spin, {}), "growth_rate_of_vertical_spin_per_s");
+  };
+  EXPECT_GT(growth(-66.0), 6.0);
+  EXPECT_EQ(growth(-66.45), 0.0);
+  EXPECT_GT(growth(-67.4), 3.0);
+  const double limit = quantity(body, upside_down(-58.5, {}), "vertical_spin_limit_rad_per_s");
+  EXPECT_NEAR(limit, 66.35, 0.05);
 }
 
 // Growth changes at the limit.
