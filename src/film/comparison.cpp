@@ -230,11 +230,11 @@ PanelNotes Comparison::notes(const Contender& one, double t, bool with_details) 
   } else if (one.untrusted_from && t >= *one.untrusted_from) {
     // which may be less again later: a wrong attitude comes by the right one
     notes.stamp =
-        truth_ ? fmt::format("error over {:.3g}\u00b0 at {:.2f} s",
+        truth_ ? fmt::format("first over {:.3g}\u00b0 at {:.2f} s",
                              allowed_rad_ / kDegree,
                              *one.untrusted_from)
                : fmt::format(
-                     "drift over {:g} % at {:.2f} s", 100.0 * kTrustedDrift, *one.untrusted_from);
+                     "drift first over {:g} % at {:.2f} s", 100.0 * kTrustedDrift, *one.untrusted_from);
   }
   return notes;
 }

@@ -42,7 +42,7 @@ std::string needs_ensemble(const Scenery& scenery) {
 std::string needs_weight(const Scenery& scenery) {
   return scenery.motion.model().chi_P.squaredNorm() > 0.0
              ? ""
-             : "needs gravity that acts beside the pivot";
+             : "needs a pivot, and gravity that acts beside it";
 }
 
 std::string needs_parts(const Scenery& scenery) {

@@ -22,7 +22,8 @@ ArrowShape drawn(const ArrowShape& shape, const DrawingFrame& frame) {
           frame.length(shape.head_length)};
 }
 
-// straight tubes, each a little longer than its piece so that no gap opens outside
+// Straight tubes, each a little longer than its piece so that no gap opens outside. Where the arc is
+// hidden, every second one is a dash.
 void add_arc(const ArcGlyph& arc,
              const ArrowMeshes& meshes,
              const DrawingFrame& frame,
@@ -32,7 +33,10 @@ void add_arc(const ArcGlyph& arc,
     const Vec3 from = frame.point(point_of(arc, static_cast<double>(i) / kPiecesOfArc));
     const Vec3 to = frame.point(point_of(arc, static_cast<double>(i + 1) / kPiecesOfArc));
     const Vec3 overlap = 0.3 * radius * (to - from).normalized();
-    add_tube(list.opaque, meshes, from - overlap, to + overlap, radius, arc.material);
+    Material material = arc.material;
+    if (material.dashes > 0.0f && i % 2 == 1) material.hidden = 0.0f;
+    material.dashes = 0.0f;
+    add_tube(list.opaque, meshes, from - overlap, to + overlap, radius, material);
   }
 }
 

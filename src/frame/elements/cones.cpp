@@ -28,7 +28,7 @@ void add_arc(const Scenery& scenery,
                          to,
                          radius * scenery.scale.body,
                          0.6 * kAxisShape.shaft_radius * scenery.scale.body,
-                         plain(scenery.theme.position, 0.1f)});
+                         drawn_through(scenery, plain(scenery.theme.position, 0.1f))});
   // its sides, thin: inside the shafts of axes that are drawn too
   for (const Vec3& side : {from, to}) {
     glyphs.rods.push_back({sample.reference_S,
