@@ -229,12 +229,12 @@ PanelNotes Comparison::notes(const Contender& one, double t, bool with_details) 
     notes.stamp = fmt::format("ended at {:.2f} s", one.end);
   } else if (one.untrusted_from && t >= *one.untrusted_from) {
     // which may be less again later: a wrong attitude comes by the right one
-    notes.stamp =
-        truth_ ? fmt::format("first over {:.3g}\u00b0 at {:.2f} s",
-                             allowed_rad_ / kDegree,
-                             *one.untrusted_from)
-               : fmt::format(
-                     "drift first over {:g} % at {:.2f} s", 100.0 * kTrustedDrift, *one.untrusted_from);
+    notes.stamp = truth_ ? fmt::format("first over {:.3g}\u00b0 at {:.2f} s",
+                                       allowed_rad_ / kDegree,
+                                       *one.untrusted_from)
+                         : fmt::format("drift first over {:g} % at {:.2f} s",
+                                       100.0 * kTrustedDrift,
+                                       *one.untrusted_from);
   }
   return notes;
 }

@@ -22,8 +22,8 @@ ArrowShape drawn(const ArrowShape& shape, const DrawingFrame& frame) {
           frame.length(shape.head_length)};
 }
 
-// Straight tubes, each a little longer than its piece so that no gap opens outside. Where the arc is
-// hidden, every second one is a dash.
+// Straight tubes, each a little longer than its piece so that no gap opens outside. Where the arc
+// is hidden, every second one is a dash.
 void add_arc(const ArcGlyph& arc,
              const ArrowMeshes& meshes,
              const DrawingFrame& frame,
