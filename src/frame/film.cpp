@@ -139,7 +139,13 @@ std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels,
   return seams;
 }
 
-// "t = 3.25 s", and how much slower than life; for planets in hours or days
+// "4", "16.7", "1500"
+std::string factor_text(double factor) {
+  return factor < 100.0 ? fmt::format("{:.3g}", factor) : fmt::format("{:.0f}", factor);
+}
+
+// "t = 3.25 s", and how much slower than life; for planets in hours or days. In a second of film at
+// least five of the last digit pass.
 std::string clock_text(double t, double time_scale) {
   const double now = t == 0.0 ? 0.0 : t;
   const TimeUnit unit = time_unit(time_scale);
@@ -150,9 +156,15 @@ std::string clock_text(double t, double time_scale) {
                        time_scale / unit.seconds,
                        unit.name);
   }
-  std::string text = fmt::format("<i>t</i> = {:.2f} s", now);
-  if (time_scale < 1.0) text += fmt::format("   {:.3g}× slower", 1.0 / time_scale);
-  if (time_scale > 1.0) text += fmt::format("   {:.3g}× faster", time_scale);
+  constexpr double kFine = 0.05, kAsInLife = 0.005;
+  const double times_finer = std::clamp(kFine / time_scale, 1.0, 1e12);
+  const int more = static_cast<int>(std::ceil(std::log10(times_finer)));
+  std::string text = fmt::format("<i>t</i> = {:.{}f} s", now, 2 + more);
+  if (time_scale < 1.0 - kAsInLife) {
+    text += fmt::format("   {}× slower", factor_text(1.0 / time_scale));
+  } else if (time_scale > 1.0 + kAsInLife) {
+    text += fmt::format("   {}× faster", factor_text(time_scale));
+  }
   return text;
 }
 

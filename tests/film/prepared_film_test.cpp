@@ -67,6 +67,26 @@ TEST(PreparedFilm, AnOpenShutterHasAsManyMomentsAsTheTurnNeeds) {
   EXPECT_EQ(PreparedFilm(plan_of(scene)).shutter().moments(), 4) << "the least";
 }
 
+// however slow a film is, its clock is seen to go
+TEST(PreparedFilm, ClocksHaveTheDigitsThatTheirFilmsNeed) {
+  const auto clock = [](double time_scale) {
+    Scene scene = small_scene();
+    scene.video.time_scale = time_scale;
+    scene.motion.duration = time_scale;
+    RenderPlan plan = plan_of(scene);
+    plan.text = true;
+    for (const PlacedText& text : PreparedFilm(plan).film().placed(0.5).texts)
+      if (text.role == TextRole::clock) return text.markup;
+    return std::string();
+  };
+  EXPECT_EQ(clock(1.0), "<i>t</i> = 0.50 s");
+  EXPECT_EQ(clock(0.999), "<i>t</i> = 0.50 s") << "as in life";
+  EXPECT_EQ(clock(0.05), "<i>t</i> = 0.03 s   20× slower");
+  EXPECT_EQ(clock(0.002), "<i>t</i> = 0.0010 s   500× slower");
+  EXPECT_EQ(clock(1e-6), "<i>t</i> = 0.0000005 s   1000000× slower");
+  EXPECT_EQ(clock(1500.0), "<i>t</i> = 0.21 hours   0.417 hours a second");
+}
+
 Scene twice_in_turn(const Scene& scene) {
   ScenePanel panel;
   panel.scene = scene;
