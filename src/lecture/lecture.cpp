@@ -110,16 +110,19 @@ const Json& inspection_of(LectureWork& work, const std::string& name) {
   return task.facts.at("inspection");
 }
 
-// ordinary pictures go beside the rest, by their content
-void copy_images(LectureWork& work, const fs::path& folder) {
+// ordinary pictures go to the rest, by their content
+void copy_images(LectureWork& work, Media& media) {
   std::map<std::string, std::string> copies;
   for (const std::string& image : work.deck.images) {
     const std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
-    const std::string name = fmt::format("media/picture-{}{}",
-                                         content_hash(bytes).substr(0, 16),
-                                         fs::path(image).extension().string());
-    write_file(folder / name, bytes);
-    copies[image] = name;
+    const std::string ending = fs::path(image).extension().string();
+    const Product copy{
+        "picture", bytes + ending, [&](const fs::path& folder, const std::string& stem) {
+          write_file(folder / (stem + ending), bytes);
+          return Json{{"kind", "picture"}};
+        }};
+    media.obtain(copy);
+    copies[image] = fmt::format("media/{}{}", Media::stem_of(copy), ending);
   }
   const auto rename = [&](Json& node) {
     if (node["t"] == "Image" && copies.contains(node["c"][2][0]))
@@ -263,7 +266,8 @@ LectureResult lecture(const LectureJob& job) {
     return inspection_of(work, name);
   });
   drop_bad_formulas(work.deck, work.deck_text);
-  copy_images(work, folder);
+  const int made = media.made();
+  copy_images(work, media);
   std::vector<std::string> contents;
   for (const std::string& output : outputs) {
     if (output != "data")
@@ -294,7 +298,7 @@ LectureResult lecture(const LectureJob& job) {
     result.summary += one_line((folder / file).string()) + "\n";
   if (planned.wants("data"))
     result.summary += one_line((folder / "data/manifest.json").string()) + "\n";
-  result.summary += fmt::format("{} pictures, {} made now\n", work.tasks.size(), media.made());
+  result.summary += fmt::format("{} pictures, {} made now\n", work.tasks.size(), made);
   result.problems = std::move(work.deck.problems);
   return result;
 }

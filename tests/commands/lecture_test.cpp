@@ -114,6 +114,27 @@ TEST_F(Lecture, RendersOnlyWhatChanged) {
   EXPECT_EQ(films, 1);
 }
 
+// a picture of the deck's own that has changed leaves no old copy
+TEST_F(Lecture, CopiesOfPicturesAreForgottenToo) {
+  write_text(folder_ / "deck/deck.md", "# One\n\n![A drawing](own.svg)\n");
+  const auto copies = [&](const char* drawing) {
+    write_text(folder_ / "deck/own.svg", drawing);
+    EXPECT_EQ(lecture().code, 0);
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out/media")) {
+      if (entry.path().extension() == ".svg") found.push_back(entry.path().filename());
+    }
+    return found;
+  };
+  const std::vector<std::string> first = copies("<svg xmlns='http://www.w3.org/2000/svg'/>");
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_TRUE(has("media/" + first[0]));
+  const std::vector<std::string> second =
+      copies("<svg xmlns='http://www.w3.org/2000/svg' id='a'/>");
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_NE(second, first);
+}
+
 // slides that are not made again keep their films, and are told
 TEST_F(Lecture, WhatOlderDocumentsShowIsKept) {
   ASSERT_EQ(lecture("--to html,pptx").code, 0);
