@@ -108,7 +108,7 @@ std::string cheapest_words(const WorkPanel& panel) {
   const WorkPoint* best = cheapest(panel.points, panel.accuracy_rad);
   const std::string line =
       fmt::format("line: {} = {:.2g} rad", panel.accuracy_why, panel.accuracy_rad);
-  if (best == nullptr) return line + "; no method here is below it";
+  if (best == nullptr) return line + "; nothing here is known to be below it";
   return fmt::format("{}; cheapest below it: {} with {} {:.3g}, {:.3g} us",
                      line,
                      best->method,

@@ -82,11 +82,21 @@ bool may_turn_at_surface(const PartOfStep& part) {
   return faster <= h * bend && farther <= h * (faster + h * bend);
 }
 
+// Whether it stays on the surface, as in a plane, and does not pass through it: both ends are there
+// within far more than rounding errors, and it hardly moves.
+bool lies_in_surface(const PartOfStep& part) {
+  constexpr double kOn = 1e-10;
+  const double faster = std::max(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
+  const double farther = std::max(std::abs(part.at_low.at), std::abs(part.at_high.at));
+  return farther < kOn && faster * (part.high - part.low) < kOn;
+}
+
 // Appends when gamma_1 rises through 0 in a part, in order.
 void find_rises(const Step& step,
                 const PartOfStep& part,
                 int halvings_left,
                 std::vector<double>& rises) {
+  if (lies_in_surface(part)) return;
   if (halvings_left > 0 && may_turn_at_surface(part)) {
     const double middle = 0.5 * (part.low + part.high);
     const Passage at_middle = step.surface.passage_of(step.after(middle));

@@ -157,6 +157,8 @@ std::vector<WorkPoint> work_precision(const StepperInfo& method,
 const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error_rad) {
   const WorkPoint* best = nullptr;
   for (const WorkPoint& p : points) {
+    // no finer points were tried than those that the reference cannot judge
+    if (p.status == kPointBelowReference && p.error_rad > error_rad) return nullptr;
     const bool good = known(p) && p.error_rad <= error_rad;
     if (good && (best == nullptr || p.time_us < best->time_us)) best = &p;
   }

@@ -60,7 +60,8 @@ std::vector<WorkPoint> work_precision(const StepperInfo& method,
                                       const WorkOptions& options = {});
 
 // The point with the least time_us among those with the status "ok" or "below_judge" and an error
-// of at most `error_rad`; null if there is none. It points into `points`.
+// of at most `error_rad`; null if there is none, or if the reference cannot judge such errors. It
+// points into `points`.
 const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error_rad);
 
 // The median time of one call of `run`, in microseconds, over at least three batches of calls that

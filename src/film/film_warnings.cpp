@@ -153,6 +153,15 @@ void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& 
   }
 }
 
+// whether loads that depend on time act after it as they do at the start
+bool loads_are_back(const Loads& loads, double time) {
+  constexpr double kBack = 0.01;  // rad, and parts
+  return std::all_of(loads.listed.begin(), loads.listed.end(), [&](const Load& load) {
+    const double turned = std::remainder(load.rate * time, 2.0 * kPi);
+    return std::abs(turned) < kBack && std::abs(load.acts.part(time) - load.acts.part(0.0)) < kBack;
+  });
+}
+
 // what goes on through a film, or comes and goes in it, is not at its end as at its start
 void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   if (!frames.loop) return;
@@ -180,10 +189,12 @@ void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const C
            timeline.presence(one.name, 0.0) != timeline.presence(one.name, last);
   });
   if (changes) restarting.emplace_back("what the story shows or hides");
+  if (!loads_are_back(motion.model().loads, frames.loop->duration))
+    restarting.emplace_back("loads that depend on time");
   if (restarting.empty()) return;
   warn_at(scene,
           "video.loop",
-          input_error("where the film repeats, {} begin anew, which is seen as a jump",
+          input_error("where the film repeats, these begin anew, which is seen as a jump: {}",
                       fmt::join(restarting, ", ")));
 }
 

@@ -158,6 +158,19 @@ TEST(Section, CrossingsThatGrazeTheSurfaceCount) {
     EXPECT_LT((orbit.points[i] - wanted[i]).norm(), 1e-6) << i;
 }
 
+// a sleeping top, a pendulum that swings in a plane and a body at rest stay on the surface
+TEST(Section, MotionsThatLieOnTheSurfaceEnd) {
+  const BodyModel top = heavy_body({0.6, 0.6, 1.0}, {0.0, 0.0, 0.7}, Vec3::UnitZ());
+  const BodyModel box = heavy_body({0.6, 0.8, 1.0}, {0.0, -0.5, 0.0}, Vec3::UnitZ());
+  const Quat tilted(Eigen::AngleAxisd(1.0, Vec3::UnitX()));
+  for (const auto& [model, start] : {std::pair{top, State{Quat::Identity(), {0.0, 0.0, 5.0}}},
+                                     {top, State{Quat::Identity(), {0.0, 0.0, 0.0}}},
+                                     {box, State{tilted, {0.0, 0.0, 0.0}}}}) {
+    const SectionSurface surface(model, start);
+    EXPECT_TRUE(trace_section(surface, start, 5).points.empty());
+  }
+}
+
 TEST(Section, OthersHaveNone) {
   EXPECT_EQ(why_not_section(free_body({1, 2, 3})).value().key, "motion.hold");
   EXPECT_FALSE(why_not_section(heavy_asymmetric().model).has_value());

@@ -86,6 +86,11 @@ TEST(WorkPrecision, TheCheapestIsTheFastestThatIsKnownToBeGoodEnough) {
   EXPECT_EQ(cheapest(points, 1e-3)->method, "rk4");
   EXPECT_EQ(cheapest(points, 1e-4)->method, "dop853");
   EXPECT_EQ(cheapest(points, 1e-16), nullptr);
+  // what the reference cannot judge hides what finer steps of the other would cost
+  EXPECT_EQ(cheapest({drawn("gauss6", 90.0, 8e-10, kPointBelowReference),
+                      drawn("dop853", 3.0, 5e-9, kPointBelowReference)},
+                     1e-9),
+            nullptr);
 }
 
 }  // namespace

@@ -255,20 +255,31 @@ TEST(PreparedFilm, WarnsOfLoopsThatShowWhereTheyRepeat) {
   Scene traced = scene;
   traced.show.plots = {"omega"};
   traced.show["trail"] = true;
-  EXPECT_NE(warnings_of(traced).find("paths, plots begin anew"), std::string::npos);
+  EXPECT_NE(warnings_of(traced).find("a jump: paths, plots"), std::string::npos);
   Scene followed = scene;
   followed.show["ghosts"] = true;
-  EXPECT_NE(warnings_of(followed).find("ghosts begin anew"), std::string::npos);
+  EXPECT_NE(warnings_of(followed).find("a jump: ghosts"), std::string::npos);
   Scene told = scene;
   StoryStep step;
   step.at = 0.1;
   step.caption = "It turns";
   told.story = {step};
-  EXPECT_NE(warnings_of(told).find("captions begin anew"), std::string::npos);
+  EXPECT_NE(warnings_of(told).find("a jump: captions"), std::string::npos);
   step.caption.reset();
   step.hide = {"body"};
   told.story = {step};
-  EXPECT_NE(warnings_of(told).find("what the story shows or hides begin anew"), std::string::npos);
+  EXPECT_NE(warnings_of(told).find("a jump: what the story shows or hides"), std::string::npos);
+  // a satellite that is back, while the Earth is elsewhere
+  Scene round = scene;
+  LoadSpec gradient;
+  gradient.kind = "gravity_gradient";
+  gradient.rate = 1.0;
+  round.body.solid.reset();
+  round.body.moments = Vec3(1.0, 1.0, 1.5);
+  round.motion.torque = {gradient};
+  round.motion.attitude = {};
+  EXPECT_NE(warnings_of(round).find("loads that depend on time"), std::string::npos)
+      << warnings_of(round);
 }
 
 TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {

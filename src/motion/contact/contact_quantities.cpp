@@ -175,6 +175,13 @@ void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
     list.push_back({"vertical_spin_limit", Q::rate, limit});
 }
 
+double jellett_of(const BodyModel& model, const State& start) {
+  const std::vector<ContactInvariant>& rows = contact_invariants();
+  const auto row = std::find_if(
+      rows.begin(), rows.end(), [](const ContactInvariant& one) { return one.name == "jellett"; });
+  return row->value(model, moving_of(model, start)).x();
+}
+
 // Jellett's constant fixed, the energy of spinning at tilt theta without slip is
 // lambda^2 / (2 R^2 D) - m g R e cos(theta), D = I1 sin^2 + I3 (cos - e)^2: its minima are where
 // viscous friction ends. Ebenfeld and Scheck, Ann. Phys. 243 (1995) 195; derived anew.
@@ -195,19 +202,20 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   if (law.rolling != 0.0 || law.boring != 0.0) return;
   const double lever = model.body.mass * along_up(model) * s.radius * e;
   const double low = s.across - s.along * (1.0 - e), high = s.along * (1.0 + e) - s.across;
-  const double spin = std::abs(angular_velocity(model, start.y).dot(s.axis_P));
-  if (low > 0.0)
-    list.push_back({"upright_spin_limit", Q::rate, (1.0 - e) * std::sqrt(lever / low)});
+  const double upright = low > 0.0 ? (1.0 - e) * std::sqrt(lever / low) : HUGE_VAL;
+  const double inverted = high > 0.0 ? (1.0 + e) * std::sqrt(lever / high) : HUGE_VAL;
+  if (low > 0.0) list.push_back({"upright_spin_limit", Q::rate, upright});
   if (high > 0.0) {
     // the spin before that leaves enough of it after the inversion
-    list.push_back({"inverted_spin_limit", Q::rate, (1.0 + e) * std::sqrt(lever / high)});
-    list.push_back({"upright_spin_for_inversion",
-                    Q::rate,
-                    (1.0 + e) * (1.0 + e) / (1.0 - e) * std::sqrt(lever / high)});
+    list.push_back({"inverted_spin_limit", Q::rate, inverted});
+    list.push_back({"upright_spin_for_inversion", Q::rate, (1.0 + e) / (1.0 - e) * inverted});
   }
+  // what leaves the upright place and stays inverted, with the spins that lambda has there
   const bool is_upright = s.axis_P.dot(up_in_body(model, start.q)) > 0.0;
-  if (condition && is_upright)
-    list.push_back({"spin_after_inversion", Q::rate, spin * (1.0 - e) / (1.0 + e)});
+  const double lambda = std::abs(jellett_of(model, start)) / (s.along * s.radius);
+  const double spin_upright = lambda / (1.0 - e), spin_inverted = lambda / (1.0 + e);
+  if (condition && is_upright && spin_upright > upright && spin_inverted > inverted)
+    list.push_back({"spin_after_inversion", Q::rate, spin_inverted});
 }
 
 // a thin edge or a torus that rolls: its plane upright, or its centre at rest
