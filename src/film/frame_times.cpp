@@ -84,6 +84,21 @@ void check_time_range(const Scene& scene, const TimeRange& range) {
   refuse_too_many_frames(count);
 }
 
+// times that only the whole motion has
+void refuse_times_behind(const Loop& loop, const TimeRange& range) {
+  constexpr double kRounding = 1e-9;
+  const auto refuse = [&](const char* option, const std::optional<double>& time) {
+    if (!time || *time <= loop.duration * (1.0 + kRounding)) return;
+    throw input_error("the loop closes after {:.6g} s of the motion, so the film never shows {} s",
+                      loop.duration,
+                      *time)
+        .at({{}, 0, option});
+  };
+  refuse("--from", range.from);
+  refuse("--still", range.still);
+  refuse("--to", range.to);
+}
+
 FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
   const Scene& scene = solved.scene;
   FrameTimes frames;
@@ -94,6 +109,7 @@ FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
     // a whole number of frames, the last one step before the first
     frames.loop = find_loop(solved.simulation.motion, duration, scene.video.loop_residual);
     refuse_steps_behind(*frames.loop, scene);
+    refuse_times_behind(*frames.loop, range);
     duration = frames.loop->duration;
     const double count = std::max(1.0, std::round(duration / time_scale * frames.rate));
     time_scale = duration * frames.rate / count;

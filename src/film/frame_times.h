@@ -45,9 +45,9 @@ std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<Story
 void check_time_range(const Scene& scene, const TimeRange& range);
 
 // The frame times of a range that check_time_range accepts. A looping film ends where the motion is
-// back at its start, so `range` is cut off there, and its time scale is changed a little so that
-// the loop has a whole number of frames. Throws Error (input) with story[i].at as key for a step
-// after the end of the motion or of the loop (the message says where it closes), and without a
+// back at its start, and its time scale is changed a little so that the loop has a whole number of
+// frames. Throws Error (input) with story[i].at, --from, --to or --still as key for a step or a
+// time after the end of the motion or of the loop (the message says where it closes), and without a
 // place for more than 1e7 frames; (check_failed) as find_loop does.
 FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range);
 

@@ -86,6 +86,13 @@ Scene parse_with_overrides(std::string_view text,
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides) {
   Scene scene = load_with_overrides(file, overrides);
   refuse_panels(scene);
+  NumericsSpec& numerics = scene.numerics;
+  if (!numerics.compare.empty() && (overrides.step || overrides.tolerance)) {
+    // it is meant for the one motion; those of the scene are for the methods that it compares
+    numerics.compare.clear();
+    if (!overrides.step) numerics.step.reset();
+    if (!overrides.tolerance) numerics.tolerance.reset();
+  }
   return scene;
 }
 

@@ -39,7 +39,8 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
 Scene parse_with_overrides(std::string_view text,
                            const std::string& name,
                            const Overrides& overrides);
-// The same for what works on one motion. Also throws Error (input), with the file, for a film file.
+// The same for what works on one motion: a step or a tolerance also removes numerics.compare and
+// the other one of the two. Also throws Error (input), with the file, for a film file.
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

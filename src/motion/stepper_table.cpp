@@ -21,6 +21,9 @@ std::string obstacle(const StepperInfo& method, const BodyModel& model) {
   if (!model.table && method.only_table) return method.name + " is for bodies on a table";
   if (model.table && method.only_table && !model.loads.empty())
     return method.name + " takes no torques or forces besides those of the table";
+  if (model.table && method.only_table && !method.takes_bounces &&
+      model.table->friction.restitution > 0.0)
+    return method.name + " computes no bounces (motion.friction.restitution)";
   if (!method.takes_loads && (model.with_translation || model.loads.turn_body()))
     return method.name + " takes no torques or forces besides gravity";
   if (!method.takes_heavy && model.chi_P.squaredNorm() > 0.0)
@@ -202,7 +205,7 @@ const std::vector<StepperInfo>& stepper_table() {
       {.name = "table_projection", .title = "Impulses, position put right", .family = MethodFamily::table, .order = 1, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
        .cost = "1 evaluation, 3x3 solve", .limit = "none, but does not keep the energy",
        .source = "position-level projection of game engines", .make = make_table_projection},
-      {.name = "table_rk4", .title = "RK4 without events", .family = MethodFamily::table, .order = 4, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true,
+      {.name = "table_rk4", .title = "RK4 without events", .family = MethodFamily::table, .order = 4, .takes_loads = true, .takes_table = true, .only_table = true, .takes_rotator = true, .takes_bounces = true,
        .cost = "4 evaluations", .limit = "order 1 across events",
        .source = "Kutta 1901, in reduced coordinates; kept to show what missed events do", .make = make_table_rk4},
   };

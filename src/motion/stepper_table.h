@@ -49,6 +49,7 @@ struct StepperInfo {
   bool takes_table = false;           // bodies on a table
   bool only_table = false;            // and no others; without events
   bool takes_rotator = false;         // bodies with all mass on a line
+  bool takes_bounces = false;         // with only_table: falls that give back speed
   std::string cost = {};              // of a step, as text
   std::string limit = {};             // of the step, as text; empty: theory gives none
   StepLimit limit_of = StepLimit::none;

@@ -182,7 +182,7 @@ void refuse_shared(const Changes& changes, bool same_cameras) {
     for (const char* shared : kShared) {
       if (is_within(change.path, shared)) refuse(change, "set it beside the panels");
     }
-    if (same_cameras && is_within(change.path, "camera"))
+    if (same_cameras && (is_within(change.path, "camera") || is_within(change.path, "shots")))
       refuse(change, "set it beside the panels, or set cameras = \"own\"");
   }
 }

@@ -178,6 +178,20 @@ TEST_F(SeveralScenes, AreNoNumbersAndNoLoopOfADeck) {
   }
 }
 
+// one camera has one list of shots
+TEST_F(SeveralScenes, ShotsOfOnePanelAreRefused) {
+  write_text(folder_ / "shots.toml",
+             std::string(test::kSmallScene) + "[[shots]]\nat = 0.2\nzoom = 1\n");
+  const std::string sweep =
+      "[sweep]\nscene = \"shots.toml\"\nkey = \"shots[0].zoom\"\nvalues = [1, 3]\n";
+  write_text(folder_ / "sweep.toml", sweep);
+  const Ran same = run_polhode(fmt::format("render {} -o {}", at("sweep.toml"), at("a.hash")));
+  EXPECT_EQ(same.code, 2);
+  EXPECT_NE(same.err.find("is one for the whole film"), std::string::npos) << same.err;
+  write_text(folder_ / "sweep.toml", "cameras = \"own\"\n" + sweep);
+  run(fmt::format("render {} -o {}", at("sweep.toml"), at("a.hash")));
+}
+
 TEST_F(SeveralScenes, WhatCannotBeReadIsToldOrRefused) {
   write_text(folder_ / "small.toml",
              "[[panel]]\nscene = \"scene.toml\"\n[[panel]]\nscene = \"scene.toml\"\n"

@@ -96,6 +96,19 @@ TEST(FrameTimes, AStepBehindTheLoopIsToldItsEnd) {
   EXPECT_NO_THROW(times_of(scene));
   scene.story[1].at = 1.5;
   test::expect_input_error([&] { times_of(scene); }, "story[1].at", "within the motion");
+  // so does a time that is asked for
+  scene.story.clear();
+  const Solved solved = solve(scene);
+  const auto refused = [&](const TimeRange& range, const char* option) {
+    test::expect_input_error(
+        [&] { plan_frame_times(solved, range); },
+        option,
+        "the loop closes after 0.731 s of the motion, so the film never shows");
+  };
+  refused({0.8, {}, {}, false}, "--from");
+  refused({{}, 0.9, {}, false}, "--to");
+  refused({{}, {}, 0.8, true}, "--still");
+  EXPECT_EQ(plan_frame_times(solved, {{}, 0.4, {}, false}).count, 4);
 }
 
 TEST(FrameTimes, TimesOutsideTheMotionNameTheirOption) {

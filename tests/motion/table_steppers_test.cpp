@@ -137,6 +137,9 @@ TEST(TableSteppers, AreForTablesOnly) {
     if (!row.only_table) continue;
     EXPECT_NE(why_not(row, free).find("is for bodies on a table"), std::string::npos) << row.name;
     EXPECT_EQ(why_not(row, rolling_disc().model()), "") << row.name;
+    BodyModel bouncing = rolling_disc().model();
+    bouncing.table->friction.restitution = 0.5;
+    EXPECT_EQ(why_not(row, bouncing).empty(), row.name == "table_rk4") << row.name;
   }
 }
 
