@@ -29,6 +29,10 @@ using Passage = SectionSurface::Passage;
 struct PartOfStep {
   double low, high;
   Passage at_low, at_high;
+
+  // the greatest rate of gamma_1 at its ends, and the greatest distance from the surface
+  double rate() const { return std::max(std::abs(at_low.rate), std::abs(at_high.rate)); }
+  double distance() const { return std::max(std::abs(at_low.at), std::abs(at_high.at)); }
 };
 
 // A step of the motion from a state, as far as is asked.
@@ -77,18 +81,14 @@ double crossing_in(const Step& step, const PartOfStep& part) {
 bool may_turn_at_surface(const PartOfStep& part) {
   const double h = part.high - part.low;
   const double bend = 2.0 * std::max(part.at_low.bend, part.at_high.bend);  // it changes within
-  const double faster = std::max(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
-  const double farther = std::max(std::abs(part.at_low.at), std::abs(part.at_high.at));
-  return faster <= h * bend && farther <= h * (faster + h * bend);
+  return part.rate() <= h * bend && part.distance() <= h * (part.rate() + h * bend);
 }
 
-// Whether it stays on the surface, as in a plane, and does not pass through it: both ends are there
-// within far more than rounding errors, and it hardly moves.
+// Whether it stays on the surface, as in a plane, and does not pass through it: its ends are as
+// near as rounding errors may make them, and it hardly moves.
 bool lies_in_surface(const PartOfStep& part) {
   constexpr double kOn = 1e-10;
-  const double faster = std::max(std::abs(part.at_low.rate), std::abs(part.at_high.rate));
-  const double farther = std::max(std::abs(part.at_low.at), std::abs(part.at_high.at));
-  return farther < kOn && faster * (part.high - part.low) < kOn;
+  return part.distance() < kOn && part.rate() * (part.high - part.low) < kOn;
 }
 
 // Appends when gamma_1 rises through 0 in a part, in order.

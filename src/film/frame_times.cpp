@@ -29,17 +29,20 @@ void refuse_too_many_frames(double count) {
   }
 }
 
+Error behind(const Loop& loop, double time) {
+  return input_error(
+      "the loop closes after {:.6g} s of the motion, so the film never shows {} s; choose an "
+      "earlier time, or make the film without a loop",
+      loop.duration,
+      time);
+}
+
 // a story that the whole motion could tell
 void refuse_steps_behind(const Loop& loop, const Scene& scene) {
   for (std::size_t i = 0; i < scene.story.size(); ++i) {
     const double at = scene.story[i].at;
     if (at <= loop.duration || at > scene.motion.duration) continue;
-    throw input_error(
-        "the loop closes after {:.6g} s of the motion, so the film never shows {} s; choose an "
-        "earlier time, or make the film without a loop",
-        loop.duration,
-        at)
-        .at({{}, 0, fmt::format("story[{}].at", i)});
+    throw behind(loop, at).at({{}, 0, fmt::format("story[{}].at", i)});
   }
 }
 
@@ -88,11 +91,8 @@ void check_time_range(const Scene& scene, const TimeRange& range) {
 void refuse_times_behind(const Loop& loop, const TimeRange& range) {
   constexpr double kRounding = 1e-9;
   const auto refuse = [&](const char* option, const std::optional<double>& time) {
-    if (!time || *time <= loop.duration * (1.0 + kRounding)) return;
-    throw input_error("the loop closes after {:.6g} s of the motion, so the film never shows {} s",
-                      loop.duration,
-                      *time)
-        .at({{}, 0, option});
+    if (time && *time > loop.duration * (1.0 + kRounding))
+      throw behind(loop, *time).at({{}, 0, option});
   };
   refuse("--from", range.from);
   refuse("--still", range.still);

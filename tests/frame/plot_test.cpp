@@ -148,6 +148,13 @@ TEST(Plot, CurvesAreTheirValues) {
   EXPECT_EQ(found[1].x, found->x + found->columns) << "the last columns go on where it is cut";
   EXPECT_NEAR(found->x + found->columns, end, 5.0);
   EXPECT_NEAR(found[1].x + found[1].sprite->width, end, 5.0);
+  // the rightmost pixel of the curve, whose end is round, is within a line's width of the dot
+  int rightmost = 0;
+  const Sprite& last = *found[1].sprite;
+  for (int i = 0; i < last.width * last.height; ++i)
+    if (last.pixels[4 * static_cast<std::size_t>(i) + 3] > 0)
+      rightmost = std::max(rightmost, i % last.width);
+  EXPECT_NEAR(found[1].x + rightmost, end, 2.0);
   const auto row_at = [&](double t) {
     const int column = static_cast<int>(axes.x + axes.width * t / kDuration) - found->x;
     double sum = 0.0, rows = 0.0;

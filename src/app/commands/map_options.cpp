@@ -51,6 +51,11 @@ CellCount parse_cells(const std::string& text) {
   return {columns, rows};
 }
 
+bool changes_motion(const std::string& key) {
+  const bool of_motion = key.starts_with("body.") || key.starts_with("motion.");
+  return of_motion && !key.starts_with("motion.duration");
+}
+
 MapAxis axis_of_key(const std::filesystem::path& file,
                     const std::vector<Setting>& settings,
                     const std::string& key,

@@ -18,6 +18,10 @@ struct CellCount {
 // "128x96": each from 2 to 1024. Throws Error (input), naming --cells.
 CellCount parse_cells(const std::string& text);
 
+// Whether the motion, however long it is shown, depends on a key: those of [body] and [motion] but
+// for motion.duration.
+bool changes_motion(const std::string& key);
+
 // The axis of a key: its range is "A:B" with A < B or, if none is given, around the number that the
 // scene has there: a tenth of it to ten times as much; if it is negative (v), 2 v to -2 v; if it is
 // 0, -1 to 1. `option` is "--x" or "--y". Throws Error (input), naming the option of the range, for

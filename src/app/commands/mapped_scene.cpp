@@ -88,9 +88,8 @@ MapAxis make_axis(const MappedScene& place,
     throw input_error("changes nothing: {}", why).at({{}, 0, fmt::format("{} {}", option, key)});
   };
   if (key == "motion.duration") refuse("--turns says how long each run is");
-  const bool matters =
-      key == kSpinKey || key == kStepKey || key.starts_with("body.") || key.starts_with("motion.");
-  if (!matters) refuse("runs depend on spin, numerics.step and the keys of [body] and [motion]");
+  if (key != kSpinKey && key != kStepKey && !changes_motion(key))
+    refuse("runs depend on spin, numerics.step and the keys of [body] and [motion]");
   MapAxis axis;
   if (range || (key != kStepKey && key != kSpinKey)) {
     axis = axis_of_key(place.file, settings, key, range, option);

@@ -101,8 +101,7 @@ Piecewise rows_of_map(const SectionJob& job, ExponentMap& map) {
 
 // a section depends on body and motion alone, and not on how long the motion is shown
 void refuse_other_axis(const std::string& key, const char* option) {
-  const bool matters = key.starts_with("body.") || key.starts_with("motion.");
-  if (matters && !key.starts_with("motion.duration")) return;
+  if (changes_motion(key)) return;
   throw input_error("a section does not depend on '{}'; give a key of [body] or [motion]", key)
       .at({{}, 0, option});
 }

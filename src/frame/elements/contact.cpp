@@ -103,8 +103,7 @@ void add_slip(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 // on the table in space, and on the body as the body stands now
 void add_contact_trail(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
-  const double begins = std::max(0.0, from);
+  const double begins = trail_begins(scenery, sample.t);
   const double on_table =
       scenery.table_goes_along ? near_since(scenery, contact_S(scenery, sample), sample.t) : 0.0;
   for (const Trail& trail : scenery.paths.contact)

@@ -147,6 +147,8 @@ Add add_contact, add_slip, add_contact_trail;
 // The lowest point of a body on a table, from the centre of mass, in P, m.
 Vec3 lowest_point(const Motion& motion, const Sample& sample);
 
+// From when on paths of the body are shown at the time t: as long as the scene lets them be, s.
+double trail_begins(const Scenery& scenery, double t);
 // Adds the part of a path in S between two times (s of motion). color: sRGB-encoded, 0..1.
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs);
 // The camera frames that part too.

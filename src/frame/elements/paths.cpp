@@ -22,13 +22,17 @@ void add_tail(const Scenery& scenery,
               const Trail& trail,
               const glm::vec3& color,
               Glyphs& glyphs) {
-  const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
-  add_path(trail, std::max(0.0, from), sample.t, color, glyphs);
+  const double begins = trail_begins(scenery, sample.t);
+  add_path(trail, begins, sample.t, color, glyphs);
   // what is not drawn yet needs no place: a camera that goes along comes nearer
-  add_path_reach(trail, std::max(0.0, from), sample.t, glyphs);
+  add_path_reach(trail, begins, sample.t, glyphs);
 }
 
 }  // namespace
+
+double trail_begins(const Scenery& scenery, double t) {
+  return std::max(0.0, t - scenery.options.trail_s.value_or(scenery.motion.duration()));
+}
 
 void add_path(const Trail& trail, double from, double to, const glm::vec3& color, Glyphs& glyphs) {
   if (trail.empty()) return;
@@ -210,6 +214,8 @@ void make_contact_trails(const Scenery& scenery, const Fineness& fine, Paths& pa
   constexpr double kFar = 0.0035;
   const double whole = scenery.table_goes_along ? 0.0 : scenery.table_reach;
   const double thick = std::max(kRimRadius, kFar * whole / scenery.scale.body);
+  // along an edge of the body the path would only be that edge once more
+  const bool shows_on_body = !touches_with_edges(*model.table->surface);
   for (const Stretch& stretch : touching(scenery, fine.pieces)) {
     if (stretch.second <= stretch.first) continue;
     paths.contact.push_back(trail_during(scenery, stretch, fine, thick, [&](const Sample& now) {
@@ -217,8 +223,7 @@ void make_contact_trails(const Scenery& scenery, const Fineness& fine, Paths& pa
       // it lies on the table: where a tube is half below, its edges have teeth
       return Vec3(at.x(), at.y(), thick * scenery.scale.body);
     }));
-    // along an edge it would only be that edge once more
-    if (!touches_with_edges(*model.table->surface))
+    if (shows_on_body)
       paths.contact_on_body.push_back(trail_during(scenery, stretch, fine, kRimRadius, on_body));
   }
 }

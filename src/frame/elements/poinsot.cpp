@@ -206,8 +206,8 @@ void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
 void add_herpolhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Trail& trail = scenery.paths.herpolhode;
   if (trail.empty()) return;
-  const double from = sample.t - scenery.options.trail_s.value_or(scenery.motion.duration());
-  add_path(trail, std::max(0.0, from), sample.t, scenery.theme.herpolhode, glyphs);
+  const double begins = trail_begins(scenery, sample.t);
+  add_path(trail, begins, sample.t, scenery.theme.herpolhode, glyphs);
   add_path_reach(trail, 0.0, sample.t, glyphs);
   // beside all that it will be, as soon as there is something of it
   const double turned = sample.t * sample.w_S.norm();
