@@ -30,6 +30,24 @@ NumericsSpec numerics_of(const Scene& scene, const std::string& method) {
   return numerics;
 }
 
+// a step or a tolerance that no method takes would be ignored
+void refuse_unused(const NumericsSpec& numerics) {
+  const auto any = [&](bool adaptive) {
+    return std::any_of(
+        numerics.compare.begin(), numerics.compare.end(), [&](const std::string& name) {
+          return name != "exact" && name != "auto" && find_stepper(name).adaptive == adaptive;
+        });
+  };
+  if (numerics.step && !any(false)) {
+    throw input_error("none of the compared methods takes a step; leave it out")
+        .at({{}, 0, "numerics.step"});
+  }
+  if (numerics.tolerance && !any(true)) {
+    throw input_error("none of the compared methods takes a tolerance; leave it out")
+        .at({{}, 0, "numerics.tolerance"});
+  }
+}
+
 // the motion of a scene by one method
 Simulation simulate_by(const Scene& scene,
                        const BodyModel& model,
@@ -116,6 +134,7 @@ std::string title_of(const std::string& method) {
 Comparison::Comparison(const Solved& truth, double frame_s)
     : allowed_rad_(truth.simulation.report.accuracy_rad), truth_(truth_of(truth)) {
   const Scene& scene = truth.scene;
+  with_place(scene, [&] { refuse_unused(scene.numerics); });
   const BodyModel model = make_model(scene.body, scene.motion);
   for (std::size_t i = 0; i < scene.numerics.compare.size(); ++i) {
     try {

@@ -32,7 +32,8 @@ class Comparison {
  public:
   // Computes all runs. `truth` is the solved scene and is not kept; frame_s is the time between
   // frames, s of motion, positive. Throws Error (input), with the line of numerics.compare, for a
-  // method that cannot handle the scene, its step, tolerance or accuracy, and (interrupted). A run
+  // method that cannot handle the scene, its step, tolerance or accuracy, with that of
+  // numerics.step or numerics.tolerance if no method takes one, and (interrupted). A run
   // that fails (check_failed) is not an error, see Contender::failure.
   Comparison(const Solved& truth, double frame_s);
 

@@ -61,9 +61,20 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
     chapters.push_back(
         {frame_at(frames, part * told.film_duration()), one_line(scene.panels[i].caption)});
   }
-  for (const ShotSpec& shot : scene.shots) {
-    if (shot.name.empty()) continue;
-    chapters.push_back({frame_at(frames, told.first_film_time(shot.at)), one_line(shot.name)});
+  const auto add_shots = [&](const std::vector<ShotSpec>& shots, double since) {
+    for (const ShotSpec& shot : shots) {
+      if (shot.name.empty()) continue;
+      const double begins = told.first_film_time(since + shot.at);
+      chapters.push_back({frame_at(frames, begins), one_line(shot.name)});
+    }
+  };
+  if (scene.in_turn) {
+    for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+      const Scene& filmed = scene.same_cameras ? scene : scene.panels[i].scene;
+      add_shots(filmed.shots, static_cast<double>(i) * scene.motion.duration);
+    }
+  } else {
+    add_shots(scene.shots, 0.0);
   }
   // the story's words go before the name of a shot that starts with them
   std::stable_sort(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {

@@ -9,6 +9,7 @@
 
 #include "base/system/log.h"
 #include "film/error_places.h"
+#include "film/unused_settings.h"
 #include "motion/reliability.h"
 #include "text/markup.h"
 #include "text/typesetter.h"
@@ -239,6 +240,32 @@ void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
       most / least);
 }
 
+// the panels that show a scene: its own of several scenes, else all
+std::vector<std::shared_ptr<const Composer>> composers_of(const std::vector<FilmPanel>& panels,
+                                                          std::size_t scene,
+                                                          std::size_t scenes) {
+  if (scenes > 1) return {panels[scene].composer};
+  std::vector<std::shared_ptr<const Composer>> all;
+  all.reserve(panels.size());
+  for (const FilmPanel& panel : panels)
+    all.push_back(panel.composer);
+  return all;
+}
+
+// what is to be said of each of the panels: what one of them shows is not missing
+std::vector<Error> warnings_of_all(const std::vector<std::shared_ptr<const Composer>>& composers) {
+  std::vector<Error> common = composers.front()->warnings();
+  for (std::size_t i = 1; i < composers.size() && !common.empty(); ++i) {
+    const std::vector<Error> others = composers[i]->warnings();
+    std::erase_if(common, [&](const Error& one) {
+      return std::none_of(others.begin(), others.end(), [&](const Error& other) {
+        return other.place().key == one.place().key;
+      });
+    });
+  }
+  return common;
+}
+
 }  // namespace
 
 void warn_of_missing_fonts() {
@@ -294,7 +321,10 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   warn_of_what_never_comes(scene, panels);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const Solved& one = solved[i];
-    for (const Error& warning : panels[i].composer->warnings())
+    const auto composers = composers_of(panels, i, solved.size());
+    for (const Error& warning : warnings_of_all(composers))
+      spdlog::warn("{}", placed(one.scene, warning).what());
+    for (const Error& warning : unused_settings(one.scene, composers))
       spdlog::warn("{}", placed(one.scene, warning).what());
     warn_of_backward_turning(one.scene, one.simulation.motion, frames, scene.in_turn);
     if (!scene.in_turn) warn_of_running_contact(one.scene, *panels[i].composer, frames);

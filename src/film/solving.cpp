@@ -53,6 +53,14 @@ NumericsSpec numerics_of_truth(const Scene& scene) {
   return numerics;
 }
 
+// a pivot without hold = "pivot" was perhaps meant to hold the body
+std::optional<std::string> unused_pivot(const Scene& scene, const BodyModel& model) {
+  const bool given = scene.lines.contains("body.pivot") || scene.options.contains("body.pivot");
+  if (!given || model.on_pivot || scene.body.about == "pivot") return {};
+  return fmt::format("changes nothing here: motion.hold is \"{}\", not \"pivot\"",
+                     scene.motion.hold);
+}
+
 // Each motion keeps its states; those that begin near one another need about as many.
 void refuse_large_ensemble(const Scene& scene, const Simulation& first) {
   if (!scene.motion.ensemble) return;
@@ -132,6 +140,7 @@ Solved solve_watched(const Scene& scene, const SolveWatch& watch) {
     const auto warn = [&](const std::string& words, const char* key) {
       if (watch.warn) watch.warn(placed(scene, input_error("{}", words).at({{}, 0, key})));
     };
+    if (const auto unused = unused_pivot(scene, model)) warn(*unused, "body.pivot");
     const NumericsSpec numerics = numerics_of_truth(scene);
     const std::optional<std::string> too_long =
         step_beyond_limit(model, start_state(model, scene.motion), numerics);

@@ -247,6 +247,31 @@ std::optional<SeenCircle> seen_circle(const CircleGlyph& circle, const Camera& c
                     0.5 * (seen[2] - seen[3])};
 }
 
+// Of a curve as the camera sees it, the point that is farthest in a direction (a unit vector,
+// pixels). What reaches nearly as far counts too, so that the point moves smoothly with the curve.
+std::optional<Vec2> farthest_seen(const std::vector<Vec3>& curve,
+                                  const Vec2& direction,
+                                  const Camera& camera) {
+  constexpr double kNear = 0.01;  // of how far the curve reaches
+  std::vector<Vec2> points;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Vec3& point : curve) {
+    if (!camera.sees(point)) return {};
+    points.push_back(camera.project(point));
+    least = std::min(least, direction.dot(points.back()));
+    most = std::max(most, direction.dot(points.back()));
+  }
+  if (!(most > least)) return {};
+  Vec2 sum = Vec2::Zero();
+  double weights = 0.0;
+  for (const Vec2& point : points) {
+    const double weight = std::exp((direction.dot(point) - most) / (kNear * (most - least)));
+    sum += weight * point;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
 Camera make_camera(const CameraSpec& spec,
                    const std::vector<Vec3>& points,
                    PictureSize size,
@@ -627,6 +652,12 @@ SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
                  label.of_arrow,
                  label.size};
   if (label.circle) seen.circle = seen_circle(*label.circle, camera);
+  const Vec2 up_right = Vec2(1.0, -1.0).normalized();
+  if (const std::optional<Vec2> corner = farthest_seen(label.curve, up_right, camera)) {
+    seen.away = up_right;
+    seen.from = *corner;
+    seen.at = *corner + label.away.norm() * camera.pixels_per_metre(label.at) * up_right;
+  }
   return seen;
 }
 

@@ -92,6 +92,9 @@ struct LabelGlyph {
   Vec3 faces = Vec3::Zero();
   // What it names, if that is a circle: in a film it stands wherever there is room around it.
   std::optional<CircleGlyph> circle = {};
+  // What it names, if that is another curve: points of it (S, m). In a picture it stands at the one
+  // that is farthest up and to the right.
+  std::vector<Vec3> curve = {};
 };
 
 // A point that labels should not cover.

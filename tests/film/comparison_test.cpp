@@ -48,6 +48,28 @@ TEST(Comparison, ExplicitEulerGainsEnergyAsTheorySays) {
   EXPECT_NE(comparison.notes(euler, 3.0, false).stamp, "");
 }
 
+// a step that no method takes would be ignored
+TEST(Comparison, RefusesAStepThatNoMethodTakes) {
+  Scene scene = load_scene(test::scene_path("compare_euler"));
+  const auto refusal = [&] {
+    try {
+      const Comparison comparison(solve(scene), kFrame);
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return std::string();
+  };
+  scene.numerics.step = 0.1;
+  scene.numerics.compare = {"dop853", "exact"};
+  EXPECT_EQ(refusal(), "none of the compared methods takes a step; leave it out");
+  scene.numerics.compare = {"dop853", "rk4"};
+  EXPECT_EQ(refusal(), "");
+  scene.numerics.tolerance = 1e-6;
+  EXPECT_EQ(refusal(), "");
+  scene.numerics.compare = {"rk4", "auto"};
+  EXPECT_EQ(refusal(), "none of the compared methods takes a tolerance; leave it out");
+}
+
 // stamped from the first frame on which the error passes what the scene allows, and not before
 TEST(Comparison, StampsFromTheFrameOnWhichTheErrorPasses) {
   for (const char* name : {"compare_euler", "compare_engines", "compare_fast_top"}) {

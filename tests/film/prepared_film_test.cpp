@@ -112,6 +112,16 @@ TEST(PreparedFilm, KnowsItsCuts) {
   EXPECT_TRUE(std::isinf(turns.film().next_cut(1.5)));
 }
 
+TEST(PreparedFilm, ShotsAreChaptersInEachPanelInTurn) {
+  const Scene scene = twice_in_turn(
+      small_scene("[[shots]]\nat = 0.4\nname = \"from above\"\ndirection = [0, 0, 1]\n"));
+  const PreparedFilm turns(plan_of(scene));
+  std::vector<int> starts;
+  for (const auto& chapter : film_metadata(scene, scene.story, turns.frames()).chapters)
+    if (chapter.title == "from above") starts.push_back(chapter.start);
+  EXPECT_EQ(starts, (std::vector<int>{4, 14}));
+}
+
 // each panel in turn begins without the words with which the one before has ended
 TEST(PreparedFilm, PanelsInTurnBeginTheirStoryAnew) {
   Scene scene = small_scene("[[story]]\nat = 0.8\ncaption = \"late\"\n");
@@ -219,8 +229,13 @@ TEST(PreparedFilm, WarnsOfASlipThatTheMethodDoesNotTell) {
   EXPECT_EQ(warnings_of(scene), "");
   scene.numerics.method = "table_rk4";
   scene.numerics.step = 1e-4;
-  EXPECT_NE(warnings_of(scene).find("show.slip: shows nothing: only the method dop853"),
-            std::string::npos);
+  const char* untold = "show.slip: shows nothing: only the method dop853";
+  EXPECT_NE(warnings_of(scene).find(untold), std::string::npos);
+  // one of the panels shows it
+  scene.numerics.compare = {"table_rk4", "dop853"};
+  EXPECT_EQ(warnings_of(scene).find(untold), std::string::npos);
+  scene.numerics.compare = {"table_rk4"};
+  EXPECT_NE(warnings_of(scene).find(untold), std::string::npos);
 }
 
 TEST(PreparedFilm, WarnsOfALoopThatDoesNotClose) {

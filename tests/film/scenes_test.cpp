@@ -15,6 +15,7 @@
 #include "frame/elements.h"
 #include "image/png.h"
 #include "scene/scene_file.h"
+#include "support/logged.h"
 #include "support/run.h"
 
 namespace polhode {
@@ -60,7 +61,8 @@ TEST_P(EveryScene, RendersOneSmallFrame) {
   job.output = folder / "still.png";
   job.overrides.size = "240x136";
   job.still = std::min(1.0, load_scene(job.scene).motion.duration / 2);
-  render_film(job);
+  const std::string said = test::logged_by([&] { render_film(job); });
+  EXPECT_EQ(said.find("changes nothing here"), std::string::npos) << said;
   const Image image = read_png(job.output);
   EXPECT_EQ(image.width, 240);
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
+#include "base/system/log.h"
 #include "base/system/overwriting.h"
 #include "export/gltf_file.h"
 #include "export/mark_picture.h"
@@ -42,6 +43,11 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
     } else {
       plan.radians = accuracy.value;
     }
+  }
+  if (!scene.numerics.compare.empty()) {
+    const Error warning =
+        input_error("models have the one motion of the scene, not those compared");
+    spdlog::warn("{}", placed(scene, warning.at({{}, 0, "numerics.compare"})).what());
   }
   const Solved solved = solve(scene, job.progress);
   Waiting waiting(job.progress);

@@ -19,6 +19,7 @@ constexpr float kPlaneShadow = 0.5f;  // how dark a full shadow on it is
 constexpr double kAxisPlaneRadius = 1.45;
 constexpr float kFarSide = 0.5f;  // of the colour of curves on the far side of an ellipsoid
 constexpr std::size_t kPiecesOfLine = 32;
+constexpr std::size_t kPointsOfCurve = 256;   // among which its name chooses
 constexpr double kPlaneContactRadius = 0.04;  // of the ball at the point of contact
 
 // {w : w.I w = twice the energy}, in metres of the picture
@@ -63,54 +64,27 @@ Vec3 beside(const Vec3& up, double nearer) {
   return turn_between(vertical, up) * Vec3((right + nearer * towards).normalized());
 }
 
-// of the ellipses that the body's curves are, the point on the other side of the axis around which
-// this one goes: as the contact moves on, so does it
-Vec3 opposite_on_polhode(const BodyModel& model, const Vec3& w_P) {
+// Where the polhode of `w_P` crosses the plane of the axes of the least and the greatest moment:
+// there it is farthest from the separatrix. rad/s in P.
+Vec3 crossing_of_polhode(const BodyModel& model, const Vec3& w_P) {
   int least = 0, most = 0;
   const double smallest = model.moments.minCoeff(&least);
   const double largest = model.moments.maxCoeff(&most);
+  if (least == most) return w_P;
   const double middle = model.moments.sum() - smallest - largest;
+  const double energy2 = twice_the_energy(model, w_P);
   const double momentum2 = model.moments.cwiseProduct(w_P).squaredNorm();
-  const int axis = momentum2 >= twice_the_energy(model, w_P) * middle ? most : least;
-  Vec3 opposite = -w_P;
-  opposite[axis] = w_P[axis];
-  return opposite;
-}
-
-// Of the polhode of `w_P`, given as its tube, the point that reaches farthest in a direction (P),
-// rad/s. What reaches nearly as far counts too, so that the point moves smoothly with the body.
-Vec3 farthest_on_polhode(const Scenery& scenery,
-                         const Mesh& tube,
-                         const Vec3& w_P,
-                         const Vec3& direction_P) {
-  std::vector<Vec3> points;
-  for (const Vertex& corner : tube.vertices)
-    points.push_back(scenery.scale.body / scenery.scale.omega * to_eigen(corner.position));
-  double least = direction_P.dot(points.front()), most = least;
-  for (const Vec3& point : points) {
-    least = std::min(least, direction_P.dot(point));
-    most = std::max(most, direction_P.dot(point));
-  }
-  const double near = 0.01 * (most - least);
-  Vec3 point = Vec3::Zero();
-  double weights = 0.0;
-  for (const Vec3& one : points) {
-    const double weight = std::exp((direction_P.dot(one) - most) / near);
-    point += weight * one;
-    weights += weight;
-  }
-  point /= weights;
-  // onto the curve: energy and momentum are those of w_P (Newton's method)
-  const Vec3 moments = scenery.motion.model().moments;
-  for (int i = 0; i < 6; ++i) {
-    const Vec3 momentum = moments.cwiseProduct(point);
-    const Vec2 off(moments.cwiseProduct(w_P).dot(w_P) - momentum.dot(point),
-                   moments.cwiseProduct(w_P).squaredNorm() - momentum.squaredNorm());
-    Eigen::Matrix<double, 2, 3> slope;
-    slope << 2.0 * momentum.transpose(), 2.0 * moments.cwiseProduct(momentum).transpose();
-    point += slope.transpose() * (slope * slope.transpose()).ldlt().solve(off);
-  }
-  return point;
+  // of the two moments of the plane, the rate about the axis of `own`
+  const auto rate = [&](double own, double other) {
+    return std::sqrt(std::max((momentum2 - other * energy2) / (own * (own - other)), 0.0));
+  };
+  Vec3 crossing = Vec3::Zero();
+  crossing[least] = rate(smallest, largest);
+  crossing[most] = rate(largest, smallest);
+  // the side on which the curve goes round its axis
+  const int axis = momentum2 >= energy2 * middle ? most : least;
+  crossing[axis] = std::copysign(crossing[axis], w_P[axis]);
+  return crossing;
 }
 
 }  // namespace
@@ -165,25 +139,22 @@ void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const bool rolls = asks_for(scenery, "plane");
   if (!rolls) ellipsoid = energy_ellipsoid(scenery, sample);
   add_body_curve(scenery, sample, scenery.paths.polhode, scenery.theme.polhode, ellipsoid, glyphs);
-  const auto name = [&](const Vec3& at, const Vec3& away) {
-    add_name(scenery, at, away, "polhode", scenery.theme.polhode, 1.0f, glyphs);
-  };
-  const BodyModel& model = scenery.motion.model();
-  const Vec3 w_P = principal_rate(model, sample);
-  const Mat3 turn = principal_placement(scenery, sample).linear();
-  const auto place = [&](const Vec3& point_P) {
-    return Vec3(sample.reference_S + scenery.scale.omega * (turn * point_P));
-  };
-  if (rolls) {
-    // seen from space: beside all else
-    const Vec3 out = beside(sample.L_S.normalized(), 0.0);
-    const Mesh& tube = *scenery.paths.polhode;
-    name(place(farthest_on_polhode(scenery, tube, w_P, turn.transpose() * out)), out);
-    return;
-  }
-  // seen from the body: off the curve, away from the axis around which it goes
-  const Vec3 opposite_P = opposite_on_polhode(model, w_P);
-  name(place(opposite_P), turn * Vec3(0.5 * (opposite_P - w_P)));
+  const Placement body = principal_placement(scenery, sample);
+  const Vec3 crossing_P =
+      crossing_of_polhode(scenery.motion.model(), principal_rate(scenery.motion.model(), sample));
+  const Vec3 out = body.linear() * crossing_P;
+  add_name(scenery,
+           sample.reference_S + scenery.scale.omega * out,
+           out,
+           "polhode",
+           scenery.theme.polhode,
+           1.0f,
+           glyphs);
+  const std::vector<Vertex>& corners = scenery.paths.polhode->vertices;
+  const std::size_t step = std::max<std::size_t>(corners.size() / kPointsOfCurve, 1);
+  for (std::size_t i = 0; i < corners.size(); i += step)
+    glyphs.labels.back().curve.push_back(body *
+                                         (scenery.scale.body * to_eigen(corners[i].position)));
 }
 
 void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {

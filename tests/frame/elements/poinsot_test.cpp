@@ -141,6 +141,28 @@ TEST(Poinsot, ContactAndNamesAreInTheirPlaces) {
   }
 }
 
+// seen from the body the curve stands still, and so does its name
+TEST(Poinsot, TheNameOfThePolhodeStandsStillInBodyAxes) {
+  for (const Vec3& spin : {Vec3(0.9, 0.15, 0.55), Vec3(0.3, 0.2, 1.9), Vec3(-2.0, 0.4, -0.2)}) {
+    MotionSpec spec = test::wobbling();
+    spec.spin.body = spin;
+    ShowSpec show;
+    show["ellipsoid"] = show["polhode"] = true;
+    CameraSpec camera;
+    camera.follow = "body";
+    const BodySpec body = test::brick_body();
+    const Composer picture(test::moving(body, spec), body, camera, show, {}, {640, 360});
+    const auto place = [&](double t) {
+      for (const SeenLabel& label : picture.label_view(t, 4.0).labels)
+        if (label.markup == "polhode") return label.at;
+      ADD_FAILURE() << "no name";
+      return Vec2(0.0, 0.0);
+    };
+    for (const double t : {0.5, 1.0, 2.0})
+      EXPECT_LT((place(t) - place(0.0)).norm(), 0.01) << t;
+  }
+}
+
 // L is vertical in the picture unless the camera is given, whichever way it points in space
 TEST(Poinsot, IsSeenWithLVertical) {
   const auto lean = [](const CameraSpec& camera, const char* shown, const Vec3& spin) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "film/unused_settings.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/ranges.h>
+
+namespace polhode {
+namespace {
+
+// A key that changes only how some elements are drawn.
+struct Modifier {
+  const char* key;
+  std::vector<std::string> elements;  // names of elements; any of them has a use for it
+};
+
+const std::vector<Modifier>& modifiers() {
+  static const std::vector<Modifier> table = {
+      {"show.body_opacity", {"body"}},
+      {"show.material", {"body", "ghosts", "ensemble"}},
+      {"show.ghost_count", {"ghosts"}},
+      {"show.ghost_interval", {"ghosts"}},
+      {"show.vector_length",
+       {"omega",
+        "momentum",
+        "torque",
+        "omega_components",
+        "euler_rates",
+        "sum",
+        "space_cone",
+        "body_cone",
+        "precession_cone",
+        "ellipsoid",
+        "plane",
+        "polhode",
+        "polhodes",
+        "herpolhode",
+        "binet"}},
+      {"show.names.omega", {"omega"}},
+      {"show.names.momentum", {"momentum"}},
+      {"show.names.torque", {"torque"}},
+      {"show.names.gravity", {"gravity"}},
+      {"show.names.frame_rotation", {"frame_rotation"}},
+      {"show.names.x", {"space_axes"}},
+      {"show.names.y", {"space_axes"}},
+      {"show.names.z", {"space_axes"}},
+  };
+  return table;
+}
+
+bool is_given(const Scene& scene, const std::string& key) {
+  return scene.lines.contains(key) || scene.options.contains(key);
+}
+
+bool has_paths(const Paths& paths) {
+  return !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty();
+}
+
+}  // namespace
+
+std::vector<Error> unused_settings(const Scene& scene,
+                                   const std::vector<std::shared_ptr<const Composer>>& composers) {
+  std::vector<Error> unused;
+  const auto tell = [&](const std::string& key, const std::string& words) {
+    unused.push_back(input_error("{}", words).at({{}, 0, key}));
+  };
+  const auto shows_any = [&](const std::vector<std::string>& elements) {
+    return std::any_of(composers.begin(), composers.end(), [&](const auto& composer) {
+      return std::any_of(elements.begin(), elements.end(), [&](const std::string& name) {
+        return composer->shows(name);
+      });
+    });
+  };
+  for (const auto& [key, elements] : modifiers()) {
+    if (!is_given(scene, key) || shows_any(elements)) continue;
+    tell(key, fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
+  }
+  const bool any_path = shows_any({"trail", "herpolhode", "contact_trail"}) ||
+                        std::any_of(composers.begin(), composers.end(), [](const auto& composer) {
+                          return has_paths(composer->scenery().paths);
+                        });
+  if (is_given(scene, "show.trail_length") && !any_path)
+    tell("show.trail_length", "changes nothing here: the film shows no paths");
+  if (scene.show.details && scene.numerics.compare.empty())
+    tell("show.details", "changes nothing here: it belongs to numerics.compare");
+  if (scene.show.title && scene.title.empty())
+    tell("show.title", "shows nothing: the scene has no title");
+  if (is_given(scene, "video.loop_residual") && !scene.video.loop)
+    tell("video.loop_residual", "changes nothing here: it belongs to video.loop");
+  // a view from the body turns with it, whatever the camera follows
+  const std::vector<std::string>& views = scene.show.views;
+  if (std::find(views.begin(), views.end(), "space") != views.end()) return unused;
+  const auto look_at_camera = [&](const CameraSpec& camera, const std::string& key) {
+    if (camera.follow != "auto" && camera.follow != "body")
+      tell(key, "changes nothing here: all views are from the body (show.views)");
+  };
+  look_at_camera(scene.camera, "camera.follow");
+  for (std::size_t i = 0; i < scene.shots.size(); ++i)
+    look_at_camera(scene.shots[i].camera, fmt::format("shots[{}].follow", i));
+  return unused;
+}
+
+}  // namespace polhode
