@@ -3,8 +3,10 @@
 
 #include <optional>
 
+#include "base/system/log.h"
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
+#include "base/system/progress.h"
 #include "chart/gnuplot.h"
 
 namespace polhode {
@@ -27,7 +29,12 @@ std::string make_folder_work(const FolderWork& work,
   OutputFolder folder(work.where, work.files);
   KeptRows kept(file, work.words);
   make_pieces(work.pieces, kept, {}, jobs, progress);
-  const FolderResult result = finish();
+  const FolderResult result = [&] {
+    const Busy busy(progress, "drawing the pictures");
+    return finish();
+  }();
+  for (const std::string& warning : result.warnings)
+    spdlog::warn("{}", warning);
   folder.commit(result.contents);
   kept.remove();
   return result.summary;

@@ -28,6 +28,7 @@ void refuse_own_input(const FolderWork& work, const std::vector<std::filesystem:
 struct FolderResult {
   std::vector<std::string> contents;  // of FolderWork::files
   std::string summary;
+  std::vector<std::string> warnings = {};  // to be logged
 };
 
 // Makes what is missing of all pieces and writes the files, together at the end, and returns the

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "chart/plot_section.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,6 +26,42 @@ std::string look_of(const SectionOrbit& orbit, std::size_t index) {
   if (orbit.verdict == SectionVerdict::chaotic) color = "#A0A0A0";
   if (orbit.verdict == SectionVerdict::undecided) color = "#000000";
   return fmt::format("pointtype 7 pointsize 0.2 linecolor rgb '{}'", color);
+}
+
+// Of points that fall on one pixel of the picture, one: gnuplot takes 0.1 ms for each. least, most:
+// of the axes.
+std::vector<Vec2> one_on_each_pixel(const std::vector<Vec2>& points,
+                                    const Vec2& least,
+                                    const Vec2& most) {
+  const Vec2 pixel = (most - least).cwiseQuotient(Vec2(kSectionWidth, kSectionHeight));
+  std::set<std::pair<int, int>> taken;
+  std::vector<Vec2> kept;
+  for (const Vec2& point : points) {
+    const Vec2 at = (point - least).cwiseQuotient(pixel.cwiseMax(1e-300));
+    if (taken.emplace(static_cast<int>(at.x()), static_cast<int>(at.y())).second)
+      kept.push_back(point);
+  }
+  return kept;
+}
+
+// as they are, if there are few
+std::vector<std::vector<Vec2>> drawn_points(const SectionChart& chart) {
+  constexpr std::size_t kFew = 100'000;
+  std::vector<std::vector<Vec2>> all;
+  Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity()), most = -least;
+  std::size_t count = 0;
+  for (const SectionOrbit& orbit : chart.orbits) {
+    count += orbit.points.size();
+    for (const Vec2& point : orbit.points) {
+      least = least.cwiseMin(point);
+      most = most.cwiseMax(point);
+    }
+    all.push_back(orbit.points);
+  }
+  if (count <= kFew) return all;
+  for (std::vector<Vec2>& points : all)
+    points = one_on_each_pixel(points, least, most);
+  return all;
 }
 
 }  // namespace
@@ -68,8 +108,15 @@ std::string plot_section(const SectionChart& chart, PlotFormat format) {
     script += "\n";
   }
   script += "EOD\n";
+  // where the energy hardly allows anything but the start there may be nothing to draw
+  const bool any_point =
+      std::any_of(chart.orbits.begin(), chart.orbits.end(), [](const SectionOrbit& orbit) {
+        return !orbit.points.empty();
+      });
+  if (chart.borders.empty() && !any_point) script += "set xrange [0:180]\nset yrange [-1:1]\n";
   std::string plots =
       "plot $border using 1:2 with lines linewidth 1 linecolor rgb '#C0C0C0' notitle";
+  const std::vector<std::vector<Vec2>> drawn = drawn_points(chart);
   // chaos first, so that it covers nothing
   for (const bool chaotic : {true, false}) {
     for (std::size_t i = chart.orbits.size(); i-- > 0;) {
@@ -77,7 +124,7 @@ std::string plot_section(const SectionChart& chart, PlotFormat format) {
       if (orbit.points.empty() || (orbit.verdict == SectionVerdict::chaotic && i > 0) != chaotic)
         continue;
       script += fmt::format("$orbit{} << EOD\n", i);
-      for (const Vec2& point : orbit.points)
+      for (const Vec2& point : drawn[i])
         script += fmt::format("{:.8g} {:.8g}\n", degree * point.x(), point.y());
       script += "EOD\n";
       plots += fmt::format(", $orbit{} using 1:2 with points {} notitle", i, look_of(orbit, i));

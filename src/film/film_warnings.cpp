@@ -174,10 +174,15 @@ void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const C
   if (composer.shows("ghosts")) restarting.emplace_back("ghosts");
   if (composer.shows("ensemble")) restarting.emplace_back("the ensemble");
   const Motion& motion = composer.scenery().motion;
+  const Scenery& scenery = composer.scenery();
   const Vec3 gone = motion.at(frames.loop->duration).reference_S - motion.at(0.0).reference_S;
   constexpr double kGone = 1e-3;  // of the body's reach
-  if (composer.shows("fixed_frame") && gone.norm() > kGone * composer.scenery().scale.body)
+  if (composer.shows("fixed_frame") && gone.norm() > kGone * scenery.scale.body)
     restarting.emplace_back("R");
+  // its lines pass below a camera that goes along
+  if (composer.shows("floor") && scenery.table_goes_along &&
+      gone.norm() > kGone * scenery.scale.body)
+    restarting.emplace_back("the floor");
   if (!scene.show.plots.empty()) restarting.emplace_back("plots");
   const Timeline& timeline = composer.timeline();
   const double last = timeline.film_duration();

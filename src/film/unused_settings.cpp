@@ -53,6 +53,17 @@ bool is_given(const Scene& scene, const std::string& key) {
   return scene.lines.contains(key) || scene.options.contains(key);
 }
 
+// whether the torque on a body is more than round-off at any time
+bool has_torque(const Motion& motion) {
+  constexpr double kRounding = 1e-12;  // of twice the energy of turning
+  for (const double t : framing_times(motion)) {
+    const Sample now = motion.at(t);
+    const std::optional<Vec3> torque_S = torque_at(motion, t);
+    if (torque_S && torque_S->norm() > kRounding * now.w_S.dot(now.L_S)) return true;
+  }
+  return false;
+}
+
 bool has_paths(const Paths& paths) {
   return !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty();
 }
@@ -82,7 +93,17 @@ std::vector<Error> unused_settings(const Scene& scene,
                         });
   if (is_given(scene, "show.trail_length") && !any_path)
     tell("show.trail_length", "changes nothing here: the film shows no paths");
-  if (scene.show.details && scene.numerics.compare.empty())
+  const auto torque = scene.show.asked.find("torque");
+  if (torque != scene.show.asked.end() && torque->second.value_or(false) &&
+      std::none_of(composers.begin(), composers.end(), [](const auto& composer) {
+        return has_torque(composer->scenery().motion);
+      })) {
+    tell("show.torque", "shows nothing: no torque acts, or the method does not tell it (table)");
+  }
+  const std::vector<std::string>& compared = scene.numerics.compare;
+  if (!compared.empty() && is_given(scene, "numerics.method"))
+    tell("numerics.method", "changes nothing here: numerics.compare names the methods");
+  if (scene.show.details && compared.empty())
     tell("show.details", "changes nothing here: it belongs to numerics.compare");
   if (scene.show.title && scene.title.empty())
     tell("show.title", "shows nothing: the scene has no title");

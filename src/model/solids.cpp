@@ -162,6 +162,7 @@ std::vector<std::string> given_dimensions(const SolidSpec& s) {
   if (s.thickness) names.emplace_back("thickness");
   if (s.tube) names.emplace_back("tube");
   if (!s.profile.empty()) names.emplace_back("profile");
+  if (s.smooth) names.emplace_back("smooth");
   if (s.file) names.emplace_back("file");
   if (s.scale) names.emplace_back("scale");
   return names;
@@ -244,7 +245,7 @@ const std::vector<SolidKind>& solid_kinds() {
        "solid of revolution about z of the outline `profile`, closed to the axis; a tube when it "
        "ends where it began",
        {"profile"},
-       {},
+       {"smooth"},
        lathe_volume,
        lathe},
       {"mesh",

@@ -49,6 +49,25 @@ TEST_F(Section, WritesTableAndPicture) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 2);
 }
 
+// a body that hangs in the least of its energy has no crossings, and no region around them
+TEST_F(Section, OfAMotionThatCannotBeAnotherIsEmpty) {
+  const Ran ran = section(
+      "--starts 2 --crossings 20 --set 'body.solid={ kind = \"box\", size_cm = [10, 6, 2], mass = "
+      "0.5 }' "
+      "--set 'body.pivot_cm=[5, 0, 0]' --set 'motion.attitude={ zxz_deg = [0, 90, 90] }' "
+      "--set 'motion.spin.body=[5, 0, 0]'");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_GT(std::filesystem::file_size(folder_ / "out/section.png"), 1000U);
+}
+
+// the method of a section is its own
+TEST_F(Section, RefusesNumerics) {
+  const Ran ran = section("--starts 2 --set numerics.method=rk4");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("--set numerics.method: is not for sections"), std::string::npos)
+      << ran.err;
+}
+
 // the same table for any number of threads, and from a run that was stopped and taken up again
 TEST_F(Section, GoesOnWhereItWasStopped) {
   const std::string options = "--starts 60 --crossings 500";

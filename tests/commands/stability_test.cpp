@@ -36,6 +36,16 @@ class Stability : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+// where a free body starts changes nothing
+TEST_F(Stability, TellsOfAnAxisThatChangesNothing) {
+  const Ran ran = stability(
+      "--methods rk4 --cells 2x2 --turns 2 --y 'motion.position[0]' --y-range 0:1 "
+      "--set 'motion.position=[0, 0, 0]'");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("--y motion.position[0]: changes nothing"), std::string::npos) << ran.err;
+  EXPECT_EQ(ran.err.find("--x"), std::string::npos) << ran.err;
+}
+
 TEST_F(Stability, WritesTableAndMaps) {
   const Ran ran = stability("--methods rk4,explicit_euler --cells 8x4 --turns 5");
   ASSERT_EQ(ran.code, 0) << ran.err;

@@ -32,6 +32,9 @@ const std::vector<Unused> kUnused = {
     {{"show.names.torque", "M"}, {"show.torque", "true"}},
     {{"show.names.x", "x"}, {"show.space_axes", "true"}},
     {{"show.material", "ceramic"}, {"show.body", "true"}},
+    {{"show.torque", "true"}, {"motion.torque", R"([{ kind = "constant", space = [0, 0, 0.1] }])"}},
+    {{"motion.torque", R"([{ kind = "constant", space = [0, 0, 0.1], from = 2 }])"},
+     {"motion.duration", "3"}},
     {{"show.details", "true"}, {"numerics.compare", R"(["rk4"])"}},
     {{"show.title", "true"}, {"title", "Top"}},
     {{"video.loop_residual", "0.5"}, {"video.loop", "true"}},
@@ -48,13 +51,21 @@ TEST(UnusedSettings, AreTold) {
     std::vector<Setting> settings = bare;
     settings.push_back(one.setting);
     const std::string said = warnings_with(settings);
-    EXPECT_NE(said.find("--set " + one.setting.key + ": "), std::string::npos)
+    EXPECT_NE(said.find("--set " + one.setting.key), std::string::npos)
         << one.setting.key << ": " << said;
     settings.push_back(one.needs);
     if (one.needs.key == "numerics.compare") settings.push_back({"numerics.step", "0.01"});
-    EXPECT_EQ(warnings_with(settings).find("--set " + one.setting.key + ": "), std::string::npos)
+    EXPECT_EQ(warnings_with(settings).find("--set " + one.setting.key), std::string::npos)
         << one.setting.key;
   }
+}
+
+TEST(UnusedSettings, TheMethodBesideComparedOnesIsTold) {
+  const Setting method = {"numerics.method", "dop853"};
+  EXPECT_NE(warnings_with({method, {"numerics.compare", R"(["auto"])"}})
+                .find("numerics.compare names the methods"),
+            std::string::npos);
+  EXPECT_EQ(warnings_with({method}), "");
 }
 
 TEST(UnusedSettings, OfShotsFromTheBodyAreTold) {

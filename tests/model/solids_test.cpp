@@ -291,6 +291,9 @@ TEST(SolidErrors, NameTheKey) {
   s.radius = 1.0;
   expect_input_error([&] { of(s); }, "body.solid.radius", "has no 'radius'; it takes size");
   s.radius.reset();
+  s.smooth = true;
+  expect_input_error([&] { of(s); }, "body.solid.smooth", "has no 'smooth'; it takes size");
+  s.smooth = false;
   s.mass = 1.0;
   expect_input_error([&] { of(s); }, "body.solid", "exactly one of mass and density");
   s.mass.reset();

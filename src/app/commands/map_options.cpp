@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/numbers.h"
 #include "scene/scene_file.h"
@@ -54,6 +56,28 @@ CellCount parse_cells(const std::string& text) {
 bool changes_motion(const std::string& key) {
   const bool of_motion = key.starts_with("body.") || key.starts_with("motion.");
   return of_motion && !key.starts_with("motion.duration");
+}
+
+std::vector<std::string> idle_axes(const MapAxis& x,
+                                   const MapAxis& y,
+                                   const std::function<bool(std::size_t a, std::size_t b)>& alike) {
+  const auto columns = static_cast<std::size_t>(x.cells), rows = static_cast<std::size_t>(y.cells);
+  bool idle_x = true, idle_y = true;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t cell = row * columns + column;
+      idle_x = idle_x && alike(cell, row * columns);
+      idle_y = idle_y && alike(cell, column);
+    }
+  }
+  std::vector<std::string> found;
+  const auto tell = [&](const MapAxis& axis, const char* option) {
+    found.push_back(fmt::format(
+        "{} {}: changes nothing: all its values have the same results", option, axis.key));
+  };
+  if (idle_x) tell(x, "--x");
+  if (idle_y) tell(y, "--y");
+  return found;
 }
 
 MapAxis axis_of_key(const std::filesystem::path& file,

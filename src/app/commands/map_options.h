@@ -2,7 +2,9 @@
 // What the options --x, --y, --x-range, --y-range and --cells of maps mean.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,12 @@ CellCount parse_cells(const std::string& text);
 // Whether the motion, however long it is shown, depends on a key: those of [body] and [motion] but
 // for motion.duration.
 bool changes_motion(const std::string& key);
+
+// Warnings of axes whose values all have the same results. alike: whether two cells have the same
+// result; cells are numbered from 0, row by row, a row being all values of x.
+std::vector<std::string> idle_axes(const MapAxis& x,
+                                   const MapAxis& y,
+                                   const std::function<bool(std::size_t a, std::size_t b)>& alike);
 
 // The axis of a key: its range is "A:B" with A < B or, if none is given, around the number that the
 // scene has there: a tenth of it to ten times as much; if it is negative (v), 2 v to -2 v; if it is

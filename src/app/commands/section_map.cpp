@@ -139,6 +139,14 @@ std::string words_of_map(const SectionJob& job, const Scene& scene, const Expone
   return words;
 }
 
+std::vector<std::string> idle_axes_of(const ExponentMap& map) {
+  return idle_axes(map.x, map.y, [&](std::size_t a, std::size_t b) {
+    const ExponentCell &one = map.cells[a], &other = map.cells[b];
+    return one.verdict == other.verdict && one.exponent == other.exponent &&
+           one.crossings == other.crossings;
+  });
+}
+
 std::string summary_of_map(const ExponentMap& map) {
   const auto with = [&](SectionVerdict verdict) {
     return std::count_if(map.cells.begin(), map.cells.end(), [&](const ExponentCell& cell) {
@@ -185,7 +193,8 @@ std::string section_map(const SectionJob& job) {
   PlannedExponents plan(job);
   return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
     return FolderResult{{exponents_csv(plan.map), plot_exponents(plan.map, PlotFormat::png)},
-                        summary_of_map(plan.map)};
+                        summary_of_map(plan.map),
+                        idle_axes_of(plan.map)};
   });
 }
 

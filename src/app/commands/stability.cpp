@@ -197,6 +197,37 @@ Piecewise rows_of(StabilityMaps& all, std::vector<MappedScene>& places, const St
   return work;
 }
 
+// of a scene with these maps
+std::vector<std::string> idle_axes_of(const MappedScene& place,
+                                      const std::vector<const StabilityMap*>& maps) {
+  const auto same = [](double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+  };
+  const auto alike = [&](const StabilityCell& a, const StabilityCell& b) {
+    return a.outcome == b.outcome && same(a.error_rad, b.error_rad) &&
+           same(a.energy_drift, b.energy_drift) && same(a.momentum_drift, b.momentum_drift);
+  };
+  return idle_axes(place.x, place.y, [&](std::size_t a, std::size_t b) {
+    return std::all_of(maps.begin(), maps.end(), [&](const StabilityMap* map) {
+      return alike(map->cells[a], map->cells[b]);
+    });
+  });
+}
+
+// of all scenes
+std::vector<std::string> idle_axes_of(const StabilityMaps& all,
+                                      const std::vector<MappedScene>& places) {
+  std::vector<std::string> found;
+  for (const MappedScene& place : places) {
+    std::vector<const StabilityMap*> of_scene;
+    for (std::size_t i = 0; i < all.maps.size(); ++i)
+      if (all.owners[i].first == &place) of_scene.push_back(&all.maps[i]);
+    for (std::string& words : idle_axes_of(place, of_scene))
+      found.push_back(std::move(words));
+  }
+  return found;
+}
+
 // of all files; pictures: per scene the overview twice, then its maps
 std::vector<std::string> contents_of(StabilityMaps& all,
                                      const std::vector<MappedScene>& places,
@@ -259,7 +290,9 @@ std::string stability(const StabilityJob& job) {
   for (const MappedScene& place : plan.places)
     check_corners(place, job);
   return make_folder_work(plan.work, job.part, job.jobs, job.progress, [&] {
-    return FolderResult{contents_of(plan.all, plan.places, job), summary(plan.all.maps)};
+    return FolderResult{contents_of(plan.all, plan.places, job),
+                        summary(plan.all.maps),
+                        idle_axes_of(plan.all, plan.places)};
   });
 }
 

@@ -164,8 +164,10 @@ void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
   const double spin = w_P.dot(up_P);
   if (std::abs(spin) <= 0.5 * w_P.norm()) return;
   list.push_back({"vertical_spin", Q::rate, spin});
-  // moments against rolling hold small deviations, as dry friction does
-  if (model.table->friction.rolling != 0.0) return;
+  // moments against rolling hold small deviations, as dry friction does, and those against boring
+  // end the spin
+  const Friction& law = model.table->friction;
+  if (law.rolling != 0.0 || law.boring != 0.0) return;
   list.push_back(
       {"growth_rate_of_vertical_spin", Q::growth, growth_rate_of_spin(model, up_P, spin)});
   list.push_back({"growth_rate_of_vertical_spin_reversed",

@@ -201,6 +201,9 @@ TEST_F(Untold, WhatTurningTablesAndMomentsOfFrictionChange) {
   celt.friction->turntable = 0.0;
   celt.friction->rolling = 1e-4;
   EXPECT_FALSE(tells(rattleback_body(), celt, growth)) << "it holds small deviations";
+  celt.friction->rolling = 0.0;
+  celt.friction->boring = 1e-4;
+  EXPECT_FALSE(tells(rattleback_body(), celt, growth)) << "it ends the spin";
   MotionSpec top = spinning_top(160, 0.0, 1.0);
   EXPECT_TRUE(tells(tippe_top_body(), top, "spin_after_inversion_rad_per_s"));
   top.friction->boring = 3e-4;
