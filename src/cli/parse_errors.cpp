@@ -128,6 +128,15 @@ std::vector<std::string> with_work_apart(const CLI::App& app, std::vector<std::s
 }
 
 void parse_words(CLI::App& app, const std::vector<std::string>& words) {
+  // CLI11 takes the word after "--size=" for its value
+  for (const std::string& word : words) {
+    if (word == "--") break;
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    throw input_error("{}: {} needs a value; see `polhode {} --help`",
+                      words.front(),
+                      word.substr(0, word.size() - 1),
+                      words.front());
+  }
   app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
 }
 

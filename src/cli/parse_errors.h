@@ -28,7 +28,8 @@ Error explain(const CLI::ParseError& error,
 // that, so that options after it are not taken for those of `submit`. Other commands stay.
 std::vector<std::string> with_work_apart(const CLI::App& app, std::vector<std::string> words);
 
-// Parses words, the first first.
+// Parses words, the first first. Throws Error (input) for an option with nothing behind its '=',
+// and what CLI::App::parse throws.
 void parse_words(CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace polhode

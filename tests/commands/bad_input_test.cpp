@@ -133,6 +133,7 @@ const BadCall kBadCalls[] = {
     {"render SCENE -o DIR/a%05d.png --still 0.5", 2, "--still: makes one picture"},
     {"render SCENE SCENE -o DIR/a.mp4", 2, "unexpected argument"},
     {"render SCENE -o DIR/a.mp4 --size", 2, "--size needs a value"},
+    {"render SCENE --size= -o DIR/a.mp4", 2, "render: --size needs a value"},
     {"render SCENE -o DIR/a.mp4 --crf x", 2, "--crf: must be a number"},
     {"render SCENE -o DIR/a.mp4 --crf 1.5", 2, "--crf: must be a whole number"},
     {"simulate SCENE -o DIR/a.csv --rate abc", 2, "--rate: must be a number"},
