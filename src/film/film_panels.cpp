@@ -24,16 +24,6 @@ std::function<PanelNotes(double)> heading(const std::string& text) {
   };
 }
 
-// how a panel is staged from space or from the body
-Staging seen_from(const std::string& view, Staging staging) {
-  if (view == "body") {
-    staging.camera.follow = "body";
-    for (ShotSpec& shot : staging.shots)
-      shot.camera.follow = "body";
-  }
-  return staging;
-}
-
 std::vector<FilmPanel> panels_of_views(const Solved& solved,
                                        const Stage& stage,
                                        const std::vector<PixelBox>& places) {

@@ -245,6 +245,26 @@ void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
       most / least);
 }
 
+// a scale that serves all vectors is the smallest of them
+void warn_of_lengths(const std::vector<Solved>& solved) {
+  const Scene& first = solved.front().scene;
+  if (first.panels.size() < 2 || !first.same_scales) return;
+  const auto length = [](const Solved& one) {
+    return one.scene.show.vector_length.value_or(1.0);
+  };
+  double least = length(solved.front());
+  for (const Solved& one : solved)
+    least = std::min(least, length(one));
+  for (const Solved& one : solved) {
+    if (length(one) == least) continue;
+    warn_at(one.scene,
+            "show.vector_length",
+            input_error("changes nothing here: panels with one scale have the smallest of theirs, "
+                        "{:g}; scales = \"own\" in the film file gives each its own",
+                        least));
+  }
+}
+
 // the panels that show a scene: its own of several scenes, else all
 std::vector<std::shared_ptr<const Composer>> composers_of(const std::vector<FilmPanel>& panels,
                                                           std::size_t scene,
@@ -319,6 +339,7 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   const Scene& scene = solved.front().scene;
   const std::vector<FilmPanel>& panels = film.panels();
   warn_of_sizes(scene, panels);
+  warn_of_lengths(solved);
   warn_of_open_loop(scene, frames);
   warn_of_stretched_clock(scene, frames);
   warn_of_jump(scene, frames, *panels.front().composer);

@@ -33,6 +33,15 @@ Staging staging_of(const Scene& scene, const Stage& stage) {
   return {scene.camera, scene.shots, stage.timeline, stage.margins};
 }
 
+Staging seen_from(const std::string& view, Staging staging) {
+  if (view == "body") {
+    staging.camera.follow = "body";
+    for (ShotSpec& shot : staging.shots)
+      shot.camera.follow = "body";
+  }
+  return staging;
+}
+
 std::shared_ptr<const Composer> composer_of(const Solved& solved,
                                             const Staging& staging,
                                             const PixelBox& place,
@@ -54,7 +63,8 @@ std::shared_ptr<const Composer> composer_alone(const Solved& solved) {
   const FilmText text = text_of(scene, true);
   const std::vector<PixelBox> places = frame_areas(text, size, 1, 0).panels;
   const Stage stage{timeline, common_margins(text, places, size, {}), {}};
-  return composer_of(solved, staging_of(scene, stage), places.front());
+  const Staging staging = seen_from(scene.show.views.front(), staging_of(scene, stage));
+  return composer_of(solved, staging, places.front());
 }
 
 }  // namespace polhode

@@ -30,14 +30,17 @@ FrameMargins common_margins(const FilmText& text,
 
 Staging staging_of(const Scene& scene, const Stage& stage);
 
+// The same seen from space or from the body: `view` is one of ShowSpec::views.
+Staging seen_from(const std::string& view, Staging staging);
+
 // The composer of one panel. Throws Error (input) as Composer does.
 std::shared_ptr<const Composer> composer_of(const Solved& solved,
                                             const Staging& staging,
                                             const PixelBox& place,
                                             Shared shared = {});
 
-// The composer of a film of the scene alone: from space, with the camera and the scales that
-// `render` has, without plots. Throws Error (input) likewise.
+// The composer of a film of the scene alone: in the first of its views, with the camera and the
+// scales that `render` has, without plots. Throws Error (input) likewise.
 std::shared_ptr<const Composer> composer_alone(const Solved& solved);
 
 }  // namespace polhode

@@ -226,6 +226,8 @@ std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
   }
   for (const ArcGlyph& arc : glyphs.arcs)
     add(kPiecesOfArc, [&](double part) { return point_of(arc, part); });
+  for (const RodGlyph& rod : glyphs.rods)
+    add(1, [&](double part) -> Vec3 { return rod.from + part * (rod.to - rod.from); });
   for (const LineGlyph& line : glyphs.lines)
     add(1, [&](double part) -> Vec3 { return line.from + part * (line.to - line.from); });
   return curves;

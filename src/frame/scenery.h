@@ -29,12 +29,6 @@ struct Scale {
   double slip = 0.0;      // metres per m/s of slip on a table
 };
 
-// A point that has a name from a time on.
-struct NamedPoint {
-  double from;        // s of motion
-  std::size_t index;  // in Scenery::field_points_B
-};
-
 // What of the whole motion the pictures of a film draw, made once: the curves that the scene asks
 // for; those that it does not ask for, and curves that are a single point, are empty or null.
 struct Paths {
@@ -51,8 +45,6 @@ struct Paths {
   std::vector<MeshPtr> polhodes;        // family of polhodes, likewise
   std::vector<MeshPtr> separatrix;      // the two that part them; empty if two moments are equal
   Vec3 on_separatrix_P = Vec3::Zero();  // where its name stands, rad/s
-  // The points of the velocity field that have its name in turn, in the order of their times.
-  std::vector<NamedPoint> named_in_field;
 };
 
 // The radius of the sphere on which the path of the body's axis is drawn, in units of the body's

@@ -180,6 +180,8 @@ class Reader {
       const std::vector<std::string> known = names_of(row->settings);
       if (std::find(known.begin(), known.end(), key) == known.end())
         throw input_error("a .{} has no '{}'{}", row->name, key, suggestion(key, known));
+      if (picture.settings.contains(key))
+        throw input_error("a .{} has '{}' twice here; leave one out", row->name, key);
       picture.settings[key] = value;
     }
     const std::string asked = attributes[0];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `polhode export` as a user calls it.
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -55,6 +56,27 @@ TEST_F(Export, StandardOutputHasTheSameBytesEachTime) {
   EXPECT_EQ(one.out.substr(0, 4), "glTF");
   EXPECT_EQ(one.out, other.out);
   EXPECT_EQ(one.err, "");
+}
+
+// the animation of a film that repeats can be repeated
+TEST_F(Export, EndsWhereTheFilmRepeats) {
+  const Ran ran =
+      run("-o - -q --set video.loop=true --set 'motion.spin.body=[0, 0, 6.283185307179586]'");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json json = json_of(ran.out);
+  double last = 0.0;
+  for (const nlohmann::json& sampler : json.at("animations").at(0).at("samplers")) {
+    const nlohmann::json& times = json.at("accessors").at(sampler.at("input").get<std::size_t>());
+    last = std::max(last, times.at("max").at(0).get<double>());
+  }
+  EXPECT_NEAR(last, 1.0, 1e-3);
+}
+
+TEST_F(Export, TellsThatItHasNoComparedMotions) {
+  const Ran ran = run("-o - -q --set 'numerics.compare=[\"rk4\"]' --set numerics.step=0.01");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("numerics.compare: models have the one motion"), std::string::npos)
+      << ran.err;
 }
 
 // a finer accuracy has more keys, and the error that is told is smaller

@@ -140,6 +140,19 @@ TEST(GltfScene, WhatIsNotThereYetHasNoSize) {
   }
 }
 
+TEST(GltfScene, TheCameraOfAViewFromTheBodyTurnsWithIt) {
+  Scene scene = small_scene("free_symmetric_top");
+  const auto camera_turns = [&] {
+    const GltfDocument document = export_scene(solve(scene), {}).document;
+    return std::any_of(document.nodes.begin(), document.nodes.end(), [](const GltfNode& node) {
+      return node.name.starts_with("camera") && node.rotated.values != nullptr;
+    });
+  };
+  EXPECT_FALSE(camera_turns());
+  scene.show.views = {"body"};
+  EXPECT_TRUE(camera_turns());
+}
+
 TEST(GltfScene, TheMotionMayBePartOnly) {
   const Solved solved = solve(small_scene("free_symmetric_top"));
   ExportPlan plan;

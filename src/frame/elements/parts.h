@@ -133,10 +133,6 @@ Add add_omega, add_omega_components, add_euler_rates, add_sum, add_momentum, add
 // The gravity gradient among the loads; null: the body is no satellite.
 const Load* gradient_of(const Scenery& scenery);
 
-// The points of the velocity field that have its name in turn. Each is seen well when it comes to
-// it, and keeps it as long as others are not seen much better; looked at `pieces` times.
-std::vector<NamedPoint> named_in_field(const Scenery& scenery, int pieces);
-
 Add add_velocity_field, add_forces, add_gravity, add_frame_rotation;
 Add add_angles, add_tilt, add_space_cone, add_body_cone, add_precession_cone;
 Add add_stand, add_hinge, add_gimbals, add_floor;

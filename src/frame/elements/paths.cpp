@@ -339,8 +339,6 @@ Paths make_paths(const Scenery& scenery) {
   Paths paths;
   make_trails(scenery, paths);
   make_body_curves(scenery, paths);
-  if (is_asked(scenery.options, "velocity_field"))
-    paths.named_in_field = named_in_field(scenery, fineness_of(scenery.motion, 1).pieces);
   return paths;
 }
 

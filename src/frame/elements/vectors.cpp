@@ -264,78 +264,39 @@ void add_frame_rotation(const Scenery& scenery, const Sample& sample, Glyphs& gl
 
 namespace {
 
-// How well each arrow of the velocity field is seen from the usual side of the camera.
-std::vector<double> seen_in_field(const Scenery& scenery, const Sample& sample) {
-  constexpr double kNearer = 0.6;  // by how much a point towards the camera counts more
-  const BodyModel& model = scenery.motion.model();
-  std::vector<double> seen;
-  for (const Vec3& point_B : scenery.field_points_B) {
-    const Vec3 out = (point_position(model, sample, point_B) - sample.reference_S).normalized();
-    seen.push_back(point_velocity(model, sample, point_B).norm() *
-                   (1.0 + kNearer * out.dot(kDefaultDirection)));
-  }
-  return seen;
-}
-
-// which of them has the name at a time, s of motion
-std::optional<std::size_t> named_at(const std::vector<NamedPoint>& named, double t) {
-  const auto after = std::find_if(
-      named.begin(), named.end(), [t](const NamedPoint& point) { return point.from > t; });
-  if (after == named.begin()) return std::nullopt;
-  return static_cast<std::size_t>(after - named.begin()) - 1;
-}
-
-// How visible the name of the k-th named point is: it is gone as it goes to the next.
-float name_in_field(const Scenery& scenery, std::size_t k, double t) {
-  constexpr double kFade = 0.15;  // of the time that it stays
-  const std::vector<NamedPoint>& named = scenery.paths.named_in_field;
-  const bool goes = k + 1 < named.size();
-  const double from = named[k].from, to = goes ? named[k + 1].from : scenery.motion.duration();
-  double nearest = std::numeric_limits<double>::infinity();
-  if (k > 0) nearest = t - from;
-  if (goes) nearest = std::min(nearest, to - t);
-  return static_cast<float>(std::min(1.0, nearest / (kFade * (to - from))));
+// the point of the velocity field that is fastest at the start; in models it has the name of all
+std::size_t fastest_in_field(const Scenery& scenery) {
+  const Sample start = scenery.motion.at(0.0);
+  const auto speed = [&](const Vec3& point_B) {
+    return point_velocity(scenery.motion.model(), start, point_B).norm();
+  };
+  const std::vector<Vec3>& points = scenery.field_points_B;
+  const auto fastest =
+      std::max_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+        return speed(a) < speed(b);
+      });
+  return static_cast<std::size_t>(fastest - points.begin());
 }
 
 }  // namespace
 
-std::vector<NamedPoint> named_in_field(const Scenery& scenery, int pieces) {
-  constexpr double kHold = 0.65;  // it keeps its name until it is so much less well seen
-  const Motion& motion = scenery.motion;
-  std::vector<NamedPoint> named;
-  for (int i = 0; i < pieces; ++i) {
-    const double t = motion.duration() * i / pieces;
-    const std::vector<double> seen = seen_in_field(scenery, motion.at(t));
-    const auto best = std::max_element(seen.begin(), seen.end());
-    if (named.empty() || seen[named.back().index] < kHold * *best)
-      named.push_back({t, static_cast<std::size_t>(best - seen.begin())});
-  }
-  return named;
-}
-
-// V + Omega x r (notes, section 0.1) at points of the body, and V at the reference point. One of
-// the fastest points on the usual side of the camera has the name of all.
+// V + Omega x r (notes, section 0.1) at points of the body, and V at the reference point. All have
+// one name, beside their tips.
 void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const BodyModel& model = scenery.motion.model();
   const Material material = plain(scenery.theme.velocity, 0.2f);
-  const std::vector<NamedPoint>& names = scenery.paths.named_in_field;
-  const std::optional<std::size_t> now = named_at(names, sample.t);
-  for (std::size_t i = 0; i < scenery.field_points_B.size(); ++i) {
-    const Vec3 from = point_position(model, sample, scenery.field_points_B[i]);
-    const Vec3 along =
-        scenery.scale.velocity * point_velocity(model, sample, scenery.field_points_B[i]);
-    const GlyphCounts before(glyphs);
-    add_vector(scenery,
-               from,
-               from + along,
-               kFieldShape,
-               material,
-               glyphs,
-               now && i == names[*now].index ? kFieldName : "");
+  std::vector<Vec3> tips;
+  for (const Vec3& point_B : scenery.field_points_B) {
+    const Vec3 from = point_position(model, sample, point_B);
+    tips.push_back(from + scenery.scale.velocity * point_velocity(model, sample, point_B));
+    add_vector(scenery, from, tips.back(), kFieldShape, material, glyphs, "");
     glyphs.arrows.back().material.hidden *= kHiddenField;
-    if (glyphs.labels.size() == before.labels) continue;
-    glyphs.labels.back().fade *= name_in_field(scenery, *now, sample.t);
-    glyphs.labels.back().faces = from - sample.reference_S;
+  }
+  if (!tips.empty()) {
+    const Vec3 tip = tips[fastest_in_field(scenery)];
+    add_name(
+        scenery, tip, tip - sample.reference_S, kFieldName, scenery.theme.velocity, 1.0f, glyphs);
+    glyphs.labels.back().curve = std::move(tips);
   }
   const Vec3 along = scenery.scale.velocity * sample.reference_velocity_S;
   if (along.norm() > 0.0)
