@@ -36,7 +36,7 @@ TEST(Deck, WrongWordsGetTheirLineAndTheNearestOne) {
             "deck.md:3: unknown kind of picture '.filn' (did you mean 'film'?)");
   EXPECT_EQ(problem_of("\n\n![](a.toml){.film form=2}\n"),
             "deck.md:3: a .film has no 'form' (did you mean 'from'?)");
-  EXPECT_EQ(message("# A\n\n![x](a.toml){.still at=0 at=1}\n"),
+  EXPECT_EQ(problem_of("# A\n\n![x](a.toml){.still at=0 at=1}\n"),
             "deck.md:3: a .still has 'at' twice here; leave one out");
   EXPECT_NE(problem_of("![](a.toml){.film .loop}\n").find("either"), std::string::npos);
   EXPECT_NE(problem_of("![](a.toml)\n").find("say what to make"), std::string::npos);
