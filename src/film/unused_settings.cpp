@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <fmt/ranges.h>
 
@@ -11,9 +12,11 @@ namespace {
 
 // A key that changes only how some elements are drawn.
 struct Modifier {
-  const char* key;
+  std::string_view key;
   std::vector<std::string> elements;  // names of elements; any of them has a use for it
 };
+
+constexpr std::string_view kVectorLength = "show.vector_length";
 
 const std::vector<Modifier>& modifiers() {
   static const std::vector<Modifier> table = {
@@ -21,7 +24,7 @@ const std::vector<Modifier>& modifiers() {
       {"show.material", {"body", "ghosts", "ensemble"}},
       {"show.ghost_count", {"ghosts"}},
       {"show.ghost_interval", {"ghosts"}},
-      {"show.vector_length",
+      {kVectorLength,
        {"omega",
         "momentum",
         "torque",
@@ -42,9 +45,9 @@ const std::vector<Modifier>& modifiers() {
       {"show.names.torque", {"torque"}},
       {"show.names.gravity", {"gravity"}},
       {"show.names.frame_rotation", {"frame_rotation"}},
-      {"show.names.x", {"space_axes"}},
-      {"show.names.y", {"space_axes"}},
-      {"show.names.z", {"space_axes"}},
+      {"show.names.x", {"space_axes", "fixed_frame"}},
+      {"show.names.y", {"space_axes", "fixed_frame"}},
+      {"show.names.z", {"space_axes", "fixed_frame"}},
   };
   return table;
 }
@@ -84,8 +87,10 @@ std::vector<Error> unused_settings(const Scene& scene,
     });
   };
   for (const auto& [key, elements] : modifiers()) {
-    if (!is_given(scene, key) || shows_any(elements)) continue;
-    tell(key, fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
+    if (!is_given(scene, std::string(key)) || shows_any(elements)) continue;
+    if (key == kVectorLength && scene.show.trail_tips) continue;  // their ends are those of vectors
+    tell(std::string(key),
+         fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
   }
   const bool any_path = shows_any({"trail", "herpolhode", "contact_trail"}) ||
                         std::any_of(composers.begin(), composers.end(), [](const auto& composer) {

@@ -31,6 +31,9 @@ const std::vector<Unused> kUnused = {
     {{"show.trail_length", "0.5"}, {"show.trail", "true"}},
     {{"show.names.torque", "M"}, {"show.torque", "true"}},
     {{"show.names.x", "x"}, {"show.space_axes", "true"}},
+    {{"show.names.y", "y"}, {"show.fixed_frame", "true"}},
+    {{"show.vector_length", "2"}, {"show.trail_tips", "[omega]"}},
+    {{"show.vector_length", "2"}, {"show.omega", "true"}},
     {{"show.material", "ceramic"}, {"show.body", "true"}},
     {{"show.torque", "true"}, {"motion.torque", R"([{ kind = "constant", space = [0, 0, 0.1] }])"}},
     {{"motion.torque", R"([{ kind = "constant", space = [0, 0, 0.1], from = 2 }])"},
@@ -45,6 +48,10 @@ const std::vector<Unused> kUnused = {
 TEST(UnusedSettings, AreTold) {
   const std::vector<Setting> bare = {{"show.space_axes", "false"},
                                      {"show.body", "false"},
+                                     {"show.omega", "false"},
+                                     {"show.momentum", "false"},
+                                     {"show.space_cone", "false"},
+                                     {"show.body_cone", "false"},
                                      {"title", R"("")"},
                                      {"show.views", R"(["body"])"}};
   for (const Unused& one : kUnused) {

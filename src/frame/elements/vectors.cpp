@@ -296,6 +296,7 @@ void add_velocity_field(const Scenery& scenery, const Sample& sample, Glyphs& gl
     const Vec3 tip = tips[fastest_in_field(scenery)];
     add_name(
         scenery, tip, tip - sample.reference_S, kFieldName, scenery.theme.velocity, 1.0f, glyphs);
+    glyphs.labels.back().size = 1.0;  // as of other vectors
     glyphs.labels.back().curve = std::move(tips);
   }
   const Vec3 along = scenery.scale.velocity * sample.reference_velocity_S;
