@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -52,10 +53,6 @@ const std::vector<Modifier>& modifiers() {
   return table;
 }
 
-bool is_given(const Scene& scene, const std::string& key) {
-  return scene.lines.contains(key) || scene.options.contains(key);
-}
-
 // whether the torque on a body is more than round-off at any time
 bool has_torque(const Motion& motion) {
   constexpr double kRounding = 1e-12;  // of twice the energy of turning
@@ -67,64 +64,100 @@ bool has_torque(const Motion& motion) {
   return false;
 }
 
-bool has_paths(const Paths& paths) {
-  return !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty();
-}
+using Composers = std::vector<std::shared_ptr<const Composer>>;
+
+// Looks for unused settings of a scene.
+class Search {
+ public:
+  Search(const Scene& scene, const Composers& composers) : scene_(scene), composers_(composers) {}
+
+  std::vector<Error> found() {
+    look_at_modifiers();
+    look_at_paths();
+    look_at_torque();
+    look_at_companions();
+    look_at_cameras();
+    return std::move(found_);
+  }
+
+ private:
+  void tell(std::string_view key, const std::string& words) {
+    found_.push_back(input_error("{}", words).at({{}, 0, std::string(key)}));
+  }
+  bool is_given(std::string_view key) const {
+    const std::string name(key);
+    return scene_.lines.contains(name) || scene_.options.contains(name);
+  }
+  // in any panel
+  bool shows(const std::vector<std::string>& elements) const {
+    return std::any_of(composers_.begin(), composers_.end(), [&](const auto& composer) {
+      return std::any_of(elements.begin(), elements.end(), [&](const std::string& name) {
+        return composer->shows(name);
+      });
+    });
+  }
+
+  void look_at_modifiers() {
+    for (const auto& [key, elements] : modifiers()) {
+      if (!is_given(key) || shows(elements)) continue;
+      // their ends are those of vectors
+      if (key == kVectorLength && scene_.show.trail_tips) continue;
+      tell(key,
+           fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
+    }
+  }
+
+  void look_at_paths() {
+    const bool any = shows({"trail", "herpolhode", "contact_trail"}) ||
+                     !scene_.show.trail_points.empty() || scene_.show.trail_tips;
+    if (is_given("show.trail_length") && !any)
+      tell("show.trail_length", "changes nothing here: the film shows no paths");
+  }
+
+  void look_at_torque() {
+    const auto asked = scene_.show.asked.find("torque");
+    if (asked == scene_.show.asked.end() || !asked->second.value_or(false)) return;
+    const bool any = std::any_of(composers_.begin(), composers_.end(), [](const auto& composer) {
+      return has_torque(composer->scenery().motion);
+    });
+    if (!any)
+      tell("show.torque", "shows nothing: no torque acts, or the method does not tell it (table)");
+  }
+
+  // keys that belong to others
+  void look_at_companions() {
+    const bool compares = !scene_.numerics.compare.empty();
+    if (compares && is_given("numerics.method"))
+      tell("numerics.method", "changes nothing here: numerics.compare names the methods");
+    if (!compares && scene_.show.details)
+      tell("show.details", "changes nothing here: it belongs to numerics.compare");
+    if (!scene_.video.loop && is_given("video.loop_residual"))
+      tell("video.loop_residual", "changes nothing here: it belongs to video.loop");
+  }
+
+  // a view from the body turns with it, whatever the camera follows
+  void look_at_cameras() {
+    const std::vector<std::string>& views = scene_.show.views;
+    if (std::find(views.begin(), views.end(), "space") != views.end()) return;
+    const auto look_at = [&](const CameraSpec& camera, const std::string& key) {
+      if (camera.follow != "auto" && camera.follow != "body")
+        tell(key, "changes nothing here: all views are from the body (show.views)");
+    };
+    look_at(scene_.camera, "camera.follow");
+    for (std::size_t i = 0; i < scene_.shots.size(); ++i)
+      look_at(scene_.shots[i].camera, fmt::format("shots[{}].follow", i));
+  }
+
+  const Scene& scene_;
+  const Composers& composers_;
+  std::vector<Error> found_;
+};
 
 }  // namespace
 
 std::vector<Error> unused_settings(const Scene& scene,
                                    const std::vector<std::shared_ptr<const Composer>>& composers) {
-  std::vector<Error> unused;
-  const auto tell = [&](const std::string& key, const std::string& words) {
-    unused.push_back(input_error("{}", words).at({{}, 0, key}));
-  };
-  const auto shows_any = [&](const std::vector<std::string>& elements) {
-    return std::any_of(composers.begin(), composers.end(), [&](const auto& composer) {
-      return std::any_of(elements.begin(), elements.end(), [&](const std::string& name) {
-        return composer->shows(name);
-      });
-    });
-  };
-  for (const auto& [key, elements] : modifiers()) {
-    if (!is_given(scene, std::string(key)) || shows_any(elements)) continue;
-    if (key == kVectorLength && scene.show.trail_tips) continue;  // their ends are those of vectors
-    tell(std::string(key),
-         fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
-  }
-  const bool any_path = shows_any({"trail", "herpolhode", "contact_trail"}) ||
-                        std::any_of(composers.begin(), composers.end(), [](const auto& composer) {
-                          return has_paths(composer->scenery().paths);
-                        });
-  if (is_given(scene, "show.trail_length") && !any_path)
-    tell("show.trail_length", "changes nothing here: the film shows no paths");
-  const auto torque = scene.show.asked.find("torque");
-  if (torque != scene.show.asked.end() && torque->second.value_or(false) &&
-      std::none_of(composers.begin(), composers.end(), [](const auto& composer) {
-        return has_torque(composer->scenery().motion);
-      })) {
-    tell("show.torque", "shows nothing: no torque acts, or the method does not tell it (table)");
-  }
-  const std::vector<std::string>& compared = scene.numerics.compare;
-  if (!compared.empty() && is_given(scene, "numerics.method"))
-    tell("numerics.method", "changes nothing here: numerics.compare names the methods");
-  if (scene.show.details && compared.empty())
-    tell("show.details", "changes nothing here: it belongs to numerics.compare");
-  if (scene.show.title && scene.title.empty())
-    tell("show.title", "shows nothing: the scene has no title");
-  if (is_given(scene, "video.loop_residual") && !scene.video.loop)
-    tell("video.loop_residual", "changes nothing here: it belongs to video.loop");
-  // a view from the body turns with it, whatever the camera follows
-  const std::vector<std::string>& views = scene.show.views;
-  if (std::find(views.begin(), views.end(), "space") != views.end()) return unused;
-  const auto look_at_camera = [&](const CameraSpec& camera, const std::string& key) {
-    if (camera.follow != "auto" && camera.follow != "body")
-      tell(key, "changes nothing here: all views are from the body (show.views)");
-  };
-  look_at_camera(scene.camera, "camera.follow");
-  for (std::size_t i = 0; i < scene.shots.size(); ++i)
-    look_at_camera(scene.shots[i].camera, fmt::format("shots[{}].follow", i));
-  return unused;
+  return Search(scene, composers).found();
 }
 
 }  // namespace polhode
