@@ -21,6 +21,7 @@ constexpr double kLongestVector = 50.0;  // drawn, in units of the body's radius
 constexpr double kOmegaLength = 1.3;
 constexpr double kMomentumLength = kReachOfVectors;
 constexpr double kVelocityLength = 0.6;
+constexpr double kSlipLength = 2.0;  // from below a body it is seen
 
 constexpr int kRoughSegments = 24;     // of meshes that throw shadows
 constexpr double kGimbalTube = 0.017;  // radius of the tube of a gimbal ring, in that of the ring
@@ -117,7 +118,7 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(longer * kForceLength, turned_by),
           (model.on_pivot ? weight_length(lowest / radius, scenery.stand_height) : kOrbitLength) *
               radius,
-          per(kVelocityLength, slip)};
+          per(kSlipLength, slip)};
 }
 
 // the box around all places that a body goes to on its table

@@ -95,7 +95,7 @@ void add_slip(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   add_vector(scenery,
              at,
              at + scenery.scale.slip * found->slip_S,
-             kComponentShape,
+             kOmegaShape,
              plain(scenery.theme.velocity, 0.25f),
              glyphs,
              "<b>v</b><sub>P</sub>");
