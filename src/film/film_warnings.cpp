@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/ranges.h>
 
@@ -256,7 +257,7 @@ void warn_of_lengths(const std::vector<Solved>& solved) {
   for (const Solved& one : solved)
     least = std::min(least, length(one));
   for (const Solved& one : solved) {
-    if (length(one) == least) continue;
+    if (!one.scene.show.vector_length || length(one) == least) continue;
     warn_at(one.scene,
             "show.vector_length",
             input_error("changes nothing here: panels with one scale have the smallest of theirs, "
@@ -275,6 +276,32 @@ std::vector<std::shared_ptr<const Composer>> composers_of(const std::vector<Film
   for (const FilmPanel& panel : panels)
     all.push_back(panel.composer);
   return all;
+}
+
+// What is set for several panels at one place has a use if it has one in any of them.
+void warn_of_unused_settings(const std::vector<Solved>& solved,
+                             const std::vector<FilmPanel>& panels) {
+  std::vector<std::string> views;
+  for (const Solved& one : solved) {
+    const std::vector<std::string>& own = one.scene.show.views;
+    views.insert(views.end(), own.begin(), own.end());
+  }
+  std::map<std::string, std::ptrdiff_t> told;  // in how many panels
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    const Scene& scene = solved[i].scene;
+    const auto composers = composers_of(panels, i, solved.size());
+    for (const Error& unused : unused_settings(scene, composers, views)) {
+      // the scale of all panels depends on it, whatever its own shows
+      const bool scales_all = solved.size() > 1 && solved.front().scene.same_scales;
+      if (scales_all && unused.place().key == "show.vector_length") continue;
+      const std::string words = placed(scene, unused).what();
+      const auto of_this_place =
+          std::count_if(solved.begin(), solved.end(), [&](const Solved& other) {
+            return placed(other.scene, unused).what() == words;
+          });
+      if (++told[words] == of_this_place) spdlog::warn("{}", words);
+    }
+  }
 }
 
 // what is to be said of each of the panels: what one of them shows is not missing
@@ -347,12 +374,11 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   warn_of_jump(scene, frames, *panels.front().composer);
   warn_of_what_restarts(scene, frames, *panels.front().composer);
   warn_of_what_never_comes(scene, panels);
+  warn_of_unused_settings(solved, panels);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const Solved& one = solved[i];
     const auto composers = composers_of(panels, i, solved.size());
     for (const Error& warning : warnings_of_all(composers))
-      spdlog::warn("{}", placed(one.scene, warning).what());
-    for (const Error& warning : unused_settings(one.scene, composers))
       spdlog::warn("{}", placed(one.scene, warning).what());
     warn_of_backward_turning(one.scene, one.simulation.motion, frames, scene.in_turn);
     if (!scene.in_turn) warn_of_running_contact(one.scene, *panels[i].composer, frames);

@@ -6,12 +6,15 @@
 #include <spdlog/spdlog.h>
 
 #include "film/error_places.h"
+#include "film/unused_settings.h"
 #include "motion/ensemble.h"
 
 namespace polhode {
 
 Solved solve_alone(const Scene& scene, ProgressKind progress) {
   with_place(scene, [&] { check_ensemble(scene.motion); });
+  for (const Error& unused : unused_in_motion(scene))
+    spdlog::warn("{}", placed(scene, unused).what());
   Scene alone = scene;
   alone.motion.ensemble.reset();
   Solved solved = solve(alone, progress);

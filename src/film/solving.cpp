@@ -53,24 +53,6 @@ NumericsSpec numerics_of_truth(const Scene& scene) {
   return numerics;
 }
 
-// a pivot without hold = "pivot" was perhaps meant to hold the body
-std::optional<std::string> unused_pivot(const Scene& scene, const BodyModel& model) {
-  const bool given = scene.lines.contains("body.pivot") || scene.options.contains("body.pivot");
-  if (!given || model.on_pivot || scene.body.about == "pivot") return {};
-  return fmt::format("changes nothing here: motion.hold is \"{}\", not \"pivot\"",
-                     scene.motion.hold);
-}
-
-// loads that never act, as the motion ends before them
-std::vector<std::string> late_loads(const Scene& scene) {
-  std::vector<std::string> keys;
-  for (std::size_t i = 0; i < scene.motion.torque.size(); ++i) {
-    if (scene.motion.torque[i].from.value_or(0.0) < scene.motion.duration) continue;
-    keys.push_back(fmt::format("motion.torque[{}].from", i));
-  }
-  return keys;
-}
-
 // Each motion keeps its states; those that begin near one another need about as many.
 void refuse_large_ensemble(const Scene& scene, const Simulation& first) {
   if (!scene.motion.ensemble) return;
@@ -150,10 +132,6 @@ Solved solve_watched(const Scene& scene, const SolveWatch& watch) {
     const auto warn = [&](const std::string& words, const char* key) {
       if (watch.warn) watch.warn(placed(scene, input_error("{}", words).at({{}, 0, key})));
     };
-    if (const auto unused = unused_pivot(scene, model)) warn(*unused, "body.pivot");
-    for (const std::string& key : late_loads(scene))
-      warn(fmt::format("the motion ends before it, at {:.4g} s", scene.motion.duration),
-           key.c_str());
     const NumericsSpec numerics = numerics_of_truth(scene);
     const std::optional<std::string> too_long =
         step_beyond_limit(model, start_state(model, scene.motion), numerics);

@@ -2,6 +2,7 @@
 #include "film/unused_settings.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,14 +42,27 @@ const std::vector<Modifier>& modifiers() {
         "polhodes",
         "herpolhode",
         "binet"}},
-      {"show.names.omega", {"omega"}},
-      {"show.names.momentum", {"momentum"}},
-      {"show.names.torque", {"torque"}},
-      {"show.names.gravity", {"gravity"}},
-      {"show.names.frame_rotation", {"frame_rotation"}},
-      {"show.names.x", {"space_axes", "fixed_frame"}},
-      {"show.names.y", {"space_axes", "fixed_frame"}},
-      {"show.names.z", {"space_axes", "fixed_frame"}},
+  };
+  return table;
+}
+
+// A name that a scene may give, and the elements that have it.
+struct GivenName {
+  const char* key;
+  std::optional<std::string> VectorNames::*name;
+  std::vector<std::string> elements;
+};
+
+const std::vector<GivenName>& given_names() {
+  static const std::vector<GivenName> table = {
+      {"show.names.omega", &VectorNames::omega, {"omega"}},
+      {"show.names.momentum", &VectorNames::momentum, {"momentum"}},
+      {"show.names.torque", &VectorNames::torque, {"torque"}},
+      {"show.names.gravity", &VectorNames::gravity, {"gravity"}},
+      {"show.names.frame_rotation", &VectorNames::frame_rotation, {"frame_rotation"}},
+      {"show.names.x", &VectorNames::x, {"space_axes", "fixed_frame"}},
+      {"show.names.y", &VectorNames::y, {"space_axes", "fixed_frame"}},
+      {"show.names.z", &VectorNames::z, {"space_axes", "fixed_frame"}},
   };
   return table;
 }
@@ -64,15 +78,23 @@ bool has_torque(const Motion& motion) {
   return false;
 }
 
+bool is_given(const Scene& scene, std::string_view key) {
+  const std::string name(key);
+  return scene.lines.contains(name) || scene.options.contains(name);
+}
+
 using Composers = std::vector<std::shared_ptr<const Composer>>;
 
 // Looks for unused settings of a scene.
 class Search {
  public:
-  Search(const Scene& scene, const Composers& composers) : scene_(scene), composers_(composers) {}
+  Search(const Scene& scene, const Composers& composers, const std::vector<std::string>& views)
+      : scene_(scene), composers_(composers), views_(views) {}
 
   std::vector<Error> found() {
+    found_ = unused_in_motion(scene_);
     look_at_modifiers();
+    look_at_names();
     look_at_paths();
     look_at_torque();
     look_at_companions();
@@ -84,9 +106,8 @@ class Search {
   void tell(std::string_view key, const std::string& words) {
     found_.push_back(input_error("{}", words).at({{}, 0, std::string(key)}));
   }
-  bool is_given(std::string_view key) const {
-    const std::string name(key);
-    return scene_.lines.contains(name) || scene_.options.contains(name);
+  void tell_unshown(std::string_view key, const std::vector<std::string>& elements) {
+    tell(key, fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
   }
   // in any panel
   bool shows(const std::vector<std::string>& elements) const {
@@ -99,18 +120,24 @@ class Search {
 
   void look_at_modifiers() {
     for (const auto& [key, elements] : modifiers()) {
-      if (!is_given(key) || shows(elements)) continue;
+      if (!is_given(scene_, key) || shows(elements)) continue;
       // their ends are those of vectors
       if (key == kVectorLength && scene_.show.trail_tips) continue;
-      tell(key,
-           fmt::format("changes nothing here: the film shows no {}", fmt::join(elements, ", ")));
+      tell_unshown(key, elements);
+    }
+  }
+
+  void look_at_names() {
+    if (!scene_.show.names) return;
+    for (const auto& [key, name, elements] : given_names()) {
+      if ((*scene_.show.names.*name) && !shows(elements)) tell_unshown(key, elements);
     }
   }
 
   void look_at_paths() {
     const bool any = shows({"trail", "herpolhode", "contact_trail"}) ||
                      !scene_.show.trail_points.empty() || scene_.show.trail_tips;
-    if (is_given("show.trail_length") && !any)
+    if (is_given(scene_, "show.trail_length") && !any)
       tell("show.trail_length", "changes nothing here: the film shows no paths");
   }
 
@@ -127,18 +154,17 @@ class Search {
   // keys that belong to others
   void look_at_companions() {
     const bool compares = !scene_.numerics.compare.empty();
-    if (compares && is_given("numerics.method"))
+    if (compares && is_given(scene_, "numerics.method"))
       tell("numerics.method", "changes nothing here: numerics.compare names the methods");
     if (!compares && scene_.show.details)
       tell("show.details", "changes nothing here: it belongs to numerics.compare");
-    if (!scene_.video.loop && is_given("video.loop_residual"))
+    if (!scene_.video.loop && is_given(scene_, "video.loop_residual"))
       tell("video.loop_residual", "changes nothing here: it belongs to video.loop");
   }
 
   // a view from the body turns with it, whatever the camera follows
   void look_at_cameras() {
-    const std::vector<std::string>& views = scene_.show.views;
-    if (std::find(views.begin(), views.end(), "space") != views.end()) return;
+    if (std::find(views_.begin(), views_.end(), "space") != views_.end()) return;
     const auto look_at = [&](const CameraSpec& camera, const std::string& key) {
       if (camera.follow != "auto" && camera.follow != "body")
         tell(key, "changes nothing here: all views are from the body (show.views)");
@@ -150,14 +176,36 @@ class Search {
 
   const Scene& scene_;
   const Composers& composers_;
+  const std::vector<std::string>& views_;
   std::vector<Error> found_;
 };
 
 }  // namespace
 
+std::vector<Error> unused_in_motion(const Scene& scene) {
+  std::vector<Error> unused;
+  const auto tell = [&](const std::string& key, const std::string& words) {
+    unused.push_back(input_error("{}", words).at({{}, 0, key}));
+  };
+  // without hold = "pivot" it was perhaps meant to hold the body
+  if (is_given(scene, "body.pivot") && scene.motion.hold != "pivot" &&
+      scene.body.about != "pivot") {
+    tell("body.pivot",
+         fmt::format("changes nothing here: motion.hold is \"{}\", not \"pivot\"",
+                     scene.motion.hold));
+  }
+  for (std::size_t i = 0; i < scene.motion.torque.size(); ++i) {
+    if (scene.motion.torque[i].from.value_or(0.0) < scene.motion.duration) continue;
+    tell(fmt::format("motion.torque[{}].from", i),
+         fmt::format("the motion ends before it, at {:.4g} s", scene.motion.duration));
+  }
+  return unused;
+}
+
 std::vector<Error> unused_settings(const Scene& scene,
-                                   const std::vector<std::shared_ptr<const Composer>>& composers) {
-  return Search(scene, composers).found();
+                                   const std::vector<std::shared_ptr<const Composer>>& composers,
+                                   const std::vector<std::string>& views) {
+  return Search(scene, composers, views).found();
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -13,8 +14,12 @@ namespace polhode {
 
 // What the scene file or an option sets, but nothing that the film shows depends on, such as the
 // number of ghosts of a film without them; each as an Error (input) with its key, which is not
-// thrown. composers: of the panels that show the scene.
+// thrown. composers: of the panels that show the scene; views: those of all panels of the film.
 std::vector<Error> unused_settings(const Scene& scene,
-                                   const std::vector<std::shared_ptr<const Composer>>& composers);
+                                   const std::vector<std::shared_ptr<const Composer>>& composers,
+                                   const std::vector<std::string>& views);
+
+// Those that the motion has no use for, whatever is shown.
+std::vector<Error> unused_in_motion(const Scene& scene);
 
 }  // namespace polhode

@@ -75,6 +75,43 @@ TEST(UnusedSettings, TheMethodBesideComparedOnesIsTold) {
   EXPECT_EQ(warnings_with({method}), "");
 }
 
+TEST(UnusedSettings, NamesInATableAreTold) {
+  EXPECT_NE(warnings_with({{"show.names", R"({ torque = "M" })"}}).find("shows no torque"),
+            std::string::npos);
+}
+
+// an option sets all panels, and may be of use in one of them
+TEST(UnusedSettings, OptionsCountForAllPanels) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a.toml", test::kSmallScene);
+  test::write_text(folder / "b.toml", test::kSmallScene);
+  const auto warnings = [&](const std::string& of_first, const std::vector<Setting>& settings) {
+    test::write_text(folder / "film.toml",
+                     "[[panel]]\nscene = \"a.toml\"\ncaption = \"A\"\nset = { " + of_first +
+                         " }\n[[panel]]\nscene = \"b.toml\"\ncaption = \"B\"\n");
+    Scene scene = load_scene(folder / "film.toml", settings);
+    for_each_scene(scene, [](Scene& one) { one.video.size = {64, 48}; });
+    return test::logged_by([&] {
+      const PreparedFilm film(test::plan_of(scene));
+      film.warn();
+    });
+  };
+  const std::string nothing = "\"show.omega\" = true";
+  const Setting count = {"show.ghost_count", "3"};
+  const std::string told = warnings(nothing, {count});
+  EXPECT_NE(told.find("--set show.ghost_count: changes nothing"), std::string::npos) << told;
+  EXPECT_EQ(told.find("ghost_count"), told.rfind("ghost_count")) << "once";
+  EXPECT_EQ(warnings("\"show.ghosts\" = true", {count}), "");
+  // the panels have one scale
+  EXPECT_EQ(
+      warnings("\"show.omega\" = false, \"show.momentum\" = false, \"show.space_cone\" = false, "
+               "\"show.body_cone\" = false, \"show.vector_length\" = 0.5",
+               {}),
+      "");
+  const Setting follow = {"camera.follow", "center"};
+  EXPECT_EQ(warnings("\"show.views\" = [\"body\"]", {follow}), "");
+}
+
 TEST(UnusedSettings, OfShotsFromTheBodyAreTold) {
   const Setting views = {"show.views", R"(["body"])"};
   const Setting shots = {"shots", R"([{ at = 0.5, follow = "center" }])"};

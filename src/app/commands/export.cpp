@@ -13,6 +13,7 @@
 #include "film/error_places.h"
 #include "film/frame_times.h"
 #include "film/solved_scene.h"
+#include "film/unused_settings.h"
 
 namespace polhode {
 namespace {
@@ -44,6 +45,8 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
       plan.radians = accuracy.value;
     }
   }
+  for (const Error& unused : unused_in_motion(scene))
+    spdlog::warn("{}", placed(scene, unused).what());
   if (!scene.numerics.compare.empty()) {
     const Error warning =
         input_error("models have the one motion of the scene, not those compared");

@@ -220,8 +220,9 @@ std::vector<std::string> idle_axes_of(const StabilityMaps& all,
   std::vector<std::string> found;
   for (const MappedScene& place : places) {
     std::vector<const StabilityMap*> of_scene;
-    for (std::size_t i = 0; i < all.maps.size(); ++i)
+    for (std::size_t i = 0; i < all.maps.size(); ++i) {
       if (all.owners[i].first == &place) of_scene.push_back(&all.maps[i]);
+    }
     for (std::string& words : idle_axes_of(place, of_scene))
       found.push_back(std::move(words));
   }

@@ -152,9 +152,10 @@ void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
            glyphs);
   const std::vector<Vertex>& corners = scenery.paths.polhode->vertices;
   const std::size_t step = std::max<std::size_t>(corners.size() / kPointsOfCurve, 1);
-  for (std::size_t i = 0; i < corners.size(); i += step)
+  for (std::size_t i = 0; i < corners.size(); i += step) {
     glyphs.labels.back().curve.push_back(body *
                                          (scenery.scale.body * to_eigen(corners[i].position)));
+  }
 }
 
 void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {

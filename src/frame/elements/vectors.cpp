@@ -335,9 +335,12 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
       glyphs.reach.push_back(place * Vec3::Unit(i));
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
-    const char* name = from_origin ? "<b>r̃</b>" : "<b>r</b>";
-    add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs, name);
-    if (!from_origin) continue;
+    if (!from_origin) {
+      add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>");
+      continue;
+    }
+    add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs);
+    add_name_beside(scenery, sample.reference_S, at, sample.reference_S, "<b>r̃</b>", glyphs);
     add_position(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
     add_name_beside(scenery, Vec3::Zero(), at, at - sample.reference_S, "<b>r</b>", glyphs);
   }

@@ -141,7 +141,7 @@ TEST(Vectors, PositionsCloseATriangle) {
       return l.markup == name;
     });
   };
-  EXPECT_EQ(label("<b>r̃</b>").at, r_tilde.tip);
+  EXPECT_EQ(label("<b>r̃</b>").at, 0.5 * (r_tilde.from + r_tilde.tip));
   EXPECT_EQ(label("<b>r</b>").at, Vec3(0.5 * r.tip));
   EXPECT_EQ(label("<b>R</b>").at, Vec3(0.5 * R.tip));
   EXPECT_LT(label("<b>r</b>").away.dot(label("<b>R</b>").away), 0.0);
