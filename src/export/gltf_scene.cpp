@@ -548,7 +548,12 @@ ExportedScene export_scene(const Solved& solved, const ExportPlan& plan) {
   range.from = plan.from;
   range.to = plan.to;
   check_time_range(solved.scene, range);
-  return Export(solved, *composer_alone(solved), plan).make();
+  range.one_picture = true;  // there is no limit to its frames
+  const FrameTimes frames = plan_frame_times(solved, range);
+  ExportPlan settled = plan;
+  // of a film that repeats, one round, seen by its cameras
+  if (frames.loop && !plan.to) settled.to = frames.loop->duration;
+  return Export(solved, *composer_alone(solved, frames.timeline), settled).make();
 }
 
 }  // namespace polhode

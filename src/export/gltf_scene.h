@@ -15,7 +15,7 @@ namespace polhode {
 
 // What is to be written.
 struct ExportPlan {
-  std::optional<double> from, to;  // s of motion; absent: start and end of the motion
+  std::optional<double> from, to;  // s of motion; absent: start and end of the motion or its loop
   std::string author, licence;     // empty: none
   // How far what a player makes of the file may be from the exact motion: pixels of a picture 1080
   // pixels high, where the film's cameras see it largest; or radians, of a body turned about its
@@ -41,9 +41,9 @@ struct ExportReport {
 // with the body axes from the body origin. Nodes are named after the elements that they belong to
 // (docs/export.md). Things that keep their place in the body are below "body_frame". Stories hide
 // nothing. The time of the animation is film time without pauses. Throws Error (input) with --from
-// or --to as key as check_time_range() (film/frame_times.h) does, without a place for a motion that
-// is too long to be tabulated, as composer_alone() (film/stage.h) does; (check_failed) as
-// Motion::at does.
+// or --to as key as check_time_range() and plan_frame_times() (film/frame_times.h) do, without a
+// place for a motion that is too long to be tabulated, as composer_alone() (film/stage.h) does;
+// (check_failed) as Motion::at does.
 struct ExportedScene {
   GltfDocument document;
   ExportReport report;

@@ -48,8 +48,8 @@ void check_film(Solved solved) {
   // of one picture: a motion may be too long for a film
   TimeRange one;
   one.one_picture = true;
-  with_place(scene, [&] { return plan_frame_times(alone.front(), one); });
-  with_place(scene, [&] { return composer_alone(alone.front()); });
+  const FrameTimes frames = with_place(scene, [&] { return plan_frame_times(alone.front(), one); });
+  with_place(scene, [&] { return composer_alone(alone.front(), frames.timeline); });
   with_place(scene, [&] { return make_charts(alone); });
 }
 

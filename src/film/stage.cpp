@@ -56,10 +56,9 @@ std::shared_ptr<const Composer> composer_of(const Solved& solved,
                                           shared);
 }
 
-std::shared_ptr<const Composer> composer_alone(const Solved& solved) {
+std::shared_ptr<const Composer> composer_alone(const Solved& solved, const Timeline& timeline) {
   const Scene& scene = solved.scene;
   const PictureSize size = scene.video.size;
-  const Timeline timeline(scene.story, scene.motion.duration, scene.video.time_scale);
   const FilmText text = text_of(scene, true);
   const std::vector<PixelBox> places = frame_areas(text, size, 1, 0).panels;
   const Stage stage{timeline, common_margins(text, places, size, {}), {}};

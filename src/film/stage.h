@@ -40,7 +40,7 @@ std::shared_ptr<const Composer> composer_of(const Solved& solved,
                                             Shared shared = {});
 
 // The composer of a film of the scene alone: in the first of its views, with the camera and the
-// scales that `render` has, without plots. Throws Error (input) likewise.
-std::shared_ptr<const Composer> composer_alone(const Solved& solved);
+// scales that `render` has, without plots. timeline: of the film. Throws Error (input) likewise.
+std::shared_ptr<const Composer> composer_alone(const Solved& solved, const Timeline& timeline);
 
 }  // namespace polhode

@@ -158,6 +158,8 @@ class Search {
       tell("numerics.method", "changes nothing here: numerics.compare names the methods");
     if (!compares && scene_.show.details)
       tell("show.details", "changes nothing here: it belongs to numerics.compare");
+    if (scene_.motion.ensemble && !shows({"ensemble"}))
+      tell("motion.ensemble", "changes nothing here: the film does not show it (show.ensemble)");
     if (!scene_.video.loop && is_given(scene_, "video.loop_residual"))
       tell("video.loop_residual", "changes nothing here: it belongs to video.loop");
   }

@@ -7,6 +7,7 @@
 
 #include "base/system/log.h"
 #include "export/gltf_file.h"
+#include "film/prepared_film.h"
 #include "film/solved_scene.h"
 #include "scene/scene_file.h"
 #include "support/expect_error.h"
@@ -151,6 +152,30 @@ TEST(GltfScene, TheCameraOfAViewFromTheBodyTurnsWithIt) {
   EXPECT_FALSE(camera_turns());
   scene.show.views = {"body"};
   EXPECT_TRUE(camera_turns());
+}
+
+// of a film that repeats, the automatic camera shows what the film does
+TEST(GltfScene, TheCameraOfALoopIsThatOfItsFilm) {
+  Scene scene = small_scene("spherical_top");
+  scene.show["fixed_frame"] = true;
+  scene.motion.velocity = Vec3(0.0, 0.1, 0.0);
+  scene.motion.spin = {};
+  scene.motion.spin.space = Vec3(0.0, 0.0, 2.0 * kPi);
+  scene.motion.duration = 5.0;
+  const auto camera = [&] {
+    const GltfDocument document = export_scene(solve(scene), {}).document;
+    return find(document, "camera")->translation;
+  };
+  const Vec3 whole = camera();
+  scene.video.loop = true;
+  const Vec3 round = camera();
+  EXPECT_GT((whole - round).norm(), 0.05 * round.norm());
+  RenderPlan plan;
+  plan.scene = scene;
+  plan.text = true;
+  const PreparedFilm film(plan);
+  const Vec3 eye = film.film().panels().front().composer->camera_at(0.0).eye();
+  EXPECT_LT((round - eye).norm(), 1e-6 * eye.norm());
 }
 
 TEST(GltfScene, TheMotionMayBePartOnly) {

@@ -75,6 +75,13 @@ TEST(UnusedSettings, TheMethodBesideComparedOnesIsTold) {
   EXPECT_EQ(warnings_with({method}), "");
 }
 
+TEST(UnusedSettings, AnEnsembleThatIsNotShownIsTold) {
+  const Setting ensemble = {"motion.ensemble", "{ members = 3, tilt = 0.1 }"};
+  EXPECT_EQ(warnings_with({ensemble}), "");
+  EXPECT_NE(warnings_with({ensemble, {"show.ensemble", "false"}}).find("does not show it"),
+            std::string::npos);
+}
+
 TEST(UnusedSettings, NamesInATableAreTold) {
   EXPECT_NE(warnings_with({{"show.names", R"({ torque = "M" })"}}).find("shows no torque"),
             std::string::npos);

@@ -53,11 +53,6 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
     spdlog::warn("{}", placed(scene, warning.at({{}, 0, "numerics.compare"})).what());
   }
   const Solved solved = solve(scene, job.progress);
-  if (scene.video.loop && !plan.to) {
-    // it is played round and round, as the film is
-    const auto frames = with_place(scene, [&] { return plan_frame_times(solved, range); });
-    if (frames.loop) plan.to = frames.loop->duration;
-  }
   Waiting waiting(job.progress);
   plan.tell = [&](const std::string& words) {
     waiting.show(words);
