@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 
 #include "model/body_model.h"
@@ -23,9 +24,11 @@ struct AdaptivePace {
 
   // the end of the step
   [[gnu::always_inline]] Number next() const { return t + h < end ? t + h : end; }
-  // tolerance over the error of a step; its root of the order says how long steps may be
+  // tolerance over the error of a step; its root of the order says how long steps may be. 0 where
+  // the step was so long that its error is no number.
   [[gnu::always_inline]] Number ratio(const Number& error) const {
-    return tolerance / (error < 1e-300 ? Number{} + 1e-300 : error);
+    const Number found = tolerance / (error < 1e-300 ? Number{} + 1e-300 : error);
+    return error < std::numeric_limits<double>::infinity() ? found : Number{};
   }
   // Standard controller: aim at 0.9^order of the tolerance, never jump by more than five. The
   // length of a step that replaces one to `next`, where it can be shorter and more than round-off.

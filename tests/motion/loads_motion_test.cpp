@@ -135,6 +135,26 @@ TEST(Torque, ThatJumpsJoinsThreeMotions) {
   expect_residual("after", turn_between(switched.at(5.0), after.at(3.3)), 1e-11);
 }
 
+// Where a strong torque begins, steps as long as before are so long that their errors are no
+// numbers; they are shortened.
+TEST(Torque, ThatBeginsStronglyShortensLongSteps) {
+  const BodySpec body = body_with({0.01, 0.01, 0.005});
+  for (const double strength : {700.0, 1e3, 3e4, 1e6}) {
+    MotionSpec spec = spun({1.0, 0.0, 20.0}, 1.01);
+    spec.torque = {load("constant")};
+    spec.torque[0].from = 1.0;
+    spec.torque[0].space = Vec3(0.0, 0.0, strength);
+    const auto by = [&](const char* method) {
+      NumericsSpec numerics;
+      numerics.method = method;
+      numerics.tolerance = 1e-9;
+      return simulate(make_model(body, spec), spec, numerics, 1e-6).motion;
+    };
+    const Motion one = by("dop853"), other = by("dopri5");
+    expect_residual("two methods", turn_between(one.at(1.005), other.at(1.005)), 1e-5);
+  }
+}
+
 // a push in space on a free body leaves it with the momentum of force times time
 TEST(Force, SwitchedPushesForItsTime) {
   MotionSpec spec = spun({0.4, -0.1, 1.0}, 4.0);
