@@ -109,14 +109,12 @@ std::string plot_section(const SectionChart& chart, PlotFormat format) {
   }
   script += "EOD\n";
   // where the energy hardly allows anything but the start there may be nothing to draw
-  const bool any_point =
-      std::any_of(chart.orbits.begin(), chart.orbits.end(), [](const SectionOrbit& orbit) {
-        return !orbit.points.empty();
-      });
+  const std::vector<std::vector<Vec2>> drawn = drawn_points(chart);
+  const bool any_point = std::any_of(
+      drawn.begin(), drawn.end(), [](const std::vector<Vec2>& points) { return !points.empty(); });
   if (chart.borders.empty() && !any_point) script += "set xrange [0:180]\nset yrange [-1:1]\n";
   std::string plots =
       "plot $border using 1:2 with lines linewidth 1 linecolor rgb '#C0C0C0' notitle";
-  const std::vector<std::vector<Vec2>> drawn = drawn_points(chart);
   // chaos first, so that it covers nothing
   for (const bool chaotic : {true, false}) {
     for (std::size_t i = chart.orbits.size(); i-- > 0;) {

@@ -19,30 +19,34 @@ namespace {
 constexpr double kFinerTruth = 1e-3;  // of what the scene allows, where there is no closed form
 constexpr int kHalvings = 40;         // of the time in which a method fails
 
+// closed forms and the automatic choice take neither
+bool is_stepper(const std::string& method) {
+  return method != "exact" && method != "auto";
+}
+bool takes_step(const std::string& method) {
+  return is_stepper(method) && !find_stepper(method).adaptive;
+}
+bool takes_tolerance(const std::string& method) {
+  return is_stepper(method) && find_stepper(method).adaptive;
+}
+
 // the numerics of one method, with the scene's step or tolerance where it takes one
 NumericsSpec numerics_of(const Scene& scene, const std::string& method) {
   NumericsSpec numerics = scene.numerics;
   numerics.method = method;
-  const bool steps = method != "exact" && method != "auto";
-  const bool adaptive = steps && find_stepper(method).adaptive;
-  if (!steps || adaptive) numerics.step.reset();
-  if (!steps || !adaptive) numerics.tolerance.reset();
+  if (!takes_step(method)) numerics.step.reset();
+  if (!takes_tolerance(method)) numerics.tolerance.reset();
   return numerics;
 }
 
 // a step or a tolerance that no method takes would be ignored
 void refuse_unused(const NumericsSpec& numerics) {
-  const auto any = [&](bool adaptive) {
-    return std::any_of(
-        numerics.compare.begin(), numerics.compare.end(), [&](const std::string& name) {
-          return name != "exact" && name != "auto" && find_stepper(name).adaptive == adaptive;
-        });
-  };
-  if (numerics.step && !any(false)) {
+  const std::vector<std::string>& methods = numerics.compare;
+  if (numerics.step && std::none_of(methods.begin(), methods.end(), takes_step)) {
     throw input_error("none of the compared methods takes a step; leave it out")
         .at({{}, 0, "numerics.step"});
   }
-  if (numerics.tolerance && !any(true)) {
+  if (numerics.tolerance && std::none_of(methods.begin(), methods.end(), takes_tolerance)) {
     throw input_error("none of the compared methods takes a tolerance; leave it out")
         .at({{}, 0, "numerics.tolerance"});
   }

@@ -168,14 +168,14 @@ bool loads_are_back(const Loads& loads, double time) {
 void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   if (!frames.loop) return;
   std::vector<std::string> restarting;
-  const Paths& paths = composer.scenery().paths;
+  const Scenery& scenery = composer.scenery();
+  const Paths& paths = scenery.paths;
   if (composer.shows("trail") || composer.shows("herpolhode") || composer.shows("contact_trail") ||
       !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty())
     restarting.emplace_back("paths");
   if (composer.shows("ghosts")) restarting.emplace_back("ghosts");
   if (composer.shows("ensemble")) restarting.emplace_back("the ensemble");
-  const Motion& motion = composer.scenery().motion;
-  const Scenery& scenery = composer.scenery();
+  const Motion& motion = scenery.motion;
   const Vec3 gone = motion.at(frames.loop->duration).reference_S - motion.at(0.0).reference_S;
   constexpr double kGone = 1e-3;  // of the body's reach
   if (composer.shows("fixed_frame") && gone.norm() > kGone * scenery.scale.body)

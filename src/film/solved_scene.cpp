@@ -13,8 +13,7 @@ namespace polhode {
 
 Solved solve_alone(const Scene& scene, ProgressKind progress) {
   with_place(scene, [&] { check_ensemble(scene.motion); });
-  for (const Error& unused : unused_in_motion(scene))
-    spdlog::warn("{}", placed(scene, unused).what());
+  warn_of_unused_in_motion(scene);
   Scene alone = scene;
   alone.motion.ensemble.reset();
   Solved solved = solve(alone, progress);

@@ -9,6 +9,9 @@
 
 #include <fmt/ranges.h>
 
+#include "base/system/log.h"
+#include "film/error_places.h"
+
 namespace polhode {
 namespace {
 
@@ -202,6 +205,11 @@ std::vector<Error> unused_in_motion(const Scene& scene) {
          fmt::format("the motion ends before it, at {:.4g} s", scene.motion.duration));
   }
   return unused;
+}
+
+void warn_of_unused_in_motion(const Scene& scene) {
+  for (const Error& unused : unused_in_motion(scene))
+    spdlog::warn("{}", placed(scene, unused).what());
 }
 
 std::vector<Error> unused_settings(const Scene& scene,

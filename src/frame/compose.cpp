@@ -120,16 +120,6 @@ std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
   return points;
 }
 
-// How much of what a label names is on the side of the body that the eye sees, 0..1.
-double facing(const LabelGlyph& label, const Camera& camera) {
-  // cosines; what stands off the limb is seen though it faces a little away
-  constexpr double kNothing = -0.3, kInFull = -0.1;
-  if (label.faces.squaredNorm() == 0.0) return 1.0;
-  const Vec3 to_eye = (camera.eye() - label.at).normalized();
-  const double cosine = label.faces.normalized().dot(to_eye);
-  return std::clamp((cosine - kNothing) / (kInFull - kNothing), 0.0, 1.0);
-}
-
 // Whether a vector hides a point from the eye: it passes before it, or around it.
 bool hides(const ArrowGlyph& arrow, const Vec3& point, const Camera& camera) {
   const Vec3 along = arrow.tip - arrow.from;
@@ -449,7 +439,7 @@ LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const 
   LabelView names;
   for (const LabelGlyph& label : glyphs.labels) {
     if (!camera.sees(label.at)) continue;
-    const double presence = facing(label, camera) * uncovered(label, glyphs.arrows, camera);
+    const double presence = uncovered(label, glyphs.arrows, camera);
     if (presence <= 0.0) continue;
     names.labels.push_back(seen(label, camera));
     names.labels.back().fade *= static_cast<float>(presence);

@@ -87,9 +87,6 @@ struct LabelGlyph {
   float fade = 1.0f;      // multiplies the opacity
   bool of_arrow = false;  // it names an arrow whose tip is `at`
   double size = 1.0;      // of its type, in that of names of vectors
-  // The direction (S) in which what it names faces: it fades as that turns from the eye. Zero: it
-  // does not.
-  Vec3 faces = Vec3::Zero();
   // What it names, if that is a circle: in a film it stands wherever there is room around it.
   std::optional<CircleGlyph> circle = {};
   // What it names, if that is another curve: points of it (S, m). In a picture it stands at the one

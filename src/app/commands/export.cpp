@@ -45,8 +45,7 @@ GlbFile glb_of_scene(const Scene& scene, const ExportJob& job) {
       plan.radians = accuracy.value;
     }
   }
-  for (const Error& unused : unused_in_motion(scene))
-    spdlog::warn("{}", placed(scene, unused).what());
+  warn_of_unused_in_motion(scene);
   if (!scene.numerics.compare.empty()) {
     const Error warning =
         input_error("models have the one motion of the scene, not those compared");
