@@ -550,10 +550,8 @@ ExportedScene export_scene(const Solved& solved, const ExportPlan& plan) {
   check_time_range(solved.scene, range);
   range.one_picture = true;  // there is no limit to its frames
   const FrameTimes frames = plan_frame_times(solved, range);
-  ExportPlan settled = plan;
-  // of a film that repeats, one round, seen by its cameras
-  if (frames.loop && !plan.to) settled.to = frames.loop->duration;
-  return Export(solved, *composer_alone(solved, frames.timeline), settled).make();
+  const Solved shown = shown_part(solved, frames);
+  return Export(shown, *composer_alone(shown, frames.timeline), plan).make();
 }
 
 }  // namespace polhode

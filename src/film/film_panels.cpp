@@ -49,8 +49,8 @@ std::vector<FilmPanel> panels_of_methods(const Solved& solved,
     const Contender& one = comparison.contenders()[i];
     const auto exact = composer_of(solved, staging, places[i]);
     const auto fails = one.failure.empty() ? std::nullopt : std::optional(one.end);
-    panels.push_back(
-        {places[i], std::make_shared<const Composer>(*exact, one.motion, fails), one.end});
+    const Motion motion = one.motion.until(solved.simulation.motion.duration());
+    panels.push_back({places[i], std::make_shared<const Composer>(*exact, motion, fails), one.end});
     if (!stage.rows.name) continue;
     const bool with_details = stage.rows.details > 0;
     panels.back().notes = [&comparison, &one, with_details](double t) {

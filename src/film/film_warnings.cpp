@@ -173,9 +173,10 @@ void warn_of_what_restarts(const Scene& scene, const FrameTimes& frames, const C
   if (composer.shows("trail") || composer.shows("herpolhode") || composer.shows("contact_trail") ||
       !paths.points.empty() || !paths.omega_tip.empty() || !paths.momentum_tip.empty())
     restarting.emplace_back("paths");
-  if (composer.shows("ghosts")) restarting.emplace_back("ghosts");
-  if (composer.shows("ensemble")) restarting.emplace_back("the ensemble");
   const Motion& motion = scenery.motion;
+  if (composer.shows("ghosts") && scene.show.ghost_s.value_or(0.0) < motion.duration())
+    restarting.emplace_back("ghosts");
+  if (composer.shows("ensemble")) restarting.emplace_back("the ensemble");
   const Vec3 gone = motion.at(frames.loop->duration).reference_S - motion.at(0.0).reference_S;
   constexpr double kGone = 1e-3;  // of the body's reach
   if (composer.shows("fixed_frame") && gone.norm() > kGone * scenery.scale.body)

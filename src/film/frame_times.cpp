@@ -131,4 +131,13 @@ FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range) {
   return frames;
 }
 
+Solved shown_part(Solved solved, const FrameTimes& frames) {
+  if (!frames.loop) return solved;
+  const double end = frames.loop->duration;
+  solved.simulation.motion = solved.simulation.motion.until(end);
+  for (Motion& member : solved.ensemble)
+    member = member.until(end);
+  return solved;
+}
+
 }  // namespace polhode

@@ -51,4 +51,7 @@ void check_time_range(const Scene& scene, const TimeRange& range);
 // place for more than 1e7 frames; (check_failed) as find_loop does.
 FrameTimes plan_frame_times(const Solved& solved, const TimeRange& range);
 
+// What a film with these frame times is about: of one that repeats, the motions until its end.
+Solved shown_part(Solved solved, const FrameTimes& frames);
+
 }  // namespace polhode

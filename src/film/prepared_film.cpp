@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/prepared_film.h"
 
+#include <utility>
+
 #include "base/system/progress.h"
 #include "film/error_places.h"
 #include "film/film_panels.h"
@@ -14,9 +16,10 @@ PreparedFilm::PreparedFilm(const RenderPlan& plan) : text_(plan.text) {
   solved_.push_back(solve(plan.scene, plan.progress));
   for (std::size_t i = 1; i < plan.scene.panels.size(); ++i)
     solved_.push_back(solve(plan.scene.panels[i].scene, plan.progress));
-  const Scene& scene = solved().scene;
   const Busy busy(plan.progress, "preparing the film");
-  frames_ = with_place(scene, [&] { return plan_frame_times(solved(), plan.range); });
+  frames_ = with_place(plan.scene, [&] { return plan_frame_times(solved(), plan.range); });
+  solved_.front() = shown_part(std::move(solved_.front()), frames_);
+  const Scene& scene = solved().scene;
   if (!scene.numerics.compare.empty()) {
     comparison_ = std::make_unique<const Comparison>(solved(), frames_.motion_step());
   }

@@ -95,13 +95,16 @@ class Search {
       : scene_(scene), composers_(composers), views_(views) {}
 
   std::vector<Error> found() {
-    found_ = unused_in_motion(scene_);
+    for (const auto& composer : composers_)
+      end_ = std::max(end_, composer->scenery().motion.duration());
+    found_ = unused_in_motion(scene_, end_);
     look_at_modifiers();
     look_at_names();
     look_at_paths();
     look_at_torque();
     look_at_companions();
     look_at_cameras();
+    look_at_story();
     return std::move(found_);
   }
 
@@ -132,6 +135,10 @@ class Search {
 
   void look_at_names() {
     if (!scene_.show.names) return;
+    if (!scene_.show.labels) {
+      tell("show.names", "changes nothing here: no names are shown (show.labels)");
+      return;
+    }
     for (const auto& [key, name, elements] : given_names()) {
       if ((*scene_.show.names.*name) && !shows(elements)) tell_unshown(key, elements);
     }
@@ -142,6 +149,14 @@ class Search {
                      !scene_.show.trail_points.empty() || scene_.show.trail_tips;
     if (is_given(scene_, "show.trail_length") && !any)
       tell("show.trail_length", "changes nothing here: the film shows no paths");
+    if (any && scene_.show.trail_s.value_or(0.0) > end_) {
+      tell("show.trail_length",
+           fmt::format("changes nothing here: all of what is shown takes {:.4g} s", end_));
+    }
+    if (shows({"ghosts"}) && scene_.show.ghost_s.value_or(0.0) >= end_) {
+      tell("show.ghost_interval",
+           fmt::format("no ghost is ever seen: all of what is shown takes {:.4g} s", end_));
+    }
   }
 
   void look_at_torque() {
@@ -179,15 +194,47 @@ class Search {
       look_at(scene_.shots[i].camera, fmt::format("shots[{}].follow", i));
   }
 
+  // what is replaced, or taken away without ever being there
+  void look_at_story() {
+    const bool cut =
+        std::any_of(scene_.shots.begin(), scene_.shots.end(), [](const ShotSpec& shot) {
+          return shot.at <= 0.0 && shot.move <= 0.0;
+        });
+    if (const std::optional<std::string> key = first_given_in("camera."); cut && key)
+      tell(*key, "changes nothing here: a shot at 0 takes the place of this camera");
+    for (std::size_t i = 0; i < scene_.story.size(); ++i) {
+      const StoryStep& step = scene_.story[i];
+      if (step.at <= 0.0 && step.caption && !scene_.show.caption.empty())
+        tell("show.caption", "is never seen: a step of the story at 0 has another");
+      for (const std::string& name : step.hide) {
+        if (shows({name})) continue;
+        tell(fmt::format("story[{}].hide", i),
+             fmt::format("'{}' is not shown, so there is nothing to hide", name));
+      }
+    }
+  }
+  // of the keys of a table
+  std::optional<std::string> first_given_in(std::string_view table) const {
+    const auto in = [&](const auto& places) -> std::optional<std::string> {
+      for (const auto& [key, place] : places) {
+        if (key.starts_with(table)) return key;
+      }
+      return {};
+    };
+    const std::optional<std::string> by_option = in(scene_.options);
+    return by_option ? by_option : in(scene_.lines);
+  }
+
   const Scene& scene_;
   const Composers& composers_;
   const std::vector<std::string>& views_;
+  double end_ = 0.0;  // s of motion: how far any panel goes
   std::vector<Error> found_;
 };
 
 }  // namespace
 
-std::vector<Error> unused_in_motion(const Scene& scene) {
+std::vector<Error> unused_in_motion(const Scene& scene, double end) {
   std::vector<Error> unused;
   const auto tell = [&](const std::string& key, const std::string& words) {
     unused.push_back(input_error("{}", words).at({{}, 0, key}));
@@ -200,15 +247,15 @@ std::vector<Error> unused_in_motion(const Scene& scene) {
                      scene.motion.hold));
   }
   for (std::size_t i = 0; i < scene.motion.torque.size(); ++i) {
-    if (scene.motion.torque[i].from.value_or(0.0) < scene.motion.duration) continue;
+    if (scene.motion.torque[i].from.value_or(0.0) < end) continue;
     tell(fmt::format("motion.torque[{}].from", i),
-         fmt::format("the motion ends before it, at {:.4g} s", scene.motion.duration));
+         fmt::format("the motion ends before it, at {:.4g} s", end));
   }
   return unused;
 }
 
 void warn_of_unused_in_motion(const Scene& scene) {
-  for (const Error& unused : unused_in_motion(scene))
+  for (const Error& unused : unused_in_motion(scene, scene.motion.duration))
     spdlog::warn("{}", placed(scene, unused).what());
 }
 

@@ -19,8 +19,9 @@ std::vector<Error> unused_settings(const Scene& scene,
                                    const std::vector<std::shared_ptr<const Composer>>& composers,
                                    const std::vector<std::string>& views);
 
-// Those that the motion has no use for, whatever is shown; unused_settings() has them too.
-std::vector<Error> unused_in_motion(const Scene& scene);
+// Those that the motion until `end` (s) has no use for, whatever is shown; unused_settings() has
+// them too.
+std::vector<Error> unused_in_motion(const Scene& scene, double end);
 // Logs them as warnings, with their places; for commands without a film.
 void warn_of_unused_in_motion(const Scene& scene);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/motion.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -110,6 +111,12 @@ Sample Motion::at(double t) const {
   }
   sample.reference_S = sample.center_S;
   return sample;
+}
+
+Motion Motion::until(double end) const {
+  Motion part = *this;
+  part.duration_ = std::min(duration_, end);
+  return part;
 }
 
 Drift drift_at(const Motion& motion, double t) {

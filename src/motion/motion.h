@@ -47,6 +47,8 @@ class Motion {
   const BodyModel& model() const { return model_; }
   // In seconds; the motion begins at t = 0.
   double duration() const { return duration_; }
+  // The same motion until `end` (s) at the latest.
+  Motion until(double end) const;
 
  private:
   BodyModel model_;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "film/film_metadata.h"
+#include "film/film_plots.h"
 #include "film/small_films.h"
 #include "scene/scene_file.h"
 #include "support/logged.h"
@@ -295,6 +296,27 @@ TEST(PreparedFilm, WarnsOfLoopsThatShowWhereTheyRepeat) {
   round.motion.attitude = {};
   EXPECT_NE(warnings_of(round).find("loads that depend on time"), std::string::npos)
       << warnings_of(round);
+}
+
+// lengths of arrows, axes of plots and warnings are of what is seen: a load after it plays no part
+TEST(PreparedFilm, OfALoopIsOfOneRound) {
+  Scene scene = small_scene("loop = true\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);  // once round in 0.628 s
+  scene.show.plots = {"omega"};
+  const auto scale = [](const PreparedFilm& film) {
+    return film.film().panels().front().composer->scenery().scale.omega;
+  };
+  const PreparedFilm alone(plan_of(scene));
+  LoadSpec load;
+  load.kind = "constant";
+  load.body = Vec3(0.0, 0.0, 1e4 * alone.solved().model.moments.maxCoeff());
+  load.from = 0.8;
+  scene.motion.torque = {load};
+  const PreparedFilm film(plan_of(scene));
+  EXPECT_NEAR(scale(film), scale(alone), 1e-9 * scale(alone));
+  EXPECT_NEAR(make_charts(film.all_solved()).plots.front().ends, 2.0 * kPi / 10.0, 1e-6);
+  const std::string said = test::logged_by([&] { film.warn(); });
+  EXPECT_NE(said.find("the motion ends before it, at 0.6283 s"), std::string::npos) << said;
 }
 
 TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {

@@ -29,6 +29,7 @@ const std::vector<Unused> kUnused = {
     {{"show.ghost_count", "3"}, {"show.ghosts", "true"}},
     {{"show.ghost_interval", "0.1"}, {"show.ghosts", "true"}},
     {{"show.trail_length", "0.5"}, {"show.trail", "true"}},
+    {{"story", R"([{ at = 0.5, hide = ["omega"] }])"}, {"show.omega", "true"}},
     {{"show.names.torque", "M"}, {"show.torque", "true"}},
     {{"show.names.x", "x"}, {"show.space_axes", "true"}},
     {{"show.names.y", "y"}, {"show.fixed_frame", "true"}},
@@ -85,6 +86,30 @@ TEST(UnusedSettings, AnEnsembleThatIsNotShownIsTold) {
 TEST(UnusedSettings, NamesInATableAreTold) {
   EXPECT_NE(warnings_with({{"show.names", R"({ torque = "M" })"}}).find("shows no torque"),
             std::string::npos);
+}
+
+// what the keys themselves take away from each other
+TEST(UnusedSettings, WhatIsReplacedOrTooLongIsTold) {
+  struct Replaced {
+    Setting setting;
+    Setting by;      // takes its use away
+    Setting leaves;  // does not
+  };
+  const std::vector<Replaced> table = {
+      {{"show.caption", "One"},
+       {"story", R"([{ at = 0, caption = "Two" }])"},
+       {"story", R"([{ at = 0.5, caption = "Two" }])"}},
+      {{"camera.direction", "[1, 0, 0]"},
+       {"shots", "[{ at = 0, direction = [0, 1, 0] }]"},
+       {"shots", "[{ at = 0, move = 1, direction = [0, 1, 0] }]"}},
+      {{"show.names", R"({ omega = "w" })"}, {"show.labels", "false"}, {"show.labels", "true"}},
+      {{"show.trail", "true"}, {"show.trail_length", "2"}, {"show.trail_length", "0.5"}},
+      {{"show.ghosts", "true"}, {"show.ghost_interval", "2"}, {"show.ghost_interval", "0.5"}},
+  };
+  for (const Replaced& one : table) {
+    EXPECT_NE(warnings_with({one.setting, one.by}), "") << one.setting.key;
+    EXPECT_EQ(warnings_with({one.setting, one.leaves}), "") << one.setting.key;
+  }
 }
 
 // an option sets all panels, and may be of use in one of them
