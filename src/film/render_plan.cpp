@@ -43,9 +43,15 @@ bool is_still(const RenderJob& job, const std::string& output) {
 // the default name; its folder is made if need be
 std::string output_of(const RenderJob& job) {
   if (!job.output.empty()) return job.output;
+  const std::string stem = job.scene.stem().string();
+  if (job.still && stem.find('%') != std::string::npos) {
+    throw input_error("name the picture: after '{}', whose % would number it, it cannot be named",
+                      job.scene.string())
+        .at({{}, 0, "--output"});
+  }
   std::error_code ignored;  // the file's own error tells what is wrong
   std::filesystem::create_directory("output", ignored);
-  return "output/" + job.scene.stem().string() + (job.still ? ".png" : ".mp4");
+  return "output/" + stem + (job.still ? ".png" : ".mp4");
 }
 
 void remove_text(Scene& scene) {

@@ -81,6 +81,15 @@ bool has_torque(const Motion& motion) {
   return false;
 }
 
+// whether a path leads nowhere
+bool stays(const Trail& trail, const Scenery& scenery) {
+  constexpr double kNowhere = 1e-3;  // of the body's radius
+  const std::vector<Vec3>& points = trail.path().points;
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& point) {
+    return (point - points.front()).norm() < kNowhere * scenery.scale.body;
+  });
+}
+
 bool is_given(const Scene& scene, std::string_view key) {
   const std::string name(key);
   return scene.lines.contains(name) || scene.options.contains(name);
@@ -102,6 +111,7 @@ class Search {
     look_at_names();
     look_at_paths();
     look_at_torque();
+    look_at_curves();
     look_at_companions();
     look_at_cameras();
     look_at_story();
@@ -167,6 +177,23 @@ class Search {
     });
     if (!any)
       tell("show.torque", "shows nothing: no torque acts, or the method does not tell it (table)");
+  }
+
+  // what stands still has no path
+  void look_at_curves() {
+    const auto look_at = [&](const char* element, const auto& is_point) {
+      const auto asked = scene_.show.asked.find(element);
+      if (asked == scene_.show.asked.end() || !asked->second.value_or(false)) return;
+      const bool all = std::all_of(composers_.begin(), composers_.end(), [&](const auto& composer) {
+        return is_point(composer->scenery());
+      });
+      if (all)
+        tell(fmt::format("show.{}", element), "shows nothing: in this motion it is a single point");
+    };
+    look_at("trail", [](const Scenery& scenery) { return stays(scenery.paths.axis, scenery); });
+    look_at("herpolhode",
+            [](const Scenery& scenery) { return stays(scenery.paths.herpolhode, scenery); });
+    look_at("polhode", [](const Scenery& scenery) { return scenery.paths.polhode == nullptr; });
   }
 
   // keys that belong to others

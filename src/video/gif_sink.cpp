@@ -45,7 +45,7 @@ void tell_changes(const SinkJob& job) {
   }
   const std::int64_t hundredths = std::int64_t{100} * job.fps.denominator * step;
   if (hundredths % job.fps.numerator != 0) changes += ", times rounded to hundredths of a second";
-  spdlog::warn("{}: a GIF has limits: {}", job.output, changes);
+  spdlog::warn("a GIF has limits: {}", changes);
 }
 
 class GifSink final : public FrameSink {

@@ -44,6 +44,13 @@ TEST_F(Stability, TellsOfAnAxisThatChangesNothing) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.err.find("--y motion.position[0]: changes nothing"), std::string::npos) << ran.err;
   EXPECT_EQ(ran.err.find("--x"), std::string::npos) << ran.err;
+  // nor does how it is turned, but for rounding
+  const Ran turned = stability(
+      "--methods rk4 --cells 3x3 --turns 20 --y 'motion.attitude.zxz_deg[0]' --y-range 0:90 "
+      "--set 'motion.attitude={ zxz_deg = [0, 20, 0] }'",
+      "turned");
+  ASSERT_EQ(turned.code, 0) << turned.err;
+  EXPECT_NE(turned.err.find("zxz_deg[0]: changes nothing"), std::string::npos) << turned.err;
 }
 
 TEST_F(Stability, WritesTableAndMaps) {

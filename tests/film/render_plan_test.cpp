@@ -153,6 +153,10 @@ TEST_F(PlanOfARender, OnePictureIsNoFilmAndNoSequence) {
   RenderJob asked = job("a_%03d.png");
   asked.still = 0.5;
   expect_refused(asked, "--still", "leave out the %");
+  asked.output.clear();
+  asked.scene = folder_ / "%d.toml";
+  std::filesystem::copy_file(folder_ / "top.toml", asked.scene);
+  expect_refused(asked, "--output", "name the picture");
   asked = job("a.mp4");
   asked.still = 0.5;
   expect_refused(asked, "--still", "name a .png");

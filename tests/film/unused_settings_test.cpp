@@ -112,6 +112,16 @@ TEST(UnusedSettings, WhatIsReplacedOrTooLongIsTold) {
   }
 }
 
+TEST(UnusedSettings, PathsThatArePointsAreTold) {
+  const Setting polhode = {"show.polhode", "true"}, herpolhode = {"show.herpolhode", "true"};
+  const Setting about_an_axis = {"motion.spin.body", "[0, 0, 3]"};
+  for (const Setting& path : {polhode, herpolhode}) {
+    EXPECT_NE(warnings_with({path, about_an_axis}).find("--set " + path.key + ": shows nothing"),
+              std::string::npos);
+    EXPECT_EQ(warnings_with({path}), "");
+  }
+}
+
 // an option sets all panels, and may be of use in one of them
 TEST(UnusedSettings, OptionsCountForAllPanels) {
   const test::TemporaryFolder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/map_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -51,6 +52,12 @@ CellCount parse_cells(const std::string& text) {
         .at({{}, 0, "--cells"});
   }
   return {columns, rows};
+}
+
+bool alike_but_for_rounding(double a, double b) {
+  constexpr double kRelative = 1e-5, kRounding = 1e-12;
+  return a == b || (std::isnan(a) && std::isnan(b)) ||
+         std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b)) + kRounding;
 }
 
 bool changes_motion(const std::string& key) {

@@ -24,6 +24,8 @@ CellCount parse_cells(const std::string& text);
 // for motion.duration.
 bool changes_motion(const std::string& key);
 
+// Whether two numbers of results differ by no more than rounding makes of a motion.
+bool alike_but_for_rounding(double a, double b);
 // Warnings of axes whose values all have the same results. alike: whether two cells have the same
 // result; cells are numbered from 0, row by row, a row being all values of x.
 std::vector<std::string> idle_axes(const MapAxis& x,

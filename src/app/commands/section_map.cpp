@@ -142,8 +142,8 @@ std::string words_of_map(const SectionJob& job, const Scene& scene, const Expone
 std::vector<std::string> idle_axes_of(const ExponentMap& map) {
   return idle_axes(map.x, map.y, [&](std::size_t a, std::size_t b) {
     const ExponentCell &one = map.cells[a], &other = map.cells[b];
-    return one.verdict == other.verdict && one.exponent == other.exponent &&
-           one.crossings == other.crossings;
+    return one.verdict == other.verdict && one.crossings == other.crossings &&
+           alike_but_for_rounding(one.exponent, other.exponent);
   });
 }
 

@@ -200,12 +200,10 @@ Piecewise rows_of(StabilityMaps& all, std::vector<MappedScene>& places, const St
 // of a scene with these maps
 std::vector<std::string> idle_axes_of(const MappedScene& place,
                                       const std::vector<const StabilityMap*>& maps) {
-  const auto same = [](double a, double b) {
-    return a == b || (std::isnan(a) && std::isnan(b));
-  };
   const auto alike = [&](const StabilityCell& a, const StabilityCell& b) {
-    return a.outcome == b.outcome && same(a.error_rad, b.error_rad) &&
-           same(a.energy_drift, b.energy_drift) && same(a.momentum_drift, b.momentum_drift);
+    return a.outcome == b.outcome && alike_but_for_rounding(a.error_rad, b.error_rad) &&
+           alike_but_for_rounding(a.energy_drift, b.energy_drift) &&
+           alike_but_for_rounding(a.momentum_drift, b.momentum_drift);
   };
   return idle_axes(place.x, place.y, [&](std::size_t a, std::size_t b) {
     return std::all_of(maps.begin(), maps.end(), [&](const StabilityMap* map) {
