@@ -228,6 +228,27 @@ void warn_of_what_never_comes(const Scene& scene, const std::vector<FilmPanel>& 
   }
 }
 
+// shots and steps in the time of the last frame, behind which there is none
+void warn_of_what_comes_too_late(const Scene& scene, const FrameTimes& frames) {
+  const Timeline& timeline = frames.timeline;
+  const double last = frames.film_time(frames.count - 1);
+  // a part of a film is no reason, nor are panels in turn, of which another follows
+  const double missed = timeline.film_duration() - last;
+  if (scene.in_turn || frames.count < 2 || missed > 1.5 / frames.rate) return;
+  const auto look_at = [&](const std::string& key, double at) {
+    constexpr double kRounding = 1e-9;  // s
+    if (!(timeline.first_film_time(at) > last + kRounding)) return;
+    const Error warning = input_error("is never seen: the last frame shows {:.6g} s of the motion",
+                                      timeline.motion_time(last));
+    warn_at(scene, key.c_str(), warning);
+  };
+  for (std::size_t i = 0; i < scene.shots.size(); ++i)
+    look_at(fmt::format("shots[{}].at", i), scene.shots[i].at);
+  for (std::size_t i = 0; i < scene.story.size(); ++i) {
+    if (scene.story[i].hold == 0.0) look_at(fmt::format("story[{}].at", i), scene.story[i].at);
+  }
+}
+
 // One scale serves bodies of about one size.
 void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
   constexpr double kAlike = 5.0;
@@ -375,6 +396,7 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   warn_of_jump(scene, frames, *panels.front().composer);
   warn_of_what_restarts(scene, frames, *panels.front().composer);
   warn_of_what_never_comes(scene, panels);
+  warn_of_what_comes_too_late(scene, frames);
   warn_of_unused_settings(solved, panels);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const Solved& one = solved[i];

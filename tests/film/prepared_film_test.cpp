@@ -319,6 +319,26 @@ TEST(PreparedFilm, OfALoopIsOfOneRound) {
   EXPECT_NE(said.find("the motion ends before it, at 0.6283 s"), std::string::npos) << said;
 }
 
+// ten frames of one second: the last is at 0.9 s
+TEST(PreparedFilm, WarnsOfWhatComesAfterTheLastFrame) {
+  for (const double at : {0.9, 0.95}) {
+    Scene scene = small_scene();
+    StoryStep step;
+    step.at = at;
+    step.caption = "At last";
+    scene.story = {step};
+    ShotSpec shot;
+    shot.at = at;
+    shot.camera.direction = Vec3(1.0, 1.0, 1.0);
+    scene.shots = {shot};
+    const std::string said = warnings_of(scene);
+    for (const char* key : {"story[0].at: is never seen", "shots[0].at: is never seen"})
+      EXPECT_EQ(said.find(key) != std::string::npos, at > 0.9) << said;
+    scene.story.front().hold = 1.0;
+    EXPECT_EQ(warnings_of(scene).find("story[0].at"), std::string::npos);
+  }
+}
+
 TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {
   Scene scene = small_scene();
   StoryStep step;
