@@ -118,7 +118,11 @@ std::string tex_unit(const std::string& unit) {
   return unit == "°" ? "^\\circ" : fmt::format("\\;\\text{{{}}}", unit);
 }
 
-Quoted value_text(const Json& value, double factor, const std::string& format) {
+// `key`: what is quoted, for messages
+Quoted value_text(const std::string& key,
+                  const Json& value,
+                  double factor,
+                  const std::string& format) {
   if (value.is_boolean()) {
     const std::string word = value.get<bool>() ? "yes" : "no";
     return {word, "\\text{" + word + "}"};
@@ -132,10 +136,11 @@ Quoted value_text(const Json& value, double factor, const std::string& format) {
     }
     return {value.get<std::string>(), "\\text{" + words + "}"};
   }
-  if (!value.is_array()) throw input_error("is no number");
+  if (!value.is_array() || value.empty())
+    throw input_error("'{}' has no number here to be quoted", key);
   Quoted list;
   for (const Json& entry : value) {
-    const Quoted one = value_text(entry, factor, format);
+    const Quoted one = value_text(key, entry, factor, format);
     list.text += list.text.empty() ? one.text : ", " + one.text;
     list.tex += list.tex.empty() ? one.tex : ",\\;" + one.tex;
   }
@@ -254,7 +259,7 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
   const bool word = value.is_string() || value.is_boolean();
   if (word && !quote.format.empty())
     throw input_error("'{}' is no number; leave out '|{}'", quote.key, quote.format);
-  Quoted out = value_text(value, factor, quote.format.empty() ? "%.4g" : quote.format);
+  Quoted out = value_text(quote.key, value, factor, quote.format.empty() ? "%.4g" : quote.format);
   if (unit.empty()) return out;
   out.text += (unit.starts_with("°") ? "" : "\u00A0") + unit;
   out.tex += tex_unit(unit);

@@ -12,6 +12,8 @@ using test::deck_of;
 
 const Json kAnswer = {{"kind", "symmetric"},
                       {"principal_moments_kg_m2", {0.25, 1e-5, 3.0}},
+                      {"conserved", nullptr},
+                      {"events", Json::array()},
                       {"derived",
                        {{"precession_rate_rad_per_s", 1.2566370614359172},
                         {"flip_time_s", -2.44228e-4},
@@ -82,6 +84,8 @@ TEST(Quotes, WrongOnesSayWhy) {
   EXPECT_NE(why("precesion_rate").find("did you mean 'precession_rate"), std::string::npos);
   EXPECT_NE(why("flip_time|%s").find("not a number format"), std::string::npos);
   EXPECT_NE(why("kind|%.3g").find("'kind' is no number; leave out '|%.3g'"), std::string::npos);
+  EXPECT_NE(why("conserved|%.3g").find("'conserved' has no number here"), std::string::npos);
+  EXPECT_NE(why("events").find("'events' has no number here"), std::string::npos);
   EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
   EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
   EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);

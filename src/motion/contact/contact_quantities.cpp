@@ -26,10 +26,10 @@ double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
 }
 
-// whether the body may roll, and nothing resists that
+// whether the body may roll, and nothing resists that or its turning about the vertical
 bool may_roll_freely(const Friction& law) {
   const bool grips = law.kind == Friction::Kind::coulomb || law.kind == Friction::Kind::rolling;
-  return grips && law.rolling == 0.0;
+  return grips && law.rolling == 0.0 && law.boring == 0.0;
 }
 
 bool starts_on_table(const BodyModel& model, const State& start) {

@@ -171,6 +171,9 @@ TEST_F(Untold, LimitsOfRollingWhereNothingRolls) {
   EXPECT_TRUE(tells_limit(coulomb(0.5)));
   EXPECT_FALSE(tells_limit(viscous(1.0)));
   EXPECT_FALSE(tells_limit({}));
+  FrictionSpec bores = rolling();
+  bores.boring = 0.01;  // small deviations do not overcome it
+  EXPECT_FALSE(tells_limit(bores));
 }
 
 TEST_F(Untold, InversionsOfTopsThatCannotOrHave) {
