@@ -134,6 +134,12 @@ class Search {
     });
   }
 
+  // by its own [show]
+  bool asks_for(const std::string& element) const {
+    const auto asked = scene_.show.asked.find(element);
+    return asked != scene_.show.asked.end() && asked->second.value_or(false);
+  }
+
   void look_at_modifiers() {
     for (const auto& [key, elements] : modifiers()) {
       if (!is_given(scene_, key) || shows(elements)) continue;
@@ -145,7 +151,9 @@ class Search {
 
   void look_at_names() {
     if (!scene_.show.names) return;
+    // without any text nobody expects them
     if (!scene_.show.labels) {
+      if (!is_given(scene_, "show.labels")) return;
       tell("show.names", "changes nothing here: no names are shown (show.labels)");
       return;
     }
@@ -170,8 +178,7 @@ class Search {
   }
 
   void look_at_torque() {
-    const auto asked = scene_.show.asked.find("torque");
-    if (asked == scene_.show.asked.end() || !asked->second.value_or(false)) return;
+    if (!asks_for("torque")) return;
     const bool any = std::any_of(composers_.begin(), composers_.end(), [](const auto& composer) {
       return has_torque(composer->scenery().motion);
     });
@@ -182,8 +189,7 @@ class Search {
   // what stands still has no path
   void look_at_curves() {
     const auto look_at = [&](const char* element, const auto& is_point) {
-      const auto asked = scene_.show.asked.find(element);
-      if (asked == scene_.show.asked.end() || !asked->second.value_or(false)) return;
+      if (!asks_for(element)) return;
       const bool all = std::all_of(composers_.begin(), composers_.end(), [&](const auto& composer) {
         return is_point(composer->scenery());
       });
