@@ -289,7 +289,7 @@ void doubt_conditioning(SimulationReport& report) {
   if (!found || !found->exceeds_limit) return;
   report.reliability.doubts.push_back(fmt::format(
       "{} may move the attitude by {:.2g} rad, and the scene allows {:.2g} (reached at {:.4g} s): "
-      "the motion is chaotic or close to a separatrix",
+      "the motion is chaotic, close to a separatrix, or turns too often for that",
       report.method == "exact" ? "one rounding of the start" : "round-off",
       found->effect,
       report.accuracy_rad,
