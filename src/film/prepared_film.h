@@ -26,8 +26,8 @@ class PreparedFilm {
   PreparedFilm(const PreparedFilm&) = delete;
   PreparedFilm& operator=(const PreparedFilm&) = delete;
 
-  // The scene with its model and its motion, which ends where the film repeats; of a film of several
-  // scenes, the first.
+  // The scene with its model and its motion, which ends where the film repeats; of a film of
+  // several scenes, the first.
   const Solved& solved() const { return solved_.front(); }
   // The scenes of all panels of such a film; else that of solved().
   const std::vector<Solved>& all_solved() const { return solved_; }
