@@ -134,10 +134,8 @@ class Search {
     });
   }
 
-  // by its own [show]
   bool asks_for(const std::string& element) const {
-    const auto asked = scene_.show.asked.find(element);
-    return asked != scene_.show.asked.end() && asked->second.value_or(false);
+    return polhode::asks_for(composers_.front()->scenery(), element);
   }
 
   void look_at_modifiers() {

@@ -775,8 +775,7 @@ std::vector<Error> Composer::warnings() const {
 
 std::optional<Error> Composer::warning_of_unseen() const {
   for (const char* element : {"contact", "slip"}) {
-    const auto asked = scenery_.options.asked.find(element);
-    if (asked == scenery_.options.asked.end() || !asked->second.value_or(false)) continue;
+    if (!asks_for(scenery_, element)) continue;
     if (scenery_.motion.contact_at(0.0)) continue;
     return input_error("shows nothing: only the method dop853 tells what touches the table")
         .at({{}, 0, fmt::format("show.{}", element)});

@@ -90,11 +90,6 @@ void add_trail_sphere(const Scenery& scenery, const Sample& sample, Glyphs& glyp
 
 namespace {
 
-bool is_asked(const ShowSpec& show, const char* name) {
-  const auto found = show.asked.find(name);
-  return found != show.asked.end() && found->second.value_or(false);
-}
-
 // how many straight pieces, of a tenth of a turn at most, a path through the whole motion has
 double pieces_of_trail(const Motion& motion) {
   return std::max(64.0, fastest_turn(motion) * motion.duration() / 0.6);
@@ -237,8 +232,8 @@ void make_trails(const Scenery& scenery, Paths& paths) {
       (contact_trail == scenery.options.asked.end() || contact_trail->second.value_or(true));
   const std::vector<std::string> tips =
       scenery.options.trail_tips.value_or(std::vector<std::string>());
-  const bool shows_axis = is_asked(scenery.options, "trail");
-  const bool shows_herpolhode = is_asked(scenery.options, "herpolhode");
+  const bool shows_axis = asks_for(scenery, "trail");
+  const bool shows_herpolhode = asks_for(scenery, "herpolhode");
   const std::size_t count = (shows_axis ? 1 : 0) + (shows_contact ? 2 : 0) + tips.size() +
                             scenery.options.trail_points.size() + (shows_herpolhode ? 1 : 0);
   const Fineness fine = fineness_of(motion, count);
@@ -319,10 +314,10 @@ void make_body_curves(const Scenery& scenery, Paths& paths) {
     return tube(polhode(model.moments, w, pieces), factor, radius);
   };
   const Vec3 as_omega = Vec3::Constant(scenery.scale.omega);
-  if (is_asked(scenery.options, "polhode")) paths.polhode = curve(w_P, as_omega, kCurveRadius);
-  if (is_asked(scenery.options, "binet"))
+  if (asks_for(scenery, "polhode")) paths.polhode = curve(w_P, as_omega, kCurveRadius);
+  if (asks_for(scenery, "binet"))
     paths.binet = curve(w_P, scenery.scale.momentum * model.moments, kCurveRadius);
-  if (!is_asked(scenery.options, "polhodes")) return;
+  if (!asks_for(scenery, "polhodes")) return;
   const std::vector<std::vector<Vec3>> ellipses = separatrix(model.moments, w_P, pieces);
   for (const Vec3& w : family_of(model, w_P, !ellipses.empty())) {
     if (const MeshPtr mesh = curve(w, as_omega, kRimRadius)) paths.polhodes.push_back(mesh);
