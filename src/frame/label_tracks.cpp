@@ -201,11 +201,12 @@ Choices choices_at(std::size_t index,
     choices[place].own = sum;
     return !taken && !over_mark;
   };
+  LabelRoom room_for_it(wish, moment.obstacles, labels, frame, gap);
   for (std::size_t side = 0; side < kLabelSides; ++side) {
     const Vec2 center = center_on(wish, static_cast<int>(side), gap);
     if (add(side, center)) continue;
     const std::size_t pushed = kLabelSides + side;
-    add(pushed, settled_at(wish, center, moment.obstacles, labels, frame, gap));
+    add(pushed, room_for_it.settled_at(center));
     choices[pushed].own += kPushed;
   }
   return choices;

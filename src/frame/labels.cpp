@@ -12,43 +12,83 @@ namespace {
 // when it shows in full
 constexpr double kLeaderBegins = 1.0, kLeaderIsWhole = 1.4;
 
-bool holds(const TextRoom& room, const Vec2& point) {
-  constexpr double kRounding = 1e-9;
-  return point.x() > room.left + kRounding && point.x() < room.right - kRounding &&
-         point.y() > room.top + kRounding && point.y() < room.bottom - kRounding;
-}
+constexpr double kRounding = 1e-9;  // px
 
-// The point nearest to `wished` in `bounds` that none of the rectangles holds; nothing if they hold
-// all. It has the column of the wish or of an edge, and the row likewise.
-std::optional<Vec2> nearest_free(const Vec2& wished,
-                                 const std::vector<TextRoom>& blocked,
-                                 const TextRoom& bounds) {
-  std::vector<double> columns = {std::clamp(wished.x(), bounds.left, bounds.right)};
-  std::vector<double> rows = {std::clamp(wished.y(), bounds.top, bounds.bottom)};
-  for (const TextRoom& room : blocked) {
-    for (const double x : {room.left, room.right})
-      if (x >= bounds.left && x <= bounds.right) columns.push_back(x);
-    for (const double y : {room.top, room.bottom})
-      if (y >= bounds.top && y <= bounds.bottom) rows.push_back(y);
-  }
-  std::optional<Vec2> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double x : columns) {
-    for (const double y : rows) {
-      const Vec2 point(x, y);
-      const double far = (point - wished).squaredNorm();
-      if (far >= least) continue;
-      const bool is_free = std::none_of(
-          blocked.begin(), blocked.end(), [&](const TextRoom& room) { return holds(room, point); });
-      if (!is_free) continue;
-      best = point;
-      least = far;
-    }
-  }
-  return best;
+bool holds_column(const TextRoom& room, double x) {
+  return x > room.left + kRounding && x < room.right - kRounding;
 }
 
 }  // namespace
+
+FreeSpace::FreeSpace(const std::vector<TextRoom>& blocked, const TextRoom& bounds)
+    : blocked_(blocked), bounds_(bounds) {
+  std::sort(blocked_.begin(), blocked_.end(), [](const TextRoom& a, const TextRoom& b) {
+    return a.top < b.top;
+  });
+  for (const TextRoom& room : blocked_) {
+    for (const double x : {room.left, room.right})
+      if (x >= bounds.left && x <= bounds.right) columns_.push_back({x});
+  }
+  std::sort(
+      columns_.begin(), columns_.end(), [](const Column& a, const Column& b) { return a.x < b.x; });
+}
+
+// Rows of rectangles that overlap are joined, so that those of a column are apart.
+void FreeSpace::find_rows_of(Column& column) const {
+  column.is_known = true;
+  std::vector<Rows>& taken = column.taken;
+  for (const TextRoom& room : blocked_) {
+    if (!holds_column(room, column.x)) continue;
+    if (!taken.empty() && room.top < taken.back().bottom - kRounding)
+      taken.back().bottom = std::max(taken.back().bottom, room.bottom);
+    else
+      taken.push_back({room.top, room.bottom});
+  }
+}
+
+std::optional<double> FreeSpace::nearest_row(Column& column, double wished) const {
+  if (!column.is_known) find_rows_of(column);
+  const double y = std::clamp(wished, bounds_.top, bounds_.bottom);
+  const auto after = std::upper_bound(
+      column.taken.begin(), column.taken.end(), y, [](double row, const Rows& rows) {
+        return row < rows.top;
+      });
+  if (after == column.taken.begin()) return y;
+  const Rows& rows = *(after - 1);
+  if (y < rows.top + kRounding || y > rows.bottom - kRounding) return y;
+  const bool may_above = rows.top >= bounds_.top, may_below = rows.bottom <= bounds_.bottom;
+  if (!may_above && !may_below) return std::nullopt;
+  if (!may_below || (may_above && wished - rows.top <= rows.bottom - wished)) return rows.top;
+  return rows.bottom;
+}
+
+std::optional<Vec2> FreeSpace::nearest(const Vec2& wished) {
+  std::optional<Vec2> best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](Column& column) {
+    const std::optional<double> y = nearest_row(column, wished.y());
+    if (!y) return;
+    const double far = (Vec2(column.x, *y) - wished).norm();
+    if (far >= least) return;
+    best = Vec2(column.x, *y);
+    least = far;
+  };
+  Column own{std::clamp(wished.x(), bounds_.left, bounds_.right)};
+  look_at(own);
+  // outwards from the wish, until all others are farther
+  auto right = std::lower_bound(
+      columns_.begin(), columns_.end(), wished.x(), [](const Column& column, double x) {
+        return column.x < x;
+      });
+  for (auto left = right; left != columns_.begin();) {
+    --left;
+    if (wished.x() - left->x >= least) break;
+    look_at(*left);
+  }
+  for (; right != columns_.end() && right->x - wished.x() < least; ++right)
+    look_at(*right);
+  return best;
+}
 
 TextRoom room_at(const Vec2& center, double width, double height) {
   return {center.x() - 0.5 * width,
@@ -115,12 +155,11 @@ bool overlap(const TextRoom& a, const TextRoom& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-Vec2 settled_at(const LabelWish& wish,
-                const Vec2& center,
-                const Obstacles& obstacles,
-                const std::vector<TextRoom>& labels,
-                const TextRoom& frame,
-                double gap) {
+LabelRoom::LabelRoom(const LabelWish& wish,
+                     const Obstacles& obstacles,
+                     const std::vector<TextRoom>& labels,
+                     const TextRoom& frame,
+                     double gap) {
   const double half_width = 0.5 * wish.width;
   const double half_height = 0.5 * wish.height;
   TextRoom bounds = grown(frame, -half_width, -half_height);
@@ -133,14 +172,24 @@ Vec2 settled_at(const LabelWish& wish,
   };
   block(obstacles.text, gap);
   block(labels, gap);
-  const std::size_t without_marks = blocked.size();
+  beside_text_ = FreeSpace(blocked, bounds);
   block(obstacles.marks, 0.5 * gap);
-  std::optional<Vec2> free = nearest_free(center, blocked, bounds);
-  if (!free) {
-    blocked.resize(without_marks);
-    free = nearest_free(center, blocked, bounds);
-  }
-  return free.value_or(center);
+  free_ = FreeSpace(blocked, bounds);
+}
+
+Vec2 LabelRoom::settled_at(const Vec2& center) {
+  std::optional<Vec2> place = free_.nearest(center);
+  if (!place) place = beside_text_.nearest(center);
+  return place.value_or(center);
+}
+
+Vec2 settled_at(const LabelWish& wish,
+                const Vec2& center,
+                const Obstacles& obstacles,
+                const std::vector<TextRoom>& labels,
+                const TextRoom& frame,
+                double gap) {
+  return LabelRoom(wish, obstacles, labels, frame, gap).settled_at(center);
 }
 
 double distance(const TextRoom& room, const Vec2& point) {

@@ -64,9 +64,53 @@ struct LabelWish {
   bool is_around() const { return !half_a.isZero() || !half_b.isZero(); }
 };
 
-// The middle of a label that should stand around `center`, inside `frame`. It overlaps neither
-// other labels nor obstacles if there is enough space: where it would, it goes the shortest way
-// that keeps `gap` pixels from text and labels and half of it from marks.
+// The points between rectangles, pixels, y down. What has been found about them is kept, so that
+// many points can be looked up.
+class FreeSpace {
+ public:
+  FreeSpace() = default;
+  FreeSpace(const std::vector<TextRoom>& blocked, const TextRoom& bounds);
+
+  // The point nearest to `wished` in the bounds that no rectangle holds; nothing if they hold all.
+  // It is in the column of the wish or of an edge.
+  std::optional<Vec2> nearest(const Vec2& wished);
+
+ private:
+  struct Rows {
+    double top, bottom;
+  };
+  struct Column {
+    double x;
+    bool is_known = false;
+    std::vector<Rows> taken = {};  // rows that rectangles hold in it, apart and in order
+  };
+  void find_rows_of(Column& column) const;
+  std::optional<double> nearest_row(Column& column, double wished) const;
+
+  std::vector<TextRoom> blocked_;  // from top to bottom
+  TextRoom bounds_;
+  std::vector<Column> columns_;  // of the edges, from left to right
+};
+
+// Where one label may stand inside `frame`.
+class LabelRoom {
+ public:
+  LabelRoom(const LabelWish& wish,
+            const Obstacles& obstacles,
+            const std::vector<TextRoom>& labels,
+            const TextRoom& frame,
+            double gap);
+
+  // The middle of the label that should stand around `center`. It overlaps neither other labels nor
+  // obstacles if there is enough space: where it would, it goes the shortest way that keeps `gap`
+  // pixels from text and labels and half of it from marks.
+  Vec2 settled_at(const Vec2& center);
+
+ private:
+  FreeSpace free_, beside_text_;
+};
+
+// The same for a single place.
 Vec2 settled_at(const LabelWish& wish,
                 const Vec2& center,
                 const Obstacles& obstacles,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -99,6 +100,52 @@ TEST(Labels, KeepOffHeads) {
   EXPECT_LT(rooms[0].bottom, 100.0);
   // still near its own tip
   EXPECT_LT((rooms[1].center() - Vec2(300, 150)).norm(), 60.0);
+}
+
+// against all columns and rows of edges, each tried in all rectangles
+TEST(FreeSpace, FindsTheNearestPoint) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const TextRoom bounds{0, 0, 400, 200};
+  const auto anywhere = [&] {
+    return Vec2(440.0 * uniform(random) - 20.0, 220.0 * uniform(random) - 10.0);
+  };
+  int without = 0;
+  for (int run = 0; run < 60; ++run) {
+    std::vector<TextRoom> rooms;
+    for (int i = 0; i < 5 * (run % 12); ++i)
+      rooms.push_back(room_at(anywhere(), 90.0 * uniform(random), 40.0 * uniform(random)));
+    if (run % 20 == 19) rooms.push_back({-1, -1, 401, 201});
+    FreeSpace space(rooms, bounds);
+    for (int look = 0; look < 20; ++look) {
+      const Vec2 wished = anywhere();
+      std::vector<double> columns = {std::clamp(wished.x(), bounds.left, bounds.right)};
+      std::vector<double> rows = {std::clamp(wished.y(), bounds.top, bounds.bottom)};
+      for (const TextRoom& room : rooms) {
+        columns.insert(columns.end(), {room.left, room.right});
+        rows.insert(rows.end(), {room.top, room.bottom});
+      }
+      double least = HUGE_VAL;
+      for (const double x : columns) {
+        for (const double y : rows) {
+          const auto holds = [&](const TextRoom& room) {
+            return x > room.left && x < room.right && y > room.top && y < room.bottom;
+          };
+          const bool inside =
+              x >= bounds.left && x <= bounds.right && y >= bounds.top && y <= bounds.bottom;
+          if (inside && std::none_of(rooms.begin(), rooms.end(), holds))
+            least = std::min(least, (Vec2(x, y) - wished).norm());
+        }
+      }
+      const std::optional<Vec2> found = space.nearest(wished);
+      ASSERT_EQ(found.has_value(), std::isfinite(least));
+      if (found) {
+        EXPECT_NEAR((*found - wished).norm(), least, 1e-6);
+      }
+      without += found ? 0 : 1;
+    }
+  }
+  EXPECT_GT(without, 0);
 }
 
 TEST(Labels, RoomsOverlapPolygons) {

@@ -207,16 +207,18 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   const double upright = low > 0.0 ? (1.0 - e) * std::sqrt(lever / low) : HUGE_VAL;
   const double inverted = high > 0.0 ? (1.0 + e) * std::sqrt(lever / high) : HUGE_VAL;
   if (low > 0.0) list.push_back({"upright_spin_limit", Q::rate, upright});
-  if (high > 0.0) {
-    // the spin before that leaves enough of it after the inversion
-    list.push_back({"inverted_spin_limit", Q::rate, inverted});
-    list.push_back({"upright_spin_for_inversion", Q::rate, (1.0 + e) / (1.0 - e) * inverted});
-  }
-  // what leaves the upright place and stays inverted, with the spins that lambda has there
+  if (high > 0.0) list.push_back({"inverted_spin_limit", Q::rate, inverted});
+  if (!condition) return;
+  // it must leave the upright place, and have enough spin left after the inversion
+  const double before = std::max(upright, (1.0 + e) / (1.0 - e) * inverted);
+  list.push_back({"upright_spin_for_inversion", Q::rate, before});
+  // what leaves the upright place and stays inverted, with the spins that lambda has there; in the
+  // air lambda is another
   const bool is_upright = s.axis_P.dot(up_in_body(model, start.q)) > 0.0;
+  if (!is_upright || !starts_on_table(model, start)) return;
   const double lambda = std::abs(jellett_of(model, start)) / (s.along * s.radius);
   const double spin_upright = lambda / (1.0 - e), spin_inverted = lambda / (1.0 + e);
-  if (condition && is_upright && spin_upright > upright && spin_inverted > inverted)
+  if (spin_upright > upright && spin_inverted > inverted)
     list.push_back({"spin_after_inversion", Q::rate, spin_inverted});
 }
 
@@ -281,7 +283,10 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
   const Vec3 slip = horizontal(slip_of(model, Touch{}, moving_of(model, start)));
   // friction mu m g slows the slip by mu g (1 + m R^2 / I)
   const double slows = law.mu * along_up(model) * (1.0 + mR2 / I);
-  list.push_back({"sliding_time", Q::time, slip.norm() / slows});
+  // a difference of velocities, which round-off leaves where it rolls
+  const double rim_speed = angular_velocity(model, start.y).norm() * ball->ball;
+  const bool rolls = slip.norm() < 1e-12 * rim_speed;
+  list.push_back({"sliding_time", Q::time, rolls ? 0.0 : slip.norm() / slows});
 }
 
 }  // namespace

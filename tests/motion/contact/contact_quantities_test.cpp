@@ -20,6 +20,10 @@ double quantity(const BodySpec& body, const MotionSpec& spec, const std::string&
   return found.value_or(NAN);
 }
 
+bool tells(const BodySpec& body, const MotionSpec& spec, const std::string& key) {
+  return value_of(derived_quantities(make_model(body, spec), spec), key).has_value();
+}
+
 double tilt_at(const Integration& found, double t) {
   return angle_between(found.trajectory->at(t).q * Vec3::UnitZ(), Vec3::UnitZ());
 }
@@ -50,6 +54,7 @@ TEST(TippeTop, DoesNotWhereInertiaForbidsIt) {
     const BodySpec top = tippe_top_body(0.2, ratio);
     const MotionSpec spec = spinning_top(160, 0.05, 12.0);
     EXPECT_EQ(quantity(top, spec, "tippe_top_condition"), turns) << ratio;
+    EXPECT_EQ(tells(top, spec, "upright_spin_for_inversion_rad_per_s"), turns == 1.0) << ratio;
     const Integration found = integrated(top, spec, 1e-8);
     EXPECT_EQ(tilt_at(found, 12.0) > 3.0, turns == 1.0) << ratio;
   }
@@ -57,6 +62,16 @@ TEST(TippeTop, DoesNotWhereInertiaForbidsIt) {
   MotionSpec ice = spinning_top(160, 0.05, 12.0);
   ice.friction.reset();
   EXPECT_LT(tilt_at(integrated(tippe_top_body(0.2, 1.08), ice, 1e-9), 12.0), 0.06);
+}
+
+// Near the least inertia that inverts, the upright place is left only at a spin that is more than
+// enough to stay inverted.
+TEST(TippeTop, MustLeaveTheUprightPlaceFirst) {
+  const BodySpec top = tippe_top_body(0.2, 0.82);
+  const MotionSpec spec = spinning_top(160, 0.05, 1.0);
+  const double before = quantity(top, spec, "upright_spin_for_inversion_rad_per_s");
+  EXPECT_EQ(before, quantity(top, spec, "upright_spin_limit_rad_per_s"));
+  EXPECT_GT(before, 1.5 * quantity(top, spec, "inverted_spin_limit_rad_per_s"));
 }
 
 // the eigenvalues of the general equations change sign at the spin that the energy at fixed lambda
@@ -131,9 +146,6 @@ TEST(EulersDisc, SettlesByItsPowerLaws) {
 // Formulas of level tables, of bodies on them and of their friction are told of no others.
 class Untold : public ::testing::Test {
  protected:
-  static bool tells(const BodySpec& body, const MotionSpec& spec, const std::string& key) {
-    return value_of(derived_quantities(make_model(body, spec), spec), key).has_value();
-  }
   static LoadSpec push() {
     LoadSpec torque;
     torque.kind = "force";
@@ -161,6 +173,14 @@ TEST_F(Untold, SlidingTimesOfBallsThatDoMore) {
   EXPECT_FALSE(tells(ball_body(), other, key)) << "it falls first";
 }
 
+TEST_F(Untold, NoTimeOfSlidingWhereTheBallRolls) {
+  MotionSpec rolls = on_table(1.0, coulomb(0.2));
+  rolls.attitude.tilt = 0.3;
+  rolls.velocity = Vec3(0.7 * 0.028, 0.0, 0.0);
+  rolls.spin.space = Vec3(0.0, 0.7, 3.0);
+  EXPECT_EQ(quantity(ball_body(0.028), rolls, "sliding_time_s"), 0.0);
+}
+
 TEST_F(Untold, LimitsOfRollingWhereNothingRolls) {
   const auto tells_limit = [](const std::optional<FrictionSpec>& friction) {
     MotionSpec spec = on_table(1.0, friction);
@@ -185,6 +205,9 @@ TEST_F(Untold, InversionsOfTopsThatCannotOrHave) {
   EXPECT_FALSE(tells(top, spinning_top(160, 3.1, 1.0), after)) << "it has";
   EXPECT_FALSE(tells(top, spinning_top(30, 0.05, 1.0), after)) << "it comes to rest half-way";
   EXPECT_FALSE(tells(top, spinning_top(10, 0.05, 1.0), after)) << "it stays upright";
+  MotionSpec falls = spec;
+  falls.position = Vec3(0.0, 0.0, 0.5);
+  EXPECT_FALSE(tells(top, falls, after)) << "it falls first, and lands at another tilt";
   spec.friction = rolling();
   EXPECT_FALSE(tells(top, spec, after)) << "rolling takes no energy";
   EXPECT_FALSE(tells(top, spec, "tippe_top_condition"));
