@@ -48,6 +48,13 @@ void configure_x264(const EncoderSettings& settings, AVCodecContext& c, LibavOpt
   options.set("crf", std::to_string(settings.crf));
   options.set("profile", "high");
   options.set("forced-idr", "1");
+  // Where speed is wanted: frames out of order and weighted prediction take a quarter of the time
+  // of encoding these films, and save 8 to 24 % of their bytes.
+  constexpr std::size_t kVeryFast = 2;
+  if (effort(settings) <= kVeryFast) {
+    c.max_b_frames = 0;
+    options.set("weightp", "0");
+  }
   // The AVX-512 code of x264 164 reads what nobody wrote where rows are no multiple of eight
   // macroblocks: no two films were alike. AVX2 encodes 7 % slower, and 60 % without the
   // other two words.
