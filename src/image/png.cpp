@@ -47,20 +47,20 @@ png_image header_of(const Image& image, bool with_alpha) {
   return png;
 }
 
-// libpng shows what there is of a picture that was cut off behind its pixels. Chunks are a length,
-// a type, so many bytes and a checksum.
-void refuse_cut_off(const std::string& bytes, const Place& place) {
+// Whether one of the chunks of a PNG file, up to its last, has the type. A chunk is a length, a
+// type, so many bytes and a checksum.
+bool has_chunk(const std::string& bytes, const char* type) {
   constexpr std::size_t kSignature = 8, kAround = 12;
   const auto byte = [&](std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
   };
-  if (!bytes.starts_with("\x89PNG")) return;  // libpng says what is wrong
   for (std::size_t i = kSignature; i + kAround <= bytes.size();) {
-    if (bytes.compare(i + 4, 4, "IEND") == 0) return;
+    if (bytes.compare(i + 4, 4, type) == 0) return true;
+    if (bytes.compare(i + 4, 4, "IEND") == 0) return false;
     i += kAround + (std::size_t{byte(i)} << 24U | std::size_t{byte(i + 1)} << 16U |
                     std::size_t{byte(i + 2)} << 8U | std::size_t{byte(i + 3)});
   }
-  throw input_error("is not a whole PNG picture: it ends before its last chunk").at(place);
+  return false;
 }
 
 }  // namespace
@@ -111,12 +111,20 @@ std::string encode_png(const Image& image, bool with_alpha) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-  return decode_png(read_file(path, 5 * kMostPngPixels), path.string());
+  const std::string bytes = read_file(path, 5 * kMostPngPixels);
+  if (has_chunk(bytes, "acTL")) {
+    throw input_error("is an animation, of which a picture is only the first; name it .apng")
+        .at({path.string(), 0, {}});
+  }
+  return decode_png(bytes, path.string());
 }
 
 Image decode_png(const std::string& bytes, const std::string& name) {
   const Place place{name, 0, {}};
-  refuse_cut_off(bytes, place);
+  // libpng shows what there is of a picture that was cut off behind its pixels, and says what is
+  // wrong with other files
+  if (bytes.starts_with("\x89PNG") && !has_chunk(bytes, "IEND"))
+    throw input_error("is not a whole PNG picture: it ends before its last chunk").at(place);
   Reader png;
   const auto refuse = [&] {
     return input_error("is not a PNG picture: {}", png.message).at(place);

@@ -33,7 +33,7 @@ std::string encode_png(const Image& image, bool with_alpha);
 Image decode_png(const std::string& bytes, const std::string& name);
 
 // Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file (base/system/atomic_file.h)
-// and decode_png do.
+// and decode_png do, and for an animation.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace polhode

@@ -82,6 +82,23 @@ TEST(Png, WhatIsNoPngIsAnInputErrorThatNamesTheFile) {
   }
 }
 
+TEST(Png, AnAnimationIsNoPicture) {
+  const TemporaryFolder folder;
+  write_png(folder / "a.png", noise(20, 10, 3), true);
+  std::string bytes = test::read_text(folder / "a.png");
+  // behind the header, that two pictures follow, and how often
+  constexpr std::size_t kHeaderEnds = 33;
+  bytes.insert(kHeaderEnds, std::string("\0\0\0\10acTL\0\0\0\2\0\0\0\0\0\0\0\0", 20));
+  test::write_text(folder / "a.png", bytes);
+  try {
+    read_png(folder / "a.png");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_NE(std::string(error.what()).find("name it .apng"), std::string::npos) << error.what();
+  }
+}
+
 // forty bytes may claim a picture of terabytes
 TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
   const TemporaryFolder folder;
