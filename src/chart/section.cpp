@@ -247,9 +247,9 @@ std::optional<SectionObstacle> why_not_section(const BodyModel& model) {
     return SectionObstacle{"motion.hold",
                            "needs a body on a pivot under gravity; set hold = \"pivot\""};
   }
-  if (model.gravity_S.isZero())
+  if (model.gravity_S.isZero(0.0))
     return SectionObstacle{"motion.gravity", "needs gravity that turns the body"};
-  if (model.chi_P.isZero()) {
+  if (model.chi_P.isZero(0.0)) {
     return SectionObstacle{
         "motion.hold", "needs a body that gravity turns: this one is held at its centre of mass"};
   }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The program: options to a job, a job to an exit code, every error to one line.
+#include <algorithm>
 #include <exception>
 #include <malloc.h>
 #include <new>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -48,8 +50,24 @@ void refuse_small_stack() {
                           kLeast_KB);
 }
 
+// without a file for a font its letters are boxes, and nobody says so; golden pictures, shards and
+// lectures hold more open than shells allow by themselves
+void allow_open_files() {
+  constexpr rlim_t kLeast = 64, kWanted = 4096;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  if (limit.rlim_cur < kWanted && limit.rlim_cur < limit.rlim_max) {
+    const rlim_t before = std::exchange(limit.rlim_cur, std::min(limit.rlim_max, kWanted));
+    if (setrlimit(RLIMIT_NOFILE, &limit) != 0) limit.rlim_cur = before;
+  }
+  if (limit.rlim_cur >= kLeast) return;
+  throw environment_error(
+      "only {} files may be open (ulimit -n); {} are needed", limit.rlim_cur, kLeast);
+}
+
 int run(int argc, char** argv) {
   refuse_small_stack();
+  allow_open_files();
   CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
   app.set_version_flag("--version", version_text(program_commit()));
   bool verbose = false;

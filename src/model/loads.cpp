@@ -212,7 +212,7 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     // an arm of round-off is none: a force on the centre of mass turns nothing
     const double reach = spec.at.value_or(center_B).norm() + from_B.norm();
     if (load.arm_P.norm() <= 1e-14 * reach) load.arm_P.setZero();
-    if (load.kind == Load::Kind::couple && load.arm_P.isZero()) {
+    if (load.kind == Load::Kind::couple && load.arm_P.isZero(0.0)) {
       throw input_error("both forces act at one point and cancel; a couple needs two")
           .at({{}, 0, fmt::format("motion.torque[{}].opposite", i)});
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "math/so3.h"
 #include "motion/deviation.h"
 #include "motion/scales.h"
@@ -75,7 +76,8 @@ Conditioning conditioning_of(
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (const std::vector<State>& other : there)
       largest.look_at(here[i], other[i]);
-    found.effect = largest.value() * factor;
+    const double effect = largest.value() * factor;
+    found.effect = std::isnan(effect) ? kPi : effect;  // of angles without digits nothing is known
     if (!found.exceeds_limit && !(found.effect <= limit)) {
       found.exceeds_limit = true;
       found.exceeded_at = times[i];

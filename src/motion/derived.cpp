@@ -74,21 +74,6 @@ void add_free_symmetric(List& list, const BodyModel& model, const State& start) 
   list.push_back({"body_cone_half_angle", Q::angle, angle_between(w_P, figure)});
 }
 
-// how far the body's direction `axis_P` goes round the space direction `about` (unit) from 0 to t,
-// rad; steps of a few degrees tell how often
-double turn_about(const Trajectory& motion, const Vec3& axis_P, const Vec3& about, double t) {
-  constexpr int kSteps = 4096;
-  Vec3 before = motion.at(0.0).q * axis_P;
-  double turn = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Vec3 now = motion.at(t * i / kSteps).q * axis_P;
-    turn += std::atan2(about.dot(before.cross(now)),
-                       before.dot(now) - before.dot(about) * now.dot(about));
-    before = now;
-  }
-  return turn;
-}
-
 // The mean rate at which the principal axis goes round L, over one period of the momentum in the
 // body: L (y1^2 / I1 + y2^2 / I2) / (y1^2 + y2^2) for the third axis, however often the body turns.
 double mean_precession(const BodyModel& model, const State& start, int axis, double period) {
@@ -154,17 +139,21 @@ void add_nutation(List& list, const BodyModel& model, const State& start, bool i
     return;
   }
   if (through_top || through_bottom) return;
-  const std::unique_ptr<Trajectory> top = exact_heavy_symmetric(model, start);
-  const double turn = turn_about(*top, model.chi_P, model.up_S, nutation.period);
+  const double turn = precession_in_a_nutation(model, start);
   list.push_back({"mean_precession_rate", Q::rate, turn / nutation.period});
   list.push_back({"precession_angle_per_nutation", Q::angle, turn});
   const double at_least = nutation.precession_at_least;
   const double at_greatest = nutation.precession_at_greatest;
   list.push_back({"precession_rate_at_least_tilt", Q::rate, at_least});
   list.push_back({"precession_rate_at_greatest_tilt", Q::rate, at_greatest});
-  // at a cusp the rate is round-off of either sign
+  // at a cusp the rate is round-off of either sign: of the other rate, or of the momentum
+  constexpr double kRoundOffOfMomentum = 1e-15;
+  const double slower = std::min(std::abs(at_least), std::abs(at_greatest));
+  const double faster = std::max(std::abs(at_least), std::abs(at_greatest));
+  const double of_momentum =
+      kRoundOffOfMomentum * angular_velocity(model, start.y).norm() / std::sin(nutation.least_tilt);
   const bool reverses =
-      at_least * at_greatest < 0.0 && std::abs(at_least) > kRoundOffOfRates * std::abs(at_greatest);
+      at_least * at_greatest < 0.0 && slower > std::max(kRoundOffOfRates * faster, of_momentum);
   list.push_back({"precession_reverses", Q::verdict, reverses ? 1.0 : 0.0});
 }
 
@@ -194,7 +183,7 @@ void add_heavy_symmetric(List& list, const BodyModel& model, const State& start)
       list.push_back({"fast_steady_precession", Q::rate, sum / (2.0 * A * u)});
   }
   const double ratio = L3 * L3 / (4.0 * A * mu);
-  list.push_back({"sleeping_top_stable", Q::verdict, ratio > 1.0 ? 1.0 : 0.0});
+  list.push_back({"sleeping_top_stable", Q::verdict, ratio >= 1.0 ? 1.0 : 0.0});
   list.push_back({"sleeping_top_stability_ratio", Q::none, ratio});
   if (ratio < 1.0) {
     const double growth = std::sqrt(4.0 * A * mu - L3 * L3) / (2.0 * A);

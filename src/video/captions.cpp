@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "base/error.h"
 #include "video/encoders.h"
@@ -24,6 +25,19 @@ bool is_ours(const std::string& file) {
   std::ifstream(file, std::ios::binary)
       .read(head.data(), static_cast<std::streamsize>(head.size()));
   return head == kHead;
+}
+
+// another film that stands beside this one and has its captions in the same file; empty if none
+std::string other_film(const std::string& film) {
+  const FilmFormat* own = find_film_format(film);
+  const std::string stem = film.substr(0, film.size() - own->ending.size());
+  for (const FilmFormat& format : film_formats()) {
+    std::error_code ignored;
+    if (format.keeps_metadata && format.ending != own->ending &&
+        std::filesystem::exists(stem + format.ending, ignored))
+      return stem + format.ending;
+  }
+  return {};
 }
 
 // "00:01:02.345"
@@ -100,7 +114,8 @@ std::string web_vtt(const std::vector<FilmMetadata::Caption>& captions, const Fr
   return text;
 }
 
-CaptionFile::CaptionFile(const std::string& film, bool expected) : name_(captions_beside(film)) {
+CaptionFile::CaptionFile(const std::string& film, bool expected)
+    : film_(film), name_(captions_beside(film)) {
   if (expected) claim();
 }
 
@@ -120,16 +135,24 @@ void CaptionFile::claim() {
 void CaptionFile::write(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps) {
   if (captions.empty()) return;
   if (!file_) claim();
-  file_->write(web_vtt(captions, fps));
-  written_ = true;
+  text_ = web_vtt(captions, fps);
+  file_->write(text_);
 }
 
 void CaptionFile::commit() {
-  if (written_) {
+  const bool had_ours = is_ours(name_);
+  const std::string other = had_ours ? other_film(film_) : std::string();
+  if (!text_.empty()) {
+    if (!other.empty() && read_file(name_) != text_)
+      spdlog::warn("{} had the captions of {} and has those of {} now", name_, other, film_);
     file_->commit();
     return;
   }
-  if (!is_ours(name_)) return;
+  if (!had_ours) return;
+  if (!other.empty()) {
+    spdlog::warn("{} stays, for it may be of {}: {} has no captions", name_, other, film_);
+    return;
+  }
   std::error_code failed;
   std::filesystem::remove(name_, failed);
   if (failed) {

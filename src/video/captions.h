@@ -33,14 +33,15 @@ class CaptionFile {
   void write(const std::vector<FilmMetadata::Caption>& captions, const FrameRate& fps);
   // Gives the file its name; call it once, when the film has its own. If no captions were written,
   // removes those that polhode wrote for an earlier film of this name; a file that polhode did not
-  // write is left alone. Throws Error (environment) if that fails.
+  // write is left alone, as is one beside a film of another format. A warning tells when that film
+  // has other captions now, or may have those that stay. Throws Error (environment) if that fails.
   void commit();
 
  private:
   void claim();
-  std::string name_;
+  std::string film_, name_;
   std::optional<AtomicFile> file_;
-  bool written_ = false;
+  std::string text_;  // empty until it is written
 };
 
 // Wraps a film sink (not null) so that it also has a CaptionFile beside job.output, claimed now if

@@ -174,6 +174,9 @@ TEST(Section, MotionsThatLieOnTheSurfaceEnd) {
 TEST(Section, OthersHaveNone) {
   EXPECT_EQ(why_not_section(free_body({1, 2, 3})).value().key, "motion.hold");
   EXPECT_FALSE(why_not_section(heavy_asymmetric().model).has_value());
+  BodyModel tiny = heavy_asymmetric().model;
+  tiny.chi_P *= 1e-20;  // as of a grain
+  EXPECT_FALSE(why_not_section(tiny).has_value());
 }
 
 TEST(Section, NamesTheKeyOfWhatItCannotTake) {

@@ -282,6 +282,41 @@ TEST(Derived, NutationLoopsCuspsAndWaves) {
   }
 }
 
+// Its mean precession is m g l / L3, and that at the greatest tilt twice as fast, however little it
+// turns in one nutation; released at rest it has a cusp.
+TEST(Derived, VeryFastTopsHardlyPrecess) {
+  BodySpec body;
+  body.moments = Vec3(2, 2, 1);
+  body.mass = 1.0;
+  body.center_of_mass = Vec3(0, 0, 1);
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.duration = 1e-3;
+  for (const double tilt : {0.5, 1.1, 2.3}) {
+    spec.attitude.zxz = Vec3(0, tilt, 0.7);
+    for (const double fast : {1e6, 1e7, 1e8, 1e9}) {
+      SCOPED_TRACE(fast);
+      spec.spin.body = Vec3(0, 0, fast);
+      const Case top = case_of(body, spec);
+      const double mean = 9.80665 / fast;
+      expect_residual("mean", std::abs(top("mean_precession_rate_rad_per_s") / mean - 1.0), 1e-10);
+      expect_residual(
+          "lowest",
+          std::abs(top("precession_rate_at_greatest_tilt_rad_per_s") / (2.0 * mean) - 1.0),
+          1e-10);
+      EXPECT_EQ(top("precession_rate_at_least_tilt_rad_per_s"), 0.0);
+      EXPECT_EQ(top("precession_reverses"), 0.0);
+    }
+  }
+  // of solids, the momentum across the axis is round-off at rest
+  spec.attitude = {};
+  for (int tilt = 5; tilt < 175; tilt += 3) {
+    spec.attitude.tilt = tilt * kPi / 180.0;
+    spec.spin.body = Vec3(0, 0, 3e4);
+    EXPECT_EQ(case_of(test::cone_body(), spec)("precession_reverses"), 0.0) << tilt;
+  }
+}
+
 // the planar pendulum: T = 4 K(sin^2(amplitude / 2)) sqrt(A / mu), and beyond the top
 TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   BodySpec body;

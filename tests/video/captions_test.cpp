@@ -108,6 +108,28 @@ TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
   EXPECT_EQ(test::read_text(folder / "a.vtt"), "WEBVTT - c");
 }
 
+// two films of one stem have one file of captions
+TEST(Captions, OfAnotherFormatStay) {
+  const TemporaryFolder folder;
+  const auto make = [&](const char* name, const std::vector<FilmMetadata::Caption>& captions) {
+    SinkJob job;
+    job.output = folder / name;
+    job.width = job.height = 32;
+    const std::unique_ptr<FrameSink> sink = make_sink(job);
+    sink->describe({1, {}, {}, captions});
+    sink->push(Image(32, 32));
+    sink->finish();
+  };
+  make("a.mp4", {{0, 1, "Words"}});
+  make("a.webm", {});
+  EXPECT_NE(test::read_text(folder / "a.vtt").find("Words"), std::string::npos);
+  make("a.webm", {{0, 1, "Others"}});  // with a warning
+  EXPECT_NE(test::read_text(folder / "a.vtt").find("Others"), std::string::npos);
+  std::filesystem::remove(folder / "a.webm");
+  make("a.mp4", {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.vtt")) << "no other film has them";
+}
+
 TEST(Captions, ThatAreExpectedAreClaimedAtOnce) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "a.vtt");

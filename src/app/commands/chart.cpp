@@ -48,7 +48,7 @@ Task make_task(const std::filesystem::path& file,
     task.problem = {model, start, scene.motion.duration};
     task.methods = able_methods(methods, job.methods, model, file.string(), why_not);
     task.panel.accuracy_rad = accuracy_in_radians(scene, model);
-    task.panel.free_body = model.chi_P.isZero() && !model.loads.turn_body();
+    task.panel.free_body = model.chi_P.isZero(0.0) && !model.loads.turn_body();
   });
   task.panel.scene = file.stem().string();
   task.panel.title = scene.title.empty() ? task.panel.scene : scene.title;

@@ -195,7 +195,7 @@ std::vector<Stretch> touching(const Scenery& scenery, int looks) {
 bool touches_with_edges(const ContactSurface& surface) {
   const std::vector<SurfacePiece>& pieces = surface.pieces();
   return std::all_of(pieces.begin(), pieces.end(), [](const SurfacePiece& piece) {
-    return piece.semi_axes.isZero() && piece.ball == 0.0 && !piece.outline;
+    return piece.semi_axes.isZero(0.0) && piece.ball == 0.0 && !piece.outline;
   });
 }
 

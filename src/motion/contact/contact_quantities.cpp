@@ -72,18 +72,23 @@ class ReducedMotion {
     return slope;
   }
 
+  // of rates in units of `rate` and velocities in units of `speed`, per time 1 / rate
   Jacobian jacobian(const Reduced& x, double rate, double speed) {
     constexpr double kApart = 3e-4;
+    Reduced units(size());
+    for (int i = 0; i < size(); ++i)
+      units[i] = i < 3 ? 1.0 : i < 6 ? rate : speed;
     Jacobian J(size(), size());
     for (int i = 0; i < size(); ++i) {
-      const double step = kApart * (i < 3 ? 1.0 : i < 6 ? rate : speed);
+      const double step = kApart * units[i];
       // of fourth order: where two frequencies meet, errors come out as their roots
       const auto at = [&](double steps) {
         Reduced moved = x;
         moved[i] += steps * step;
         return slope(moved);
       };
-      J.col(i) = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step);
+      const Reduced change = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * kApart);
+      J.col(i) = change.cwiseQuotient(rate * units);
     }
     return J;
   }
@@ -119,15 +124,18 @@ bool spin_axis(const BodyModel& model, const State& start, Vec3& up_P) {
   return arm.cross(up_P).norm() < 1e-9 * surface.reach();
 }
 
-// Where spins in the direction of this one become stable or unstable, rad/s, the nearest such spin;
-// 0: at none below the spin that is far above what gravity does. Ranges of spins narrower than one
-// in a hundred may be missed.
+// Where spins in the direction of this one become stable or unstable, rad/s, the nearest such spin
+// by its ratio to this one; 0: unknown, or at none below the spin that is far above what gravity
+// does. Ranges of spins narrower than one in a hundred may be missed.
 double limit_of_spin(const BodyModel& model, const Vec3& up_P, double now) {
   constexpr double kFactor = 1.01;   // from one look to the next
   constexpr double kBeside = 1.003;  // from a limit
   const double gravity = std::sqrt(model.gravity_S.norm() / model.table->surface->reach());
+  bool is_known = true;
   const auto growth = [&](double spin) {
-    return growth_rate_of_spin(model, up_P, std::copysign(spin, now));
+    const std::optional<double> rate = growth_rate_of_spin(model, up_P, std::copysign(spin, now));
+    is_known = is_known && rate.has_value();
+    return rate.value_or(0.0);
   };
   const auto grows = [&](double spin) {
     return growth(spin) > 0.0;
@@ -154,7 +162,7 @@ double limit_of_spin(const BodyModel& model, const Vec3& up_P, double now) {
     if (nearest != 0.0 && away(high) >= away(nearest)) continue;
     if (is_limit(low, high)) nearest = high;
   }
-  return nearest;
+  return is_known ? nearest : 0.0;
 }
 
 void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
@@ -168,11 +176,10 @@ void add_vertical_spin(List& list, const BodyModel& model, const State& start) {
   // end the spin
   const Friction& law = model.table->friction;
   if (law.rolling != 0.0 || law.boring != 0.0) return;
-  list.push_back(
-      {"growth_rate_of_vertical_spin", Q::growth, growth_rate_of_spin(model, up_P, spin)});
-  list.push_back({"growth_rate_of_vertical_spin_reversed",
-                  Q::growth,
-                  growth_rate_of_spin(model, up_P, -spin)});
+  if (const std::optional<double> growth = growth_rate_of_spin(model, up_P, spin))
+    list.push_back({"growth_rate_of_vertical_spin", Q::growth, *growth});
+  if (const std::optional<double> growth = growth_rate_of_spin(model, up_P, -spin))
+    list.push_back({"growth_rate_of_vertical_spin_reversed", Q::growth, *growth});
   if (const double limit = limit_of_spin(model, up_P, spin); limit > 0.0)
     list.push_back({"vertical_spin_limit", Q::rate, limit});
 }
@@ -251,10 +258,14 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   list.push_back({"precession_with_center_at_rest", Q::rate, precession});
   list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
   // Rolling friction drives the centre out of rest, as simulated the less the flatter the disc
-  // lies: below 30 degrees the time is right within 1 %. A disc that slips loses energy there, too.
-  constexpr double kSteepest = 0.5;  // sine of the tilt
+  // lies: below 30 degrees the time is right within 1 %, from a homogeneous disc on (of one with
+  // its mass in the middle it is much less). A disc that slips loses energy there, too.
+  constexpr double kSteepest = 0.5;                 // sine of the tilt
+  constexpr double kLightest = 0.249, kMost = 1.0;  // of m a^2
+  const double rim = across / (mass * a * a);
   const bool slips = law.kind == Friction::Kind::viscous;
-  if (law.rolling == 0.0 || law.boring != 0.0 || slips || sine > kSteepest) return;
+  const bool stays_at_rest = sine <= kSteepest && rim >= kLightest && rim <= kMost;
+  if (law.rolling == 0.0 || law.boring != 0.0 || slips || !stays_at_rest) return;
   // d/dt (3/2 a sin) = -rolling W sin cos, so that the time is (3 a / 2 rolling) sqrt(I1 / m g a)
   // times the integral of d(tilt) / sqrt(sin(tilt)); with tilt = u^2 nothing is singular
   constexpr int kPartsOfTime = 2000;
@@ -291,7 +302,7 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
 
 }  // namespace
 
-double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin) {
+std::optional<double> growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin) {
   ReducedMotion motion(model);
   Reduced x = Reduced::Zero(motion.size());
   x.head<3>() = up_P;
@@ -311,8 +322,11 @@ double growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(across.transpose() * J * across, false);
   // viscous friction may be weak; without it growth begins as a root
   const double neutral = model.table->friction.kind == Friction::Kind::viscous ? 1e-10 : 1e-7;
+  // that of differences, far above what they have; strong friction makes them large
+  const double round_off = 1e-13 * J.norm();
   const double most = solver.eigenvalues().real().maxCoeff();
-  return most > neutral * rate ? most : 0.0;
+  if (most > std::max(neutral, round_off)) return most * rate;
+  return round_off > neutral ? std::nullopt : std::optional(0.0);
 }
 
 std::vector<Quantity> contact_quantities(const BodyModel& model, const State& start) {

@@ -57,4 +57,9 @@ struct Nutation {
 // Lifshitz, Mechanics, section 35, problem 1).
 Nutation nutation_of(const BodyModel& model, const State& start);
 
+// How far the axis goes round the vertical in one period of the nutation, rad. Same requirements;
+// aborts where that period is 0 or infinite. Meaningless for an axis that passes through the
+// vertical.
+double precession_in_a_nutation(const BodyModel& model, const State& start);
+
 }  // namespace polhode

@@ -314,9 +314,44 @@ Start start_of(const BodyModel& model, const State& state) {
   return start;
 }
 
-// A d(phi)/dt = (L_z - L3 u) / (1 - u^2) = (L_z + L3) / 2 (1 + u) + (L_z - L3) / 2 (1 - u)
-double precession_rate(const Lagrange& top, double one_plus_u, double one_minus_u) {
-  return 0.5 * (top.sum / one_plus_u + top.difference / one_minus_u) / top.A;
+// A d(phi)/dt = (L_z - L3 u) / (1 - u^2) at u = u0 + h: by the poles, where nothing cancels near
+// the vertical, or from the start, where the spin of a fast top does not, whichever cancels less.
+double precession_rate(const Lagrange& top, double h, double one_plus_u, double one_minus_u) {
+  const double at_bottom = 0.5 * top.sum / one_plus_u, at_top = 0.5 * top.difference / one_minus_u;
+  const double sine2 = one_plus_u * one_minus_u;
+  const double before = top.inner / sine2, since = -top.L3 * h / sine2;
+  const bool from_start =
+      std::abs(before) + std::abs(since) < std::abs(at_bottom) + std::abs(at_top);
+  return (from_start ? before + since : at_bottom + at_top) / top.A;
+}
+
+// How far chi goes round the vertical from 0 to t, rad; steps of a few degrees tell how often.
+double turn_by_steps(const BodyModel& model, const Trajectory& motion, double t) {
+  constexpr int kSteps = 4096;
+  const Vec3 &axis_P = model.chi_P, about = model.up_S;
+  Vec3 before = motion.at(0.0).q * axis_P;
+  double turn = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec3 now = motion.at(t * i / kSteps).q * axis_P;
+    turn += std::atan2(about.dot(before.cross(now)),
+                       before.dot(now) - before.dot(about) * now.dot(about));
+    before = now;
+  }
+  return turn;
+}
+
+// The same in one nutation, as the mean of the rate at equal times: of a periodic function it is as
+// good as the integral, unless that has peaks.
+double turn_by_rates(const Lagrange& top, const Roots& r, double period) {
+  constexpr int kTimes = 4096;
+  const EllipticParameter parameter = parameter_of(r);
+  double sum = 0.0;
+  for (int i = 0; i < kTimes; ++i) {
+    const double sn = parameter.at(2.0 * parameter.quarter_period() * i / kTimes).sn;
+    const double down = r.below * sn * sn;  // below the upper turning point
+    sum += precession_rate(top, r.h2 - down, r.plus2 - down, r.x2 + down);
+  }
+  return sum / kTimes * period;
 }
 
 }  // namespace
@@ -343,11 +378,22 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
       others > 0.0 ? top.sum * top.sum / others : std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
   nutation.least_tilt = 2.0 * std::atan2(std::sqrt(r.x2), std::sqrt(r.plus2));
   nutation.greatest_tilt = 2.0 * std::atan2(std::sqrt(r.x1), std::sqrt(plus1));
-  nutation.precession_at_least = precession_rate(top, r.plus2, r.x2);
-  nutation.precession_at_greatest = precession_rate(top, plus1, r.x1);
+  nutation.precession_at_least = precession_rate(top, r.h2, r.plus2, r.x2);
+  nutation.precession_at_greatest = precession_rate(top, r.h1, plus1, r.x1);
   const double kappa = std::sqrt(0.5 * top.mu * r.span() / top.A);
   nutation.period = 2.0 * elliptic_k(parameter_of(r).m1()) / kappa;
   return nutation;
+}
+
+double precession_in_a_nutation(const BodyModel& model, const State& state) {
+  constexpr double kSame = 1e-11;  // rad, above the round-off of steps
+  const Lagrange top = start_of(model, state).top;
+  const double period = nutation_of(model, state).period;
+  CHECK(period > 0.0 && std::isfinite(period));
+  const double by_steps = turn_by_steps(model, *exact_heavy_symmetric(model, state), period);
+  // rates have the digits that angles between directions lack where a fast top hardly precesses
+  const double by_rates = turn_by_rates(top, find_roots(top), period);
+  return std::abs(by_rates - by_steps) < kSame ? by_rates : by_steps;
 }
 
 }  // namespace polhode

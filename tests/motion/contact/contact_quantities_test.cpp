@@ -242,6 +242,15 @@ TEST_F(Untold, WhatTurningTablesAndMomentsOfFrictionChange) {
   MotionSpec steep = disc;
   steep.attitude.tilt = 0.7;
   EXPECT_FALSE(tells(disc_body(), steep, "end_time_s")) << "its centre leaves its rest";
+  BodySpec light = disc_body();  // at its rim
+  light.look = light.solid;
+  light.solid.reset();
+  light.mass = 0.4;
+  const double mass_a2 = 0.4 * 0.0375 * 0.0375;
+  for (const auto& [part, told] : {std::pair{0.1, false}, {0.3, true}, {1.2, false}}) {
+    light.moments = part * mass_a2 * Vec3(1.0, 1.0, 1.6);
+    EXPECT_EQ(tells(light, disc, "end_time_s"), told) << part;
+  }
   disc.friction->boring = 2e-4;
   EXPECT_FALSE(tells(disc_body(), disc, "end_time_s"));
 }
@@ -256,6 +265,24 @@ TEST(VerticalSpin, WeakFrictionHasTheSameLimit) {
     EXPECT_GT(quantity(top, spec, "growth_rate_of_vertical_spin_per_s"), 0.0) << c;
     EXPECT_NEAR(quantity(top, spec, "vertical_spin_limit_rad_per_s"), upright, 2e-3 * upright) << c;
   }
+}
+
+// The slip that friction leaves falls as it grows, and so does the growth, until only its round-off
+// were left.
+TEST(VerticalSpin, StrongFrictionHidesItsGrowth) {
+  BodySpec cone = round_body("cone", 0.03, 0.06);
+  cone.solid->height = 0.04;
+  MotionSpec spec = on_table(0.01, viscous(1.0));
+  spec.spin.body = Vec3(0.0, 0.0, 200.0);
+  const auto growth = [&](double c) {
+    spec.friction = viscous(c);
+    return value_of(derived_quantities(make_model(cone, spec), spec),
+                    "growth_rate_of_vertical_spin_per_s");
+  };
+  const double usual = 1e3 * growth(1e3).value_or(NAN);
+  EXPECT_NEAR(1e5 * growth(1e5).value_or(NAN), usual, 1e-3 * usual);
+  EXPECT_FALSE(growth(1e7));
+  EXPECT_FALSE(tells(cone, spec, "vertical_spin_limit_rad_per_s"));
 }
 
 // A celt grows at any spin and in both directions, less and less in one of them.
