@@ -122,37 +122,42 @@ void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
   warn_at(scene, "video.loop", warning);
 }
 
-// the attitude is back, but the body may be elsewhere in the picture, or seen by another camera
+// where the film repeats, the body may be elsewhere in the picture, or seen by another camera
 void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   constexpr double kNoticed = 1.0;  // pixels
   if (!frames.loop) return;
   const Scenery& scenery = composer.scenery();
   const double end = frames.loop->duration;
-  const auto jump_of = [&](const Vec3& off_S) {
-    const auto place = [&](double t) {
-      const Camera camera = composer.camera_at(composer.timeline().film_time(t));
-      return camera.project(scenery.motion.at(t).reference_S + off_S);
-    };
-    return (place(end) - place(0.0)).norm();
+  const auto camera = [&](double t) {
+    return composer.camera_at(composer.timeline().film_time(t));
   };
-  if (const double jump = jump_of(Vec3::Zero()); jump > kNoticed) {
-    const Error warning = input_error(
-        "the body turns as at the start after {:.4g} s, but stands {:.3g} pixels from there: the "
-        "film jumps where it repeats",
-        end,
-        jump);
-    warn_at(scene, "video.loop", warning);
-    return;
-  }
-  for (const int axis : {0, 1, 2}) {
-    if (!(jump_of(scenery.scale.body * Vec3::Unit(axis)) > kNoticed)) continue;
-    const Error warning = input_error(
-        "after {:.4g} s the motion is back, but the camera is not where it was: the film jumps "
-        "where it repeats; leave out camera.orbit_deg_per_s and shots that do not come back",
-        end);
-    warn_at(scene, "video.loop", warning);
-    return;
-  }
+  const Camera first = camera(0.0), last = camera(end);
+  // whether points about the body at these places are the same pixels for both cameras
+  const auto are_alike = [&](const Vec3& at_first_S, const Vec3& at_last_S) {
+    const double size = scenery.scale.body;
+    const Vec3 offsets_S[] = {
+        Vec3::Zero(), size * Vec3::UnitX(), size * Vec3::UnitY(), size * Vec3::UnitZ()};
+    return std::all_of(std::begin(offsets_S), std::end(offsets_S), [&](const Vec3& off_S) {
+      const Vec2 apart = last.project(at_last_S + off_S) - first.project(at_first_S + off_S);
+      return apart.norm() <= kNoticed;
+    });
+  };
+  const Vec3 start_S = scenery.motion.at(0.0).reference_S;
+  const Vec3 end_S = scenery.motion.at(end).reference_S;
+  if (are_alike(start_S, end_S)) return;
+  const Error warning =
+      are_alike(start_S, start_S)
+          ? input_error(
+                "the film repeats after {:.4g} s, where the body stands {:.3g} pixels from "
+                "its start: it jumps there",
+                end,
+                (last.project(end_S) - first.project(start_S)).norm())
+          : input_error(
+                "the film repeats after {:.4g} s, where the camera is not where it was: it "
+                "jumps there; leave out camera.orbit_deg_per_s and shots that do not come "
+                "back",
+                end);
+  warn_at(scene, "video.loop", warning);
 }
 
 // whether loads that depend on time act after it as they do at the start

@@ -268,6 +268,15 @@ TEST(PreparedFilm, WarnsOfLoopsThatShowWhereTheyRepeat) {
   Scene orbits = scene;
   orbits.camera.orbit = 1.0;
   EXPECT_NE(warnings_of(orbits).find("the camera is not where it was"), std::string::npos);
+  Scene cut = small_scene("loop = true\n[[shots]]\nat = 0.1\ntarget = [0.2, 0, 0]\n");
+  cut.motion.spin.body = scene.motion.spin.body;
+  EXPECT_NE(warnings_of(cut).find("the camera is not where it was"), std::string::npos)
+      << "the body stays where it is, and the second shot sees it elsewhere";
+  Scene flies = scene;
+  flies.motion.velocity = Vec3(0.3, 0.0, 0.0);
+  flies.camera.follow = "none";
+  EXPECT_NE(warnings_of(flies).find("pixels from its start"), std::string::npos)
+      << warnings_of(flies);
   Scene traced = scene;
   traced.show.plots = {"omega"};
   traced.show["trail"] = true;

@@ -70,7 +70,7 @@ Exported write_glb(const ExportJob& job) {
   if (file) {
     file->commit_with(made.bytes);
   } else {
-    print_out(made.bytes);
+    write_out(made.bytes);
   }
   return {job.output, made.bytes.size(), made.report};
 }

@@ -10,6 +10,15 @@
 #include "base/error.h"
 
 namespace polhode {
+namespace {
+
+// whether all of it is written, and flushed
+bool goes_out(std::string_view bytes) {
+  return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() &&
+         std::fflush(stdout) == 0;
+}
+
+}  // namespace
 
 void guard_standard_streams() {
   // open() takes the lowest free number, which is the closed stream's own; opened for the wrong
@@ -20,10 +29,16 @@ void guard_standard_streams() {
   }
 }
 
+void write_out(std::string_view bytes) {
+  if (errno = 0; goes_out(bytes)) return;
+  const int why = errno;
+  throw environment_error(
+      "cannot write to standard output ({})",
+      why == EPIPE ? "the program that reads it has ended" : std::strerror(why));
+}
+
 void print_out(std::string_view text) {
-  errno = 0;
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if ((written && std::fflush(stdout) == 0) || errno == EPIPE) return;
+  if (errno = 0; goes_out(text) || errno == EPIPE) return;
   throw environment_error("cannot write to standard output ({})", std::strerror(errno));
 }
 

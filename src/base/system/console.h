@@ -17,6 +17,10 @@ void guard_standard_streams();
 // text is dropped without an error.
 void print_out(std::string_view text);
 
+// The same for what is of no use if its end is missing, such as a film or a model: also throws if
+// the program that reads the pipe has exited.
+void write_out(std::string_view bytes);
+
 // Writes the text to standard error and flushes it; failures are ignored.
 void print_err(std::string_view text);
 
