@@ -49,6 +49,7 @@ void refuse_dirty(const GoldenJob& job) {
 struct Change {
   std::string words;  // what is printed
   bool picture = false, sidecar = false;
+  std::vector<const Reference*> other_rules = {};  // of other causes that have old thresholds
 };
 
 Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& result) {
@@ -101,6 +102,16 @@ Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& 
   return {fmt::format("changed: {}", how), true, true};
 }
 
+// thresholds apply to each reference by the file beside it, whatever the cause
+void find_other_rules(const GoldenJob& job, const LoadedCase& one, Change& change) {
+  for (const Reference& reference : one.references) {
+    if (reference.cause == job.cause || !reference.has_sidecar) continue;
+    if (same_rule(reference.sidecar.verdict, one.verdict)) continue;
+    change.other_rules.push_back(&reference);
+    change.words += fmt::format("; thresholds of {} written", reference.file.filename().string());
+  }
+}
+
 // all at once, after all could be drawn
 void write_references(const GoldenJob& job,
                       const std::vector<LoadedCase>& cases,
@@ -112,6 +123,12 @@ void write_references(const GoldenJob& job,
   };
   std::vector<Pending> pending;
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const Reference* other : changes[i].other_rules) {
+      GoldenSidecar sidecar = other->sidecar;
+      sidecar.verdict = cases[i].verdict;
+      const fs::path beside = sidecar_file(other->file);
+      pending.push_back({nullptr, std::make_unique<AtomicFile>(beside), sidecar_text(sidecar)});
+    }
     if (!changes[i].picture && !changes[i].sidecar) continue;
     const fs::path file = reference_file(job.folder, cases[i].spec.name, job.cause);
     const fs::path beside = sidecar_file(file);
@@ -156,8 +173,10 @@ GoldenResult golden_update(const GoldenJob& job) {
     if (!result.drawn) throw input_error("nothing was updated: {}", result.error);
   }
   std::vector<Change> changes;
-  for (std::size_t i = 0; i < cases.size(); ++i)
+  for (std::size_t i = 0; i < cases.size(); ++i) {
     changes.push_back(change_of(job, cases[i], results[i]));
+    find_other_rules(job, cases[i], changes.back());
+  }
   write_references(job, cases, results, changes);
 
   Json json = {{"folder", job.folder}, {"cases", Json::array()}};

@@ -85,6 +85,20 @@ TEST_F(UpdateOfACase, NewThresholdsReachTheSidecarAlone) {
   EXPECT_EQ(sidecar().verdict.reason, "ours");
 }
 
+TEST_F(UpdateOfACase, NewThresholdsReachReferencesOfOtherCauses) {
+  GoldenSidecar old = drawn_.sidecar;
+  old.cause = "mesa-25";
+  old.verdict.reason = "old";
+  const Image noisy = reddened(drawn_.image, 2);
+  folder_.accept("top.mesa-25.png", noisy, old);
+  EXPECT_EQ(update(),
+            "top.png kept: matches top.mesa-25.png; thresholds of top.mesa-25.png written");
+  EXPECT_EQ(sidecar("top.mesa-25.png").verdict.reason, "ours");
+  EXPECT_EQ(sidecar("top.mesa-25.png").cause, "mesa-25");
+  EXPECT_EQ(reference("top.mesa-25.png").pixels, noisy.pixels);
+  EXPECT_EQ(update(), "top.png kept: matches top.mesa-25.png");
+}
+
 TEST_F(UpdateOfACase, ACauseAddsASecondReferenceWhereTheFirstDoesNotMatch) {
   update();
   job_.cause = "mesa-25";
