@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/system/interrupt.h"
 #include "film/error_places.h"
 #include "frame/compose.h"
 #include "motion/ensemble.h"
@@ -103,6 +104,7 @@ std::vector<Motion> solve_ensemble(const Scene& scene,
     try {
       return simulate_ensemble(model, specs, numerics, accuracy);
     } catch (const Error& error) {
+      stop_if_interrupted();
       throw Error(
           error.fault(),
           fmt::format("a motion beside that of the scene cannot be computed: {}", error.message()),
