@@ -50,8 +50,10 @@ class ComposedAhead {
 
   Made composed(int index) const {
     Made made;
-    const StageTimer timer(made.time);
-    made.picture = film_.film().at(film_.frames().film_time(index));
+    {
+      const StageTimer timer(made.time);
+      made.picture = film_.film().at(film_.frames().film_time(index));
+    }
     return made;
   }
 

@@ -39,10 +39,11 @@ void FreeSpace::find_rows_of(Column& column) const {
   std::vector<Rows>& taken = column.taken;
   for (const TextRoom& room : blocked_) {
     if (!holds_column(room, column.x)) continue;
-    if (!taken.empty() && room.top < taken.back().bottom - kRounding)
+    if (!taken.empty() && room.top < taken.back().bottom - kRounding) {
       taken.back().bottom = std::max(taken.back().bottom, room.bottom);
-    else
+    } else {
       taken.push_back({room.top, room.bottom});
+    }
   }
 }
 
