@@ -308,6 +308,14 @@ TEST(Derived, VeryFastTopsHardlyPrecess) {
       EXPECT_EQ(top("precession_reverses"), 0.0);
     }
   }
+  // beside the vertical the slow one of two circles is the larger
+  for (const double tilt : {2e-6, 1e-5, kPi - 2e-6}) {
+    spec.attitude.zxz = Vec3(0, tilt, 0);
+    spec.spin.body = Vec3(0, 0, 1e4);
+    const Case top = case_of(body, spec);
+    const double slow = top("slow_steady_precession_rad_per_s");
+    expect_residual("mean", std::abs(top("mean_precession_rate_rad_per_s") / slow - 1.0), 1e-6);
+  }
   // of solids, the momentum across the axis is round-off at rest
   spec.attitude = {};
   for (int tilt = 5; tilt < 175; tilt += 3) {

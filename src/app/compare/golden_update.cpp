@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "app/compare/golden_results.h"
 #include "base/json.h"
@@ -49,10 +50,27 @@ void refuse_dirty(const GoldenJob& job) {
 struct Change {
   std::string words;  // what is printed
   bool picture = false, sidecar = false;
-  std::vector<const Reference*> other_rules = {};  // of other causes that have old thresholds
+  std::vector<const Reference*> rules = {};  // whose thresholds alone are written
 };
 
-Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& result) {
+// References have the thresholds of their cases from now on, whatever the files beside them say.
+// Returns those whose files say something else.
+std::set<fs::path> take_new_rules(std::vector<LoadedCase>& cases) {
+  std::set<fs::path> changed;
+  for (LoadedCase& one : cases) {
+    for (Reference& reference : one.references) {
+      if (reference.has_sidecar && same_rule(reference.sidecar.verdict, one.verdict)) continue;
+      changed.insert(reference.file);
+      reference.sidecar.verdict = one.verdict;
+    }
+  }
+  return changed;
+}
+
+Change change_of(const GoldenJob& job,
+                 const LoadedCase& one,
+                 const CaseResult& result,
+                 const std::set<fs::path>& new_rules) {
   const auto target = std::find_if(one.references.begin(),
                                    one.references.end(),
                                    [&](const Reference& r) { return r.cause == job.cause; });
@@ -71,8 +89,7 @@ Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& 
     }
   }();
   const Image& now = result.drawn->image;
-  const bool rule_changed =
-      !target->has_sidecar || !same_rule(target->sidecar.verdict, one.verdict);
+  const bool rule_changed = new_rules.contains(target->file);
   const std::string rule = rule_changed ? "; thresholds written" : "";
   if (before.width != now.width || before.height != now.height) {
     return {fmt::format("changed: was {}x{} pixels, is {}x{}",
@@ -102,12 +119,15 @@ Change change_of(const GoldenJob& job, const LoadedCase& one, const CaseResult& 
   return {fmt::format("changed: {}", how), true, true};
 }
 
-// thresholds apply to each reference by the file beside it, whatever the cause
-void find_other_rules(const GoldenJob& job, const LoadedCase& one, Change& change) {
+// thresholds of references that else stay as they are
+void add_rules(const GoldenJob& job,
+               const LoadedCase& one,
+               const std::set<fs::path>& new_rules,
+               Change& change) {
   for (const Reference& reference : one.references) {
-    if (reference.cause == job.cause || !reference.has_sidecar) continue;
-    if (same_rule(reference.sidecar.verdict, one.verdict)) continue;
-    change.other_rules.push_back(&reference);
+    if (!reference.has_sidecar || !new_rules.contains(reference.file)) continue;
+    if (reference.cause == job.cause && change.sidecar) continue;
+    change.rules.push_back(&reference);
     change.words += fmt::format("; thresholds of {} written", reference.file.filename().string());
   }
 }
@@ -123,11 +143,10 @@ void write_references(const GoldenJob& job,
   };
   std::vector<Pending> pending;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    for (const Reference* other : changes[i].other_rules) {
-      GoldenSidecar sidecar = other->sidecar;
-      sidecar.verdict = cases[i].verdict;
-      const fs::path beside = sidecar_file(other->file);
-      pending.push_back({nullptr, std::make_unique<AtomicFile>(beside), sidecar_text(sidecar)});
+    for (const Reference* kept : changes[i].rules) {
+      pending.push_back({nullptr,
+                         std::make_unique<AtomicFile>(sidecar_file(kept->file)),
+                         sidecar_text(kept->sidecar)});
     }
     if (!changes[i].picture && !changes[i].sidecar) continue;
     const fs::path file = reference_file(job.folder, cases[i].spec.name, job.cause);
@@ -166,7 +185,8 @@ GoldenResult golden_update(const GoldenJob& job) {
                       job.cause)
         .at({{}, 0, "--cause"});
   }
-  const std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  const std::set<fs::path> new_rules = take_new_rules(cases);
   if (!job.allow_dirty) refuse_dirty(job);
   const std::vector<CaseResult> results = draw_cases(job, cases);
   for (const CaseResult& result : results) {
@@ -174,8 +194,8 @@ GoldenResult golden_update(const GoldenJob& job) {
   }
   std::vector<Change> changes;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    changes.push_back(change_of(job, cases[i], results[i]));
-    find_other_rules(job, cases[i], changes.back());
+    changes.push_back(change_of(job, cases[i], results[i], new_rules));
+    add_rules(job, cases[i], new_rules, changes.back());
   }
   write_references(job, cases, results, changes);
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "base/check.h"
 #include "math/so3.h"
@@ -341,17 +342,23 @@ double turn_by_steps(const BodyModel& model, const Trajectory& motion, double t)
 }
 
 // The same in one nutation, as the mean of the rate at equal times: of a periodic function it is as
-// good as the integral, unless that has peaks.
-double turn_by_rates(const Lagrange& top, const Roots& r, double period) {
+// good as the integral. Nothing where that has peaks, beside the vertical, and half as many times
+// give another.
+std::optional<double> turn_by_rates(const Lagrange& top, const Roots& r, double period) {
   constexpr int kTimes = 4096;
+  constexpr double kSame = 1e-10;  // of the rates
   const EllipticParameter parameter = parameter_of(r);
-  double sum = 0.0;
+  double even = 0.0, odd = 0.0, largest = 0.0;
   for (int i = 0; i < kTimes; ++i) {
-    const double sn = parameter.at(2.0 * parameter.quarter_period() * i / kTimes).sn;
-    const double down = r.below * sn * sn;  // below the upper turning point
-    sum += precession_rate(top, r.h2 - down, r.plus2 - down, r.x2 + down);
+    // u = u1 + (u2 - u1) sn^2
+    const double cn = parameter.at(2.0 * parameter.quarter_period() * i / kTimes).cn;
+    const double down = r.below * cn * cn;  // below the upper turning point
+    const double rate = precession_rate(top, r.h2 - down, r.plus2 - down, r.x2 + down);
+    (i % 2 == 0 ? even : odd) += rate / kTimes;
+    largest = std::max(largest, std::abs(rate));
   }
-  return sum / kTimes * period;
+  if (!(std::abs(even - odd) <= kSame * largest)) return std::nullopt;
+  return (even + odd) * period;
 }
 
 }  // namespace
@@ -386,14 +393,12 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
 }
 
 double precession_in_a_nutation(const BodyModel& model, const State& state) {
-  constexpr double kSame = 1e-11;  // rad, above the round-off of steps
   const Lagrange top = start_of(model, state).top;
   const double period = nutation_of(model, state).period;
   CHECK(period > 0.0 && std::isfinite(period));
-  const double by_steps = turn_by_steps(model, *exact_heavy_symmetric(model, state), period);
   // rates have the digits that angles between directions lack where a fast top hardly precesses
-  const double by_rates = turn_by_rates(top, find_roots(top), period);
-  return std::abs(by_rates - by_steps) < kSame ? by_rates : by_steps;
+  const std::optional<double> turn = turn_by_rates(top, find_roots(top), period);
+  return turn ? *turn : turn_by_steps(model, *exact_heavy_symmetric(model, state), period);
 }
 
 }  // namespace polhode

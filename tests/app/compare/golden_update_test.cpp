@@ -99,6 +99,22 @@ TEST_F(UpdateOfACase, NewThresholdsReachReferencesOfOtherCauses) {
   EXPECT_EQ(update(), "top.png kept: matches top.mesa-25.png");
 }
 
+TEST_F(UpdateOfACase, IsJudgedByTheNewThresholds) {
+  GoldenSidecar old = drawn_.sidecar;
+  old.verdict.thresholds.max = 40;
+  old.verdict.reason = "old";
+  folder_.accept("top.png", reddened(drawn_.image, 30), old);
+  job_.cause = "mesa-25";
+  EXPECT_EQ(update(), "top.mesa-25.png written: new; thresholds of top.png written");
+  EXPECT_EQ(sidecar().verdict.reason, "ours");
+  EXPECT_EQ(update(), "top.mesa-25.png unchanged");
+  // also of the one that does not match, where another does
+  folder_.accept("top.png", reddened(drawn_.image, 30), old);
+  job_.cause = "";
+  EXPECT_EQ(update(), "top.png kept: matches top.mesa-25.png; thresholds of top.png written");
+  EXPECT_EQ(sidecar().verdict.reason, "ours");
+}
+
 TEST_F(UpdateOfACase, ACauseAddsASecondReferenceWhereTheFirstDoesNotMatch) {
   update();
   job_.cause = "mesa-25";
