@@ -201,12 +201,13 @@ Choices choices_at(std::size_t index,
     choices[place].own = sum;
     return !taken && !over_mark;
   };
-  LabelRoom room_for_it(wish, moment.obstacles, labels, frame, gap);
+  std::optional<LabelRoom> free;  // most labels do without
   for (std::size_t side = 0; side < kLabelSides; ++side) {
     const Vec2 center = center_on(wish, static_cast<int>(side), gap);
     if (add(side, center)) continue;
     const std::size_t pushed = kLabelSides + side;
-    add(pushed, room_for_it.settled_at(center));
+    if (!free) free.emplace(wish, moment.obstacles, labels, frame, gap);
+    add(pushed, free->settled_at(center));
     choices[pushed].own += kPushed;
   }
   return choices;

@@ -163,9 +163,9 @@ LabelRoom::LabelRoom(const LabelWish& wish,
                      double gap) {
   const double half_width = 0.5 * wish.width;
   const double half_height = 0.5 * wish.height;
-  TextRoom bounds = grown(frame, -half_width, -half_height);
-  bounds.right = std::max(bounds.left, bounds.right);
-  bounds.bottom = std::max(bounds.top, bounds.bottom);
+  bounds_ = grown(frame, -half_width, -half_height);
+  bounds_.right = std::max(bounds_.left, bounds_.right);
+  bounds_.bottom = std::max(bounds_.top, bounds_.bottom);
   std::vector<TextRoom> blocked;
   const auto block = [&](const std::vector<TextRoom>& rooms, double space) {
     for (const TextRoom& other : rooms)
@@ -173,15 +173,15 @@ LabelRoom::LabelRoom(const LabelWish& wish,
   };
   block(obstacles.text, gap);
   block(labels, gap);
-  beside_text_ = FreeSpace(blocked, bounds);
+  beside_text_ = blocked;
   block(obstacles.marks, 0.5 * gap);
-  free_ = FreeSpace(blocked, bounds);
+  free_ = FreeSpace(blocked, bounds_);
 }
 
 Vec2 LabelRoom::settled_at(const Vec2& center) {
-  std::optional<Vec2> place = free_.nearest(center);
-  if (!place) place = beside_text_.nearest(center);
-  return place.value_or(center);
+  if (const std::optional<Vec2> place = free_.nearest(center)) return *place;
+  if (!over_marks_) over_marks_.emplace(beside_text_, bounds_);
+  return over_marks_->nearest(center).value_or(center);
 }
 
 Vec2 settled_at(const LabelWish& wish,

@@ -107,7 +107,10 @@ class LabelRoom {
   Vec2 settled_at(const Vec2& center);
 
  private:
-  FreeSpace free_, beside_text_;
+  std::vector<TextRoom> beside_text_;  // where its middle is too near to text and labels
+  TextRoom bounds_;
+  FreeSpace free_;
+  std::optional<FreeSpace> over_marks_;  // what is free without them; absent: not needed yet
 };
 
 // The same for a single place.

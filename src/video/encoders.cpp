@@ -14,10 +14,10 @@
 namespace polhode {
 namespace {
 
-// which of nine efforts, 0 is the fastest
-std::size_t effort(const EncoderSettings& settings) {
+// which of nine efforts a preset is, 0 is the fastest
+std::size_t effort(const std::string& preset) {
   const std::vector<std::string>& all = encoder_presets();
-  const auto found = std::find(all.begin(), all.end(), settings.preset);
+  const auto found = std::find(all.begin(), all.end(), preset);
   return static_cast<std::size_t>(found - all.begin());
 }
 
@@ -50,8 +50,7 @@ void configure_x264(const EncoderSettings& settings, AVCodecContext& c, LibavOpt
   options.set("forced-idr", "1");
   // Where speed is wanted: frames out of order and weighted prediction take a quarter of the time
   // of encoding these films, and save 8 to 24 % of their bytes.
-  constexpr std::size_t kVeryFast = 2;
-  if (effort(settings) <= kVeryFast) {
+  if (effort(settings.preset) <= effort("veryfast")) {
     c.max_b_frames = 0;
     options.set("weightp", "0");
   }
@@ -87,7 +86,7 @@ void set_constant_quality(const EncoderSettings& settings,
 void configure_vp9(const EncoderSettings& settings, AVCodecContext& c, LibavOptions& options) {
   // realtime for the two fastest, else from 5 (fast) to 0
   constexpr std::array kCpuUsed = {8, 6, 5, 5, 4, 3, 2, 1, 0};
-  const std::size_t e = effort(settings);
+  const std::size_t e = effort(settings.preset);
   options.set("deadline", e < 2 ? "realtime" : "good");
   set_constant_quality(settings, kCpuUsed[e], c, options);
   // pictures that are never shown would get no alpha
@@ -96,7 +95,7 @@ void configure_vp9(const EncoderSettings& settings, AVCodecContext& c, LibavOpti
 
 void configure_aom(const EncoderSettings& settings, AVCodecContext& c, LibavOptions& options) {
   constexpr std::array kCpuUsed = {8, 8, 8, 7, 6, 6, 5, 4, 3};
-  const std::size_t e = effort(settings);
+  const std::size_t e = effort(settings.preset);
   options.set("usage", e < 5 ? "realtime" : "good");
   set_constant_quality(settings, kCpuUsed[e], c, options);
 }
@@ -105,7 +104,7 @@ void configure_svt(const EncoderSettings& settings, AVCodecContext&, LibavOption
   constexpr std::array kPreset = {12, 11, 10, 9, 8, 7, 6, 5, 4};
   // it writes to standard error by itself otherwise
   setenv("SVT_LOG", "1", 0);
-  options.set("preset", std::to_string(kPreset[effort(settings)]));
+  options.set("preset", std::to_string(kPreset[effort(settings.preset)]));
   options.set("crf", std::to_string(settings.crf));
   options.set("svtav1-params", fmt::format("lp={}", settings.threads));
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "support/expect_error.h"
 #include "support/full_disk.h"
 #include "support/run.h"
 
@@ -90,13 +91,7 @@ TEST(Png, AnAnimationIsNoPicture) {
   constexpr std::size_t kHeaderEnds = 33;
   bytes.insert(kHeaderEnds, std::string("\0\0\0\10acTL\0\0\0\2\0\0\0\0\0\0\0\0", 20));
   test::write_text(folder / "a.png", bytes);
-  try {
-    read_png(folder / "a.png");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.fault(), Fault::input);
-    EXPECT_NE(std::string(error.what()).find("name it .apng"), std::string::npos) << error.what();
-  }
+  test::expect_input_error([&] { read_png(folder / "a.png"); }, "", "name it .apng");
 }
 
 // forty bytes may claim a picture of terabytes
@@ -115,13 +110,7 @@ TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
   for (std::size_t i = 0; i < 4; ++i)
     bytes[29 + i] = static_cast<char>(~sum >> (24 - 8 * i) & 255);
   test::write_text(folder / "a.png", bytes);
-  try {
-    read_png(folder / "a.png");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.fault(), Fault::input);
-    EXPECT_NE(std::string(error.what()).find("983040x983040"), std::string::npos) << error.what();
-  }
+  test::expect_input_error([&] { read_png(folder / "a.png"); }, "", "983040x983040");
 }
 
 TEST(Png, AFullDiskIsAnErrorThatSaysSoAndLeavesNothing) {

@@ -73,6 +73,15 @@ TEST(Captions, AFolderInTheWayStopsTheFilmToo) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+// a film of one frame, which has all but its end
+std::unique_ptr<FrameSink> film_with(const SinkJob& job,
+                                     const std::vector<FilmMetadata::Caption>& captions) {
+  std::unique_ptr<FrameSink> sink = make_sink(job);
+  sink->describe({1, {}, {}, captions});
+  sink->push(Image(job.width, job.height));
+  return sink;
+}
+
 // the words of an earlier film are not those of this one
 TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
   const TemporaryFolder folder;
@@ -80,9 +89,7 @@ TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
   job.output = folder / "a.mp4";
   job.width = job.height = 32;
   const auto make = [&](const std::vector<FilmMetadata::Caption>& captions) {
-    const std::unique_ptr<FrameSink> sink = make_sink(job);
-    sink->describe({1, {}, {}, captions});
-    sink->push(Image(32, 32));
+    const std::unique_ptr<FrameSink> sink = film_with(job, captions);
     const bool before = std::filesystem::exists(folder / "a.vtt");
     sink->finish();
     return before;
@@ -115,10 +122,7 @@ TEST(Captions, OfAnotherFormatStay) {
     SinkJob job;
     job.output = folder / name;
     job.width = job.height = 32;
-    const std::unique_ptr<FrameSink> sink = make_sink(job);
-    sink->describe({1, {}, {}, captions});
-    sink->push(Image(32, 32));
-    sink->finish();
+    film_with(job, captions)->finish();
   };
   make("a.mp4", {{0, 1, "Words"}});
   make("a.webm", {});

@@ -329,7 +329,8 @@ double precession_rate(const Lagrange& top, double h, double one_plus_u, double 
 // How far chi goes round the vertical from 0 to t, rad; steps of a few degrees tell how often.
 double turn_by_steps(const BodyModel& model, const Trajectory& motion, double t) {
   constexpr int kSteps = 4096;
-  const Vec3 &axis_P = model.chi_P, about = model.up_S;
+  const Vec3& axis_P = model.chi_P;
+  const Vec3& about = model.up_S;
   Vec3 before = motion.at(0.0).q * axis_P;
   double turn = 0.0;
   for (int i = 1; i <= kSteps; ++i) {

@@ -35,6 +35,13 @@ class UpdateOfACase : public ::testing::Test {
     return load_golden_sidecar(folder_ / (name + ".toml"));
   }
 
+  // what stands beside a reference since before the thresholds of its case were changed
+  GoldenSidecar old_sidecar() const {
+    GoldenSidecar old = drawn_.sidecar;
+    old.verdict.reason = "old";
+    return old;
+  }
+
   GoldenFolder folder_;
   DrawnCase drawn_;
   GoldenJob job_;
@@ -74,9 +81,8 @@ TEST_F(UpdateOfACase, WritesWhatIsDifferent) {
 
 // the picture is that of the machine that its sidecar names
 TEST_F(UpdateOfACase, NewThresholdsReachTheSidecarAlone) {
-  GoldenSidecar old = drawn_.sidecar;
+  GoldenSidecar old = old_sidecar();
   old.renderer = "another machine";
-  old.verdict.reason = "old";
   const Image noisy = reddened(drawn_.image, 2);
   folder_.accept("top.png", noisy, old);
   EXPECT_NE(update().find("; thresholds written"), std::string::npos);
@@ -86,9 +92,8 @@ TEST_F(UpdateOfACase, NewThresholdsReachTheSidecarAlone) {
 }
 
 TEST_F(UpdateOfACase, NewThresholdsReachReferencesOfOtherCauses) {
-  GoldenSidecar old = drawn_.sidecar;
+  GoldenSidecar old = old_sidecar();
   old.cause = "mesa-25";
-  old.verdict.reason = "old";
   const Image noisy = reddened(drawn_.image, 2);
   folder_.accept("top.mesa-25.png", noisy, old);
   EXPECT_EQ(update(),
@@ -100,9 +105,8 @@ TEST_F(UpdateOfACase, NewThresholdsReachReferencesOfOtherCauses) {
 }
 
 TEST_F(UpdateOfACase, IsJudgedByTheNewThresholds) {
-  GoldenSidecar old = drawn_.sidecar;
+  GoldenSidecar old = old_sidecar();
   old.verdict.thresholds.max = 40;
-  old.verdict.reason = "old";
   folder_.accept("top.png", reddened(drawn_.image, 30), old);
   job_.cause = "mesa-25";
   EXPECT_EQ(update(), "top.mesa-25.png written: new; thresholds of top.png written");
