@@ -122,6 +122,20 @@ void warn_of_stretched_clock(const Scene& scene, const FrameTimes& frames) {
   warn_at(scene, "video.loop", warning);
 }
 
+// a part of a loop does not end where it begins
+void warn_of_part_of_loop(const Scene& scene, const FrameTimes& frames) {
+  if (!frames.loop || frames.from == frames.to) return;
+  if (frames.from == 0.0 && frames.to == frames.loop->duration) return;
+  const Error warning = input_error(
+      "the film shows {:.4g} to {:.4g} s of a loop of {:.4g} s, so it jumps where it repeats; "
+      "leave "
+      "out --from and --to",
+      frames.from,
+      frames.to,
+      frames.loop->duration);
+  warn_at(scene, "video.loop", warning);
+}
+
 // where the film repeats, the body may be elsewhere in the picture, or seen by another camera
 void warn_of_jump(const Scene& scene, const FrameTimes& frames, const Composer& composer) {
   constexpr double kNoticed = 1.0;  // pixels
@@ -398,6 +412,7 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   warn_of_lengths(solved);
   warn_of_open_loop(scene, frames);
   warn_of_stretched_clock(scene, frames);
+  warn_of_part_of_loop(scene, frames);
   warn_of_jump(scene, frames, *panels.front().composer);
   warn_of_what_restarts(scene, frames, *panels.front().composer);
   warn_of_what_never_comes(scene, panels);

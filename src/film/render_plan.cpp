@@ -73,7 +73,7 @@ void shrink(Scene& scene, int factor) {
 }
 
 // a piece is of a film, or of numbered pictures or hashes
-void check_shard(const RenderPlan& plan) {
+void check_shard(const RenderPlan& plan, const std::optional<int>& pieces) {
   const std::string& output = plan.sink.output;
   const FilmFormat* format = find_film_format(output);
   const bool numbered = find_sink_kind(output).name == "png sequence";
@@ -92,11 +92,11 @@ void check_shard(const RenderPlan& plan) {
         .at({{}, 0, "--resume"});
   }
   constexpr int kMostPieces = 100000;
-  if (plan.pieces != 0 && !plan.resume)
+  if (!pieces) return;
+  if (!plan.resume)
     throw input_error("is the number of pieces of --resume").at({{}, 0, "--pieces"});
-  if (plan.pieces < 0 || plan.pieces > kMostPieces) {
-    throw input_error("must be from 1 to {}, got {}", kMostPieces, plan.pieces)
-        .at({{}, 0, "--pieces"});
+  if (*pieces < 1 || *pieces > kMostPieces) {
+    throw input_error("must be from 1 to {}, got {}", kMostPieces, *pieces).at({{}, 0, "--pieces"});
   }
 }
 
@@ -157,8 +157,8 @@ RenderPlan plan_render(const RenderJob& job) {
   });
   if (job.shard) plan.shard = parse_shard(*job.shard);
   plan.resume = job.resume;
-  if (job.pieces) plan.pieces = *job.pieces == 0 ? -1 : *job.pieces;
-  check_shard(plan);
+  check_shard(plan, job.pieces);
+  plan.pieces = job.pieces.value_or(0);
   plan.text = job.text;
   plan.progress = job.progress;
   if (job.jobs < 1) throw input_error("must be at least 1, got {}", job.jobs).at({{}, 0, "--jobs"});

@@ -143,6 +143,17 @@ TEST_F(Verify, OnePixelIsEnough) {
   expect("a.hash", 1, "frame 3 (0.300 s) differs");
 }
 
+// a GIF keeps every other frame of a film of 60 a second
+TEST_F(Verify, CountsTheFramesThatAGifHas) {
+  write_text(folder_ / "scene.toml",
+             "format = 1\n[body]\nmoments = [1, 2, 2.5]\n[motion]\nduration = 0.15\n"
+             "spin = { body = [1, 8, 2] }\n[video]\nsize = \"64x36\"\nfps = 60\n");
+  render("a.gif");
+  const Ran ran = verify("a.gif");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("all 5 frames are the same"), std::string::npos) << ran.out;
+}
+
 TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   render("a.mp4");
   const Json report = Json::parse(read_text(folder_ / "r.json"));
@@ -211,6 +222,10 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: compare[1].trusted is false, and not true");
   with([](Json& r) { r["compare"][0]["method"] = "rk5"; });
   expect("a.mp4", 1, "was altered: compare[0].method is ");
+  with([](Json& r) { r["compare"][0]["steps"] = 21; });
+  expect("a.mp4", 1, "was altered: compare[0].steps is 20, and not 21");
+  with([](Json& r) { r["compare"][0]["step_s"] = 0.0201; });
+  expect("a.mp4", 1, "was altered: compare[0].step_s is 0.02, and not 0.0201");
   with([](Json& r) { r["compare"].erase(1); });
   expect("a.mp4", 1, "was altered: compare is ");
   with([](Json& r) { r["compare"][1]["doubts"][0] = "nothing at all"; });

@@ -247,6 +247,23 @@ TEST(PreparedFilm, WarnsOfALoopThatDoesNotClose) {
   EXPECT_NE(warnings_of(scene).find("returns to its start only to within"), std::string::npos);
 }
 
+TEST(PreparedFilm, WarnsOfAPartOfALoop) {
+  Scene scene = small_scene("loop = true\n");
+  scene.motion.spin.body = Vec3(0.0, 0.0, 10.0);
+  RenderPlan plan = plan_of(scene);
+  const auto said = [&] {
+    const PreparedFilm film(plan);
+    return test::logged_by([&] { film.warn(); });
+  };
+  plan.range.from = 0.0;
+  EXPECT_EQ(said(), "");
+  plan.range.to = 0.3;
+  EXPECT_NE(said().find("the film shows 0 to 0.3 s of a loop of 0.6283 s, so it jumps"),
+            std::string::npos);
+  plan.range = {{}, {}, 0.3, true};
+  EXPECT_EQ(said(), "") << "a picture repeats nothing";
+}
+
 TEST(PreparedFilm, WarnsOfAShortLoopWhoseClockIsStretched) {
   Scene scene = small_scene("loop = true\n");
   scene.video.fps = {60, 1};

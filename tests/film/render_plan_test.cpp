@@ -188,6 +188,18 @@ TEST_F(PlanOfARender, PiecesAreOfFilmsSequencesAndHashes) {
   EXPECT_TRUE(plan_render(both).resume && plan_render(both).shard);
 }
 
+TEST_F(PlanOfARender, PiecesAreAtLeastOne) {
+  RenderJob asked = job("a.mp4");
+  asked.pieces = 4;
+  expect_refused(asked, "--pieces", "of --resume");
+  asked.resume = true;
+  EXPECT_EQ(plan_render(asked).pieces, 4);
+  for (const int pieces : {0, -3}) {
+    asked.pieces = pieces;
+    expect_refused(asked, "--pieces", fmt::format("got {}", pieces).c_str());
+  }
+}
+
 TEST_F(PlanOfARender, JobsAreOneToSixtyFour) {
   RenderJob asked = job("a.mp4");
   for (const int jobs : {-1, 0}) {

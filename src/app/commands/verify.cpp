@@ -2,7 +2,6 @@
 #include "app/commands/verify.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -175,44 +174,61 @@ std::string without_numbers(std::string words) {
   return words;
 }
 
-// what is the same number on every machine
-bool is_counted(const std::string& key) {
-  constexpr std::array kCounted = {"samples", "frames", "width", "height", "first_frame"};
-  return std::find(kCounted.begin(), kCounted.end(), key) != kCounted.end();
+// How far a number of a report may be from what it is here: other machines round otherwise. The
+// numbers of steps and evaluations depend on that only where steps are chosen as one goes.
+double allowed_deviation(const std::string& name, double value, bool fixed_step) {
+  const auto is_one_of = [&](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (is_one_of({"samples", "frames", "width", "height", "first_frame"})) return 0.0;
+  if (fixed_step && name == "steps") return 0.0;
+  if (is_one_of({"accuracy_rad", "step_s", "tolerance"})) return 1e-9 * std::abs(value);
+  return 0.1 * std::abs(value) + kRoundOff;
 }
 
-// The first value that differs. Numbers may be rounded otherwise on another machine, and with them
-// the numbers in words of doubts.
-DifferenceInWords compare_values(const std::string& key, const Json& says, const Json& is) {
+// The first value that differs, with its path. `name` is its key in the object around it, which has
+// a fixed step or not.
+DifferenceInWords compare_values(const std::string& path,
+                                 const std::string& name,
+                                 const Json& says,
+                                 const Json& is,
+                                 bool fixed_step = false) {
   // JSON has no infinite numbers: they are written as null
   if (says.is_null() && is.is_number() && !std::isfinite(is.get<double>())) return {};
   if (says.is_number() && is.is_number()) {
-    const double allowed = is_counted(key) ? 0.0 : 0.1 * std::abs(is.get<double>()) + kRoundOff;
-    if (std::abs(says.get<double>() - is.get<double>()) <= allowed) return {};
+    const double value = is.get<double>();
+    const double allowed = allowed_deviation(name, value, fixed_step);
+    if (std::abs(says.get<double>() - value) <= allowed) return {};
   } else if (says.is_object() && is.is_object()) {
+    const bool fixed = is.value("tolerance", Json()).is_null();
     for (const auto& [inside, value] : is.items()) {
-      DifferenceInWords found =
-          compare_values(fmt::format("{}.{}", key, inside), says.value(inside, Json()), value);
+      DifferenceInWords found = compare_values(path.empty() ? inside : path + "." + inside,
+                                               inside,
+                                               says.value(inside, Json()),
+                                               value,
+                                               fixed);
       if (!found.empty()) return found;
     }
     return {};
   } else if (says.is_array() && is.is_array() && says.size() == is.size()) {
     for (std::size_t i = 0; i < is.size(); ++i) {
-      DifferenceInWords found = compare_values(fmt::format("{}[{}]", key, i), says[i], is[i]);
+      DifferenceInWords found =
+          compare_values(fmt::format("{}[{}]", path, i), name, says[i], is[i]);
       if (!found.empty()) return found;
     }
     return {};
-  } else if (says.is_string() && is.is_string() && key.find("doubts[") != std::string::npos) {
+  } else if (says.is_string() && is.is_string() && path.find("doubts[") != std::string::npos) {
     if (without_numbers(says) == without_numbers(is)) return {};
   } else if (says == is) {
     return {};
   }
-  return fmt::format("{} is {}, and not {}", key, one_line(is.dump()), one_line(says.dump()));
+  return fmt::format("{} is {}, and not {}", path, one_line(is.dump()), one_line(says.dump()));
 }
 
 // what a report says of its film and what cannot be another now; the frames, the scene and the
 // versions are held against each other elsewhere
 DifferenceInWords compare_reports(const Json& reported, const Json& made) {
+  Json says, is;
   for (const char* key : {"title",
                           "samples",
                           "edges",
@@ -241,11 +257,10 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
                           "compare",
                           "film",
                           "loop"}) {
-    DifferenceInWords found =
-        compare_values(key, reported.value(key, Json()), made.value(key, Json()));
-    if (!found.empty()) return found;
+    says[key] = reported.value(key, Json());
+    is[key] = made.value(key, Json());
   }
-  return {};
+  return compare_values("", "", says, is);
 }
 
 // there must be something to compare
@@ -310,9 +325,11 @@ Verified verify(const VerifyJob& job) {
   const DifferenceInWords altered =
       compare_reports(reported.record, json_of(film_report(plan, film, *remade, *renderer)));
   if (!altered.empty()) return {false, fmt::format("{}: was altered: {}", report_file, altered)};
-  const Again again{
-      kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
+  Again again{kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
   DifferenceInWords difference = compare_hashes(again, reported.hashes, remade->hashes());
+  const int every = remade->sink().keeps_every();  // of the frames that were drawn
+  again.count = (again.count + every - 1) / every;
+  again.fps.denominator *= every;
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);
   if (!difference.empty()) return {false, fmt::format("{}: {}", output, difference)};

@@ -93,7 +93,7 @@ void ResumedFilm::begin(const PreparedFilm& film) {
   }
   if (!joiner_ && !frames_.empty())
     scratch_ = std::make_unique<ScratchFolder>(fs::path(folder_) / (kScratch + "XXXXXX"));
-  if (whole > 0) {
+  if (whole > 0 && plan_.progress != ProgressKind::none) {
     print_err(fmt::format("polhode: {}: {} of {} pieces are already complete\n",
                           one_line(plan_.sink.output),
                           whole,

@@ -37,7 +37,8 @@ constexpr double kHingeRadius = 0.035;    // in units of the body's radius
 constexpr double kTipRadius = 0.022;      // of the axes of an ensemble, likewise
 constexpr std::size_t kPaleBodies = 5;    // of an ensemble
 constexpr double kApart = 0.08;           // rad from the body until they are seen in full
-constexpr float kGhostAlpha = 0.16f;
+constexpr float kGhostAlpha = 0.32f;      // of the last earlier position
+constexpr float kPaleAlpha = 0.16f;       // of bodies of an ensemble, which lie in each other
 
 // a disc that fades outwards, with a dial of the radius `of_dial` (m), and what lies on it
 FloorGlyph floor_at(
@@ -169,7 +170,7 @@ void add_ensemble(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) 
     if (presence == 0.0) continue;
     for (const LookPart& part : scenery.look) {
       Material material = part.material;
-      material.alpha = kGhostAlpha;
+      material.alpha = kPaleAlpha;
       material.fade *= static_cast<float>(presence);
       glyphs.ghosts.push_back(
           {part.mesh, body_placement(scenery, now) * part.body_from_mesh, material});

@@ -49,6 +49,7 @@ std::string name_of(const Scenery& scenery,
 void add_axes_at(const Scenery& scenery,
                  const Vec3& from,
                  const std::array<double, 3>& lengths,
+                 bool named,
                  Glyphs& glyphs) {
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -59,7 +60,7 @@ void add_axes_at(const Scenery& scenery,
                kAxisShape,
                plain(scenery.theme.space_axes, 0.1f),
                glyphs,
-               name_of(scenery, kSpaceAxes[k], kSpaceAxisNames[k]));
+               named ? name_of(scenery, kSpaceAxes[k], kSpaceAxisNames[k]) : "");
   }
 }
 
@@ -68,7 +69,7 @@ void add_name_beside(const Scenery& scenery,
                      const Vec3& from,
                      const Vec3& to,
                      const Vec3& aside,
-                     const char* name,
+                     const std::string& name,
                      Glyphs& glyphs) {
   const Vec3 along = (to - from).stableNormalized();
   const Vec3 across = aside.stableNormalized() - along.dot(aside.stableNormalized()) * along;
@@ -120,12 +121,14 @@ void add_body_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs)
 }
 
 void add_space_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
-  add_axes_at(scenery, sample.reference_S, scenery.axis_lengths, glyphs);
+  add_axes_at(scenery, sample.reference_S, scenery.axis_lengths, true, glyphs);
 }
 
 void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   constexpr std::array<double, 3> kUsual = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};
-  add_axes_at(scenery, Vec3::Zero(), kUsual, glyphs);
+  // where the axes of the body's place are the same ones, one name is enough for both
+  const bool apart = sample.reference_S.norm() > kBallRadius * scenery.scale.body;
+  add_axes_at(scenery, Vec3::Zero(), kUsual, apart || !asks_for(scenery, "space_axes"), glyphs);
   add_position(scenery,
                Vec3::Zero(),
                sample.reference_S,
@@ -325,8 +328,12 @@ void add_forces(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, Glyphs& glyphs) {
   const Material material = plain(scenery.theme.position, 0.3f);
-  for (const Vec3& r_B : scenery.options.points) {
-    const Vec3 at = point_position(scenery.motion.model(), sample, r_B);
+  const std::vector<Vec3>& points = scenery.options.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    // several are numbered as the scene lists them
+    const std::string number =
+        points.size() > 1 ? "<sub>" + std::to_string(k + 1) + "</sub>" : std::string();
+    const Vec3 at = point_position(scenery.motion.model(), sample, points[k]);
     const Placement place = ball_placement(at, kBallRadius * scenery.scale.body);
     glyphs.meshes.push_back({scenery.ball, place, material});
     glyphs.marks.push_back({at, kBallRadius * scenery.scale.body});
@@ -335,13 +342,16 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
     if (!from_origin) {
-      add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>");
+      add_position(
+          scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>" + number);
       continue;
     }
     add_position(scenery, sample.reference_S, at, kAxisShape, material, glyphs);
-    add_name_beside(scenery, sample.reference_S, at, sample.reference_S, "<b>r̃</b>", glyphs);
+    add_name_beside(
+        scenery, sample.reference_S, at, sample.reference_S, "<b>r̃</b>" + number, glyphs);
     add_position(scenery, Vec3::Zero(), at, kAxisShape, material, glyphs);
-    add_name_beside(scenery, Vec3::Zero(), at, at - sample.reference_S, "<b>r</b>", glyphs);
+    add_name_beside(
+        scenery, Vec3::Zero(), at, at - sample.reference_S, "<b>r</b>" + number, glyphs);
   }
 }
 

@@ -23,16 +23,20 @@ using test::prolate_body;
 using test::show_only;
 using test::wobbling;
 
+// of all labels of the first picture (markup)
+std::vector<std::string> names_of(const Composer& picture) {
+  std::vector<std::string> names;
+  for (const LabelGlyph& label : picture.glyphs_at(picture.scenery().motion.at(0.0)).labels)
+    names.push_back(label.markup);
+  return names;
+}
+
 // a scene may call vectors as it likes; its words are no markup
 TEST(Vectors, HaveTheNamesThatTheSceneGives) {
   ShowSpec show = show_only("omega");
   show["momentum"] = true;
   const auto names = [&] {
-    std::vector<std::string> found;
-    const Composer picture = composer(prolate_body(), wobbling(), show);
-    for (const LabelGlyph& label : picture.glyphs_at(picture.scenery().motion.at(0.5)).labels)
-      found.push_back(label.markup);
-    return found;
+    return names_of(composer(prolate_body(), wobbling(), show));
   };
   using Names = std::vector<std::string>;
   EXPECT_EQ(names(), (Names{"<b>Ω</b>", "<b>L</b>"}));
@@ -145,6 +149,29 @@ TEST(Vectors, PositionsCloseATriangle) {
   EXPECT_EQ(label("<b>r</b>").at, Vec3(0.5 * r.tip));
   EXPECT_EQ(label("<b>R</b>").at, Vec3(0.5 * R.tip));
   EXPECT_LT(label("<b>r</b>").away.dot(label("<b>R</b>").away), 0.0);
+}
+
+// one point is r, several are numbered
+TEST(Vectors, SeveralPointsAreNumbered) {
+  ShowSpec show = show_only("momentum");
+  show["momentum"] = false;
+  show.points = {Vec3(0.05, 0.02, 0.1)};
+  EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)),
+            (std::vector<std::string>{"<b>r</b>"}));
+  show.points.push_back(Vec3(0.05, -0.02, -0.1));
+  EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)),
+            (std::vector<std::string>{"<b>r</b><sub>1</sub>", "<b>r</b><sub>2</sub>"}));
+}
+
+// two sets of axes at one place have one set of names
+TEST(Vectors, AxesAtOnePlaceAreNamedOnce) {
+  ShowSpec show = show_only("fixed_frame");
+  show["space_axes"] = true;
+  const std::vector<std::string> once = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
+  EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)), once);
+  MotionSpec away = wobbling();
+  away.position = Vec3(0.3, 0.5, 0.2);
+  EXPECT_EQ(names_of(composer(prolate_body(), away, show)).size(), 7u) << "and R";
 }
 
 // a spring reaches from the point of the body to where it is held, in any direction and however
