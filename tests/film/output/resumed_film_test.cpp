@@ -82,6 +82,10 @@ TEST_F(FilmInSegments, GoesOnFromTheSegmentsThatAreWhole) {
   EXPECT_FALSE(has(2)) << "seven frames are no segment";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4"));
   ::testing::internal::CaptureStderr();
+  ResumedFilm(plan_).begin(film_);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "quiet";
+  plan_.progress = ProgressKind::automatic;
+  ::testing::internal::CaptureStderr();
   ResumedFilm output(plan_);
   output.begin(film_);
   EXPECT_NE(::testing::internal::GetCapturedStderr().find("1 of 3 pieces are already complete"),
