@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include <boost/math/special_functions/ellint_rj.hpp>
 
 #include "base/units.h"
 
@@ -36,6 +39,15 @@ double carlson_rf(double x, double y, double z) {
   return (1.0 + e2 * (e2 / 24.0 - 0.1 - 3.0 * e3 / 44.0 - 5.0 * e2 * e2 / 208.0) +
           e3 * (1.0 / 14.0 + 3.0 * e3 / 104.0) + e2 * e2 * e3 / 16.0) /
          std::sqrt(a);
+}
+
+double elliptic_cel(double m1, double p, double a, double b) {
+  if (p * p > m1) {
+    // cot(phi) / sqrt(m1) for tan(phi): for large p the parts below would cancel
+    a = std::exchange(b, a * m1 / p) / p;
+    p = m1 / p;
+  }
+  return a * elliptic_k(m1) + (b - p * a) / 3.0 * boost::math::ellint_rj(0.0, m1, 1.0, p);
 }
 
 double elliptic_k(double m1) {

@@ -10,6 +10,10 @@ namespace polhode {
 // one may be 0 (B. C. Carlson, Numer. Algorithms 10 (1995) 13; DLMF 19.36).
 double carlson_rf(double x, double y, double z);
 
+// The complete integral of (a cos^2 + b sin^2) / ((cos^2 + p sin^2) sqrt(cos^2 + m1 sin^2)) over 0
+// to pi/2, for 0 < m1 <= 1 and p > 0 (Bulirsch's cel, DLMF 19.2.11): of all three kinds.
+double elliptic_cel(double m1, double p, double a, double b);
+
 // Complete integral of the first kind K(m), from m1 = 1 - m, 0 <= m1 <= 1, by the
 // arithmetic-geometric mean (DLMF 19.8.5); infinite for m1 = 0.
 double elliptic_k(double m1);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 
 #include "base/units.h"
 #include "math/elliptic.h"
@@ -19,6 +19,7 @@ using List = std::vector<Quantity>;
 
 // a rate that is smaller than another by this is the round-off of its difference
 constexpr double kRoundOffOfRates = 1e-12;
+constexpr double kRoundOffOfMomentum = 1e-15;
 
 // kinetic energy as that of the centre of mass and that about it (notes, eq. 4)
 void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, const State& start) {
@@ -35,7 +36,9 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
   potential += model.on_pivot ? model.chi_P.dot(up_in_body(model, start.q))
                               : potential_of_place(model, place_S);
   double kinetic = model.on_pivot ? turning : turning + travel;
-  const double turning_about_center = kinetic - travel;
+  const Vec3 w_B = model.R_BP * w_P;
+  const double turning_about_center =
+      model.on_pivot ? 0.5 * w_B.dot(model.body.tensor * w_B) : turning;
   double of_rings = 0.0;
   if (model.loads.gimbals) {
     of_rings = kinetic_energy_of_gimbals(model, start);
@@ -54,7 +57,7 @@ void add_energies(List& list, const BodyModel& model, const MotionSpec& spec, co
 
 void add_free_symmetric(List& list, const BodyModel& model, const State& start) {
   const int axis = model.kind.axis;
-  const double across = model.moments[(axis + 1) % 3];
+  const double along = model.moments[axis], across = model.moments[(axis + 1) % 3];
   const double precession = start.y.norm() / across;
   if (model.kind.rotator) {
     list.push_back({"rotation_period", Q::time, 2.0 * kPi / precession});
@@ -63,8 +66,8 @@ void add_free_symmetric(List& list, const BodyModel& model, const State& start) 
   // the axis points to the side of L
   const Vec3 figure = std::copysign(1.0, start.y[axis]) * Vec3::Unit(axis);
   const Vec3 w_P = angular_velocity(model, start.y);
-  double spin = std::abs(start.y[axis]) * (model.inverse_moments[axis] - 1.0 / across);
-  if (std::abs(spin) < kRoundOffOfRates * precession) spin = 0.0;
+  double spin = std::abs(start.y[axis]) * (across - along) / (along * across);
+  if (std::abs(start.y[axis]) < kRoundOffOfMomentum * start.y.norm()) spin = 0.0;
   list.push_back({"precession_rate", Q::rate, precession});
   list.push_back({"precession_period", Q::time, 2.0 * kPi / precession});
   list.push_back({"spin_rate", Q::rate, spin});
@@ -72,21 +75,6 @@ void add_free_symmetric(List& list, const BodyModel& model, const State& start) 
   list.push_back({"axis_to_momentum_angle", Q::angle, angle_between(figure, start.y)});
   list.push_back({"space_cone_half_angle", Q::angle, angle_between(w_P, start.y)});
   list.push_back({"body_cone_half_angle", Q::angle, angle_between(w_P, figure)});
-}
-
-// The mean rate at which the principal axis goes round L, over one period of the momentum in the
-// body: L (y1^2 / I1 + y2^2 / I2) / (y1^2 + y2^2) for the third axis, however often the body turns.
-double mean_precession(const BodyModel& model, const State& start, int axis, double period) {
-  constexpr int kTimes = 4096;  // a periodic function, so their mean is as good as its integral
-  const std::unique_ptr<Trajectory> motion = exact_asymmetric(model, start);
-  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-  double sum = 0.0;
-  for (int i = 0; i < kTimes; ++i) {
-    const Vec3 y = motion->at(period * i / kTimes).y;
-    const double a = y[j] * y[j], b = y[k] * y[k];
-    sum += (a * model.inverse_moments[j] + b * model.inverse_moments[k]) / (a + b);
-  }
-  return start.y.norm() * sum / kTimes;
 }
 
 void add_free_asymmetric(List& list, const BodyModel& model, const State& start) {
@@ -111,10 +99,16 @@ void add_free_asymmetric(List& list, const BodyModel& model, const State& start)
     const double K = elliptic_k(m1);
     list.push_back({"polhode_period", Q::time, 4.0 * K / lambda});
     list.push_back({"flip_time", Q::time, 2.0 * K / lambda});
-    // the axis that the momentum goes round in the body never meets L
-    const int axis = excess2 > 0.0 ? order[2] : order[0];
-    list.push_back(
-        {"mean_precession_rate", Q::rate, mean_precession(model, start, axis, 4.0 * K / lambda)});
+    // The axis that the momentum goes round in the body never meets L. It goes round it at
+    // L (y'^2 / I' + y2^2 / I2) / (y'^2 + y2^2), y' and y2 being as cn and sn: that of the other
+    // end of the order, and the middle one.
+    const bool about_greatest = excess2 > 0.0;
+    const double other = about_greatest ? I1 : I3;
+    const double p =
+        about_greatest ? I2 * (I3 - I1) / (I1 * (I3 - I2)) : I2 * (I3 - I1) / (I3 * (I2 - I1));
+    list.push_back({"mean_precession_rate",
+                    Q::rate,
+                    start.y.norm() * elliptic_cel(m1, p, 1.0 / other, p / I2) / K});
     list.push_back({"spins_about_long_axis", Q::verdict, excess2 > 0.0 ? 0.0 : 1.0});
   }
   if (q[1] >= std::max(q[0], q[2])) {
@@ -130,24 +124,24 @@ void add_nutation(List& list, const BodyModel& model, const State& start, bool i
   list.push_back({"greatest_tilt", Q::angle, nutation.greatest_tilt});
   if (nutation.period == 0.0 || !std::isfinite(nutation.period)) return;
   list.push_back({"nutation_period", Q::time, nutation.period});
-  const bool through_top = nutation.least_tilt < kVertical;
   const bool through_bottom = nutation.greatest_tilt > kPi - kVertical;
   if (is_pendulum && through_bottom) {
     // in a plane: the tilt is back at its least twice per swing, once per revolution
-    if (!through_top) list.push_back({"swing_period", Q::time, 2.0 * nutation.period});
-    if (through_top) list.push_back({"revolution_period", Q::time, nutation.period});
+    const bool revolves = nutation.over_the_top;
+    if (!revolves) list.push_back({"swing_period", Q::time, 2.0 * nutation.period});
+    if (revolves) list.push_back({"revolution_period", Q::time, nutation.period});
     return;
   }
-  if (through_top || through_bottom) return;
-  const double turn = precession_in_a_nutation(model, start);
-  list.push_back({"mean_precession_rate", Q::rate, turn / nutation.period});
-  list.push_back({"precession_angle_per_nutation", Q::angle, turn});
+  if (nutation.least_tilt < kVertical || through_bottom) return;
+  if (const std::optional<double> turn = precession_in_a_nutation(model, start)) {
+    list.push_back({"mean_precession_rate", Q::rate, *turn / nutation.period});
+    list.push_back({"precession_angle_per_nutation", Q::angle, *turn});
+  }
   const double at_least = nutation.precession_at_least;
   const double at_greatest = nutation.precession_at_greatest;
   list.push_back({"precession_rate_at_least_tilt", Q::rate, at_least});
   list.push_back({"precession_rate_at_greatest_tilt", Q::rate, at_greatest});
   // at a cusp the rate is round-off of either sign: of the other rate, or of the momentum
-  constexpr double kRoundOffOfMomentum = 1e-15;
   const double slower = std::min(std::abs(at_least), std::abs(at_greatest));
   const double faster = std::max(std::abs(at_least), std::abs(at_greatest));
   const double of_momentum =

@@ -413,6 +413,32 @@ TEST(SceneNumbers, TheRattlebackReversesOnce) {
   EXPECT_NEAR(motion.at(7.0).energy, motion.at(0.0).energy, 1e-8);
 }
 
+// at any speed: growth is down to 1e-5 of the spin (eigenvalues of the linearised equations in 40
+// digits)
+TEST(SceneNumbers, TheRattlebackGrowsAtAnySpin) {
+  struct Case {
+    double spin, c, growth, reversed;
+  };
+  const Scene scene = load_scene(test::scene_path("rattleback"));
+  for (const Case& one : {Case{1e4, 100.0, 1266.4, 1548.2},
+                          Case{3e4, 1.0, 19.996, 20.055},
+                          Case{1e5, 1.0, 20.017, 20.035},
+                          Case{1e6, 1.0, 20.025, 20.027}}) {
+    SCOPED_TRACE(one.spin);
+    MotionSpec spec = scene.motion;
+    spec.friction = FrictionSpec{};
+    spec.friction->kind = "viscous";
+    spec.friction->c = one.c;
+    spec.spin.body = Vec3(0.0, 0.0, one.spin);
+    const std::vector<Quantity> told = derived_quantities(make_model(scene.body, spec), spec);
+    const auto growth = [&](const char* key) {
+      return value_of(told, key).value_or(NAN);
+    };
+    EXPECT_NEAR(growth("growth_rate_of_vertical_spin_per_s") / one.growth, 1.0, 5e-5);
+    EXPECT_NEAR(growth("growth_rate_of_vertical_spin_reversed_per_s") / one.reversed, 1.0, 5e-5);
+  }
+}
+
 TEST(SceneNumbers, EulersDiscSettles) {
   const Solved solved = solved_scene("euler_disc");
   EXPECT_NEAR(number_of(solved, "precession_with_center_at_rest_rad_per_s"), 55.2, 0.1);

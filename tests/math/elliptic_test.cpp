@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_3.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <gtest/gtest.h>
@@ -63,6 +65,25 @@ TEST(EllipticK, PublishedAndBoost) {
     worst =
         worse(worst, std::abs(elliptic_k(m1) / boost::math::ellint_1(std::sqrt(1.0 - m1)) - 1.0));
   expect_residual("K against Boost", worst, 2e-15);
+}
+
+// of all three kinds, with p from almost nothing to far above 1
+TEST(EllipticCel, LimitsAndBoost) {
+  for (const double root : {1e-8, 1e-4, 0.3, 1.0, 7.0, 1e5, 1e9}) {
+    const double circular = 0.5 * kPi * (2.0 + 3.0 / root) / (1.0 + root);
+    const double found = elliptic_cel(1.0, root * root, 2.0, 3.0);
+    expect_residual("circular", std::abs(found / circular - 1.0), 2e-15);
+  }
+  for (const double m : {0.01, 0.4, 0.9, 0.999}) {
+    const double k = std::sqrt(m), m1 = 1.0 - m;
+    expect_residual("first", std::abs(elliptic_cel(m1, 1, 1, 1) / elliptic_k(m1) - 1.0), 2e-15);
+    const double second = boost::math::ellint_2(k);
+    expect_residual("second", std::abs(elliptic_cel(m1, 1, 1, m1) / second - 1.0), 4e-15);
+    for (const double p : {1e-3, 0.2, 0.99, 3.0, 40.0}) {
+      const double third = boost::math::ellint_3(k, 1.0 - p);
+      expect_residual("third", std::abs(elliptic_cel(m1, p, 1, 1) / third - 1.0), 1e-13);
+    }
+  }
 }
 
 TEST(EllipticF, AllQuadrantsAgainstBoost) {

@@ -124,6 +124,64 @@ TEST(Derived, MeanPrecessionOfAsymmetricTops) {
   }
 }
 
+// strips, whose rate has peaks where the momentum passes the narrow side of its ellipse:
+// quadratures in 50 digits
+TEST(Derived, MeanPrecessionOfFlatStrips) {
+  struct Strip {
+    Vec3 size, spin;
+    double mean;
+  };
+  for (const Strip& strip : {Strip{{1, 0.01, 0.001}, {0.6, 0, 6}, 11.92510},
+                             Strip{{1, 0.03, 0.001}, {0.6, 0, 6}, 11.9783},
+                             Strip{{0.3, 0.003, 0.0005}, {0.6, 0, 6}, 11.820},
+                             Strip{{1, 0.002, 0.0002}, {0.6, 0, 6}, 11.925},
+                             Strip{{1, 0.005, 0.0005}, {0.06, 0.06, 6}, 11.94}}) {
+    const Vec3 square = strip.size.cwiseProduct(strip.size) / 12.0;
+    BodySpec body;
+    body.mass = 1.0;
+    body.moments = Vec3::Constant(square.sum()) - square;
+    MotionSpec spec;
+    spec.spin.body = strip.spin;
+    EXPECT_NEAR(case_of(body, spec)("mean_precession_rate_rad_per_s"), strip.mean, 6e-4);
+  }
+}
+
+// a slow turn in orbit: energies of either kind are no difference of the other
+TEST(Derived, EnergyOfASlowSpinInFastFlight) {
+  BodySpec body;
+  body.mass = 1.0;
+  body.moments = Vec3(1, 1, 1) / 600.0;
+  MotionSpec spec;
+  spec.velocity = Vec3(7700, 0, 0);
+  spec.spin.body = Vec3(0, 0, 1.1e-3);
+  const double about = 0.5 / 600.0 * 1.1e-3 * 1.1e-3;
+  const char* const key = "kinetic_energy_about_center_of_mass_J";
+  EXPECT_NEAR(case_of(body, spec)(key), about, 1e-14 * about);
+  // likewise far from a pivot
+  BodySpec far = body;
+  far.about = "center";
+  far.pivot = Vec3(0, 0, 1e3);
+  MotionSpec held;
+  held.hold = "pivot";
+  held.gravity = Vec3::Zero();
+  held.spin.body = Vec3(1.1e-3, 0, 0);
+  EXPECT_NEAR(case_of(far, held)(key), about, 1e-9 * about);
+}
+
+// about L at right angles to its axis, a nearly spherical top turns about that slowly
+TEST(Derived, SlowSpinsAreNoRoundOff) {
+  BodySpec body;
+  body.mass = 1.0;
+  body.moments = Vec3(1.0, 1.0, 1.0000000085);
+  MotionSpec spec;
+  spec.duration = 1e-6;
+  spec.spin.body = 3.081e6 * Vec3(std::cos(6.8e-5), 0.0, -std::sin(6.8e-5));
+  const double spin = 3.081e6 * std::sin(6.8e-5) * 8.5e-9;
+  EXPECT_NEAR(case_of(body, spec)("spin_rate_rad_per_s"), -spin, 1e-7 * spin);
+  spec.spin.body = Vec3(3.081e6, 0.0, 1e-12);
+  EXPECT_EQ(case_of(body, spec)("spin_rate_rad_per_s"), 0.0);
+}
+
 TEST(Derived, SteadyPrecessionIsSteady) {
   const BodySpec body = test::cone_body();
   MotionSpec spec = test::spinning_on_pivot();
@@ -325,6 +383,29 @@ TEST(Derived, VeryFastTopsHardlyPrecess) {
   }
 }
 
+// Of fast tops that sway far more than they precess: elliptic integrals in 70 digits, averaging
+// (m g l L3 / L^2) and the azimuth of L in simulations.
+TEST(Derived, FastTopsThatPassTheVertical) {
+  BodySpec body;
+  body.moments = Vec3(1e-5, 1e-5, 1.5e-5);
+  body.mass = 0.1;
+  body.about = "pivot";
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.duration = 1e-3;
+  const auto told = [&](double height, double tilt, double sway) {
+    body.center_of_mass = Vec3(0, 0, height);
+    spec.attitude.zxz = Vec3(0, tilt, 0);
+    spec.spin.body = Vec3(0, -sway, 5000);
+    return value_of(derived_quantities(make_model(body, spec), spec),
+                    "mean_precession_rate_rad_per_s");
+  };
+  for (const double tilt : {1e-6, 2e-6, 1e-5, 1e-3, 0.3})
+    EXPECT_NEAR(told(1e-6, tilt, 3000).value_or(NAN), 1.127201e-5, 5e-11) << tilt;
+  // what is left of a turn by either side is round-off: not told
+  EXPECT_FALSE(told(1e-12, 0.3, 3000));
+}
+
 // the planar pendulum: T = 4 K(sin^2(amplitude / 2)) sqrt(A / mu), and beyond the top
 TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
   BodySpec body;
@@ -340,6 +421,11 @@ TEST(Derived, SwingsAndRevolutionsOfAPendulum) {
     expect_residual("swing", std::abs(pendulum("swing_period_s") / period - 1.0), 1e-13);
     EXPECT_FALSE(value_of(pendulum.numbers, "mean_precession_rate_rad_per_s").has_value());
   }
+  // let go less than a microradian from upright, it swings back
+  spec.attitude.zxz = Vec3(0, kPi - 1e-7, 0);
+  const Case almost = case_of(body, spec);
+  EXPECT_NEAR(almost("swing_period_s"), 2.0 * almost("nutation_period_s"), 1e-9);
+  EXPECT_FALSE(value_of(almost.numbers, "revolution_period_s").has_value());
   spec.attitude.zxz = Vec3(0, 0.4, 0);
   spec.spin.space = Vec3(9.0, 0, 0);
   const Case over = case_of(body, spec);

@@ -16,11 +16,11 @@ namespace {
 using Q = QuantityUnit;
 using List = std::vector<Quantity>;
 
-// up and angular velocity, and velocity of the centre of mass, all in P
-constexpr int kMostNumbers = 9;
-using Reduced = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostNumbers, 1>;
-using Jacobian =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostNumbers, kMostNumbers>;
+// Numbers of 64 bits: growth may be 1e-5 of the spin and less, and where two frequencies meet,
+// errors come out as their roots.
+using Number = long double;
+using Number2x2 = Eigen::Matrix<Number, 2, 2>;
+using Numbers = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 double along_up(const BodyModel& model) {
   return -model.gravity_S.z();
@@ -40,63 +40,70 @@ bool starts_on_table(const BodyModel& model, const State& start) {
   return moving_of(model, start).place_S.z() <= height + kAbove * surface.reach();
 }
 
-// Equations of motion that do not depend on place and azimuth.
-class ReducedMotion {
+// The equations of small deviations from a spin w about the vertical axis e, in two directions
+// across it that turn with the body: of up, e + eps; of the angular velocity, w e + eta; and, with
+// viscous friction, the velocity v of the centre of mass. To first order the table pushes with
+// N = m g up, at r = -h e - S eps (S: the radii of curvature), where the body slips at
+// s = v + h j eta - w j S eps (j a: e x a), and
+//   eps' = j eta - w j eps,
+//   I eta' = -w j I eta + w C j eta + N (j S - h j) eps - h j F,
+//   m v' = -m w j v + F.
+// F is -c N s, or what keeps s at 0, or none.
+class SmallDeviations {
  public:
-  explicit ReducedMotion(const BodyModel& model) : model_(model) {
-    Friction& law = model_.table->friction;
-    // small slip: dry friction holds; moments would stop the spin
-    if (law.kind == Friction::Kind::coulomb) law.kind = Friction::Kind::rolling;
-    law.rolling = law.boring = law.turntable = 0.0;
-    slides_ = law.kind == Friction::Kind::viscous;
-    touch_.sticks = touch_.keeps_from_boring = touch_.keeps_from_rolling = false;
-  }
-  int size() const { return slides_ ? 9 : 6; }
-
-  Reduced slope(const Reduced& x) {
-    const Vec3 up = Vec3(x.head<3>()).normalized(), w = x.segment<3>(3);
-    Moving now;
-    now.q = turn_between(up, Vec3::UnitZ());
-    now.y = model_.moments.cwiseProduct(w);
-    if (slides_) now.velocity_S = now.q * Vec3(x.segment<3>(6));
-    touch_.piece = model_.table->surface->lowest(-up);
-    hold_to_table(model_, touch_, now);
-    const Reaction reaction = reaction_of(model_, touch_, 0.0, now);
-    Reduced slope(size());
-    slope.head<3>() = up.cross(w);
-    slope.segment<3>(3) = model_.inverse_moments.cwiseProduct(reaction.momentum_rate_P);
-    if (slides_) {
-      const Vec3 velocity = now.q.conjugate() * now.velocity_S;
-      slope.segment<3>(6) = now.q.conjugate() * reaction.acceleration_S - w.cross(velocity);
+  SmallDeviations(const BodyModel& model, const Vec3& up_P)
+      : model_(model),
+        mass_(model.body.mass),
+        push_(model.body.mass * along_up(model)),
+        along_(up_P.dot(model.moments.cwiseProduct(up_P))) {
+    const ContactSurface& surface = *model.table->surface;
+    const int piece = surface.lowest(-up_P);
+    const Vec3 first = up_P.unitOrthogonal(), second = up_P.cross(first);
+    Eigen::Matrix<double, 3, 2> across;
+    across << first, second;
+    height_ = surface.height(-up_P, piece);
+    I_ = (across.transpose() * model.moments.asDiagonal() * across).cast<Number>();
+    for (int i = 0; i < 2; ++i) {
+      const SurfacePoint point = surface.at(-up_P, across.col(i), piece);
+      S_.col(i) = (across.transpose() * point.arm_rate_P).cast<Number>();
     }
-    return slope;
+    j_ << 0, -1, 1, 0;
   }
 
-  // of rates in units of `rate` and velocities in units of `speed`, per time 1 / rate
-  Jacobian jacobian(const Reduced& x, double rate, double speed) {
-    constexpr double kApart = 3e-4;
-    Reduced units(size());
-    for (int i = 0; i < size(); ++i)
-      units[i] = i < 3 ? 1.0 : i < 6 ? rate : speed;
-    Jacobian J(size(), size());
-    for (int i = 0; i < size(); ++i) {
-      const double step = kApart * units[i];
-      // of fourth order: where two frequencies meet, errors come out as their roots
-      const auto at = [&](double steps) {
-        Reduced moved = x;
-        moved[i] += steps * step;
-        return slope(moved);
-      };
-      const Reduced change = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * kApart);
-      J.col(i) = change.cwiseQuotient(rate * units);
+  // Their matrix with angular velocities in units of `rate`, velocities of `speed` and times of
+  // 1 / rate.
+  Numbers matrix(Number w, Number rate, Number speed) const {
+    const Number2x2 zero = Number2x2::Zero(), one = Number2x2::Identity();
+    const Number h = height_, m = mass_;
+    // without friction
+    const Number2x2 on_eps = push_ * (j_ * S_ - h * j_);
+    const Number2x2 on_eta = -w * j_ * I_ + w * along_ * j_;
+    const Friction& law = model_.table->friction;
+    if (law.kind == Friction::Kind::viscous) {
+      const Number c = law.c * push_;
+      const Number2x2 slip_of_eps = -w * j_ * S_, slip_of_eta = h * j_;
+      const Number2x2 inverse = I_.inverse();
+      Numbers all(6, 6);
+      all << -w * j_, rate * j_, zero, inverse * (on_eps + h * c * j_ * slip_of_eps) / rate,
+          inverse * (on_eta + h * c * j_ * slip_of_eta), inverse * (h * c * j_) * speed / rate,
+          -c / m * slip_of_eps / speed, -c / m * slip_of_eta * rate / speed, -w * j_ - c / m * one;
+      return all / rate;
     }
-    return J;
+    // the force that keeps it from slipping is m (v' + w j v) with v = -h j eta + w j S eps
+    const Number held = law.kind == Friction::Kind::none ? 0 : m * h;
+    const Number2x2 inverse = (I_ + held * h * one).inverse();
+    const Number2x2 force_on_eps = w * w * (j_ * S_ * j_ + S_);
+    const Number2x2 force_on_eta = -w * (j_ * S_ * j_ + h * one);
+    Numbers all(4, 4);
+    all << -w * j_, rate * j_, inverse * (on_eps + held * j_ * force_on_eps) / rate,
+        inverse * (on_eta + held * j_ * force_on_eta);
+    return all / rate;
   }
 
  private:
-  BodyModel model_;
-  Touch touch_;
-  bool slides_;
+  const BodyModel& model_;
+  Number mass_, push_, along_, height_ = 0;
+  Number2x2 I_, S_, j_;
 };
 
 // The principal axis that is nearest to the vertical at the start, upwards; null unless the body
@@ -258,13 +265,17 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   list.push_back({"precession_with_center_at_rest", Q::rate, precession});
   list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
   // Rolling friction drives the centre out of rest, as simulated the less the flatter the disc
-  // lies: below 30 degrees the time is right within 1 %, from a homogeneous disc on (of one with
-  // its mass in the middle it is much less). A disc that slips loses energy there, too.
-  constexpr double kSteepest = 0.5;                 // sine of the tilt
+  // lies: the time is right within 1 % below 30 degrees of a plate, and below 15 of what is
+  // thicker, for weak friction and from a homogeneous disc on (of one with its mass in the middle
+  // it is much less). A disc that slips loses energy there, too.
+  const bool is_plate = along >= 1.9 * across, is_flat = along >= (1.0 - kEqualMoments) * across;
+  const double steepest = is_plate ? 0.5 : 0.2588;  // sine of the tilt
   constexpr double kLightest = 0.249, kMost = 1.0;  // of m a^2
+  constexpr double kStrongest = 0.1;                // of a
   const double rim = across / (mass * a * a);
   const bool slips = law.kind == Friction::Kind::viscous;
-  const bool stays_at_rest = sine <= kSteepest && rim >= kLightest && rim <= kMost;
+  const bool stays_at_rest = sine <= steepest && is_flat && rim >= kLightest && rim <= kMost &&
+                             law.rolling <= kStrongest * a;
   if (law.rolling == 0.0 || law.boring != 0.0 || slips || !stays_at_rest) return;
   // d/dt (3/2 a sin) = -rolling W sin cos, so that the time is (3 a / 2 rolling) sqrt(I1 / m g a)
   // times the integral of d(tilt) / sqrt(sin(tilt)); with tilt = u^2 nothing is singular
@@ -303,28 +314,15 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
 }  // namespace
 
 std::optional<double> growth_rate_of_spin(const BodyModel& model, const Vec3& up_P, double spin) {
-  ReducedMotion motion(model);
-  Reduced x = Reduced::Zero(motion.size());
-  x.head<3>() = up_P;
-  x.segment<3>(3) = spin * up_P;
   const double reach = model.table->surface->reach();
   const double rate = std::abs(spin) + std::sqrt(model.gravity_S.norm() / reach);
-  const Jacobian J = motion.jacobian(x, rate, rate * reach);
-  // What changes along the vertical, as another spin does, has zeros that rounding would split;
-  // what goes across is apart from it.
-  const Vec3 first = up_P.unitOrthogonal(), second = up_P.cross(first);
-  const Eigen::Index blocks = motion.size() / 3;
-  Eigen::MatrixXd across = Eigen::MatrixXd::Zero(motion.size(), 2 * blocks);
-  for (Eigen::Index i = 0; i < blocks; ++i) {
-    across.block<3, 1>(3 * i, 2 * i) = first;
-    across.block<3, 1>(3 * i, 2 * i + 1) = second;
-  }
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(across.transpose() * J * across, false);
+  const Numbers matrix = SmallDeviations(model, up_P).matrix(spin, rate, rate * reach);
+  const Eigen::EigenSolver<Numbers> solver(matrix, false);
   // viscous friction may be weak; without it growth begins as a root
   const double neutral = model.table->friction.kind == Friction::Kind::viscous ? 1e-10 : 1e-7;
-  // that of differences, far above what they have; strong friction makes them large
-  const double round_off = 1e-13 * J.norm();
-  const double most = solver.eigenvalues().real().maxCoeff();
+  // strong friction makes it large
+  const auto round_off = static_cast<double>(1e-16L * matrix.norm());
+  const auto most = static_cast<double>(solver.eigenvalues().real().maxCoeff());
   if (most > std::max(neutral, round_off)) return most * rate;
   return round_off > neutral ? std::nullopt : std::optional(0.0);
 }

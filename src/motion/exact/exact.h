@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "motion/trajectory.h"
 
@@ -50,6 +51,7 @@ struct Nutation {
   // the vertical itself, 0 for a top that stays vertical.
   double precession_at_least = 0.0;
   double precession_at_greatest = 0.0;
+  bool over_the_top = false;  // of motion in a vertical plane: it does not turn back
 };
 
 // Same requirements as exact_heavy_symmetric. The cosine of the tilt is an elliptic function of
@@ -58,8 +60,8 @@ struct Nutation {
 Nutation nutation_of(const BodyModel& model, const State& start);
 
 // How far the axis goes round the vertical in one period of the nutation, rad. Same requirements;
-// aborts where that period is 0 or infinite. Meaningless for an axis that passes through the
-// vertical.
-double precession_in_a_nutation(const BodyModel& model, const State& start);
+// aborts where that period is 0 or infinite. Nothing if round-off decides more than 1e-5 of it, as
+// for tops that hardly precess; meaningless for an axis that passes through the vertical.
+std::optional<double> precession_in_a_nutation(const BodyModel& model, const State& start);
 
 }  // namespace polhode

@@ -11,9 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <optional>
 
 #include "base/check.h"
+#include "base/units.h"
+#include "math/elliptic.h"
 #include "math/so3.h"
 #include "math/theta.h"
 #include "motion/exact/exact.h"
@@ -326,28 +329,48 @@ double precession_rate(const Lagrange& top, double h, double one_plus_u, double 
   return (from_start ? before + since : at_bottom + at_top) / top.A;
 }
 
-// How far chi goes round the vertical from 0 to t, rad; steps of a few degrees tell how often.
-double turn_by_steps(const BodyModel& model, const Trajectory& motion, double t) {
-  constexpr int kSteps = 4096;
-  const Vec3& axis_P = model.chi_P;
-  const Vec3& about = model.up_S;
-  Vec3 before = motion.at(0.0).q * axis_P;
-  double turn = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Vec3 now = motion.at(t * i / kSteps).q * axis_P;
-    turn += std::atan2(about.dot(before.cross(now)),
-                       before.dot(now) - before.dot(about) * now.dot(about));
-    before = now;
-  }
-  return turn;
+// (1 + u1)(1 + u2)(1 + u3) = (L_z + L3)^2 / 2 mu A: nothing cancels where the axis hangs down
+double lower_plus(const Lagrange& top, const Roots& r) {
+  const double others = 2.0 * top.mu * top.A * r.plus2 * (2.0 + r.x3);
+  return others > 0.0 ? top.sum * top.sum / others : std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
 }
 
-// The same in one nutation, as the mean of the rate at equal times: of a periodic function it is as
-// good as the integral. Nothing where that has peaks, beside the vertical, and half as many times
-// give another.
-std::optional<double> turn_by_rates(const Lagrange& top, const Roots& r, double period) {
+// An angle, and what round-off may make of it, rad.
+struct Turn {
+  double angle, error;
+};
+
+// How far chi goes round the vertical in a nutation: the integral of its rate as one about each
+// pole, 1 - u = x1 cos^2 + x2 sin^2 and 1 + u likewise, u = u1 + (u2 - u1) sn^2.
+Turn turn_by_poles(const Lagrange& top, const Roots& r) {
+  const double plus1 = lower_plus(top, r);
+  const double m1 = parameter_of(r).m1();
+  const double factor = 1.0 / (top.A * std::sqrt(0.5 * top.mu * r.span() / top.A));
+  const auto about = [&](double momentum, double low, double high) {
+    return factor * momentum * elliptic_cel(m1, high / low, 1.0 / low, 1.0 / low);
+  };
+  const double at_bottom = about(top.sum, plus1, r.plus2);
+  const double at_top = about(top.difference, r.x1, r.x2);
+  // The momenta are sums, of an attitude that is rounded; but beside a pole the part is half a
+  // turn, whatever the momentum is.
+  const auto error_of = [&](double part, double momentum, const Complex& pole) {
+    const double from_pole = std::abs(pole);
+    const double lost = std::abs(top.inner) + 2.0 * std::abs(top.y) +
+                        std::abs(top.L3) * from_pole * (2.0 * from_pole + 4.0);
+    const double unsettled = std::min(std::abs(part), std::abs(kPi - std::abs(part)));
+    return 8.0 * std::abs(part) + unsettled * lost / std::abs(momentum);
+  };
+  constexpr double kRoundOff = std::numeric_limits<double>::epsilon();
+  const double error =
+      kRoundOff * (error_of(at_bottom, top.sum, top.a) + error_of(at_top, top.difference, top.b));
+  return {at_bottom + at_top, error};
+}
+
+// The same as the mean of the rate at equal times, which of a periodic function is as good as the
+// integral: rates have the digits that their parts lack where a fast top hardly precesses. Half as
+// many times give another where the rate has peaks, beside the vertical.
+Turn turn_by_rates(const Lagrange& top, const Roots& r, double period) {
   constexpr int kTimes = 4096;
-  constexpr double kSame = 1e-10;  // of the rates
   const EllipticParameter parameter = parameter_of(r);
   double even = 0.0, odd = 0.0, largest = 0.0;
   for (int i = 0; i < kTimes; ++i) {
@@ -358,8 +381,8 @@ std::optional<double> turn_by_rates(const Lagrange& top, const Roots& r, double 
     (i % 2 == 0 ? even : odd) += rate / kTimes;
     largest = std::max(largest, std::abs(rate));
   }
-  if (!(std::abs(even - odd) <= kSame * largest)) return std::nullopt;
-  return (even + odd) * period;
+  constexpr double kRoundOff = 8.0 * std::numeric_limits<double>::epsilon();
+  return {(even + odd) * period, (2.0 * std::abs(even - odd) + kRoundOff * largest) * period};
 }
 
 }  // namespace
@@ -380,10 +403,8 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
     return nutation;
   }
   const Roots r = find_roots(top);
-  // (1 + u1)(1 + u2)(1 + u3) = (L_z + L3)^2 / 2 mu A: nothing cancels where the axis hangs down
-  const double others = 2.0 * top.mu * top.A * r.plus2 * (2.0 + r.x3);
-  const double plus1 =
-      others > 0.0 ? top.sum * top.sum / others : std::max(0.0, 2.0 * std::norm(top.a) + r.h1);
+  const double plus1 = lower_plus(top, r);
+  nutation.over_the_top = r.x3 > r.x2;
   nutation.least_tilt = 2.0 * std::atan2(std::sqrt(r.x2), std::sqrt(r.plus2));
   nutation.greatest_tilt = 2.0 * std::atan2(std::sqrt(r.x1), std::sqrt(plus1));
   nutation.precession_at_least = precession_rate(top, r.h2, r.plus2, r.x2);
@@ -393,13 +414,16 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
   return nutation;
 }
 
-double precession_in_a_nutation(const BodyModel& model, const State& state) {
+std::optional<double> precession_in_a_nutation(const BodyModel& model, const State& state) {
+  constexpr double kAllowed = 1e-5;
   const Lagrange top = start_of(model, state).top;
   const double period = nutation_of(model, state).period;
   CHECK(period > 0.0 && std::isfinite(period));
-  // rates have the digits that angles between directions lack where a fast top hardly precesses
-  const std::optional<double> turn = turn_by_rates(top, find_roots(top), period);
-  return turn ? *turn : turn_by_steps(model, *exact_heavy_symmetric(model, state), period);
+  const Roots r = find_roots(top);
+  const Turn one = turn_by_poles(top, r), other = turn_by_rates(top, r, period);
+  const Turn& turn = other.error < one.error || std::isnan(one.angle) ? other : one;
+  if (!(turn.error <= kAllowed * std::abs(turn.angle))) return std::nullopt;
+  return turn.angle;
 }
 
 }  // namespace polhode

@@ -248,9 +248,19 @@ TEST_F(Untold, WhatTurningTablesAndMomentsOfFrictionChange) {
   light.mass = 0.4;
   const double mass_a2 = 0.4 * 0.0375 * 0.0375;
   for (const auto& [part, told] : {std::pair{0.1, false}, {0.3, true}, {1.2, false}}) {
-    light.moments = part * mass_a2 * Vec3(1.0, 1.0, 1.6);
+    light.moments = part * mass_a2 * Vec3(1.0, 1.0, 2.0);
     EXPECT_EQ(tells(light, disc, "end_time_s"), told) << part;
   }
+  // and where it is thick, or friction is strong
+  light.moments = 0.3 * mass_a2 * Vec3(1.0, 1.0, 1.6);
+  EXPECT_FALSE(tells(light, disc, "end_time_s"));
+  MotionSpec flatter = disc;
+  flatter.attitude.tilt = 0.25;
+  EXPECT_TRUE(tells(light, flatter, "end_time_s"));
+  light.moments = 0.3 * mass_a2 * Vec3(1.0, 1.0, 0.9);
+  EXPECT_FALSE(tells(light, flatter, "end_time_s"));
+  flatter.friction->rolling = 0.2 * 0.0375;
+  EXPECT_FALSE(tells(disc_body(), flatter, "end_time_s"));
   disc.friction->boring = 2e-4;
   EXPECT_FALSE(tells(disc_body(), disc, "end_time_s"));
 }
@@ -283,6 +293,24 @@ TEST(VerticalSpin, StrongFrictionHidesItsGrowth) {
   EXPECT_NEAR(1e5 * growth(1e5).value_or(NAN), usual, 1e-3 * usual);
   EXPECT_FALSE(growth(1e7));
   EXPECT_FALSE(tells(cone, spec, "vertical_spin_limit_rad_per_s"));
+}
+
+// Strong friction and a fast spin: against the eigenvalues of the linearised equations in 40 digits
+// and a nonlinear integration.
+TEST(VerticalSpin, GrowsAsInFortyDigits) {
+  BodySpec egg;
+  egg.tensor = Mat3{{5.7422897433997036e-05, 2.288183341750216e-06, 0.0},
+                    {2.288183341750216e-06, 6.241108075341452e-05, 0.0},
+                    {0.0, 0.0, 5.404004535427708e-05}};
+  egg.mass = 0.1;
+  egg.look.emplace();
+  egg.look->kind = "ellipsoid";
+  egg.look->semi_axes = Vec3(0.05171650219131213, 0.06339755914565481, 0.051626020757347506);
+  MotionSpec spec = on_table(1e-7, viscous(11137.63995074827));
+  spec.gravity = Vec3(0.0, 0.0, -9.8);
+  spec.spin.body = Vec3(0.0, 0.0, 3904.668645996549);
+  EXPECT_NEAR(quantity(egg, spec, "growth_rate_of_vertical_spin_per_s"), 211.14, 0.01);
+  EXPECT_NEAR(quantity(egg, spec, "growth_rate_of_vertical_spin_reversed_per_s"), 230.24, 0.01);
 }
 
 // A celt grows at any spin and in both directions, less and less in one of them.
