@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
-
-#include <boost/math/special_functions/ellint_rj.hpp>
 
 #include "base/units.h"
 
@@ -42,12 +39,21 @@ double carlson_rf(double x, double y, double z) {
 }
 
 double elliptic_cel(double m1, double p, double a, double b) {
-  if (p * p > m1) {
-    // cot(phi) / sqrt(m1) for tan(phi): for large p the parts below would cancel
-    a = std::exchange(b, a * m1 / p) / p;
-    p = m1 / p;
+  // means of arithmetic and geometric kind; of positive numbers nothing cancels
+  double g = 1.0, h = std::sqrt(m1), product = h;
+  p = std::sqrt(p);
+  b /= p;
+  while (true) {
+    const double before = a;
+    a += b / p;
+    b = 2.0 * (b + before * product / p);
+    p += product / p;
+    const double mean = g + h;
+    if (std::abs(g - h) <= 1e-8 * g) return 0.5 * kPi * (b + a * mean) / (mean * (mean + p));
+    h = 2.0 * std::sqrt(product);
+    product = h * mean;
+    g = mean;
   }
-  return a * elliptic_k(m1) + (b - p * a) / 3.0 * boost::math::ellint_rj(0.0, m1, 1.0, p);
 }
 
 double elliptic_k(double m1) {

@@ -11,7 +11,8 @@ namespace polhode {
 double carlson_rf(double x, double y, double z);
 
 // The complete integral of (a cos^2 + b sin^2) / ((cos^2 + p sin^2) sqrt(cos^2 + m1 sin^2)) over 0
-// to pi/2, for 0 < m1 <= 1 and p > 0 (Bulirsch's cel, DLMF 19.2.11): of all three kinds.
+// to pi/2, for 0 < m1 <= 1 and p > 0: of all three kinds (R. Bulirsch, Numer. Math. 13 (1969) 305;
+// DLMF 19.2.11).
 double elliptic_cel(double m1, double p, double a, double b);
 
 // Complete integral of the first kind K(m), from m1 = 1 - m, 0 <= m1 <= 1, by the
