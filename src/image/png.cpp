@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <png.h>
+#include <string_view>
+#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -47,20 +50,32 @@ png_image header_of(const Image& image, bool with_alpha) {
   return png;
 }
 
-// Whether one of the chunks of a PNG file, up to its last, has the type. A chunk is a length, a
-// type, so many bytes and a checksum.
-bool has_chunk(const std::string& bytes, const char* type) {
+struct Chunk {
+  std::string_view type, whole;
+};
+
+// The chunks of a PNG file, up to its last: a length, a type, so many bytes and a checksum.
+std::vector<Chunk> chunks_of(std::string_view bytes) {
   constexpr std::size_t kSignature = 8, kAround = 12;
   const auto byte = [&](std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
   };
+  std::vector<Chunk> chunks;
   for (std::size_t i = kSignature; i + kAround <= bytes.size();) {
-    if (bytes.compare(i + 4, 4, type) == 0) return true;
-    if (bytes.compare(i + 4, 4, "IEND") == 0) return false;
-    i += kAround + (std::size_t{byte(i)} << 24U | std::size_t{byte(i + 1)} << 16U |
-                    std::size_t{byte(i + 2)} << 8U | std::size_t{byte(i + 3)});
+    const std::size_t length =
+        kAround + (std::size_t{byte(i)} << 24U | std::size_t{byte(i + 1)} << 16U |
+                   std::size_t{byte(i + 2)} << 8U | std::size_t{byte(i + 3)});
+    chunks.push_back({bytes.substr(i + 4, 4), bytes.substr(i, length)});
+    if (chunks.back().type == "IEND") break;
+    i += length;
   }
-  return false;
+  return chunks;
+}
+
+bool has_chunk(const std::string& bytes, std::string_view type) {
+  const std::vector<Chunk> chunks = chunks_of(bytes);
+  return std::any_of(
+      chunks.begin(), chunks.end(), [&](const Chunk& chunk) { return chunk.type == type; });
 }
 
 }  // namespace
@@ -117,6 +132,15 @@ Image read_png(const std::filesystem::path& path) {
         .at({path.string(), 0, {}});
   }
   return decode_png(bytes, path.string());
+}
+
+std::string png_tags(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path, 5 * kMostPngPixels);
+  std::string tags;
+  for (const Chunk& chunk : chunks_of(bytes)) {
+    if (chunk.type != "IDAT") tags += chunk.whole;
+  }
+  return tags;
 }
 
 Image decode_png(const std::string& bytes, const std::string& name) {

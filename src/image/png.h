@@ -36,4 +36,8 @@ Image decode_png(const std::string& bytes, const std::string& name);
 // and decode_png do, and for an animation.
 Image read_png(const std::filesystem::path& path);
 
+// All that a PNG file says beside its pixels: size, kind, and how to show them. Throws Error as
+// read_file() does.
+std::string png_tags(const std::filesystem::path& path);
+
 }  // namespace polhode

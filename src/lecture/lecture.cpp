@@ -14,7 +14,6 @@
 #include "base/system/atomic_file.h"
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
-#include "base/system/overwriting.h"
 #include "base/system/parallel.h"
 #include "chart/gnuplot.h"
 #include "lecture/data.h"
@@ -255,7 +254,7 @@ LectureResult lecture(const LectureJob& job) {
   const fs::path& folder = planned.folder;
   const std::vector<std::string> files = planned.files();
   const bool pages = has_pages(outputs);
-  refuse_same_files(folder, files, {job.deck});
+  planned.refuse_overwriting();
   OutputFolder documents(folder, files);
 
   // render, then everything that needs it

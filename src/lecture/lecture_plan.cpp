@@ -2,6 +2,7 @@
 #include "lecture/lecture_plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "app/commands/render.h"
@@ -249,6 +250,35 @@ std::vector<std::string> PlannedLecture::files() const {
   if (has_pages(outputs)) names.emplace_back(kNoticesFile);
   return names;
 }
+void PlannedLecture::refuse_overwriting() const {
+  refuse_same_files(folder, files(), {work.job->deck});
+  std::vector<fs::path> needed = {work.job->deck};
+  const auto in_deck = [&](const std::string& name) {
+    return work.deck.root.folder / name;
+  };
+  for (const DeckPicture& picture : work.deck.pictures)
+    std::transform(
+        picture.scenes.begin(), picture.scenes.end(), std::back_inserter(needed), in_deck);
+  for (const std::string& image : work.deck.images)
+    needed.push_back(in_deck(image));
+  const auto canonical = [](const fs::path& path) {
+    std::error_code ignored;  // what cannot be looked at is told when it is read
+    return fs::weakly_canonical(path, ignored);
+  };
+  for (const char* const cleared : {"data", "media"}) {
+    const fs::path place = canonical(folder / cleared);
+    for (const fs::path& file : needed) {
+      const fs::path inside = canonical(file).lexically_relative(place);
+      if (inside.empty() || *inside.begin() == "..") continue;
+      throw input_error(
+          "'{}' lies in the folder '{}' of the output, from which files of earlier runs are "
+          "removed; choose another output",
+          file.string(),
+          cleared)
+          .at({{}, 0, "--output"});
+    }
+  }
+}
 std::string PlannedLecture::words() const {
   std::string all = program_identity();
   for (const auto& [stem, task] : work.tasks)
@@ -264,7 +294,7 @@ DividedWork divided_lecture(const LectureJob& job) {
   if (!work.deck.problems.empty()) throw work.deck.problems.front();
   if (work.tasks.empty()) throw input_error("has no picture to be made").at({job.deck, 0, {}});
   const std::vector<std::string> files = planned.files();
-  refuse_same_files(planned.folder, files, {job.deck});
+  planned.refuse_overwriting();
   divided.words = planned.words();
   divided.output = planned.folder;
   divided.proof = files;

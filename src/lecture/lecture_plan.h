@@ -72,6 +72,10 @@ struct PlannedLecture {
   bool wants(const std::string& name) const;
   // Names of the documents, and of what goes with them.
   std::vector<std::string> files() const;
+  // Throws Error (input), naming --output, if what is made would overwrite or remove the deck or a
+  // file that it names: documents lie in `folder`, and in its folders `data` and `media` only what
+  // the last run has made stays.
+  void refuse_overwriting() const;
   // All that the products depend on, and which they are.
   std::string words() const;
 

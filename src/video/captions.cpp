@@ -79,7 +79,11 @@ class CaptionedSink final : public FrameSink {
   void push(const Image& frame) override { film_->push(frame); }
   void finish() override {
     film_->finish();
-    captions_.commit();
+    try {
+      captions_.commit();
+    } catch (const Error& error) {
+      throw Error(error.fault(), error.message() + "; the film is complete", error.place());
+    }
   }
   int keeps_every() const override { return film_->keeps_every(); }
   SinkTimes times() const override { return film_->times(); }

@@ -42,6 +42,7 @@ class FilmReader::Implementation {
   }
 
   const FilmInfo& info() const { return info_; }
+  double end() const { return static_cast<double>(end_ - first_) * av_q2d(stream_->time_base); }
 
   bool next(Image& frame, double& time) {
     bool more = false;
@@ -62,19 +63,31 @@ class FilmReader::Implementation {
   void open_input() {
     input_ = open_film(file_);
     AVFormatContext* input = input_.get();
+    // the container's own word, before that of the stream takes its place
+    std::vector<std::string> of_container;
+    for (unsigned i = 0; i < input->nb_streams; ++i)
+      of_container.push_back(shown(input->streams[i]));
     const int known = avformat_find_stream_info(input, nullptr);
     if (known < 0) throw film_error(known, "is not a readable film: its tracks are unknown");
     const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (index < 0) throw input_error("contains no pictures");
     stream_ = input->streams[index];
+    info_.shown = shown(stream_);
+    const auto k = static_cast<std::size_t>(index);
+    if (k < of_container.size() && of_container[k] != info_.shown)
+      info_.shown += ", in the container " + of_container[k];
   }
 
   void open_decoder() {
     const AVCodecParameters& track = *stream_->codecpar;
     if (track.codec_id == AV_CODEC_ID_NONE) throw input_error("has pictures of an unknown kind");
-    const AVCodec* codec = avcodec_find_decoder(track.codec_id);
+    const bool beside = keeps_alpha_beside();
+    const AVCodec* codec =
+        beside ? alpha_decoder(track.codec_id) : avcodec_find_decoder(track.codec_id);
     if (codec == nullptr) {
-      throw environment_error("this FFmpeg cannot decode {}", avcodec_get_name(track.codec_id));
+      throw environment_error("this FFmpeg cannot decode {}{}",
+                              beside ? "the transparency of " : "",
+                              avcodec_get_name(track.codec_id));
     }
     if (track.width <= 0 || track.height <= 0) throw input_error("contains no pictures");
     decoder_.reset(made(avcodec_alloc_context3(codec)));
@@ -95,7 +108,31 @@ class FilmReader::Implementation {
     if (rate.num > 0 && rate.den > 0) info_.fps = {rate.num, rate.den};
     const AVPixFmtDescriptor* format =
         av_pix_fmt_desc_get(static_cast<AVPixelFormat>(track.format));
-    info_.alpha = format != nullptr && (format->flags & AV_PIX_FMT_FLAG_ALPHA) != 0;
+    info_.alpha = beside || (format != nullptr && (format->flags & AV_PIX_FMT_FLAG_ALPHA) != 0);
+  }
+
+  // WebM has the alpha of a frame beside its colours, which only libvpx puts together
+  bool keeps_alpha_beside() const {
+    const AVDictionaryEntry* mode = av_dict_get(stream_->metadata, "alpha_mode", nullptr, 0);
+    return mode != nullptr && std::string(mode->value) == "1";
+  }
+  static const AVCodec* alpha_decoder(AVCodecID codec) {
+    return avcodec_find_decoder_by_name(codec == AV_CODEC_ID_VP8 ? "libvpx" : "libvpx-vp9");
+  }
+
+  std::string shown(AVStream* stream) const {
+    const AVCodecParameters& track = *stream->codecpar;
+    const AVRational pixel = av_guess_sample_aspect_ratio(input_.get(), stream, nullptr);
+    const auto word = [](const char* name) {
+      return name != nullptr ? name : "unknown";
+    };
+    return fmt::format("{}:{} {} {} {} {}",
+                       std::max(pixel.num, 1),
+                       pixel.num > 0 ? pixel.den : 1,
+                       word(av_color_range_name(track.color_range)),
+                       word(av_color_primaries_name(track.color_primaries)),
+                       word(av_color_transfer_name(track.color_trc)),
+                       word(av_color_space_name(track.color_space)));
   }
 
   // the next picture into decoded_
@@ -123,6 +160,8 @@ class FilmReader::Implementation {
       if (read < 0) refuse_damage(read);
       const bool ours = packet_->stream_index == stream_->index;
       packets_ += ours ? 1 : 0;
+      if (ours && packet_->pts != AV_NOPTS_VALUE)
+        end_ = std::max(end_, packet_->pts + packet_->duration);
       const int sent = ours ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
       av_packet_unref(packet_.get());
       if (sent < 0) refuse_damage(sent);
@@ -220,6 +259,7 @@ class FilmReader::Implementation {
   Owned<SwsContext> converter_;
   int format_ = -1;         // pixel format that the converter takes
   std::int64_t first_ = 0;  // time stamp of the first frame
+  std::int64_t end_ = 0;    // and of the end of the last one
   int frames_ = 0;          // how many have been decoded
   int packets_ = 0;         // and how many were read for them
   FilmInfo info_;
@@ -235,6 +275,10 @@ const FilmInfo& FilmReader::info() const {
 
 bool FilmReader::next(Image& frame, double& time) {
   return implementation_->next(frame, time);
+}
+
+double FilmReader::end() const {
+  return implementation_->end();
 }
 
 bool has_film_ending(const std::string& name) {

@@ -18,6 +18,9 @@ struct FilmInfo {
   FrameRate fps;       // average rate; 60 if unknown
   bool alpha = false;  // whether it has transparency
   std::string codec;   // FFmpeg's name of the decoder, "h264"
+  // What it asks of players: shape of the pixels, and range, primaries, transfer and matrix of the
+  // colours; "1:1 tv bt709 bt709 bt709". If the container tells others, these too.
+  std::string shown;
 };
 
 // Decodes frames in display order, with one decoder thread per processor. Frames are converted to
@@ -28,7 +31,7 @@ class FilmReader {
  public:
   // Throws Error, with the file as place: (input) if it is missing, not a regular file, not a film,
   // has a damaged header or more than 2^28 pixels per frame, (environment) if FFmpeg has no decoder
-  // for it or no memory.
+  // for it, or none for its transparency, or no memory.
   explicit FilmReader(const std::string& file);
   ~FilmReader();
   FilmReader(const FilmReader&) = delete;
@@ -42,6 +45,8 @@ class FilmReader {
   // place: (input) if the file is damaged or truncated or if the picture size changes,
   // (environment) if FFmpeg cannot convert the frame.
   bool next(Image& frame, double& time);
+  // When the last frame that was read ends, s after the first begins, as the file says.
+  double end() const;
 
  private:
   class Implementation;

@@ -252,6 +252,8 @@ TEST(BadInput, ASceneOfAnyNameIsKept) {
   } cases[] = {{"chart.csv", "chart DIR/chart.csv -o DIR --methods rk4"},
                {"stability.csv", "stability DIR/stability.csv -o DIR --methods rk4 --cells 2x2"},
                {"film.mp4.part", "render DIR/film.mp4.part -o DIR/film.mp4"},
+               {"film.vtt.part", "render DIR/film.vtt.part -o DIR/film.webm"},
+               {"part.vtt.part", "join DIR/a.mp4 DIR/part.vtt.part -o DIR/part.mp4"},
                {"f_00007.png", "render DIR/f_00007.png -o DIR/f_%05d.png"}};
   for (const auto& one : cases) {
     SCOPED_TRACE(one.name);

@@ -210,6 +210,23 @@ TEST_F(Lecture, HostileTextRunsNothing) {
   EXPECT_FALSE(fs::exists("x"));
 }
 
+// from the folders where it keeps what it makes, files of earlier runs are removed
+TEST_F(Lecture, ItsSourcesAreNotItsOutput) {
+  ASSERT_EQ(lecture("--to html,data").code, 0);
+  const fs::path source = folder_ / "out/data/source";
+  const auto again = [&](const std::string& deck) {
+    return run_polhode(fmt::format("lecture '{}' -o '{}' --to html", deck, folder_ / "out"));
+  };
+  const Ran ran = again(source / "deck.md");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("lies in the folder 'data' of the output"), std::string::npos) << ran.err;
+  EXPECT_TRUE(fs::exists(source / "scene.toml"));
+  write_text(folder_ / "out/deck.md", "![](data/source/scene.toml){.still}\n");
+  EXPECT_EQ(again(folder_ / "out/deck.md").code, 2);
+  write_text(folder_ / "out/deck.md", "![](media/x.png)\n");
+  EXPECT_EQ(again(folder_ / "out/deck.md").code, 2);
+}
+
 TEST_F(Lecture, BadUseIsOneLine) {
   EXPECT_NE(lecture("--to htlm").err.find("did you mean 'html'?"), std::string::npos);
   EXPECT_EQ(lecture("--jobs 0").code, 2);

@@ -143,6 +143,18 @@ TEST_F(Verify, OnePixelIsEnough) {
   expect("a.hash", 1, "frame 3 (0.300 s) differs");
 }
 
+// a shorter sequence leaves the pictures of a longer one, which is told
+TEST_F(Verify, PicturesBehindASequenceAreTold) {
+  render("f_%d.png");
+  const Ran shorter =
+      run_polhode(fmt::format("render {} -o {} --to 0.5 -q", at("scene.toml"), at("f_%d.png")));
+  EXPECT_EQ(shorter.code, 0);
+  EXPECT_NE(shorter.err.find("are pictures of an earlier film"), std::string::npos) << shorter.err;
+  render("g_%d.png");
+  EXPECT_EQ(run_polhode(fmt::format("render {} -o {} -q", at("scene.toml"), at("g_%d.png"))).err,
+            "");
+}
+
 // a GIF keeps every other frame of a film of 60 a second
 TEST_F(Verify, CountsTheFramesThatAGifHas) {
   write_text(folder_ / "scene.toml",
@@ -152,6 +164,30 @@ TEST_F(Verify, CountsTheFramesThatAGifHas) {
   const Ran ran = verify("a.gif");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("all 5 frames are the same"), std::string::npos) << ran.out;
+  // its last delay, in hundredths of a second, stands before its last picture
+  std::string bytes = read_text(folder_ / "a.gif");
+  bytes[bytes.rfind("\x21\xF9\x04") + 5] = 3;
+  write_text(folder_ / "a.gif", bytes);
+  const Ran longer = verify("a.gif");
+  EXPECT_EQ(longer.code, 1);
+  EXPECT_NE((longer.out + longer.err).find("the film ends at"), std::string::npos) << longer.out;
+}
+
+// the same pixels, with other colours on a screen
+TEST_F(Verify, TagsOfColoursAreCompared) {
+  render("a.mp4");
+  std::string bytes = read_text(folder_ / "a.mp4");
+  const std::size_t transfer = bytes.find("nclx") + 7;
+  ASSERT_EQ(bytes[transfer], 1) << "BT.709";
+  bytes[transfer] = 16;
+  write_text(folder_ / "a.mp4", bytes);
+  expect("a.mp4", 1, "its frames are shown as '");
+  render("a.png", "--still 0");
+  bytes = read_text(folder_ / "a.png");
+  constexpr std::size_t kBehindHeader = 33;
+  bytes.insert(kBehindHeader, std::string("\0\0\0\4gAMA\0\1\x86\xA0\x31\xE8\x96\x5F", 16));
+  write_text(folder_ / "a.png", bytes);
+  expect("a.png", 1, "frame 0 (0.000 s) is shown otherwise: it has other tags");
 }
 
 TEST_F(Verify, AReportThatWasTamperedWithIsFound) {

@@ -82,6 +82,23 @@ std::unique_ptr<FrameSink> film_with(const SinkJob& job,
   return sink;
 }
 
+// what comes in their way at the end is told, and that there is a film
+TEST(Captions, AFilmIsCompleteWithoutThem) {
+  const TemporaryFolder folder;
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  const std::unique_ptr<FrameSink> sink = film_with(job, {{0, 1, "Words"}});
+  std::filesystem::create_directories(folder / "a.vtt/something");
+  try {
+    sink->finish();
+    FAIL() << "a folder has the name";
+  } catch (const Error& error) {
+    EXPECT_TRUE(error.message().ends_with("; the film is complete")) << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::exists(job.output));
+}
+
 // the words of an earlier film are not those of this one
 TEST(Captions, AFilmWithoutWordsHasNoneOfAnEarlierFilm) {
   const TemporaryFolder folder;

@@ -82,6 +82,33 @@ TEST(FilmReader, AReusedPictureKeepsNoGround) {
 }
 
 // the fast conversion stays within a few levels of the careful one of the tests
+// WebM has it beside the colours, where FFmpeg's own decoder does not look
+TEST(FilmReader, SeesTransparencyInEveryFormatThatHasIt) {
+  for (const Way& way : test::all_ways()) {
+    if (!way.encoder->alpha) continue;
+    SCOPED_TRACE(way.name());
+    const TemporaryFolder folder;
+    SinkJob job = test::job_for(folder, way, {25, 1});
+    job.transparent = true;
+    {
+      const std::unique_ptr<FrameSink> sink = make_sink(job);
+      Image clear(job.width, job.height);
+      for (int x = 0; x < job.width * job.height; ++x)
+        clear.pixels[static_cast<std::size_t>(4 * x + 3)] = x % job.width < 20 ? 255 : 0;
+      for (int i = 0; i < 3; ++i)
+        sink->push(clear);
+      sink->finish();
+    }
+    FilmReader reader(job.output);
+    Image frame;
+    double time = 0.0;
+    ASSERT_TRUE(reader.next(frame, time));
+    EXPECT_TRUE(reader.info().alpha);
+    EXPECT_GT(frame.at(10, 10)[3], 200);
+    EXPECT_LT(frame.at(50, 10)[3], 50);
+  }
+}
+
 TEST(FilmReader, ColoursAreThoseOfAPlayer) {
   const TemporaryFolder folder;
   const std::vector<Image> frames = {

@@ -8,6 +8,7 @@
 
 #include "base/system/overwriting.h"
 #include "film/output/segments.h"
+#include "video/captions.h"
 #include "video/film_joiner.h"
 #include "video/seal.h"
 
@@ -71,10 +72,11 @@ void refuse_other_ending(const JoinJob& job) {
 
 Made join_pieces(const JoinJob& job) {
   Pieces pieces;
-  for (const std::string& file : job.parts) {
-    refuse_same_file(job.output, "the output", {file});
+  const std::vector<std::filesystem::path> inputs(job.parts.begin(), job.parts.end());
+  refuse_same_file(job.output, "the output", inputs);
+  refuse_same_file(captions_beside(job.output), "its captions", inputs);
+  for (const std::string& file : job.parts)
     add_piece(file, pieces);
-  }
   refuse_missing(pieces);
   refuse_other_ending(job);
 

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <memory>
 
+#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
 #include "app/piecewise.h"
+#include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "base/system/console.h"
 #include "base/system/files.h"
@@ -67,6 +69,7 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
           "a frame of {} would overwrite {}; choose another name", output, file.string());
     }
   }
+  refuse_same_file(captions_beside(output), "its captions", input_files(plan.scene));
   refuse_same_file(job.report, "--report", input_files(plan.scene));
   if (output == kStandardOutput && job.report == kStandardOutput) {
     throw input_error("the film itself goes to standard output; give a file name")
@@ -78,6 +81,15 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   if (is_sequence && !job.report.empty() && is_frame_of(output, job.report)) {
     throw input_error("--report would overwrite a frame of {}; choose another name", output);
   }
+}
+
+// pictures of a longer film that had the same name
+void warn_of_pictures_behind(const RenderPlan& plan, const FrameRange& range) {
+  const std::string& output = plan.sink.output;
+  if (plan.sink.still || plan.shard || find_sink_kind(output).name != "png sequence") return;
+  const std::string next = parse_numbered_name(output).of(range.first + range.count);
+  if (is_there(next))
+    spdlog::warn("{} and what follows it are pictures of an earlier film", one_line(next));
 }
 
 }  // namespace
@@ -103,6 +115,8 @@ Made render_film(const RenderJob& job) {
 
   // draw here, convert and encode behind the queue
   render_with_progress(plan, *output, *renderer, job.progress);
+
+  warn_of_pictures_behind(plan, output->range());
 
   // report
   Made made;

@@ -60,12 +60,18 @@ DifferenceInWords compare_films(const Again& again) {
   int number = again.first;
   try {
     FilmReader judged(again.judged);
+    if (judged.info().shown != made.info().shown) {
+      return fmt::format(
+          "its frames are shown as '{}', and not '{}'", judged.info().shown, made.info().shown);
+    }
     for (;; ++number) {
       stop_if_interrupted();
       const bool more = made.next(expected, expected_time);
       if (judged.next(found, found_time) != more) {
         return fmt::format("{} {}", again.frame(number), more ? "is missing" : "is one too many");
       }
+      if (!more && judged.end() != made.end())
+        return fmt::format("the film ends at {} s, and not {}", judged.end(), made.end());
       if (!more) return {};
       if (!same_pixels(expected, found)) return fmt::format("{} differs", again.frame(number));
       if (expected_time != found_time)
@@ -92,7 +98,10 @@ DifferenceInWords compare_pictures(const Again& again, bool numbered) {
     };
     try {
       if (same_bytes(name(again.judged), name(again.made))) continue;
-      if (same_pixels(read_png(name(again.judged)), read_png(name(again.made)))) continue;
+      if (same_pixels(read_png(name(again.judged)), read_png(name(again.made)))) {
+        if (png_tags(name(again.judged)) == png_tags(name(again.made))) continue;
+        return fmt::format("{} is shown otherwise: it has other tags", again.frame(number));
+      }
     } catch (const Error& error) {
       if (error.fault() != Fault::input) throw;
       return fmt::format("{}: {}", again.frame(number), error.what());

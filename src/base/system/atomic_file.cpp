@@ -67,11 +67,13 @@ AtomicFile::AtomicFile(fs::path target)
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done
   const fs::file_status there = fs::symlink_status(part_, ignored);
-  if (fs::exists(there) && !fs::is_regular_file(there)) {
+  const bool is_link = fs::is_symlink(there) ||
+                       (fs::is_regular_file(there) && fs::hard_link_count(part_, ignored) > 1);
+  if (fs::exists(there) && (is_link || !fs::is_regular_file(there))) {
     // a pipe would be waited for
     throw input_error("'{}' is {}; remove it or choose another output",
                       part_.string(),
-                      fs::is_symlink(there) ? "a link" : "not a regular file")
+                      is_link ? "a link" : "not a regular file")
         .at(place);
   }
   lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);

@@ -129,6 +129,9 @@ TEST_F(AtomicFileTest, RefusesALinkAsTemporaryFile) {
   std::ofstream(victim) << "precious";
   fs::create_symlink(victim, folder_ / "out.txt.part");
   EXPECT_NE(error_of(folder_ / "out.txt").find("is a link"), std::string::npos);
+  fs::remove(folder_ / "out.txt.part");
+  fs::create_hard_link(victim, folder_ / "out.txt.part");
+  EXPECT_NE(error_of(folder_ / "out.txt").find("is a link"), std::string::npos);
   EXPECT_EQ(read_file(victim), "precious");
 }
 
