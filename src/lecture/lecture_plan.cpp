@@ -2,7 +2,6 @@
 #include "lecture/lecture_plan.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 #include "app/commands/render.h"
@@ -253,14 +252,12 @@ std::vector<std::string> PlannedLecture::files() const {
 void PlannedLecture::refuse_overwriting() const {
   refuse_same_files(folder, files(), {work.job->deck});
   std::vector<fs::path> needed = {work.job->deck};
-  const auto in_deck = [&](const std::string& name) {
-    return work.deck.root.folder / name;
-  };
-  for (const DeckPicture& picture : work.deck.pictures)
-    std::transform(
-        picture.scenes.begin(), picture.scenes.end(), std::back_inserter(needed), in_deck);
+  for (const DeckPicture& picture : work.deck.pictures) {
+    for (const std::string& scene : picture.scenes)
+      needed.push_back(work.deck.root.folder / scene);
+  }
   for (const std::string& image : work.deck.images)
-    needed.push_back(in_deck(image));
+    needed.push_back(work.deck.root.folder / image);
   const auto canonical = [](const fs::path& path) {
     std::error_code ignored;  // what cannot be looked at is told when it is read
     return fs::weakly_canonical(path, ignored);

@@ -211,11 +211,12 @@ DifferenceInWords compare_values(const std::string& path,
   } else if (says.is_object() && is.is_object()) {
     const bool fixed = is.value("tolerance", Json()).is_null();
     for (const auto& [inside, value] : is.items()) {
-      DifferenceInWords found = compare_values(path.empty() ? inside : path + "." + inside,
-                                               inside,
-                                               says.value(inside, Json()),
-                                               value,
-                                               fixed);
+      DifferenceInWords found =
+          compare_values(fmt::format("{}{}{}", path, path.empty() ? "" : ".", inside),
+                         inside,
+                         says.value(inside, Json()),
+                         value,
+                         fixed);
       if (!found.empty()) return found;
     }
     return {};
