@@ -125,9 +125,13 @@ std::string encode_png(const Image& image, bool with_alpha) {
   return bytes;
 }
 
+bool is_animation(const std::string& bytes) {
+  return has_chunk(bytes, "acTL");
+}
+
 Image read_png(const std::filesystem::path& path) {
   const std::string bytes = read_file(path, 5 * kMostPngPixels);
-  if (has_chunk(bytes, "acTL")) {
+  if (is_animation(bytes)) {
     throw input_error("is an animation, of which a picture is only the first; name it .apng")
         .at({path.string(), 0, {}});
   }
@@ -138,7 +142,9 @@ std::string png_tags(const std::filesystem::path& path) {
   const std::string bytes = read_file(path, 5 * kMostPngPixels);
   std::string tags;
   for (const Chunk& chunk : chunks_of(bytes)) {
-    if (chunk.type != "IDAT") tags += chunk.whole;
+    // pixels, and the frames of an animation
+    const bool of_pixels = chunk.type == "IDAT" || chunk.type == "fdAT";
+    if (!of_pixels && chunk.type != "acTL" && chunk.type != "fcTL") tags += chunk.whole;
   }
   return tags;
 }

@@ -32,12 +32,15 @@ std::string encode_png(const Image& image, bool with_alpha);
 // kMostPngPixels.
 Image decode_png(const std::string& bytes, const std::string& name);
 
+// Whether the bytes are an animation.
+bool is_animation(const std::string& bytes);
+
 // Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file (base/system/atomic_file.h)
 // and decode_png do, and for an animation.
 Image read_png(const std::filesystem::path& path);
 
-// All that a PNG file says beside its pixels: size, kind, and how to show them. Throws Error as
-// read_file() does.
+// All that a PNG file says beside its pixels and, of an animation, their times: size, kind, and how
+// to show them. Throws Error as read_file() does.
 std::string png_tags(const std::filesystem::path& path);
 
 }  // namespace polhode

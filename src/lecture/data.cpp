@@ -45,7 +45,20 @@ class DataFolder {
       const fs::path path = name;
       const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
                         std::find(path.begin(), path.end(), "..") == path.end();
-      if (ours && !names_.contains(name)) fs::remove(folder_ / path, missing);
+      if (ours && !names_.contains(name) && is_as_written(file))
+        fs::remove(folder_ / path, missing);
+    }
+  }
+
+  // what somebody has changed since is theirs
+  bool is_as_written(const Json& file) const {
+    try {
+      return content_hash(read_file(folder_ / file.at("name").get<std::string>())) ==
+             file.at("hash").get<std::string>();
+    } catch (const Error&) {
+      return false;
+    } catch (const Json::exception&) {
+      return false;
     }
   }
 

@@ -258,6 +258,11 @@ void PlannedLecture::refuse_overwriting() const {
   }
   for (const std::string& image : work.deck.images)
     needed.push_back(work.deck.root.folder / image);
+  // and what those that could be read name, or quotes
+  for (const auto& [name, scene] : work.scenes) {
+    const std::vector<fs::path> files = input_files(scene->scene);
+    needed.insert(needed.end(), files.begin(), files.end());
+  }
   const auto canonical = [](const fs::path& path) {
     std::error_code ignored;  // what cannot be looked at is told when it is read
     return fs::weakly_canonical(path, ignored);

@@ -72,6 +72,7 @@ class FilmReader::Implementation {
     const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (index < 0) throw input_error("contains no pictures");
     stream_ = input->streams[index];
+    if (input->duration > 0) info_.length = static_cast<double>(input->duration) / AV_TIME_BASE;
     info_.shown = shown(stream_);
     const auto k = static_cast<std::size_t>(index);
     if (k < of_container.size() && of_container[k] != info_.shown)

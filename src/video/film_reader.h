@@ -16,6 +16,7 @@ struct FilmInfo {
   int height = 0;      // pixels
   int frames = 0;      // 0: unknown
   FrameRate fps;       // average rate; 60 if unknown
+  double length = 0.0;  // s, as the container says; 0: unknown
   bool alpha = false;  // whether it has transparency
   std::string codec;   // FFmpeg's name of the decoder, "h264"
   // What it asks of players: shape of the pixels, and range, primaries, transfer and matrix of the

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "image/png.h"
 #include "video/film_reader.h"
@@ -63,6 +64,12 @@ class FilmSource final : public FrameSource {
   FilmReader reader_;
   SourceInfo info_;
 };
+
+// whether it is a PNG file without what makes it an animation
+bool has_one_frame(const std::string& name) {
+  const std::string bytes = read_file(name);
+  return bytes.starts_with("\x89PNG") && !is_animation(bytes);
+}
 
 // files of a folder; nothing when it cannot be read
 std::vector<fs::path> files_in(const fs::path& folder) {
@@ -162,7 +169,9 @@ std::unique_ptr<FrameSource> open_frames(const std::string& name) {
   const std::string ending = lower(fs::path(name).extension().string());
   if (!there && has_frame_number(name) && ending == ".png") return open_numbered(name);
   if (!there) throw input_error("the file does not exist").at({name, 0, {}});
-  if (ending == ".png") {
+  // an animation of one frame is a picture
+  const bool is_picture = ending == ".png" || (ending == ".apng" && has_one_frame(name));
+  if (is_picture) {
     return std::make_unique<PictureSource>(SourceKind::picture,
                                            std::vector<PictureSource::Entry>{{"", name}});
   }

@@ -253,8 +253,12 @@ TEST(BadInput, ASceneOfAnyNameIsKept) {
                {"stability.csv", "stability DIR/stability.csv -o DIR --methods rk4 --cells 2x2"},
                {"film.mp4.part", "render DIR/film.mp4.part -o DIR/film.mp4"},
                {"film.vtt.part", "render DIR/film.vtt.part -o DIR/film.webm"},
+               {"index.html", "diff DIR/scene.toml DIR/b.png --html DIR"},
+               {"a.png.toml", "golden update DIR --allow-dirty"},
                {"part.vtt.part", "join DIR/a.mp4 DIR/part.vtt.part -o DIR/part.mp4"},
                {"f_00007.png", "render DIR/f_00007.png -o DIR/f_%05d.png"}};
+  write_text(folder / "scene.toml", "[[panel]]\nscene = \"index.html\"\n");
+  write_text(folder / "cases.toml", "[[case]]\nname = \"a\"\nscene = \"a.png.toml\"\n");
   for (const auto& one : cases) {
     SCOPED_TRACE(one.name);
     write_text(folder / one.name, test::kSmallScene);

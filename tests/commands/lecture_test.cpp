@@ -225,6 +225,20 @@ TEST_F(Lecture, ItsSourcesAreNotItsOutput) {
   EXPECT_EQ(again(folder_ / "out/deck.md").code, 2);
   write_text(folder_ / "out/deck.md", "![](media/x.png)\n");
   EXPECT_EQ(again(folder_ / "out/deck.md").code, 2);
+  // named by a film, or by a number
+  write_text(folder_ / "out/film.toml", "[[panel]]\nscene = \"data/source/scene.toml\"\n");
+  for (const char* names :
+       {"![](film.toml){.still}\n", "{inspect:data/source/scene.toml#kind}\n"}) {
+    write_text(folder_ / "out/deck.md", names);
+    const Ran indirect = again(folder_ / "out/deck.md");
+    EXPECT_EQ(indirect.code, 2) << names;
+    EXPECT_NE(indirect.err.find("lies in the folder 'data'"), std::string::npos) << indirect.err;
+  }
+  // what was changed since stays, whatever names it
+  write_text(source / "scene.toml", read_text(source / "scene.toml") + "# mine\n");
+  write_text(folder_ / "deck/deck.md", "# One\n");
+  ASSERT_EQ(lecture("--to html,data").code, 0);
+  EXPECT_TRUE(fs::exists(source / "scene.toml"));
 }
 
 TEST_F(Lecture, BadUseIsOneLine) {

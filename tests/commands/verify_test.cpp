@@ -188,6 +188,22 @@ TEST_F(Verify, TagsOfColoursAreCompared) {
   bytes.insert(kBehindHeader, std::string("\0\0\0\4gAMA\0\1\x86\xA0\x31\xE8\x96\x5F", 16));
   write_text(folder_ / "a.png", bytes);
   expect("a.png", 1, "frame 0 (0.000 s) is shown otherwise: it has other tags");
+  render("a.apng");
+  bytes = read_text(folder_ / "a.apng");
+  bytes.insert(kBehindHeader, std::string("\0\0\0\4gAMA\0\1\x86\xA0\x31\xE8\x96\x5F", 16));
+  write_text(folder_ / "a.apng", bytes);
+  expect("a.apng", 1, "it has other tags");
+}
+
+// a WebM says how long it is
+TEST_F(Verify, TheLengthOfAWebmIsCompared) {
+  render("a.webm");
+  std::string bytes = read_text(folder_ / "a.webm");
+  const std::size_t length = bytes.find("\x44\x89\x88");
+  ASSERT_NE(length, std::string::npos);
+  bytes[length + 4] ^= 1;  // of the high bytes of a double
+  write_text(folder_ / "a.webm", bytes);
+  expect("a.webm", 1, " s long, and not ");
 }
 
 TEST_F(Verify, AReportThatWasTamperedWithIsFound) {

@@ -75,9 +75,11 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
     throw input_error("the film itself goes to standard output; give a file name")
         .at({{}, 0, "--report"});
   }
-  refuse_same_file(job.report, "--report", {output});
+  refuse_same_file(job.report, "--report", {output, output + ".part"});
   if (plan.resume) refuse_same_file(job.report, "--report", {folder_of_pieces(output)});
-  if (!plan.story.empty()) refuse_same_file(job.report, "--report", {captions_beside(output)});
+  if (!plan.story.empty())
+    refuse_same_file(
+        job.report, "--report", {captions_beside(output), captions_beside(output) + ".part"});
   if (is_sequence && !job.report.empty() && is_frame_of(output, job.report)) {
     throw input_error("--report would overwrite a frame of {}; choose another name", output);
   }

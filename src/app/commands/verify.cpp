@@ -53,6 +53,14 @@ bool same_pixels(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && a.pixels == b.pixels;
 }
 
+// when the last frame ends, by itself and by what the container says
+DifferenceInWords compare_ends(const FilmReader& judged, const FilmReader& made) {
+  if (judged.end() != made.end())
+    return fmt::format("the film ends at {} s, and not {}", judged.end(), made.end());
+  const double says = judged.info().length, is = made.info().length;
+  return says == is ? "" : fmt::format("the film is {} s long, and not {}", says, is);
+}
+
 DifferenceInWords compare_films(const Again& again) {
   FilmReader made(again.made);
   Image expected, found;
@@ -64,15 +72,15 @@ DifferenceInWords compare_films(const Again& again) {
       return fmt::format(
           "its frames are shown as '{}', and not '{}'", judged.info().shown, made.info().shown);
     }
+    if (again.kind == "apng" && png_tags(again.judged) != png_tags(again.made))
+      return "it has other tags";
     for (;; ++number) {
       stop_if_interrupted();
       const bool more = made.next(expected, expected_time);
       if (judged.next(found, found_time) != more) {
         return fmt::format("{} {}", again.frame(number), more ? "is missing" : "is one too many");
       }
-      if (!more && judged.end() != made.end())
-        return fmt::format("the film ends at {} s, and not {}", judged.end(), made.end());
-      if (!more) return {};
+      if (!more) return compare_ends(judged, made);
       if (!same_pixels(expected, found)) return fmt::format("{} differs", again.frame(number));
       if (expected_time != found_time)
         return fmt::format("{} has another time", again.frame(number));

@@ -10,7 +10,9 @@
 #include "app/compare/frame_pairs.h"
 #include "base/json.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "base/system/scratch_folder.h"
+#include "film/overrides.h"
 #include "image/png.h"
 #include "video/film_reader.h"
 
@@ -312,12 +314,25 @@ Outcome compare_all(const DiffJob& job, const Sides& sides) {
   return outcome;
 }
 
+// the page lands on nothing that is compared
+void refuse_overwriting(const DiffJob& job) {
+  std::vector<std::filesystem::path> needed;
+  for (const std::string* name : {&job.actual, &job.reference}) {
+    needed.emplace_back(*name);
+    if (!is_scene(*name)) continue;
+    const std::vector<std::filesystem::path> files = input_files(load_with_overrides(*name, {}));
+    needed.insert(needed.end(), files.begin(), files.end());
+  }
+  refuse_same_file(std::filesystem::path(job.html) / "index.html", "--html", needed);
+}
+
 }  // namespace
 
 DiffResult diff(const DiffJob& job) {
   check_thresholds(job.thresholds);
   std::unique_ptr<OutputFolder> folder;
   if (!job.html.empty()) {
+    refuse_overwriting(job);
     folder =
         std::make_unique<OutputFolder>(job.html, std::vector<std::string>{"index.html"}, "--html");
   }

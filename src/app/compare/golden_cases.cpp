@@ -12,6 +12,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "base/version.h"
+#include "film/overrides.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -101,6 +102,20 @@ std::vector<LoadedCase> load_cases(const fs::path& folder, const std::string& na
     cases.push_back({one, one.verdict.value_or(file.verdict), references_of(folder, one.name)});
   }
   return cases;
+}
+
+std::vector<fs::path> scene_files(const fs::path& folder, const std::vector<LoadedCase>& cases) {
+  std::vector<fs::path> all;
+  for (const LoadedCase& one : cases) {
+    try {
+      const std::vector<fs::path> files =
+          input_files(load_with_overrides(folder / one.spec.scene, {}));
+      all.insert(all.end(), files.begin(), files.end());
+    } catch (const Error&) {
+      all.push_back(folder / one.spec.scene);  // what is wrong is told when it is drawn
+    }
+  }
+  return all;
 }
 
 DrawnCase draw_case(const fs::path& folder,

@@ -42,6 +42,10 @@ std::filesystem::path reference_file(const std::filesystem::path& folder,
 // The sidecar file of a reference picture: its name with .toml appended, NAME.png.toml.
 std::filesystem::path sidecar_file(const std::filesystem::path& reference);
 
+// The files that the scenes of the cases are read from, as far as these can be read.
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& folder,
+                                               const std::vector<LoadedCase>& cases);
+
 // A case as rendered on this machine.
 struct DrawnCase {
   Image image;

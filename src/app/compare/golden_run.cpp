@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/system/files.h"
 #include "base/system/output_folder.h"
+#include "base/system/overwriting.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -120,6 +121,7 @@ GoldenResult golden_run(const GoldenJob& job) {
   refuse_folder_of_references(job);
   std::unique_ptr<OutputFolder> page;
   if (!job.html.empty()) {
+    refuse_same_file(fs::path(job.html) / "index.html", "--html", scene_files(job.folder, cases));
     page =
         std::make_unique<OutputFolder>(job.html, std::vector<std::string>{"index.html"}, "--html");
   }

@@ -132,6 +132,24 @@ void add_rules(const GoldenJob& job,
   }
 }
 
+// a scene may have the name of a picture, or of what is told of it
+void refuse_overwriting(const GoldenJob& job, const std::vector<LoadedCase>& cases) {
+  const std::vector<fs::path> needed = scene_files(job.folder, cases);
+  for (const LoadedCase& one : cases) {
+    const fs::path picture = reference_file(job.folder, one.spec.name, job.cause);
+    for (const fs::path& written : {picture, sidecar_file(picture)}) {
+      for (const fs::path& file : needed) {
+        std::error_code ignored;
+        if (fs::equivalent(written, file, ignored)) {
+          throw input_error("the reference of '{}' would overwrite {}; choose another name",
+                            one.spec.name,
+                            file.string());
+        }
+      }
+    }
+  }
+}
+
 // all at once, after all could be drawn
 void write_references(const GoldenJob& job,
                       const std::vector<LoadedCase>& cases,
@@ -186,6 +204,7 @@ GoldenResult golden_update(const GoldenJob& job) {
         .at({{}, 0, "--cause"});
   }
   std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
+  refuse_overwriting(job, cases);
   const std::set<fs::path> new_rules = take_new_rules(cases);
   if (!job.allow_dirty) refuse_dirty(job);
   const std::vector<CaseResult> results = draw_cases(job, cases);

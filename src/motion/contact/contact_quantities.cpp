@@ -265,15 +265,16 @@ void add_disc(List& list, const BodyModel& model, const State& start) {
   list.push_back({"precession_with_center_at_rest", Q::rate, precession});
   list.push_back({"energy_with_center_at_rest", Q::energy, 1.5 * mass * g * a * sine});
   // Rolling friction drives the centre out of rest, as simulated the less the flatter the disc
-  // lies: the time is right within 1 % below 30 degrees of a plate, and below 15 of what is
+  // lies: the time is right within 1 % below 25 degrees of a plate, and below 15 of what is
   // thicker, for weak friction and from a homogeneous disc on (of one with its mass in the middle
   // it is much less). A disc that slips loses energy there, too.
   const bool is_plate = along >= 1.9 * across, is_flat = along >= (1.0 - kEqualMoments) * across;
-  const double steepest = is_plate ? 0.5 : 0.2588;  // sine of the tilt
-  constexpr double kLightest = 0.249, kMost = 1.0;  // of m a^2
-  constexpr double kStrongest = 0.1;                // of a
+  const double steepest = is_plate ? 0.4227 : 0.2588;  // sine of the tilt
+  constexpr double kLightest = 0.249, kMost = 1.0;     // of m a^2
+  constexpr double kStrongest = 0.1;                   // of a
   const double rim = across / (mass * a * a);
-  const bool slips = law.kind == Friction::Kind::viscous;
+  const bool slips = law.kind == Friction::Kind::viscous ||
+                     (law.kind == Friction::Kind::coulomb && law.mu < law.rolling / a);
   const bool stays_at_rest = sine <= steepest && is_flat && rim >= kLightest && rim <= kMost &&
                              law.rolling <= kStrongest * a;
   if (law.rolling == 0.0 || law.boring != 0.0 || slips || !stays_at_rest) return;

@@ -261,6 +261,13 @@ TEST_F(Untold, WhatTurningTablesAndMomentsOfFrictionChange) {
   EXPECT_FALSE(tells(light, flatter, "end_time_s"));
   flatter.friction->rolling = 0.2 * 0.0375;
   EXPECT_FALSE(tells(disc_body(), flatter, "end_time_s"));
+  // and where it slides before it rolls
+  flatter.friction->kind = "coulomb";
+  flatter.friction->rolling = 1e-4;
+  flatter.friction->mu = 0.1;
+  EXPECT_TRUE(tells(disc_body(), flatter, "end_time_s"));
+  flatter.friction->mu = 1e-3;
+  EXPECT_FALSE(tells(disc_body(), flatter, "end_time_s"));
   disc.friction->boring = 2e-4;
   EXPECT_FALSE(tells(disc_body(), disc, "end_time_s"));
 }
