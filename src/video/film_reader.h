@@ -12,13 +12,13 @@ namespace polhode {
 
 // What the file says about its first video track.
 struct FilmInfo {
-  int width = 0;       // pixels
-  int height = 0;      // pixels
-  int frames = 0;      // 0: unknown
-  FrameRate fps;       // average rate; 60 if unknown
+  int width = 0;        // pixels
+  int height = 0;       // pixels
+  int frames = 0;       // 0: unknown
+  FrameRate fps;        // average rate; 60 if unknown
   double length = 0.0;  // s, as the container says; 0: unknown
-  bool alpha = false;  // whether it has transparency
-  std::string codec;   // FFmpeg's name of the decoder, "h264"
+  bool alpha = false;   // whether it has transparency
+  std::string codec;    // FFmpeg's name of the decoder, "h264"
   // What it asks of players: shape of the pixels, and range, primaries, transfer and matrix of the
   // colours; "1:1 tv bt709 bt709 bt709". If the container tells others, these too.
   std::string shown;

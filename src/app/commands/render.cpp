@@ -77,9 +77,10 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   }
   refuse_same_file(job.report, "--report", {output, output + ".part"});
   if (plan.resume) refuse_same_file(job.report, "--report", {folder_of_pieces(output)});
-  if (!plan.story.empty())
+  if (!plan.story.empty()) {
     refuse_same_file(
         job.report, "--report", {captions_beside(output), captions_beside(output) + ".part"});
+  }
   if (is_sequence && !job.report.empty() && is_frame_of(output, job.report)) {
     throw input_error("--report would overwrite a frame of {}; choose another name", output);
   }
