@@ -11,6 +11,7 @@
 #include "base/system/files.h"
 #include "base/version.h"
 #include "film/report/motion_report.h"
+#include "lecture/media.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -31,7 +32,8 @@ class DataFolder {
     names_.insert(name);
   }
 
-  // removes what the manifest before this one lists and this one does not
+  // removes what the manifest before this one lists and this one does not, unless somebody has
+  // changed it since
   void forget_old() const {
     const fs::path old = folder_ / "manifest.json";
     std::error_code missing;
@@ -45,20 +47,8 @@ class DataFolder {
       const fs::path path = name;
       const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
                         std::find(path.begin(), path.end(), "..") == path.end();
-      if (ours && !names_.contains(name) && is_as_written(file))
+      if (ours && !names_.contains(name) && is_as_listed(folder_, file))
         fs::remove(folder_ / path, missing);
-    }
-  }
-
-  // what somebody has changed since is theirs
-  bool is_as_written(const Json& file) const {
-    try {
-      return content_hash(read_file(folder_ / file.at("name").get<std::string>())) ==
-             file.at("hash").get<std::string>();
-    } catch (const Error&) {
-      return false;
-    } catch (const Json::exception&) {
-      return false;
     }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/media.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -49,17 +50,9 @@ std::string Media::stem_of(const Product& product) {
 
 bool Media::is_whole(const Json& facts) const {
   if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) return false;
-  for (const Json& file : facts["files"]) {
-    try {
-      const std::string bytes = read_file(folder_ / file.at("name").get<std::string>());
-      if (content_hash(bytes) != file.at("hash").get<std::string>()) return false;
-    } catch (const Error&) {
-      return false;
-    } catch (const Json::exception&) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(facts["files"].begin(), facts["files"].end(), [&](const Json& file) {
+    return is_as_listed(folder_, file);
+  });
 }
 
 Json Media::obtain(const Product& product) {
@@ -108,6 +101,17 @@ void Media::forget_the_rest() {
         std::filesystem::remove(folder_ / name, failed);
     }
     std::filesystem::remove(card, failed);
+  }
+}
+
+bool is_as_listed(const std::filesystem::path& folder, const Json& file) {
+  try {
+    return content_hash(read_file(folder / file.at("name").get<std::string>())) ==
+           file.at("hash").get<std::string>();
+  } catch (const Error&) {
+    return false;
+  } catch (const Json::exception&) {
+    return false;
   }
 }
 

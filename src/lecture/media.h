@@ -61,6 +61,10 @@ class Media {
   int made_ = 0;
 };
 
+// Whether a file of the folder has the hash of its entry, an object with "name" and "hash", in a
+// list of what was written.
+bool is_as_listed(const std::filesystem::path& folder, const Json& file);
+
 // The version of the program, a hash of its binary ("unknown" without /proc), and the versions of
 // the libraries that it draws and encodes with, as text. Part of every key. Thread-safe.
 std::string program_identity();

@@ -11,6 +11,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/child_process.h"
 #include "base/system/files.h"
+#include "base/system/overwriting.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -137,16 +138,9 @@ void refuse_overwriting(const GoldenJob& job, const std::vector<LoadedCase>& cas
   const std::vector<fs::path> needed = scene_files(job.folder, cases);
   for (const LoadedCase& one : cases) {
     const fs::path picture = reference_file(job.folder, one.spec.name, job.cause);
-    for (const fs::path& written : {picture, sidecar_file(picture)}) {
-      for (const fs::path& file : needed) {
-        std::error_code ignored;
-        if (fs::equivalent(written, file, ignored)) {
-          throw input_error("the reference of '{}' would overwrite {}; choose another name",
-                            one.spec.name,
-                            file.string());
-        }
-      }
-    }
+    const std::string what = fmt::format("the reference of '{}'", one.spec.name);
+    for (const fs::path& written : {picture, sidecar_file(picture)})
+      refuse_needed_file(written, what, needed);
   }
 }
 

@@ -8,10 +8,16 @@ namespace polhode {
 void refuse_same_file(const std::string& written,
                       const std::string& what,
                       const std::vector<std::filesystem::path>& needed) {
-  if (written.empty()) return;
   if (written.ends_with(".toml")) {
     throw input_error("{} '{}' has the ending of scene files; choose another name", what, written);
   }
+  refuse_needed_file(written, what, needed);
+}
+
+void refuse_needed_file(const std::string& written,
+                        const std::string& what,
+                        const std::vector<std::filesystem::path>& needed) {
+  if (written.empty()) return;
   const auto are_the_same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code ignored;
     return a.lexically_normal() == b.lexically_normal() ||

@@ -10,13 +10,16 @@ namespace polhode {
 
 // Throws Error (input), without a place, if the output `written`, or the unfinished file beside it
 // (base/system/atomic_file.h), is the same file as one of the inputs `needed`, also by another path
-// or a link, or if it ends in .toml, as scene files do. `what`
-// names the output in the message: "the output", "--report". An empty `written` (no output) is
-// accepted.
+// or a link, or if it ends in .toml, as scene files do. `what` names the output in the message:
+// "the output", "--report". An empty `written` (no output) is accepted.
 void refuse_same_file(const std::string& written,
                       const std::string& what,
                       const std::vector<std::filesystem::path>& needed);
-// The same for files of these names in a folder that --output names.
+// The same where what is written may end in .toml.
+void refuse_needed_file(const std::string& written,
+                        const std::string& what,
+                        const std::vector<std::filesystem::path>& needed);
+// As refuse_same_file(), for files of these names in a folder that --output names.
 void refuse_same_files(const std::filesystem::path& folder,
                        const std::vector<std::string>& names,
                        const std::vector<std::filesystem::path>& needed);
