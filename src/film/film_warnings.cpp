@@ -406,7 +406,8 @@ void warn_of_missing_letters(const std::vector<Solved>& solved) {
 void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, const Film& film) {
   const Scene& scene = solved.front().scene;
   const std::vector<FilmPanel>& panels = film.panels();
-  if (scene.show.title && scene.title.empty())
+  // of a film of several, the title is that of the film
+  if (solved.size() == 1 && scene.show.title && scene.title.empty())
     warn_at(scene, "show.title", input_error("shows nothing: the scene has no title"));
   warn_of_sizes(scene, panels);
   warn_of_lengths(solved);

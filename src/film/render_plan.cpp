@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/system/files.h"
 #include "base/version.h"
 #include "film/overrides.h"
 #include "video/encoders.h"
@@ -49,8 +50,7 @@ std::string output_of(const RenderJob& job) {
                       job.scene.string())
         .at({{}, 0, "--output"});
   }
-  std::error_code ignored;  // the file's own error tells what is wrong
-  std::filesystem::create_directory("output", ignored);
+  make_folder("output");
   return "output/" + stem + (job.still ? ".png" : ".mp4");
 }
 
@@ -87,8 +87,9 @@ void check_shard(const RenderPlan& plan, const std::optional<int>& pieces) {
         .at({{}, 0, "--shard"});
   }
   if (plan.resume && !film) {
-    throw input_error("'{}' cannot be resumed: choose a .mp4, .webm or .mov, or use --shard",
-                      output)
+    throw input_error("'{}' cannot be resumed: choose a .mp4, .webm or .mov{}",
+                      output,
+                      numbered || hashes ? ", or use --shard" : "")
         .at({{}, 0, "--resume"});
   }
   constexpr int kMostPieces = 100000;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "base/system/interrupt.h"
 #include "base/system/overwriting.h"
 #include "film/local_renderer.h"
@@ -60,8 +61,7 @@ std::string time_of_tile(const FrameTimes& frames, double film) {
 
 std::string output_of(const PreviewJob& job) {
   if (!job.output.empty()) return job.output;
-  std::error_code ignored;  // the file's own error tells what is wrong
-  std::filesystem::create_directory("output", ignored);
+  make_folder("output");
   return fmt::format("output/{}_preview.png", job.scene.stem().string());
 }
 

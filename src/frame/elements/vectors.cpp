@@ -46,6 +46,17 @@ std::string name_of(const Scenery& scenery,
   return name.empty() ? "" : "<b>" + plain_text(name) + "</b>";
 }
 
+// whether the reference point is seen apart from the origin of space
+bool is_away(const Scenery& scenery, const Sample& sample) {
+  return sample.reference_S.norm() > kBallRadius * scenery.scale.body;
+}
+
+// whether the scene leaves the axes at the reference point, which are shown by default
+bool has_space_axes(const Scenery& scenery) {
+  const auto found = scenery.options.asked.find("space_axes");
+  return found == scenery.options.asked.end() || found->second.value_or(true);
+}
+
 void add_axes_at(const Scenery& scenery,
                  const Vec3& from,
                  const std::array<double, 3>& lengths,
@@ -127,8 +138,8 @@ void add_space_axes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs
 void add_fixed_frame(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   constexpr std::array<double, 3> kUsual = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};
   // where the axes of the body's place are the same ones, one name is enough for both
-  const bool apart = sample.reference_S.norm() > kBallRadius * scenery.scale.body;
-  add_axes_at(scenery, Vec3::Zero(), kUsual, apart || !asks_for(scenery, "space_axes"), glyphs);
+  const bool named = is_away(scenery, sample) || !has_space_axes(scenery);
+  add_axes_at(scenery, Vec3::Zero(), kUsual, named, glyphs);
   add_position(scenery,
                Vec3::Zero(),
                sample.reference_S,
@@ -341,7 +352,7 @@ void add_points(const Scenery& scenery, const Sample& sample, bool from_origin, 
       glyphs.reach.push_back(place * Vec3::Unit(i));
       glyphs.reach.push_back(place * Vec3(-Vec3::Unit(i)));
     }
-    if (!from_origin) {
+    if (!from_origin || !is_away(scenery, sample)) {
       add_position(
           scenery, sample.reference_S, at, kAxisShape, material, glyphs, "<b>r</b>" + number);
       continue;

@@ -163,11 +163,24 @@ TEST(Vectors, SeveralPointsAreNumbered) {
             (std::vector<std::string>{"<b>r</b><sub>1</sub>", "<b>r</b><sub>2</sub>"}));
 }
 
+// where the origin is the reference point, r and r~ are one
+TEST(Vectors, PointsOfABodyAtTheOriginHaveTheirNames) {
+  ShowSpec show = show_only("fixed_frame");
+  show.points = {Vec3(0.05, 0.02, 0.1), Vec3(0.05, -0.02, -0.1)};
+  const std::vector<std::string> names = names_of(composer(prolate_body(), wobbling(), show));
+  EXPECT_EQ(std::count(names.begin(), names.end(), "<b>r</b><sub>1</sub>"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "<b>r</b><sub>2</sub>"), 1);
+}
+
 // two sets of axes at one place have one set of names
 TEST(Vectors, AxesAtOnePlaceAreNamedOnce) {
   ShowSpec show = show_only("fixed_frame");
-  show["space_axes"] = true;
+  show.asked.erase("space_axes");  // shown by default
   const std::vector<std::string> once = {"<i>X</i>", "<i>Y</i>", "<i>Z</i>"};
+  EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)), once);
+  show["space_axes"] = false;
+  EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)), once);
+  show["space_axes"] = true;
   EXPECT_EQ(names_of(composer(prolate_body(), wobbling(), show)), once);
   MotionSpec away = wobbling();
   away.position = Vec3(0.3, 0.5, 0.2);
