@@ -265,7 +265,7 @@ TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
       {"gnuplot", "echo no fonts >&2; exit 7", stability, "ended with exit code 7: no fonts"},
       {"gnuplot", "kill -SEGV $$", stability, "was ended by signal 11"},
       {"gnuplot", "exec yes", stability, "wrote more than"},
-      {"gnuplot", "exec sleep 60", stability, "took longer than 10 s"},
+      {"gnuplot", "exec sleep 60", stability, "took longer than 25 s"},
       {"gnuplot", "cat >/dev/null; echo garbage", stability, "gnuplot wrote no picture"},
       {"pandoc", "exit 7", lecture + "html", "ended with exit code 7"},
       {"pandoc", "sleep 60 & exit 7", lecture + "html", "ended with exit code 7"},
@@ -282,7 +282,7 @@ TEST(Environment, ProgramsThatFailAreToldWithTheReason) {
     write_text(programs / one.program, "#!/bin/sh\n" + one.script + "\n");
     std::filesystem::permissions(programs / one.program, std::filesystem::perms::owner_all);
     const Ran ran =
-        run_polhode(one.arguments, "PATH='" + programs.path().string() + "':\"$PATH\" timeout 20");
+        run_polhode(one.arguments, "PATH='" + programs.path().string() + "':\"$PATH\" timeout 40");
     std::filesystem::remove(programs / one.program);
     EXPECT_EQ(ran.code, 3) << ran.err;
     EXPECT_NE(ran.err.find(one.says), std::string::npos) << ran.err;

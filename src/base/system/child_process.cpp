@@ -220,7 +220,8 @@ std::string how_it_ended(const ChildResult& result) {
 }
 
 ProgramFound find_program(const std::string& program) {
-  constexpr ChildLimits kLimits{.seconds = 10.0, .memory = {}, .output = 1U << 20U};
+  // a large program may have to come from a slow disk first
+  constexpr ChildLimits kLimits{.seconds = 25.0, .memory = {}, .output = 1U << 20U};
   try {
     const ChildResult ran = run_child({program, "--version"}, "", kLimits);
     const std::string version = ended_well(ran) ? first_line(ran.out) : "";

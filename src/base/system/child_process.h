@@ -57,7 +57,7 @@ std::string how_it_ended(const ChildResult& result);
 struct ProgramFound {
   std::string version;  // the first line of `PROGRAM --version`; empty if it does not run
   std::string
-      why_not;  // "gnuplot is not installed", "gnuplot took longer than 10 s"; empty if it runs
+      why_not;  // "gnuplot is not installed", "gnuplot took longer than 25 s"; empty if it runs
   bool installed = true;  // false: there is no such program
 };
 // Runs `PROGRAM --version`, for at most 10 s. Throws Error (interrupted).
