@@ -128,8 +128,7 @@ void warn_of_part_of_loop(const Scene& scene, const FrameTimes& frames) {
   if (frames.from == 0.0 && frames.to == frames.loop->duration) return;
   const Error warning = input_error(
       "the film shows {:.4g} to {:.4g} s of a loop of {:.4g} s, so it jumps where it repeats; "
-      "leave "
-      "out --from and --to",
+      "leave out --from and --to",
       frames.from,
       frames.to,
       frames.loop->duration);

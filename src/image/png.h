@@ -32,7 +32,7 @@ std::string encode_png(const Image& image, bool with_alpha);
 // kMostPngPixels.
 Image decode_png(const std::string& bytes, const std::string& name);
 
-// Whether the bytes are an animation.
+// Whether the bytes of a PNG file, or those before its pixels, are of an animation.
 bool is_animation(const std::string& bytes);
 
 // Reads any PNG file as 8-bit RGBA. Throws Error (input) as read_file (base/system/atomic_file.h)

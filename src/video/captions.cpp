@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,11 +19,8 @@ constexpr std::string_view kHead = "WEBVTT - captions by polhode\n";
 
 bool is_ours(const std::string& file) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::string head(kHead.size(), '\0');
-  std::ifstream(file, std::ios::binary)
-      .read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == kHead;
+  return std::filesystem::is_regular_file(file, ignored) &&
+         head_of_file(file, kHead.size()) == kHead;
 }
 
 // another film that stands beside this one and has its captions in the same file; empty if none

@@ -65,10 +65,10 @@ class FilmSource final : public FrameSource {
   SourceInfo info_;
 };
 
-// whether it is a PNG file without what makes it an animation
+// whether it is a PNG file without what makes it an animation, which comes before the pixels
 bool has_one_frame(const std::string& name) {
-  const std::string bytes = read_file(name);
-  return bytes.starts_with("\x89PNG") && !is_animation(bytes);
+  const std::string head = head_of_file(name, std::size_t{1} << 20U);
+  return head.starts_with("\x89PNG") && !is_animation(head);
 }
 
 // files of a folder; nothing when it cannot be read

@@ -172,6 +172,14 @@ void refuse_unless_file(const fs::path& path) {
   }
 }
 
+std::string head_of_file(const fs::path& path, std::size_t most) {
+  std::string head(most, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(most));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return head;
+}
+
 std::string read_file(const fs::path& path, std::size_t most) {
   refuse_unless_file(path);
   const Place place{path.string(), 0, {}};

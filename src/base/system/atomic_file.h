@@ -70,6 +70,10 @@ void write_file(const std::filesystem::path& target, std::string_view content);
 // (base/system/system_error.h) does if that cannot be found out.
 void refuse_unless_file(const std::filesystem::path& path);
 
+// The first bytes of a file, at most `most`; fewer if it is shorter or cannot be read. Does not
+// throw.
+std::string head_of_file(const std::filesystem::path& path, std::size_t most);
+
 // The content of a whole file. Throws Error (input) as refuse_unless_file() does, and if the file
 // is larger than `most` bytes; the default is no limit. Throws as system_error() does if it cannot
 // be read.

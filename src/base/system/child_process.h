@@ -60,7 +60,7 @@ struct ProgramFound {
       why_not;  // "gnuplot is not installed", "gnuplot took longer than 25 s"; empty if it runs
   bool installed = true;  // false: there is no such program
 };
-// Runs `PROGRAM --version`, for at most 10 s. Throws Error (interrupted).
+// Runs `PROGRAM --version`, for at most 25 s. Throws Error (interrupted).
 ProgramFound find_program(const std::string& program);
 
 // Throws Error (environment) if the program does not run: "the deck cannot be read: pandoc is not

@@ -155,6 +155,16 @@ EllipticParameter parameter_of(const Roots& r) {
                         : EllipticParameter(0.0, 1.0);
 }
 
+// dv/dt of the argument of sn, 1/s
+double rate_of_argument(const Lagrange& top, const Roots& r) {
+  return std::sqrt(0.5 * top.mu * r.span() / top.A);
+}
+
+// of the nutation, s
+double period_of(const Lagrange& top, const Roots& r) {
+  return 2.0 * elliptic_k(parameter_of(r).m1()) / rate_of_argument(top, r);
+}
+
 // where 1 + u vanishes: tan am eta = sqrt((1 + u1) / (u2 - u1)), and
 // (1 + u1)(1 + u2)(1 + u3) = (L_z + L3)^2 / 2 mu A
 double pole_of_a(const Lagrange& top, const Roots& r, const EllipticParameter& parameter) {
@@ -178,7 +188,7 @@ class ExactHeavySymmetric final : public Trajectory {
         A_(top.A),
         L3_(top.L3),
         parameter_(parameter_of(r)),
-        kappa_(std::sqrt(0.5 * top.mu * r.span() / top.A)),
+        kappa_(rate_of_argument(top, r)),
         theta_(parameter_, pole_of_a(top, r, parameter_), pole_of_b(top, r, parameter_)) {
     // the phase of the nutation by its double angle, which a cusp (du/dt = 0) does not hurt
     const double m = parameter_.m(), m1 = parameter_.m1();
@@ -345,7 +355,7 @@ struct Turn {
 Turn turn_by_poles(const Lagrange& top, const Roots& r) {
   const double plus1 = lower_plus(top, r);
   const double m1 = parameter_of(r).m1();
-  const double factor = 1.0 / (top.A * std::sqrt(0.5 * top.mu * r.span() / top.A));
+  const double factor = 1.0 / (top.A * rate_of_argument(top, r));
   const auto about = [&](double momentum, double low, double high) {
     return factor * momentum * elliptic_cel(m1, high / low, 1.0 / low, 1.0 / low);
   };
@@ -409,17 +419,18 @@ Nutation nutation_of(const BodyModel& model, const State& state) {
   nutation.greatest_tilt = 2.0 * std::atan2(std::sqrt(r.x1), std::sqrt(plus1));
   nutation.precession_at_least = precession_rate(top, r.h2, r.plus2, r.x2);
   nutation.precession_at_greatest = precession_rate(top, r.h1, plus1, r.x1);
-  const double kappa = std::sqrt(0.5 * top.mu * r.span() / top.A);
-  nutation.period = 2.0 * elliptic_k(parameter_of(r).m1()) / kappa;
+  nutation.period = period_of(top, r);
   return nutation;
 }
 
 std::optional<double> precession_in_a_nutation(const BodyModel& model, const State& state) {
   constexpr double kAllowed = 1e-5;
-  const Lagrange top = start_of(model, state).top;
-  const double period = nutation_of(model, state).period;
-  CHECK(period > 0.0 && std::isfinite(period));
+  const Start start = start_of(model, state);
+  CHECK(!start.stays_vertical());
+  const Lagrange& top = start.top;
   const Roots r = find_roots(top);
+  const double period = period_of(top, r);
+  CHECK(std::isfinite(period));
   const Turn one = turn_by_poles(top, r), other = turn_by_rates(top, r, period);
   const Turn& turn = other.error < one.error || std::isnan(one.angle) ? other : one;
   if (!(turn.error <= kAllowed * std::abs(turn.angle))) return std::nullopt;
