@@ -124,16 +124,31 @@ class FilmReader::Implementation {
   std::string shown(AVStream* stream) const {
     const AVCodecParameters& track = *stream->codecpar;
     const AVRational pixel = av_guess_sample_aspect_ratio(input_.get(), stream, nullptr);
-    const auto word = [](const char* name) {
-      return name != nullptr ? name : "unknown";
-    };
     return fmt::format("{}:{} {} {} {} {}",
                        std::max(pixel.num, 1),
                        pixel.num > 0 ? pixel.den : 1,
-                       word(av_color_range_name(track.color_range)),
-                       word(av_color_primaries_name(track.color_primaries)),
-                       word(av_color_transfer_name(track.color_trc)),
-                       word(av_color_space_name(track.color_space)));
+                       word(track.color_range, AVCOL_RANGE_NB, av_color_range_name),
+                       word(track.color_primaries, AVCOL_PRI_NB, av_color_primaries_name),
+                       word(track.color_trc, AVCOL_TRC_NB, av_color_transfer_name),
+                       word(track.color_space, AVCOL_SPC_NB, av_color_space_name));
+  }
+
+  // libav's name for a tag, which is below `end`, or its number where it has none
+  template <class Tag>
+  static std::string word(const Tag& tag, Tag end, const char* (*name_of)(Tag)) {
+    const int number = number_of(tag);
+    const bool known = number >= 0 && number < end;
+    const char* name = known ? name_of(static_cast<Tag>(number)) : nullptr;
+    return name != nullptr ? name : std::to_string(number);
+  }
+
+  // A film may have any number there, also one that the enumeration lacks.
+  template <class Tag>
+  static int number_of(const Tag& tag) {
+    int number = 0;
+    static_assert(sizeof number == sizeof tag);
+    std::memcpy(&number, &tag, sizeof number);
+    return number;
   }
 
   // the next picture into decoded_
@@ -236,10 +251,8 @@ class FilmReader::Implementation {
                                     nullptr,
                                     nullptr));
     if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
-    // damaged films have values there that the enumeration lacks
-    int matrix = 0;
-    std::memcpy(&matrix, &from.colorspace, sizeof matrix);
-    const bool full = from.color_range == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB;
+    int matrix = number_of(from.colorspace);
+    const bool full = number_of(from.color_range) == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB;
     if (matrix == AVCOL_SPC_UNSPECIFIED || matrix == AVCOL_SPC_RGB) {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
