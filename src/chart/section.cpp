@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/system/interrupt.h"
+#include "math/bracketed_zero.h"
 #include "math/so3.h"
 #include "motion/scales.h"
 #include "motion/trajectory.h"
@@ -50,30 +51,14 @@ struct Step {
   }
 };
 
-// where a part crosses the surface, which is on both sides of it at its ends (regula falsi,
-// Illinois)
+// where a part crosses the surface, which is on both sides of it at its ends
 double crossing_in(const Step& step, const PartOfStep& part) {
-  double low = part.low, high = part.high;
-  double f_low = part.at_low.at, f_high = part.at_high.at;
-  int side = 0;
-  for (int i = 0; i < 100 && high - low > 4e-16 * part.high; ++i) {
-    const double at = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(at > low && at < high)) break;
-    const double f = step.surface.vertical_F(step.after(at)).x();
-    if (std::abs(f) < 1e-16) return at;
-    if (f > 0.0) {
-      high = at;
-      f_high = f;
-      if (side == 1) f_low *= 0.5;
-      side = 1;
-    } else {
-      low = at;
-      f_low = f;
-      if (side == -1) f_high *= 0.5;
-      side = -1;
-    }
-  }
-  return std::abs(f_low) < std::abs(f_high) ? low : high;
+  const auto gamma_1 = [&](double at) {
+    return step.surface.vertical_F(step.after(at)).x();
+  };
+  const Bracket found =
+      narrowed({part.low, part.high, part.at_low.at, part.at_high.at}, 0.0, gamma_1);
+  return std::abs(found.at_low) < std::abs(found.at_high) ? found.low : found.high;
 }
 
 // Whether gamma_1 may be zero in a part and turn round there, so that it may cross more often than

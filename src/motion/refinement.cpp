@@ -10,6 +10,7 @@
 #include "motion/contact/contact_trajectory.h"
 #include "motion/deviation.h"
 #include "motion/scales.h"
+#include "motion/walk.h"
 
 namespace polhode {
 namespace {
@@ -193,20 +194,26 @@ Refined refine(const StepperInfo& method,
   const double drop = method.adaptive ? kTolerancesApart : std::exp2(method.order);
   Convergence convergence(drop);
   Runs runs(method, model, start, duration, most_steps, watch);
-  Integration coarse = runs.integrate_or_finer(fineness);
+  const Error out_of_reach = input_error(
+      "{} cannot reach an attitude accuracy of {:.3g} rad over {} s in double precision; give "
+      "a tolerance yourself, a looser accuracy, or another method",
+      method.name,
+      accuracy,
+      duration);
+  const auto run = [&] {
+    try {
+      return runs.integrate_or_finer(fineness);
+    } catch (const StepTooSmall&) {
+      throw out_of_reach;
+    }
+  };
+  Integration coarse = run();
   int stalled = 0;
   for (unsigned round = 0;; ++round) {
     fineness *= finer;
-    if (method.adaptive && fineness < kLeastToleranceRefined) {
-      throw input_error(
-          "{} cannot reach an attitude accuracy of {:.3g} rad over {} s in double precision; give "
-          "a tolerance yourself, a looser accuracy, or another method",
-          method.name,
-          accuracy,
-          duration);
-    }
+    if (method.adaptive && fineness < kLeastToleranceRefined) throw out_of_reach;
     const double wanted = fineness;
-    Integration fine = runs.integrate_or_finer(fineness);
+    Integration fine = run();
     if (fineness != wanted) {
       // a run between the two was no motion: the coarser one shows nothing, either
       convergence = Convergence(drop);

@@ -21,12 +21,12 @@ void refuse_nan(const State& s, const StepperInfo& method, double t) {
 }
 
 void refuse_tolerance(const StepperInfo& method, double tolerance, double t) {
-  throw Error(Fault::check_failed,
-              fmt::format("{} cannot reach tolerance {} at t = {:.6g} s: its step fell to "
-                          "round-off; ask for another tolerance",
-                          method.name,
-                          tolerance,
-                          t));
+  throw StepTooSmall(Fault::check_failed,
+                     fmt::format("{} cannot reach tolerance {} at t = {:.6g} s: its step fell to "
+                                 "round-off; ask for another tolerance",
+                                 method.name,
+                                 tolerance,
+                                 t));
 }
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/error.h"
 #include "motion/stepper_table.h"
 
 namespace polhode {
@@ -24,8 +25,12 @@ bool is_finite(const State& s);
 // Throws Error (check_failed), with method and time t (s) in the message, if the state is not
 // finite.
 void refuse_nan(const State& s, const StepperInfo& method, double t);
-// Throws Error (check_failed) that says that at t (s) the step of an adaptive method fell below
-// round-off with this tolerance.
+// An Error (check_failed): the steps of an adaptive method fell below round-off.
+class StepTooSmall final : public Error {
+ public:
+  using Error::Error;
+};
+// Throws StepTooSmall, for this tolerance at t (s).
 [[noreturn]] void refuse_tolerance(const StepperInfo& method, double tolerance, double t);
 
 // x^(1/order). Roots of the eighth order are taken as square roots, which every processor rounds

@@ -50,6 +50,27 @@ TEST(Torque, OrderOfDopri5IsKeptInTime) {
   EXPECT_GT(std::log2(error(40) / error(80)), 4.8);
 }
 
+// An accuracy that a load far away does not allow is refused as one that was asked for too much,
+// also where the load is switched on amid the motion and steps end at it.
+TEST(Torque, AnAccuracyOutOfReachIsAMistakeOfTheScene) {
+  MotionSpec spec = spun({1, 2, 3}, 20.0);
+  spec.position = Vec3(1e4, 0, 0);
+  spec.torque = {load("spring")};
+  spec.torque[0].k = 0.01;
+  spec.torque[0].at = Vec3(0.3, 0.2, 0.5);
+  for (const double from : {0.0, 5.0}) {
+    spec.torque[0].from = from;
+    for (const double accuracy : {1e-4, 1e-7}) {
+      expect_input_error(
+          [&] {
+            simulate(make_model(body_with({0.01, 0.012, 0.015}), spec), spec, {}, accuracy);
+          },
+          "numerics.accuracy",
+          "cannot reach an attitude accuracy");
+    }
+  }
+}
+
 // a spin too small to see must not set the scale of errors: it once took two hundred times the work
 TEST(Torque, AStartAlmostAtRestCostsNoMore) {
   BodySpec body = body_with({0.01, 0.013, 0.016});

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "math/bracketed_zero.h"
 #include "motion/contact/contact_change.h"
 #include "motion/walk.h"
 
@@ -21,6 +22,7 @@ constexpr double kNoise = 1e-12;
 // margins at inner stages, which are less exact, by this much
 constexpr double kNoiseOfStages = 1e-4;
 constexpr int kMostHalvings = 60;
+constexpr double kRoundingOfTime = 1e-16;  // relative
 constexpr int kMostAtOneTime = 200;
 // Radau's steps are taken where they are longer than so many explicit ones, and grow by no more
 // than this, so that the solution of one is near that of the next
@@ -89,48 +91,30 @@ struct Crossing {
   ContactEvent event;
 };
 
-// The zero within a step of length h (s), at whose end a margin is negative: Illinois's variant of
-// the rule of false position (Dowell and Jarratt, BIT 11 (1971) 168), on steps of the method.
+// The zero within a step of length h (s), at whose end a margin is negative.
 Crossing crossing_in(
     const ContactStepper& stepper, const Touch& touch, double t, double h, const OnTable& from) {
   const auto margins_after = [&](double part) {
     const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from).end : from;
     return stepper.margins(touch, t + part, end);
   };
-  Margins beyond = margins_after(h);
+  const auto least_after = [&](double part) {
+    return least_of(margins_after(part));
+  };
   // a margin that begins at zero, such as the gap after lift-off, grows first
-  double low = 0.0, at_low = least_of(margins_after(0.0));
-  for (int i = 1; at_low <= kNoise && i <= kMostHalvings; ++i) {
-    low = std::ldexp(h, -i);
-    at_low = least_of(margins_after(low));
+  Bracket found{0.0, h, least_after(0.0), least_after(h)};
+  for (int i = 1; found.at_low <= kNoise && i <= kMostHalvings; ++i) {
+    found.low = std::ldexp(h, -i);
+    found.at_low = least_after(found.low);
   }
-  double high = h, at_high = least_of(beyond);
-  if (at_low <= 0.0) {
-    // it never grew: the event is now
-    low = high = 0.0;
-  }
-  int side = 0;
-  for (int i = 0; i < 100 && high - low > 1e-16 * std::max(h, std::abs(t)); ++i) {
-    const double middle = (low * at_high - high * at_low) / (at_high - at_low);
-    if (!(middle > low && middle < high)) break;
-    const Margins found = margins_after(middle);
-    const double least = least_of(found);
-    if (least > 0.0) {
-      low = middle;
-      at_low = least;
-      if (side == 1) at_high *= 0.5;
-      side = 1;
-    } else {
-      high = middle;
-      at_high = least;
-      beyond = found;
-      if (side == -1) at_low *= 0.5;
-      side = -1;
-      if (least == 0.0) break;
-    }
-  }
-  const auto which = std::min_element(beyond.begin(), beyond.end()) - beyond.begin();
-  return {high, static_cast<ContactEvent>(which)};
+  const auto first_of = [](const Margins& margins) {
+    const auto least = std::min_element(margins.begin(), margins.end());
+    return static_cast<ContactEvent>(least - margins.begin());
+  };
+  // if it never grew, the event is now
+  if (found.at_low <= 0.0) return {0.0, first_of(margins_after(h))};
+  const double crossing = narrowed(found, kRoundingOfTime * t, least_after).high;
+  return {crossing, first_of(margins_after(crossing))};
 }
 
 // The walk from event to event.
