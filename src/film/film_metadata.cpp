@@ -13,8 +13,7 @@ namespace {
 // the first frame at or after a moment of the film; negative before the piece that is made, the
 // number of its frames behind it
 int frame_at(const FrameTimes& frames, double film_time) {
-  constexpr double kRounding = 1e-6;  // frames
-  const double frame = std::ceil((film_time - frames.first) * frames.rate - kRounding);
+  const double frame = std::ceil((film_time - kFilmRounding - frames.first) * frames.rate);
   return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(frames.count)));
 }
 

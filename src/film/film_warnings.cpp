@@ -45,11 +45,13 @@ void warn_of_backward_turning(const Scene& scene,
   if (!words) return;
   constexpr double kMargin = 1.02;
   const double slower = kMargin * fastest * frames.motion_step() / kPi;
+  const double enough = std::ceil(slower * frames.rate);
+  const std::string faster =
+      enough <= kMostFramesPerSecond ? fmt::format("a video.fps of {:.0f} or more, ", enough) : "";
   const Error warning = input_error(
-      "{}: use a video.fps of {:.0f} or more, a video.time_scale of at most {:.2g}, or "
-      "video.shutter_deg = 360, which blurs it",
+      "{}: use {}a video.time_scale of at most {:.2g}, or video.shutter_deg = 360, which blurs it",
       *words,
-      std::ceil(slower * frames.rate),
+      faster,
       0.97 * scene.video.time_scale / slower);
   warn_at(scene, "video.fps", warning);
 }
@@ -254,8 +256,7 @@ void warn_of_what_comes_too_late(const Scene& scene, const FrameTimes& frames) {
   const double missed = timeline.film_duration() - last;
   if (scene.in_turn || frames.count < 2 || missed > 1.5 / frames.rate) return;
   const auto look_at = [&](const std::string& key, double at) {
-    constexpr double kRounding = 1e-9;  // s
-    if (!(timeline.first_film_time(at) > last + kRounding)) return;
+    if (reached(last, timeline.first_film_time(at))) return;
     const Error warning = input_error("is never seen: the last frame shows {:.6g} s of the motion",
                                       timeline.motion_time(last));
     warn_at(scene, key.c_str(), warning);

@@ -272,9 +272,8 @@ std::vector<Film::Shown> Film::shown_at(double film) const {
   std::vector<Shown> shown;
   if (in_turn_) {
     // a frame time may be a rounding before the end of a turn
-    constexpr double kRounding = 1e-9;
     const double last = static_cast<double>(panels_.size() - 1);
-    const double now = std::clamp(std::floor(film / turn() + kRounding), 0.0, last);
+    const double now = std::clamp(std::floor((film + kFilmRounding) / turn()), 0.0, last);
     shown.push_back({static_cast<std::size_t>(now), std::max(0.0, film - now * turn())});
     return shown;
   }

@@ -2,6 +2,7 @@
 #include "frame/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,17 @@
 
 namespace polhode {
 namespace {
+
+// the number with at most ten digits that is that near, else t
+double shortened(double t, double rounding) {
+  constexpr int kDigits = 10, kMostPower = 22;  // powers of ten that are doubles
+  if (!(t > 0.0)) return t;
+  const int power = kDigits - 1 - static_cast<int>(std::floor(std::log10(t)));
+  if (power < 0 || power > kMostPower) return t;
+  const double factor = std::pow(10.0, power);
+  const double nearest = std::round(t * factor) / factor;
+  return std::abs(nearest - t) <= rounding ? nearest : t;
+}
 
 bool names(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -61,10 +73,12 @@ double Timeline::film_duration() const {
 
 double Timeline::motion_time(double film) const {
   for (const Pause& pause : pauses_) {
-    if (film >= pause.begins && film < pause.ends) return pause.at;
+    if (reached(film, pause.begins) && !reached(film, pause.ends)) return pause.at;
   }
-  const double before = held([&](const Pause& pause) { return pause.ends <= film; });
-  return std::min((film - before) * time_scale_, duration_);
+  constexpr double kRounding = 1e-13;
+  const double before = held([&](const Pause& pause) { return reached(film, pause.ends); });
+  const double t = shortened((film - before) * time_scale_, kRounding * (1.0 + film) * time_scale_);
+  return std::min(t, duration_);
 }
 
 double Timeline::film_time(double motion) const {
@@ -86,7 +100,7 @@ double Timeline::presence(const std::string& element, double film) const {
   for (std::size_t i = 0; i < story_.size(); ++i) {
     const StoryStep& step = story_[i];
     const bool comes = names(step.show, element);
-    if ((!comes && !names(step.hide, element)) || film < starts_[i]) continue;
+    if ((!comes && !names(step.hide, element)) || !reached(film, starts_[i])) continue;
     const double part = step.fade > 0.0 ? eased((film - starts_[i]) / step.fade) : 1.0;
     now += part * ((comes ? 1.0 : 0.0) - now);
   }
@@ -96,7 +110,7 @@ double Timeline::presence(const std::string& element, double film) const {
 std::optional<std::string> Timeline::caption(double film) const {
   std::optional<std::string> words;
   for (std::size_t i = 0; i < story_.size(); ++i) {
-    if (film >= starts_[i] && story_[i].caption) words = story_[i].caption;
+    if (reached(film, starts_[i]) && story_[i].caption) words = story_[i].caption;
   }
   return words;
 }

@@ -38,7 +38,8 @@ class Timeline {
   // The length of the film, s. Film time begins at 0.
   double film_duration() const;
   // The motion time (s) that is shown at a film time (s); after the end of the film, the duration
-  // of the motion.
+  // of the motion. A time that is a rounding off one of at most ten digits is that one: loads,
+  // which begin at such times, then act from the same frame on, wherever a film begins.
   double motion_time(double film) const;
   // The last and the first film time (s) that show this motion time (s); they differ at a pause.
   double film_time(double motion) const;
@@ -65,6 +66,13 @@ class Timeline {
   double duration_ = 0.0;
   double time_scale_ = 1.0;
 };
+
+// Whether a film time (s) is at a moment of the film (s) or behind it. Times of frames are sums and
+// quotients, which may be a rounding before the moment that is meant.
+inline constexpr double kFilmRounding = 1e-9;  // s
+inline bool reached(double film, double moment) {
+  return film >= moment - kFilmRounding;
+}
 
 // Smoothstep: rises from 0 at 0 to 1 at 1 with zero slope at both ends.
 double eased(double part);

@@ -11,8 +11,6 @@
 namespace polhode {
 namespace {
 
-constexpr int kMostFramesPerSecond = 1000;
-
 // what a decimal rate most likely means: one of television's over 1001, else what it says
 std::string exact_rate(double decimal) {
   const double over = std::round(decimal * 1.001);

@@ -19,8 +19,10 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
+inline constexpr int kMostFramesPerSecond = 1000;
+
 // Parses "60" or "30000/1001"; the result is in lowest terms. Throws Error (input), without a
-// place, for other text (also "29.97") and for rates below 1 or above 1000 per second.
+// place, for other text (also "29.97") and for rates below 1 or above kMostFramesPerSecond.
 FrameRate parse_frame_rate(const std::string& text);
 
 // The limits of check_picture_size().

@@ -48,6 +48,36 @@ TEST(Timeline, HoldsTheMotion) {
     EXPECT_NEAR(timeline.motion_time(timeline.film_time(t)), t, 1e-12);
 }
 
+// Times of frames are sums and quotients. Wherever a film begins, and whatever was held before, a
+// step begins with the frame of its time, and the motion is then at that time and not a rounding
+// before it.
+TEST(Timeline, StepsBeginWithTheFrameOfTheirTime) {
+  int looked_at = 0;
+  for (const int rate : {10, 24, 25, 30, 50, 60}) {
+    for (int from = 0; from < 300; from += 7) {
+      for (int at = from + 1; at <= 300; at += 11) {
+        if ((at - from) * rate % 100 != 0) continue;
+        ++looked_at;
+        const double hold = from % 3 == 0 ? 1.3 : 0.0;
+        StoryStep says = step(at / 100.0, 0.0, {"omega"});
+        says.caption = "here";
+        const Timeline timeline({step(0.3, hold), says}, 3.0, 1.0);
+        const double first = timeline.first_film_time(from / 100.0);
+        const bool held = hold > 0.0 && from <= 30 && at >= 30;
+        const int frame = (at - from) * rate / 100;
+        if (held && 13 * rate % 10 != 0) continue;
+        const int index = frame + (held ? 13 * rate / 10 : 0);
+        const double film = first + index / static_cast<double>(rate);
+        EXPECT_EQ(timeline.caption(film), "here") << rate << ' ' << from << ' ' << at;
+        EXPECT_EQ(timeline.motion_time(film), at / 100.0) << rate << ' ' << from << ' ' << at;
+        const double before = first + (index - 1) / static_cast<double>(rate);
+        EXPECT_FALSE(timeline.caption(before)) << rate << ' ' << from << ' ' << at;
+      }
+    }
+  }
+  EXPECT_GT(looked_at, 500);
+}
+
 TEST(Timeline, ThingsComeAndGo) {
   const Timeline timeline(
       {step(1.0, 0.0, {"omega"}), step(2.0, 0.0, {"momentum"}, {"omega"})}, 4.0, 1.0);
