@@ -8,6 +8,7 @@ extern "C" {
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include "base/at_place.h"
 #include "base/error.h"
@@ -103,7 +104,10 @@ class FilmReader::Implementation {
 
     info_.width = track.width;
     info_.height = track.height;
-    info_.frames = static_cast<int>(std::clamp<std::int64_t>(stream_->nb_frames, 0, INT32_MAX));
+    // AVI counts the ticks of its clock, of which a frame may take several
+    const bool counts_frames = std::string_view(input_->iformat->name) != "avi";
+    const std::int64_t frames = counts_frames ? stream_->nb_frames : 0;
+    info_.frames = static_cast<int>(std::clamp<std::int64_t>(frames, 0, INT32_MAX));
     info_.codec = codec->name;
     const AVRational rate = stream_->avg_frame_rate;
     if (rate.num > 0 && rate.den > 0) info_.fps = {rate.num, rate.den};

@@ -271,6 +271,12 @@ TEST_F(SegmentsResumed, OtherFilesAmongThePiecesStay) {
                   "--report would overwrite");
 }
 
+TEST_F(SegmentsResumed, AFileInThePlaceOfTheirFolderStays) {
+  write_text(folder_ / ".a.mp4.parts", "mine");
+  expect_one_line(render("a.mp4", "--resume -q"), 2, "a.mp4.parts': there is a file of that name");
+  EXPECT_EQ(read_text(folder_ / ".a.mp4.parts"), "mine");
+}
+
 TEST_F(SegmentsResumed, AnInterruptKeepsPiecesAndSaysHowToGoOn) {
   expect_one_line(stop_amid(SIGINT), 130, "pieces; the same command goes on from there");
   EXPECT_TRUE(std::filesystem::exists(piece(1)));

@@ -15,7 +15,7 @@ namespace polhode::test {
 // Until it is so, at most half a minute. Nothing wakes one up for a file of another program or for
 // what /proc tells, so one looks again and again.
 inline bool becomes(const std::function<bool()>& so) {
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < 120000; ++i) {
     if (so()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -51,9 +51,11 @@ void make_folder(const fs::path& folder, const Place& place) {
   const std::string what = fmt::format("cannot make the folder '{}'", folder.string());
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) throw system_error(failed.value(), what).at(place);
-  if (fs::is_directory(folder, failed)) return;
-  throw input_error("{}: there is a file of that name", what).at(place);
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return;
+  if (fs::exists(folder, ignored))
+    throw input_error("{}: there is a file of that name", what).at(place);
+  throw system_error(failed.value(), what).at(place);
 }
 
 void move_file(const fs::path& from, const fs::path& to) {

@@ -48,11 +48,13 @@ ResumedFilm::ResumedFilm(const RenderPlan& plan)
   if (!plan.shard) joiner_ = std::make_unique<FilmJoiner>(examined(plan));
 }
 
-// an empty folder is no use to the next run; a link to one stays, and what other runs work in
+// an empty folder is no use to the next run; a link to one stays, a file that is in its way, and
+// what other runs work in
 ResumedFilm::~ResumedFilm() {
   segment_.reset();
   std::error_code ignored;
-  if (joiner_ && !fs::is_symlink(folder_, ignored)) fs::remove(folder_, ignored);
+  const bool is_folder = fs::symlink_status(folder_, ignored).type() == fs::file_type::directory;
+  if (joiner_ && is_folder) fs::remove(folder_, ignored);
 }
 
 std::string ResumedFilm::file_of(int number) const {
@@ -78,12 +80,7 @@ void ResumedFilm::begin(const PreparedFilm& film) {
     look_at_old_segment(number);
   if (plan_.shard) refuse_other_film();
   const std::size_t whole = seals_.size();
-  std::error_code failed;
-  fs::create_directory(folder_, failed);
-  if (failed) {
-    throw system_error(failed.value(), fmt::format("cannot make the folder '{}'", folder_))
-        .at({{}, 0, "--resume"});
-  }
+  make_folder(folder_, {{}, 0, "--resume"});
   range_ = {};
   for (const int number : numbers_) {
     const FrameRange range = range_of({number, segments_}, metadata_.frames);
