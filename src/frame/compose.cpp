@@ -17,7 +17,11 @@ namespace polhode {
 namespace {
 
 constexpr double kFarTable = 5.0;  // its radius at most, in that of the body and of where it goes
-constexpr int kRoughArrow = 8;     // pieces of a full circle of arrows that throw shadows
+// Of a body that is always smaller, in the height of the picture, arrows are thicker, up to so many
+// times: from the last row they would be hairs.
+constexpr double kLeastRadius = 0.18;
+constexpr double kThickest = 2.5;
+constexpr int kRoughArrow = 8;  // pieces of a full circle of arrows that throw shadows
 
 // Does a camera turn with the body or with L? A floor would turn about it.
 bool turns(const Staging& staging) {
@@ -310,7 +314,9 @@ Composer::Composer(const Motion& motion,
     if (scenery_.table_goes_along) scenery_.paths = make_paths(scenery_);
   }
   // now that the cameras are known: no triangle smaller than a pixel needs
-  const Largest largest = largest_on_screen();
+  Largest largest = largest_on_screen();
+  scenery_.thickness = std::clamp(kLeastRadius * size.height / largest.body, 1.0, kThickest);
+  if (scenery_.thickness > 1.0) largest = largest_on_screen();
   const int most = circle_segments(0.5 * size.height);
   // finer than edges need: a limb bends in two directions, and the eye sees its corners
   scenery_.body_segments = std::min(most, circle_segments(largest.body));
@@ -599,7 +605,7 @@ Vec3 Composer::turn_between_rigs(const Rig& from, const Rig& to, double film) co
 
 std::size_t Composer::rig_at(double film) const {
   std::size_t last = 0;
-  while (last + 1 < rigs_.size() && rigs_[last + 1].begins <= film)
+  while (last + 1 < rigs_.size() && reached(film, rigs_[last + 1].begins))
     ++last;
   return last;
 }
@@ -622,7 +628,7 @@ Camera Composer::camera_at(double film, std::size_t index) const {
 
 double Composer::next_cut(double film) const {
   const auto cut = std::find_if(rigs_.begin() + 1, rigs_.end(), [&](const Rig& rig) {
-    return rig.begins > film && rig.move <= 0.0;
+    return !reached(film, rig.begins) && rig.move <= 0.0;
   });
   return cut == rigs_.end() ? std::numeric_limits<double>::infinity() : cut->begins;
 }

@@ -74,6 +74,7 @@ struct Scenery {
   Theme theme;
   std::vector<LookPart> look = {};
   Scale scale = {};
+  double thickness = 1.0;              // of arrows, as a multiple of what their shapes say
   double stand_height = kStandHeight;  // in units of the body's radius
   // Of the axes of space, likewise: one that a vector goes along all the time ends beyond it.
   std::array<double, 3> axis_lengths = {kSpaceAxisLength, kSpaceAxisLength, kSpaceAxisLength};

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -63,7 +65,7 @@ class Samples {
     columns_ = whole(high.x + beyond) - left_ + 1;
     rows_ = whole(high.y + beyond) - bottom_ + 1;
     const std::size_t count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    last_.assign(count, 0);
+    stopped_.assign(count, 0);
     dark_.assign(count, 0.0f);
   }
   int columns() const { return columns_; }
@@ -72,65 +74,99 @@ class Samples {
     return glm::vec2(left_ + x, bottom_ + y) / static_cast<float>(grid_.per_radius);
   }
   int step() const { return grid_.corners; }
+  glm::vec2 from_corner(const glm::vec2& from_middle) const {
+    return from_middle - glm::vec2(left_, bottom_);
+  }
   float dark(int x, int y) const { return dark_[index(x, y)]; }
 
-  // a triangle stops the light of one point; others may have done so before
-  void stop(int light, glm::vec2 a, glm::vec2 b, glm::vec2 c) {
-    const glm::vec2 corner(left_, bottom_);
-    a -= corner, b -= corner, c -= corner;
-    const int top = std::min(rows_ - 1, static_cast<int>(std::max({a.y, b.y, c.y})));
-    for (int y = std::max(0, first(std::min({a.y, b.y, c.y}))); y <= top; ++y) {
-      float from = std::numeric_limits<float>::infinity();
-      float to = -from;
-      const auto cut = [&](const glm::vec2& p, const glm::vec2& q) {
-        const auto row = static_cast<float>(y);
-        if ((p.y <= row) == (q.y <= row)) return;
-        const float x = p.x + (row - p.y) * (q.x - p.x) / (q.y - p.y);
-        from = std::min(from, x);
-        to = std::max(to, x);
-      };
-      cut(a, b), cut(b, c), cut(c, a);
-      if (to < 0.0f || from > static_cast<float>(columns_)) continue;
-      const int end = std::min(columns_ - 1, static_cast<int>(to));
-      for (int x = std::max(0, first(from)); x <= end; ++x) {
-        const std::size_t at = index(x, y);
-        if (last_[at] == light + 1) continue;
-        last_[at] = static_cast<std::uint8_t>(light + 1);
-        dark_[at] += 1.0f / static_cast<float>(lights_);
-      }
-    }
+  // a triangle, from the corner of the rectangle, stops the light of this point
+  void stop(glm::vec2 a, glm::vec2 b, glm::vec2 c) {
+    if (b.y < a.y) std::swap(a, b);
+    if (c.y < b.y) std::swap(b, c);
+    if (b.y < a.y) std::swap(a, b);
+    const Edge whole(a, c);
+    stop_between(whole, Edge(a, b));
+    stop_between(whole, Edge(b, c));
+  }
+  // no more triangles stop the light of this point
+  void next_light() {
+    for (std::size_t i = 0; i < dark_.size(); ++i)
+      dark_[i] += stopped_[i];
+    std::fill(stopped_.begin(), stopped_.end(), std::uint8_t{0});
   }
 
+  // all lights have been stopped: their number becomes a part, and smooth
   void blur() {
+    for (float& dark : dark_)
+      dark /= static_cast<float>(lights_);
     for (int k = 0; k < grid_.blurs; ++k) {
-      for (int y = 0; y < rows_; ++y)
-        mean_of_three(index(0, y), 1, columns_);
-      for (int x = 0; x < columns_; ++x)
-        mean_of_three(index(x, 0), static_cast<std::size_t>(columns_), rows_);
+      mean_along_rows();
+      mean_along_columns();
     }
   }
 
  private:
-  static int first(float at) { return static_cast<int>(std::ceil(at)); }
+  // An edge that goes up, in samples from the corner of the rectangle.
+  struct Edge {
+    Edge(const glm::vec2& low, const glm::vec2& high)
+        : from(low), to(high.y), slope((high.x - low.x) / (high.y - low.y)) {}
+    float at(int row) const { return from.x + (static_cast<float>(row) - from.y) * slope; }
+
+    glm::vec2 from;
+    float to, slope;
+  };
+  // in the rows of the shorter of two edges
+  void stop_between(const Edge& longer, const Edge& shorter) {
+    const int top = std::min(rows_, first(shorter.to));
+    for (int row = std::max(0, first(shorter.from.y)); row < top; ++row) {
+      const float one = longer.at(row), other = shorter.at(row);
+      const int begin = std::max(0, first(std::min(one, other)));
+      const int end = std::min(columns_, first(std::max(one, other)));
+      if (begin >= end) continue;
+      std::memset(&stopped_[index(begin, row)], 1, static_cast<std::size_t>(end - begin));
+    }
+  }
+  // the first sample from there on
+  static int first(float at) {
+    constexpr float kFar = 1e6f;
+    return static_cast<int>(std::ceil(glm::clamp(at, -kFar, kFar)));
+  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(x);
   }
-  void mean_of_three(std::size_t at, std::size_t step, int count) {
-    float before = 0.0f;
-    for (int k = 0; k < count; ++k, at += step) {
-      const float here = dark_[at];
-      const float next = k + 1 < count ? dark_[at + step] : 0.0f;
-      dark_[at] = (before + here + next) / 3.0f;
-      before = here;
+  // the mean of each sample and its neighbours; beyond the rectangle nothing is dark
+  void mean_along_rows() {
+    for (int y = 0; y < rows_; ++y) {
+      float before = 0.0f;
+      for (int x = 0; x < columns_; ++x) {
+        float& dark = dark_[index(x, y)];
+        const float here = dark;
+        const float next = x + 1 < columns_ ? dark_[index(x + 1, y)] : 0.0f;
+        dark = (before + here + next) / 3.0f;
+        before = here;
+      }
+    }
+  }
+  void mean_along_columns() {
+    std::vector<float> before(static_cast<std::size_t>(columns_), 0.0f);
+    const std::vector<float> none = before;
+    for (int y = 0; y < rows_; ++y) {
+      float* const row = &dark_[index(0, y)];
+      const float* const next = y + 1 < rows_ ? &dark_[index(0, y + 1)] : none.data();
+      for (std::size_t x = 0; x < before.size(); ++x) {
+        const float here = row[x];
+        row[x] = (before[x] + here + next[x]) / 3.0f;
+        before[x] = here;
+      }
     }
   }
 
   Grid grid_;
   int lights_;
   int left_ = 0, bottom_ = 0, columns_ = 0, rows_ = 0;
-  std::vector<std::uint8_t> last_;  // one more than the last point of the light that was stopped
-  std::vector<float> dark_;
+  std::vector<std::uint8_t> stopped_;  // 1: the light of this point
+  std::vector<float> dark_;            // how many points before this one, then which part of them
 };
 
 // Squares of samples, where there is anything at any of their corners. normal(x, y) is that of a
@@ -215,7 +251,7 @@ void stop_light(const std::vector<ShadowCaster>& casters,
       if (light + 0.5 > casters[i].density * lights) continue;
       fallen.clear();
       for (const glm::vec3& p : points[i])
-        fallen.push_back(glm::vec2(p) - p.z * slope);
+        fallen.push_back(samples.from_corner(glm::vec2(p) - p.z * slope));
       const std::vector<std::uint32_t>& indices = casters[i].mesh->indices;
       for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
         const std::uint32_t a = indices[k], b = indices[k + 1], c = indices[k + 2];
@@ -223,9 +259,10 @@ void stop_light(const std::vector<ShadowCaster>& casters,
         // the sides that face the light are enough
         const glm::vec2 ab = fallen[b] - fallen[a], ac = fallen[c] - fallen[a];
         if (ab.x * ac.y <= ab.y * ac.x) continue;
-        samples.stop(light, fallen[a], fallen[b], fallen[c]);
+        samples.stop(fallen[a], fallen[b], fallen[c]);
       }
     }
+    samples.next_light();
   }
   samples.blur();
 }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "frame/composers.h"
+#include "frame/elements/parts.h"
 #include "math/so3.h"
 #include "support/motions.h"
 #include "support/show_only.h"
@@ -454,6 +455,24 @@ TEST(Compose, ABodyThatTravelsOnATableIsFollowedAndLarge) {
   const Composer near = composer(rolling_ball(), rolling(0.03), ShowSpec{});
   EXPECT_GT(moved_in_picture(near), 10.0);
   EXPECT_NE(near.glyphs_at(near.scenery().motion.at(0.0)).floors.at(0).dial.mesh, nullptr);
+}
+
+// a small body's arrows are no hairs, and those of a large one have the sizes of their shapes
+TEST(Compose, ArrowsOfSmallBodiesAreThicker) {
+  const auto widest = [](const Composer& composer) {
+    const Sample start = composer.scenery().motion.at(0.0);
+    double radius = 0.0;
+    for (const ArrowGlyph& arrow : composer.glyphs_at(start).arrows)
+      radius = std::max(radius, arrow.shape.shaft_radius);
+    return radius / composer.scenery().scale.body;
+  };
+  CameraSpec still;
+  still.follow = "none";
+  const Composer followed = composer(rolling_ball(), rolling(2.0), ShowSpec{});
+  EXPECT_DOUBLE_EQ(widest(followed), kOmegaShape.shaft_radius);
+  const double small = widest(composer(rolling_ball(), rolling(2.0), ShowSpec{}, still));
+  EXPECT_GT(small, 1.5 * kOmegaShape.shaft_radius);
+  EXPECT_LE(small, 2.5 * kOmegaShape.shaft_radius * (1.0 + 1e-12));
 }
 
 // nothing of the table is cut off by the clip planes, wherever a camera stands

@@ -74,8 +74,8 @@ void add_position(const Scenery& scenery,
                   const Material& material,
                   Glyphs& glyphs,
                   const std::string& name) {
-  glyphs.arrows.push_back(
-      {from, place, times(shape, scenery.scale.body), drawn_through(scenery, material)});
+  const ArrowShape drawn = times(shape, scenery.thickness * scenery.scale.body);
+  glyphs.arrows.push_back({from, place, drawn, drawn_through(scenery, material)});
   // the name of a vector that shrinks into the body goes with it
   const float fade = name_presence(scenery, (place - from).norm());
   if (name.empty() || fade <= 0.0f) return;
