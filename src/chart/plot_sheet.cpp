@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "chart/plot_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -88,6 +89,11 @@ std::string sheet_csv(const PlotSheet& sheet) {
   };
   std::map<std::string, int> of_name;
   for (const SheetCurve& curve : sheet.curves) {
+    // such as the drift of what the motion does not keep
+    const bool is_anywhere = std::any_of(curve.points.begin(),
+                                         curve.points.end(),
+                                         [](const Vec2& point) { return point.allFinite(); });
+    if (!is_anywhere) continue;
     const int number = ++of_name[curve.name];
     const std::string name = curve.name.empty() ? fmt::format("other {}", number)
                              : number == 1      ? curve.name

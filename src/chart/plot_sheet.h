@@ -44,7 +44,8 @@ struct PlotSheet {
 std::string draw_sheet(const PlotSheet& sheet, PlotFormat format);
 
 // The points as a table: curve,x,y with 17 digits; marks are curves of one point. Further curves of
-// one name are "name 2", "name 3"; those without a name are "other 1", "other 2".
+// one name are "name 2", "name 3"; those without a name are "other 1", "other 2". A curve without a
+// finite point is left out.
 std::string sheet_csv(const PlotSheet& sheet);
 
 }  // namespace polhode

@@ -15,7 +15,8 @@ PlotSheet sheet() {
   sheet.up = {"y, J"};
   sheet.curves = {{"first, one", "#D55E00", 2.0, {{-1.0, 0.5}, {0.0, NAN}, {1.0, 1.0 / 3.0}}},
                   {"", "#A0A0A0", 1.0, {{0.0, 0.0}, {1.0, 1.0}}},
-                  {"first, one", "#D55E00", 2.0, {{2.0, 3.0}}}};
+                  {"first, one", "#D55E00", 2.0, {{2.0, 3.0}}},
+                  {"nowhere", "#D55E00", 2.0, {{0.0, NAN}, {1.0, NAN}}}};
   sheet.marks = {{"rest", Vec2(0.25, 0.5), false}};
   return sheet;
 }
