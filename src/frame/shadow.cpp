@@ -84,6 +84,9 @@ class Samples {
     if (b.y < a.y) std::swap(a, b);
     if (c.y < b.y) std::swap(b, c);
     if (b.y < a.y) std::swap(a, b);
+    // most are so small that no sample is within
+    if (first(a.y) >= first(c.y)) return;
+    if (first(std::min({a.x, b.x, c.x})) >= first(std::max({a.x, b.x, c.x}))) return;
     const Edge whole(a, c);
     stop_between(whole, Edge(a, b));
     stop_between(whole, Edge(b, c));
@@ -126,10 +129,12 @@ class Samples {
       std::memset(&stopped_[index(begin, row)], 1, static_cast<std::size_t>(end - begin));
     }
   }
-  // the first sample from there on
+  // the first sample from there on, which std::ceil tells more slowly
   static int first(float at) {
     constexpr float kFar = 1e6f;
-    return static_cast<int>(std::ceil(glm::clamp(at, -kFar, kFar)));
+    const float near = glm::clamp(at, -kFar, kFar);
+    const int whole = static_cast<int>(near);
+    return static_cast<float>(whole) < near ? whole + 1 : whole;
   }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
