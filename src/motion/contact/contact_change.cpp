@@ -11,8 +11,12 @@
 namespace polhode {
 namespace {
 
-// a rebound slower than this, in units of the speed of a fall, is the end of endless bounces
-constexpr double kLastRebound = 1e-5;
+// A rebound slower than this part of the tolerance, in units of the speed of a fall, is the end of
+// endless bounces; slips that stop or turn in each of them would be left out with more.
+constexpr double kLastRebound = 1e-3;
+constexpr double kLeastRebound = 1e-12, kMostLastRebound = 1e-6;
+// Bounces that are lower, in the reach of the surface, are told by their velocity alone.
+constexpr double kLowBounce = 1e-11;
 // what a body may still have when a face comes down, in units of weight times reach
 constexpr double kStillTurns = 0.02;
 
@@ -124,6 +128,20 @@ Error two_contacts(double t) {
           {{}, 0, "motion.duration"}};
 }
 
+// How long a bounce takes whose lowest point rises with the velocity `rebound`, m/s, and is pulled
+// down by `pull`, m/s^2, if it is low and short; else 0.
+double time_of_low_bounce(const ContactStepper& stepper,
+                          double rebound,
+                          double pull,
+                          const Moving& now) {
+  constexpr double kShort = 1e-3;  // rad
+  const TableScales& scales = stepper.scales();
+  if (!(pull > 0.0) || rebound * rebound >= 2.0 * pull * kLowBounce * scales.length) return 0.0;
+  const double flight = 2.0 * rebound / pull;
+  const double rate = scales.rate + angular_velocity(stepper.model(), now.y).norm();
+  return flight * rate < kShort ? flight : 0.0;
+}
+
 ContactChange land(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
   const BodyModel& model = stepper.model();
   const TableScales& scales = stepper.scales();
@@ -137,19 +155,20 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   const double restitution = model.table->friction.restitution;
   const double speed = -slip_of(model, touch, now.moving).z();
   const double had = energy_of(model, now.moving);
-  const double rebound = restitution * speed;
-  const double least = kLastRebound * scales.speed;
-  // the impulses of endless bounces together are that of a fall that ends in contact
-  fall_on_table(model, touch, rebound > least ? restitution : 0.0, now.moving);
-  if (rebound > least && slip_of(model, touch, now.moving).z() > least) {
-    now.work += energy_of(model, now.moving) - had;
-    return change;
-  }
-  // each bounce takes `restitution` times as long as the one before
+  const double least =
+      std::clamp(kLastRebound * scales.tolerance, kLeastRebound, kMostLastRebound) * scales.speed;
+  const bool bounces = restitution * speed > least;
+  // the impulses of the rest of endless bounces together are that of a fall that ends in contact
+  fall_on_table(model, touch, bounces ? restitution : 0.0, now.moving);
+  const double rebound = slip_of(model, touch, now.moving).z();
   touch.phase = Touch::Phase::flying;
   const double pull = -reaction_of(model, touch, t, now.moving).slip_rate_S.z();
-  if (restitution > 0.0 && restitution < 1.0 && pull > 0.0)
-    change.bounced_until = t + 2.0 * rebound / (pull * (1.0 - restitution));
+  if (bounces && rebound > least) {
+    now.work += energy_of(model, now.moving) - had;
+    change.flies_for = time_of_low_bounce(stepper, rebound, pull, now.moving);
+    return change;
+  }
+  change.bounces_end = restitution > 0.0 && restitution < 1.0 && pull > 0.0;
   touch.phase = Touch::Phase::touching;
   touch.sticks = touch.keeps_from_boring = touch.keeps_from_rolling = false;
   hold_to_table(model, touch, now.moving);

@@ -14,8 +14,9 @@ Touch first_touch(const ContactStepper& stepper, double t, OnTable& now);
 // The result of an event.
 struct ContactChange {
   Touch touch;
-  // when a bouncing body comes to rest on the table after bounces without end, s; else 0
-  double bounced_until = 0.0;
+  // After a bounce that is too low for its height to be told from round-off: how long it takes, s.
+  double flies_for = 0.0;
+  bool bounces_end = false;  // it was the last of bounces without end
 };
 
 // Changes `now` at the event at t (s). Throws Error (check_failed) for a second contact, for a body

@@ -218,8 +218,8 @@ class Walk {
   void pass_event(const Crossing& crossing) {
     if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_).end;
     at_one_time_ = crossing.h > 1e-13 * std::max(t_, 1e-6) ? 0 : at_one_time_ + 1;
-    const double t = t_ + crossing.h;
-    const ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
+    double t = t_ + crossing.h;
+    ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
     const bool changed = crossing.event == ContactEvent::landing ||
                          change.touch.phase != touch_.phase ||
                          change.touch.sticks != touch_.sticks ||
@@ -228,10 +228,16 @@ class Walk {
     touch_ = change.touch;
     if (changed && record_.events.size() < kEventsReported)
       record_.events.push_back({t, name_of(crossing.event), words_for(crossing.event)});
-    if (change.bounced_until > 0.0 && record_.events.size() < kEventsReported) {
-      record_.events.push_back(
-          {change.bounced_until, "bounces_end", "the last of the bounces without end"});
+    // one after another, too low to be found by their heights
+    while (change.flies_for > 0.0 && t + change.flies_for < duration_) {
+      arrive(t, true);
+      now_ = path_->stepper.step(touch_, t, change.flies_for, now_).end;
+      t += change.flies_for;
+      change = change_at(path_->stepper, ContactEvent::landing, touch_, t, now_);
+      touch_ = change.touch;
     }
+    if (change.bounces_end && record_.events.size() < kEventsReported)
+      record_.events.push_back({t, "bounces_end", "the last of the bounces without end"});
     if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime) {
       throw Error(Fault::check_failed,
                   fmt::format("at {:.6g} s {} again and again ({} events); end the motion before, "
