@@ -24,6 +24,11 @@ class FrameRenderer {
   // Renderer::draw do; with worker processes also (interrupted) and what a process has thrown, for
   // example when it opened its renderer (open_local_renderer() in film/local_renderer.h).
   virtual void render(int index, Image& image) = 0;
+  // The same; the frame is whole after the Retouch, which another thread may call meanwhile.
+  virtual Retouch begin(int index, Image& image) {
+    render(index, image);
+    return {};
+  }
   // Back end and OpenGL that draw. Waits until a worker process has opened them, and then throws
   // Error as render() does. Valid as long as the renderer.
   virtual const RendererInfo& info() const = 0;

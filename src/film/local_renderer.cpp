@@ -110,13 +110,14 @@ class LocalRenderer final : public FrameRenderer {
   }
 
   void render(int index, Image& image) override {
+    if (const Retouch retouch = begin(index, image)) retouch(image);
+  }
+
+  Retouch begin(int index, Image& image) override {
     const double time = film_.frames().film_time(index);
     const Picture picture = composed_.picture(index, compose_time_);
     const int moments = film_.shutter().moments();
-    if (moments == 1) {
-      renderer_->draw(picture, image);
-      return;
-    }
+    if (moments == 1) return renderer_->begin(picture, image);
     // what moves while the shutter is open, which ends with the shot; the text stands still
     const double shot = film_.film().next_cut(time) - time;
     const double part = std::min(1.0, shot / film_.shutter().open_s());
@@ -128,6 +129,7 @@ class LocalRenderer final : public FrameRenderer {
     for (const Stamp& stamp : picture.stamps) {
       lay_over(image, stamp);
     }
+    return {};
   }
 
   const RendererInfo& info() const override { return renderer_->info(); }

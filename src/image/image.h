@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,5 +53,9 @@ struct Image {
   // `ground` and `painted`.
   void fill(const PixelBox& box, const std::array<std::uint8_t, 4>& color);
 };
+
+// The rest of the work on an image, for whichever thread has time. Call it once, with the image
+// that it was made for. Empty: there is nothing left to do.
+using Retouch = std::function<void(Image&)>;
 
 }  // namespace polhode

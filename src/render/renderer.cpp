@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -110,32 +112,106 @@ class Renderer::Implementation {
     info_.by_outlines = settings.edges != Edges::samples && samples_ == 0;
   }
 
-  void draw(const Picture& picture, Image& image) {
+  Retouch begin(const Picture& picture, Image& image) {
     const bool single = picture.panels.size() == 1;
     if (!single) clear(picture, {}, image);
-    for (const Panel& panel : picture.panels) {
-      const DrawnRegion region = region_of(panel);
-      if (single) clear(picture, region.parts, image);
-      if (region.parts.empty()) continue;
-      draw_panel(panel, region.box);
-      read_back(region, image);
-      if (info_.by_outlines) smooth(region.box, image);
-      for (const PixelBox& part : region.parts) {
-        if (settings_.transparent) unpremultiply(image, part);
-        if (image.ground) image.painted.push_back(part);
+    const std::shared_ptr<Rest> rest = spare_->take();
+    rest->panels.resize(picture.panels.size());
+    rest->stamps = picture.stamps;
+    for (std::size_t i = 0; i < picture.panels.size(); ++i) {
+      const Panel& panel = picture.panels[i];
+      DrawnPanel& drawn = rest->panels[i];
+      drawn.region = region_of(panel, drawn.smoother);
+      if (single) clear(picture, drawn.region.parts, image);
+      if (drawn.region.parts.empty()) continue;
+      draw_panel(panel, drawn.region.box);
+      read_back(drawn, image);
+      if (image.ground) {
+        image.painted.insert(
+            image.painted.end(), drawn.region.parts.begin(), drawn.region.parts.end());
       }
     }
     refuse_errors();
     forget_unused_meshes();
-    for (const Stamp& stamp : picture.stamps)
-      lay_over(image, stamp);
+    return [spare = spare_, rest, smooth = info_.by_outlines, transparent = settings_.transparent](
+               Image& drawn) {
+      StageTime time;
+      retouch(*rest, smooth, transparent, drawn, time);
+      spare->give_back(rest, time);
+    };
   }
 
   PixelBox whole() const { return {0, 0, settings_.width, settings_.height}; }
   const RendererInfo& info() const { return info_; }
-  const RenderTimes& times() const { return times_; }
+  RenderTimes times() const {
+    RenderTimes times = times_;
+    const StageTime retouched = spare_->time();
+    times.smooth.wall_s += retouched.wall_s;
+    times.smooth.cpu_s += retouched.cpu_s;
+    return times;
+  }
 
  private:
+  // The part of the picture that a panel's items may cover: the box that is drawn, and the boxes of
+  // it that are read back. A function of the panel alone.
+  struct DrawnRegion {
+    PixelBox box;
+    std::vector<PixelBox> parts;
+  };
+  struct DrawnPanel {
+    DrawnRegion region;
+    OutlineSmoother smoother;
+    std::vector<float> depth;  // in the box, where it was read back
+  };
+  // What a picture needs besides OpenGL.
+  struct Rest {
+    std::vector<DrawnPanel> panels;
+    std::vector<Stamp> stamps;
+  };
+  // Memory for it, of which pictures that are whole leave some to others; for several threads.
+  class Spare {
+   public:
+    std::shared_ptr<Rest> take() {
+      const std::scoped_lock lock(mutex_);
+      if (free_.empty()) return std::make_shared<Rest>();
+      std::shared_ptr<Rest> rest = std::move(free_.back());
+      free_.pop_back();
+      return rest;
+    }
+    // time: what it took
+    void give_back(const std::shared_ptr<Rest>& rest, const StageTime& time) {
+      const std::scoped_lock lock(mutex_);
+      free_.push_back(rest);
+      time_.wall_s += time.wall_s;
+      time_.cpu_s += time.cpu_s;
+    }
+    StageTime time() const {
+      const std::scoped_lock lock(mutex_);
+      return time_;
+    }
+
+   private:
+    mutable std::mutex mutex_;
+    std::vector<std::shared_ptr<Rest>> free_;
+    StageTime time_;
+  };
+
+  static void retouch(
+      Rest& rest, bool by_outlines, bool transparent, Image& image, StageTime& time) {
+    for (DrawnPanel& panel : rest.panels) {
+      if (by_outlines && !panel.region.parts.empty()) {
+        const StageTimer timer(time);
+        panel.smoother.smooth(panel.region.box, panel.depth, image);
+      }
+      if (!transparent) continue;
+      for (const PixelBox& part : panel.region.parts)
+        unpremultiply(image, part);
+    }
+    for (const Stamp& stamp : rest.stamps)
+      lay_over(image, stamp);
+    rest.stamps.clear();
+  }
+
   struct Uploaded {
     MeshPtr keep;  // the address is the key, so the mesh must live
     std::unique_ptr<GpuMesh> gpu;
@@ -162,19 +238,13 @@ class Renderer::Implementation {
     }
   }
 
-  // The part of the picture that a panel's items may cover: the box that is drawn, and the boxes of
-  // it that are read back. A function of the panel alone.
-  struct DrawnRegion {
-    PixelBox box;
-    std::vector<PixelBox> parts;
-  };
-  DrawnRegion region_of(const Panel& panel) {
-    if (info_.by_outlines) find_outlines(panel);
+  DrawnRegion region_of(const Panel& panel, OutlineSmoother& smoother) {
+    if (info_.by_outlines) find_outlines(panel, smoother);
     const std::optional<PixelBox> box = box_of(panel);
     if (!box) return {panel.place, {panel.place}};
     if (box->empty()) return {};
     if (!info_.by_outlines) return {*box, {*box}};
-    DrawnRegion region{{}, smoother_.covered()};
+    DrawnRegion region{{}, smoother.covered()};
     for (const PixelBox& part : region.parts)
       region.box = region.box.empty() ? part : around(region.box, part);
     return region;
@@ -207,9 +277,9 @@ class Renderer::Implementation {
                     static_cast<int>(high.y - low.y)};
   }
 
-  void find_outlines(const Panel& panel) {
+  void find_outlines(const Panel& panel, OutlineSmoother& smoother) {
     const StageTimer timer(times_.smooth);
-    smoother_.begin(panel.list.view, panel.place);
+    smoother.begin(panel.list.view, panel.place);
     for (const std::vector<DrawItem>* items : {&panel.list.opaque, &panel.list.translucent}) {
       for (const DrawItem& item : *items) {
         Uploaded& mesh = uploaded(item.mesh);
@@ -218,7 +288,7 @@ class Renderer::Implementation {
           mesh.edges =
               std::make_unique<MeshEdges>(item.material.soft ? flat_box(mesh.corners) : *item.mesh);
         }
-        smoother_.add(*mesh.edges, item);
+        smoother.add(*mesh.edges, item);
       }
     }
   }
@@ -390,8 +460,9 @@ class Renderer::Implementation {
     }
   }
 
-  void read_back(const DrawnRegion& region, Image& image) {
+  void read_back(DrawnPanel& panel, Image& image) {
     const StageTimer timer(times_.read_back);
+    const DrawnRegion& region = panel.region;
     const PixelBox& box = region.box;
     const Framebuffer* source = drawn_.get();
     if (samples_ > 0) {
@@ -416,12 +487,13 @@ class Renderer::Implementation {
       read(part, box, GL_RGBA, GL_UNSIGNED_BYTE, image.at(part.x, part.y));
     if (info_.by_outlines) {
       gl_.PixelStorei(GL_PACK_ROW_LENGTH, box.width);
-      depth_.resize(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
+      panel.depth.resize(static_cast<std::size_t>(box.width) *
+                         static_cast<std::size_t>(box.height));
       for (const PixelBox& part : region.parts) {
         const std::size_t first =
             static_cast<std::size_t>(part.y - box.y) * static_cast<std::size_t>(box.width) +
             static_cast<std::size_t>(part.x - box.x);
-        read(part, box, GL_DEPTH_COMPONENT, GL_FLOAT, &depth_[first]);
+        read(part, box, GL_DEPTH_COMPONENT, GL_FLOAT, &panel.depth[first]);
       }
     }
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, 0);
@@ -429,11 +501,6 @@ class Renderer::Implementation {
 
   void read(const PixelBox& part, const PixelBox& box, GLenum what, GLenum type, void* to) const {
     gl_.ReadPixels(part.x - box.x, part.y - box.y, part.width, part.height, what, type, to);
-  }
-
-  void smooth(const PixelBox& box, Image& image) {
-    const StageTimer timer(times_.smooth);
-    smoother_.smooth(box, depth_, image);
   }
 
   void refuse_errors() const {
@@ -449,9 +516,7 @@ class Renderer::Implementation {
   std::unique_ptr<Framebuffer> drawn_;
   std::unique_ptr<Framebuffer> resolved_;
   std::unordered_map<const Mesh*, Uploaded> meshes_;
-  // of the panel that is being drawn
-  std::vector<float> depth_;  // in its box, where it was read back
-  OutlineSmoother smoother_;
+  std::shared_ptr<Spare> spare_ = std::make_shared<Spare>();
   RendererInfo info_;
   RenderTimes times_;
 };
@@ -461,19 +526,23 @@ Renderer::Renderer(const Context& context, const RenderSettings& settings)
 
 Renderer::~Renderer() = default;
 
+Retouch Renderer::begin(const Picture& picture, Image& image) {
+  return implementation_->begin(picture, image);
+}
+
 void Renderer::draw(const Picture& picture, Image& image) {
-  implementation_->draw(picture, image);
+  begin(picture, image)(image);
 }
 
 void Renderer::draw(const DrawList& list, Image& image) {
-  implementation_->draw(Picture{{{implementation_->whole(), list}}, {}}, image);
+  draw(Picture{{{implementation_->whole(), list}}, {}}, image);
 }
 
 const RendererInfo& Renderer::info() const {
   return implementation_->info();
 }
 
-const RenderTimes& Renderer::times() const {
+RenderTimes Renderer::times() const {
   return implementation_->times();
 }
 

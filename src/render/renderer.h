@@ -62,13 +62,15 @@ class Renderer {
   // the same pixels. Throws Error (environment) on an OpenGL error and if a shader does not compile
   // or a framebuffer cannot be made.
   void draw(const Picture& picture, Image& image);
+  // The same but for what needs no OpenGL (outlines, alpha, stamps): the picture is whole after the
+  // Retouch, which may outlive the renderer.
+  Retouch begin(const Picture& picture, Image& image);
   // Draws a picture with a single panel that covers it. Throws Error likewise.
   void draw(const DrawList& list, Image& image);
 
-  // References to members.
-  const RendererInfo& info() const;
-  // Summed over all pictures drawn so far.
-  const RenderTimes& times() const;
+  const RendererInfo& info() const;  // a reference to a member
+  // Summed over all pictures that are whole so far.
+  RenderTimes times() const;
 
  private:
   class Implementation;

@@ -13,7 +13,11 @@ namespace {
 
 constexpr std::size_t kFramesAhead = 4;
 
-using FrameQueue = BoundedQueue<Image>;
+struct Frame {
+  Image image;
+  Retouch retouch;
+};
+using FrameQueue = BoundedQueue<Frame>;
 
 // Which thread keeps the other waiting; what is long ago counts less.
 class Waits {
@@ -53,9 +57,11 @@ class Writer {
  private:
   void run(FrameSink& sink) {
     try {
-      Image frame;
+      Frame frame;
       while (queue_.pop(frame)) {
-        sink.push(frame);
+        if (frame.retouch) frame.retouch(frame.image);
+        frame.retouch = {};
+        sink.push(frame.image);
         queue_.give_back(std::move(frame));
       }
     } catch (...) {
@@ -80,10 +86,10 @@ void run_pipeline(int frames,
   Writer writer(queue, sink);
   for (int index = 0; index < frames; ++index) {
     stop_if_interrupted();
-    Image image;
-    if (!queue.wait_for_place(image)) break;
-    produce(index, image);
-    queue.push(std::move(image));
+    Frame frame;
+    if (!queue.wait_for_place(frame)) break;
+    frame.retouch = produce(index, frame.image);
+    queue.push(std::move(frame));
     on_frame({index + 1, waits.writer_waits(queue)});
   }
   queue.end();

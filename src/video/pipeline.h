@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-// Renders frame `index` into `image`, which is empty or holds an earlier frame.
-using Produce = std::function<void(int index, Image& image)>;
+// Renders frame `index` into `image`, which is empty or holds an earlier frame, but for a rest.
+using Produce = std::function<Retouch(int index, Image& image)>;
 
 // Progress of the pipeline.
 struct PipelineStep {
@@ -19,12 +19,12 @@ struct PipelineStep {
   bool writer_waits = true;
 };
 
-// Calls produce(0), produce(1), … on the calling thread and passes each frame to the sink on a
-// second thread; at most four frames wait between them. Then it calls sink.finish() on the calling
-// thread. on_frame is called on the calling thread after each frame. sink.describe() must have been
-// called before, if at all. on_frame must not be empty. An error on either thread stops the other
-// and is thrown here without sink.finish(); if both fail, that of the calling thread is. Throws
-// Error (interrupted) too.
+// Calls produce(0), produce(1), … on the calling thread; a second thread does the rest of the work
+// on each frame and passes it to the sink. At most four frames wait between them. Then it calls
+// sink.finish() on the calling thread. on_frame is called on the calling thread after each frame.
+// sink.describe() must have been called before, if at all. on_frame must not be empty. An error on
+// either thread stops the other and is thrown here without sink.finish(); if both fail, that of the
+// calling thread is. Throws Error (interrupted) too.
 void run_pipeline(int frames,
                   const Produce& produce,
                   FrameSink& sink,

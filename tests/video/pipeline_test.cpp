@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -45,7 +46,10 @@ TEST(Pipeline, EveryFrameOnceAndInOrder) {
   int last = 0;
   run_pipeline(
       30,
-      [](int i, Image& image) { image = frame(i); },
+      [](int i, Image& image) {
+        image = frame(i);
+        return Retouch{};
+      },
       sink,
       [&](const PipelineStep& step) { last = step.done; });
   ASSERT_EQ(sink.seen.size(), 30u);
@@ -55,6 +59,40 @@ TEST(Pipeline, EveryFrameOnceAndInOrder) {
   EXPECT_EQ(last, 30);
 }
 
+// the rest of the work on a frame is done before it is written, on the other thread
+TEST(Pipeline, FramesAreRetouchedOnceBeforeTheyAreWritten) {
+  TestSink sink(-1);
+  const std::thread::id maker = std::this_thread::get_id();
+  run_pipeline(
+      30,
+      [&](int i, Image& image) -> Retouch {
+        image = frame(i);
+        if (i % 3 == 0) return {};
+        return [maker](Image& made) {
+          EXPECT_NE(std::this_thread::get_id(), maker);
+          made.pixels[0] = static_cast<std::uint8_t>(made.pixels[0] + 100);
+        };
+      },
+      sink,
+      [](const PipelineStep&) {});
+  ASSERT_EQ(sink.seen.size(), 30u);
+  for (int i = 0; i < 30; ++i)
+    EXPECT_EQ(sink.seen[static_cast<std::size_t>(i)], (i * 7 + (i % 3 == 0 ? 1 : 101)) & 255);
+}
+
+TEST(Pipeline, AFailingRetouchStopsTheMakerAndIsHeard) {
+  TestSink sink(-1);
+  const auto produce = [](int i, Image& image) -> Retouch {
+    image = frame(i);
+    return [i](Image&) {
+      if (i == 3) throw environment_error("retouch failed");
+    };
+  };
+  EXPECT_THROW(run_pipeline(1000, produce, sink, [](const PipelineStep&) {}), Error);
+  EXPECT_EQ(sink.seen.size(), 3u);
+  EXPECT_FALSE(sink.finished);
+}
+
 TEST(Pipeline, AFailingSinkStopsTheMakerAndIsHeard) {
   TestSink sink(3);
   int made = 0;
@@ -62,8 +100,9 @@ TEST(Pipeline, AFailingSinkStopsTheMakerAndIsHeard) {
     run_pipeline(
         1000,
         [&](int i, Image& image) {
-          image = frame(i);
           ++made;
+          image = frame(i);
+          return Retouch{};
         },
         sink,
         [](const PipelineStep&) {});
@@ -80,6 +119,7 @@ TEST(Pipeline, AFailingMakerStopsTheSinkAndIsHeard) {
   const auto produce = [](int i, Image& image) {
     if (i == 5) throw environment_error("maker failed");
     image = frame(i);
+    return Retouch{};
   };
   EXPECT_THROW(run_pipeline(1000, produce, sink, [](const PipelineStep&) {}), Error);
   EXPECT_FALSE(sink.finished);
@@ -94,6 +134,7 @@ TEST(Pipeline, AnInterruptIsAnErrorOfItsOwn) {
         const auto produce = [](int i, Image& image) {
           if (i == 5) std::raise(SIGTERM);
           image = frame(i);
+          return Retouch{};
         };
         try {
           run_pipeline(1000, produce, sink, [](const PipelineStep&) {});
@@ -140,8 +181,9 @@ TEST(Pipeline, TheMakerIsAtMostFourFramesAhead) {
   run_pipeline(
       kFrames,
       [&](int i, Image& image) {
-        image = frame(i);
         sink.made_one();
+        image = frame(i);
+        return Retouch{};
       },
       sink,
       [](const PipelineStep&) {});
@@ -157,6 +199,7 @@ TEST(Pipeline, BuffersAreUsedAgain) {
       [&](int i, Image& image) {
         fresh += image.pixels.empty() ? 1 : 0;
         image = frame(i);
+        return Retouch{};
       },
       sink,
       [](const PipelineStep&) {});

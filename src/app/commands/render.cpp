@@ -173,7 +173,7 @@ double cost_of_frame(const RenderPlan& plan, const PreparedFilm& film, FrameRend
   const double before = process_cpu_seconds();
   run_pipeline(
       kStretches * length,
-      [&](int i, Image& into) { renderer.render(number(i), into); },
+      [&](int i, Image& into) { return renderer.begin(number(i), into); },
       *sink,
       [](const PipelineStep&) {});
   return (process_cpu_seconds() - before) / (kStretches * length);

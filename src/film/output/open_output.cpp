@@ -78,7 +78,7 @@ void render_frames(RenderOutput& output,
                    const std::function<void(const PipelineStep&)>& on_frame) {
   const std::vector<int>& frames = output.frames();
   const auto produce = [&](int index, Image& image) {
-    renderer.render(frames[static_cast<std::size_t>(index)], image);
+    return renderer.begin(frames[static_cast<std::size_t>(index)], image);
   };
   try {
     run_pipeline(static_cast<int>(frames.size()), produce, output.sink(), on_frame);
