@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -24,9 +25,24 @@ std::string one_line(std::string words) {
   return words;
 }
 
-std::string title_of(const StoryStep& step) {
-  if (step.caption && !step.caption->empty()) return one_line(*step.caption);
-  return fmt::format("Pause at {:.4g} s", step.at);
+bool says_something(const StoryStep& step) {
+  return step.caption && step.caption->find_first_not_of(" \t\r\n") != std::string::npos;
+}
+
+// The titles of chapters by the frame in which they begin: the words that are seen then, else that
+// the motion pauses.
+std::map<int, std::string> titles_of_story(const Timeline& told, const FrameTimes& frames) {
+  std::map<int, std::string> titles;
+  std::set<int> pausing;
+  for (std::size_t i = 0; i < told.steps().size(); ++i) {
+    const StoryStep& step = told.steps()[i];
+    const int start = frame_at(frames, told.starts()[i]);
+    if (step.caption) titles.erase(start);  // new words take the place of the old ones
+    if (says_something(step)) titles.emplace(start, one_line(*step.caption));
+    if (step.hold > 0.0) pausing.insert(start);
+    if (pausing.contains(start)) titles.emplace(start, fmt::format("Pause at {:.4g} s", step.at));
+  }
+  return titles;
 }
 
 std::vector<FilmMetadata::Caption> captions_of(const Timeline& told, const FrameTimes& frames) {
@@ -48,22 +64,19 @@ std::vector<FilmMetadata::Caption> captions_of(const Timeline& told, const Frame
 std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
                                                const Timeline& told,
                                                const FrameTimes& frames) {
+  // of what begins in one frame, panels come first, then the story, then shots
   std::vector<FilmMetadata::Chapter> chapters;
-  for (std::size_t i = 0; i < told.steps().size(); ++i) {
-    const StoryStep& step = told.steps()[i];
-    const bool says = step.caption && !step.caption->empty();
-    if (says || step.hold > 0.0)
-      chapters.push_back({frame_at(frames, told.starts()[i]), title_of(step)});
-  }
   for (std::size_t i = 0; scene.in_turn && i < scene.panels.size(); ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(scene.panels.size());
     chapters.push_back(
         {frame_at(frames, part * told.film_duration()), one_line(scene.panels[i].caption)});
   }
+  for (const auto& [start, title] : titles_of_story(told, frames))
+    chapters.push_back({start, title});
   const auto add_shots = [&](const std::vector<ShotSpec>& shots, double since) {
     for (const ShotSpec& shot : shots) {
       if (shot.name.empty()) continue;
-      const double begins = told.first_film_time(since + shot.at);
+      const double begins = told.film_time(since + shot.at);  // behind a pause
       chapters.push_back({frame_at(frames, begins), one_line(shot.name)});
     }
   };
@@ -75,7 +88,6 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
   } else {
     add_shots(scene.shots, 0.0);
   }
-  // the story's words go before the name of a shot that starts with them
   std::stable_sort(chapters.begin(), chapters.end(), [](const auto& a, const auto& b) {
     return a.start < b.start;
   });

@@ -255,16 +255,18 @@ void warn_of_what_comes_too_late(const Scene& scene, const FrameTimes& frames) {
   // a part of a film is no reason, nor are panels in turn, of which another follows
   const double missed = timeline.film_duration() - last;
   if (scene.in_turn || frames.count < 2 || missed > 1.5 / frames.rate) return;
-  const auto look_at = [&](const std::string& key, double at) {
-    if (reached(last, timeline.first_film_time(at))) return;
+  const auto look_at = [&](const std::string& key, double begins) {
+    if (reached(last, begins)) return;
     const Error warning = input_error("is never seen: the last frame shows {:.6g} s of the motion",
                                       timeline.motion_time(last));
     warn_at(scene, key.c_str(), warning);
   };
   for (std::size_t i = 0; i < scene.shots.size(); ++i)
-    look_at(fmt::format("shots[{}].at", i), scene.shots[i].at);
+    look_at(fmt::format("shots[{}].at", i), timeline.film_time(scene.shots[i].at));
   for (std::size_t i = 0; i < scene.story.size(); ++i) {
-    if (scene.story[i].hold == 0.0) look_at(fmt::format("story[{}].at", i), scene.story[i].at);
+    const StoryStep& step = scene.story[i];
+    if (step.hold == 0.0)
+      look_at(fmt::format("story[{}].at", i), timeline.first_film_time(step.at));
   }
 }
 

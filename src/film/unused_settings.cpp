@@ -231,7 +231,11 @@ class Search {
         std::any_of(scene_.shots.begin(), scene_.shots.end(), [](const ShotSpec& shot) {
           return shot.at <= 0.0 && shot.move <= 0.0;
         });
-    if (const std::optional<std::string> key = first_given_in("camera."); cut && key)
+    const bool pauses =
+        std::any_of(scene_.story.begin(), scene_.story.end(), [](const StoryStep& step) {
+          return step.at <= 0.0 && step.hold > 0.0;
+        });
+    if (const std::optional<std::string> key = first_given_in("camera."); cut && !pauses && key)
       tell(*key, "changes nothing here: a shot at 0 takes the place of this camera");
     for (std::size_t i = 0; i < scene_.story.size(); ++i) {
       const StoryStep& step = scene_.story[i];

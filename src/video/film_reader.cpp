@@ -128,13 +128,19 @@ class FilmReader::Implementation {
   std::string shown(AVStream* stream) const {
     const AVCodecParameters& track = *stream->codecpar;
     const AVRational pixel = av_guess_sample_aspect_ratio(input_.get(), stream, nullptr);
-    return fmt::format("{}:{} {} {} {} {}",
-                       std::max(pixel.num, 1),
-                       pixel.num > 0 ? pixel.den : 1,
-                       word(track.color_range, AVCOL_RANGE_NB, av_color_range_name),
-                       word(track.color_primaries, AVCOL_PRI_NB, av_color_primaries_name),
-                       word(track.color_trc, AVCOL_TRC_NB, av_color_transfer_name),
-                       word(track.color_space, AVCOL_SPC_NB, av_color_space_name));
+    const auto ratio = [](const AVRational& shape) {
+      return shape.num > 0 ? fmt::format("{}:{}", shape.num, shape.den) : std::string("1:1");
+    };
+    // the container's word goes before that of the stream
+    const std::string of_stream = ratio(track.sample_aspect_ratio);
+    return fmt::format(
+        "{}{} {} {} {} {}",
+        ratio(pixel),
+        of_stream == ratio(pixel) ? "" : fmt::format(" ({} in the stream)", of_stream),
+        word(track.color_range, AVCOL_RANGE_NB, av_color_range_name),
+        word(track.color_primaries, AVCOL_PRI_NB, av_color_primaries_name),
+        word(track.color_trc, AVCOL_TRC_NB, av_color_transfer_name),
+        word(track.color_space, AVCOL_SPC_NB, av_color_space_name));
   }
 
   // libav's name for a tag, which is below `end`, or its number where it has none

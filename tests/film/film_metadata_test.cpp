@@ -57,6 +57,39 @@ TEST(FilmMetadata, ChaptersAreStepsAndNamedShots) {
   EXPECT_EQ(metadata.chapters[3].title, "Pause at 3 s");
 }
 
+// a shot begins behind the pause at its time, and has its chapter there
+TEST(FilmMetadata, AShotAtAPauseFollowsIt) {
+  Case one(kStory);
+  ShotSpec shot;
+  shot.name = "From above";
+  shot.at = 1.0;
+  one.scene.shots = {shot};
+  const FilmMetadata metadata = one.metadata();
+  ASSERT_EQ(metadata.chapters.size(), 4u);
+  EXPECT_EQ(metadata.chapters[1].title, "Two lines");
+  EXPECT_EQ(metadata.chapters[2].start, 30);
+  EXPECT_EQ(metadata.chapters[2].title, "From above");
+}
+
+// of several words in one frame those are the chapter's that are seen
+TEST(FilmMetadata, ChaptersHaveTheWordsOfTheirFrame) {
+  const auto titles = [](const std::vector<StoryStep>& story) {
+    std::vector<std::string> found;
+    for (const FilmMetadata::Chapter& chapter : Case(story).metadata().chapters)
+      found.push_back(chapter.title);
+    return found;
+  };
+  using Titles = std::vector<std::string>;
+  EXPECT_EQ(titles({step(1.0, 0.0, "first"), step(1.0, 0.0, "second")}),
+            (Titles{"Title", "second"}));
+  EXPECT_EQ(titles({step(0.92, 0.0, "first"), step(0.95, 0.0, "second")}),
+            (Titles{"Title", "second"}));
+  EXPECT_EQ(titles({step(1.0, 0.0, "first"), step(1.0, 0.0, "")}), Titles{});
+  EXPECT_EQ(titles({step(1.0, 0.0, "first"), step(1.0, 0.5, "")}),
+            (Titles{"Title", "Pause at 1 s"}));
+  EXPECT_EQ(titles({step(1.0, 0.0, "  \n")}), Titles{});
+}
+
 TEST(FilmMetadata, CaptionsLastUntilTheNextWords) {
   const FilmMetadata metadata = Case(kStory).metadata();
   ASSERT_EQ(metadata.captions.size(), 2u);

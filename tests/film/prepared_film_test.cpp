@@ -123,6 +123,18 @@ TEST(PreparedFilm, ShotsAreChaptersInEachPanelInTurn) {
   EXPECT_EQ(starts, (std::vector<int>{4, 14}));
 }
 
+TEST(PreparedFilm, PanelsInTurnAreChaptersWhateverTheStorySays) {
+  Scene scene = twice_in_turn(small_scene("[[story]]\nat = 0\ncaption = \"start\"\n"));
+  scene.panels[0].caption = "one";
+  scene.panels[1].caption = "two";
+  const PreparedFilm turns(plan_of(scene));
+  const auto chapters = film_metadata(scene, scene.story, turns.frames()).chapters;
+  ASSERT_EQ(chapters.size(), 2u);
+  EXPECT_EQ(chapters[0].title, "one");
+  EXPECT_EQ(chapters[1].title, "two");
+  EXPECT_EQ(chapters[1].start, 10);
+}
+
 // each panel in turn begins without the words with which the one before has ended
 TEST(PreparedFilm, PanelsInTurnBeginTheirStoryAnew) {
   Scene scene = small_scene("[[story]]\nat = 0.8\ncaption = \"late\"\n");
