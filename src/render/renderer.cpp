@@ -133,12 +133,20 @@ class Renderer::Implementation {
     }
     refuse_errors();
     forget_unused_meshes();
-    return [spare = spare_, rest, smooth = info_.by_outlines, transparent = settings_.transparent](
-               Image& drawn) {
+    Retouch finish = [spare = spare_,
+                      rest,
+                      smooth = info_.by_outlines,
+                      transparent = settings_.transparent](Image& drawn) {
       StageTime time;
       retouch(*rest, smooth, transparent, drawn, time);
       spare->give_back(rest, time);
     };
+    // depths take as much memory as the picture; who is behind with several has no time for more
+    if (spare_->are_many_out()) {
+      finish(image);
+      return {};
+    }
+    return finish;
   }
 
   PixelBox whole() const { return {0, 0, settings_.width, settings_.height}; }
@@ -173,6 +181,7 @@ class Renderer::Implementation {
    public:
     std::shared_ptr<Rest> take() {
       const std::scoped_lock lock(mutex_);
+      ++out_;
       if (free_.empty()) return std::make_shared<Rest>();
       std::shared_ptr<Rest> rest = std::move(free_.back());
       free_.pop_back();
@@ -181,9 +190,15 @@ class Renderer::Implementation {
     // time: what it took
     void give_back(const std::shared_ptr<Rest>& rest, const StageTime& time) {
       const std::scoped_lock lock(mutex_);
+      --out_;
       free_.push_back(rest);
       time_.wall_s += time.wall_s;
       time_.cpu_s += time.cpu_s;
+    }
+    bool are_many_out() const {
+      constexpr int kMany = 3;
+      const std::scoped_lock lock(mutex_);
+      return out_ >= kMany;
     }
     StageTime time() const {
       const std::scoped_lock lock(mutex_);
@@ -193,6 +208,7 @@ class Renderer::Implementation {
    private:
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<Rest>> free_;
+    int out_ = 0;  // taken and not given back
     StageTime time_;
   };
 
@@ -531,7 +547,7 @@ Retouch Renderer::begin(const Picture& picture, Image& image) {
 }
 
 void Renderer::draw(const Picture& picture, Image& image) {
-  begin(picture, image)(image);
+  if (const Retouch retouch = begin(picture, image)) retouch(image);
 }
 
 void Renderer::draw(const DrawList& list, Image& image) {

@@ -63,7 +63,7 @@ class Renderer {
   // or a framebuffer cannot be made.
   void draw(const Picture& picture, Image& image);
   // The same but for what needs no OpenGL (outlines, alpha, stamps): the picture is whole after the
-  // Retouch, which may outlive the renderer.
+  // Retouch, which may outlive the renderer; at once if two others still wait for theirs.
   Retouch begin(const Picture& picture, Image& image);
   // Draws a picture with a single panel that covers it. Throws Error likewise.
   void draw(const DrawList& list, Image& image);
