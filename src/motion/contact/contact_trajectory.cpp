@@ -24,6 +24,7 @@ constexpr double kNoiseOfStages = 1e-4;
 constexpr int kMostHalvings = 60;
 constexpr double kRoundingOfTime = 1e-16;  // relative
 constexpr int kMostAtOneTime = 200;
+constexpr int kMostLowBounces = 2 * kMostContactEvents;
 // Radau's steps are taken where they are longer than so many explicit ones, and grow by no more
 // than this, so that the solution of one is near that of the next
 constexpr double kWorthRadau = 3.0;
@@ -229,7 +230,8 @@ class Walk {
     if (changed && record_.events.size() < kEventsReported)
       record_.events.push_back({t, name_of(crossing.event), words_for(crossing.event)});
     // one after another, too low to be found by their heights
-    while (change.flies_for > 0.0 && t + change.flies_for < duration_) {
+    for (int low = 1; change.flies_for > 0.0 && t + change.flies_for < duration_; ++low) {
+      if (low > kMostLowBounces) refuse_more(crossing.event, t, low);
       arrive(t, true);
       now_ = path_->stepper.step(touch_, t, change.flies_for, now_).end;
       t += change.flies_for;
@@ -238,16 +240,19 @@ class Walk {
     }
     if (change.bounces_end && record_.events.size() < kEventsReported)
       record_.events.push_back({t, "bounces_end", "the last of the bounces without end"});
-    if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime) {
-      throw Error(Fault::check_failed,
-                  fmt::format("at {:.6g} s {} again and again ({} events); end the motion before, "
-                              "or change friction or restitution",
-                              t,
-                              words_for(crossing.event),
-                              events_),
-                  {{}, 0, "motion.friction"});
-    }
+    if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime)
+      refuse_more(crossing.event, t, events_);
     arrive(t, true);
+  }
+
+  [[noreturn]] static void refuse_more(ContactEvent event, double t, int events) {
+    throw Error(Fault::check_failed,
+                fmt::format("at {:.6g} s {} again and again ({} events); end the motion before, "
+                            "or change friction or restitution",
+                            t,
+                            words_for(event),
+                            events),
+                {{}, 0, "motion.friction"});
   }
 
   void arrive(double t, bool after_event) {
