@@ -94,7 +94,7 @@ class Samples {
   // no more triangles stop the light of this point
   void next_light() {
     for (std::size_t i = 0; i < dark_.size(); ++i)
-      dark_[i] += stopped_[i];
+      dark_[i] += static_cast<float>(stopped_[i]);
     std::fill(stopped_.begin(), stopped_.end(), std::uint8_t{0});
   }
 
