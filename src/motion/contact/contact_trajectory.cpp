@@ -267,6 +267,7 @@ class Walk {
     t_ = t;
     path_->keep(touch_, now_, after_event);
     look();
+    if (after_event) stop_if_interrupted();  // a fall with friction takes as long as many steps
     if (++record_.steps % kStepsBetweenCalls == 0) {
       stop_if_interrupted();
       if (effort_.watch) effort_.watch(t / duration_);
