@@ -10,11 +10,6 @@
 namespace polhode {
 namespace {
 
-void add(const StageTime& more, StageTime& sum) {
-  sum.wall_s += more.wall_s;
-  sum.cpu_s += more.cpu_s;
-}
-
 class FrameWorkers final : public FrameRenderer {
  public:
   FrameWorkers(const PreparedFilm& film, const RenderSetup& setup, const std::vector<int>& frames)
@@ -44,10 +39,10 @@ class FrameWorkers final : public FrameRenderer {
     DrawingTimes sum;
     for (const std::unique_ptr<DrawingProcess>& member : members_) {
       const DrawingTimes& times = member->times();
-      add(times.compose, sum.compose);
-      add(times.render.draw, sum.render.draw);
-      add(times.render.read_back, sum.render.read_back);
-      add(times.render.smooth, sum.render.smooth);
+      sum.compose += times.compose;
+      sum.render.draw += times.render.draw;
+      sum.render.read_back += times.render.read_back;
+      sum.render.smooth += times.render.smooth;
     }
     return sum;
   }

@@ -34,8 +34,7 @@ class ComposedAhead {
   // composing throws, and Error (interrupted).
   Picture picture(int index, StageTime& time) {
     Made made = next_ == index ? awaited() : composed(index);
-    time.wall_s += made.time.wall_s;
-    time.cpu_s += made.time.cpu_s;
+    time += made.time;
     begin(2 * index - last_.value_or(index));  // frames come in equal steps
     last_ = index;
     return std::move(made.picture);

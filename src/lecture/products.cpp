@@ -196,7 +196,8 @@ Stops stops_of(const Scene& scene, const Json& report, double length, bool loop)
   for (Pause pause : timeline.pauses()) {
     pause.begins -= stops.first;
     pause.ends -= stops.first;
-    if (pause.begins >= -1e-9 && pause.begins < length) stops.pauses.push_back(std::move(pause));
+    if (reached(pause.begins, 0.0) && pause.begins < length)
+      stops.pauses.push_back(std::move(pause));
   }
   return stops;
 }

@@ -26,23 +26,24 @@ Bracket narrowed(Bracket bracket, double width, const Function& function) {
   auto& [low, high, at_low, at_high] = bracket;
   const double rounding = std::numeric_limits<double>::epsilon() * std::max(-low, high);
   const double least = std::max(0.5 * width, 2.0 * rounding);
+  double f_low = at_low, f_high = at_high;  // that of an end that stays is halved
   int side = 0, slow = 0;
   while (high - low > 2.0 * least) {
     const double before = high - low;
-    double middle = (low * at_high - high * at_low) / (at_high - at_low);
+    double middle = (low * f_high - high * f_low) / (f_high - f_low);
     if (slow >= kSlow) middle = 0.5 * (low + high);
     if (!(middle > low + least)) middle = low + least;
     if (!(middle < high - least)) middle = high - least;
     const double found = function(middle);
     if (found != 0.0 && (found > 0.0) == (at_low > 0.0)) {
       low = middle;
-      at_low = found;
-      if (side == 1) at_high *= 0.5;
+      at_low = f_low = found;
+      if (side == 1) f_high *= 0.5;
       side = 1;
     } else {
       high = middle;
-      at_high = found;
-      if (side == -1) at_low *= 0.5;
+      at_high = f_high = found;
+      if (side == -1) f_low *= 0.5;
       side = -1;
       if (found == 0.0) return {middle, middle, 0.0, 0.0};
     }

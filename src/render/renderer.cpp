@@ -153,9 +153,7 @@ class Renderer::Implementation {
   const RendererInfo& info() const { return info_; }
   RenderTimes times() const {
     RenderTimes times = times_;
-    const StageTime retouched = spare_->time();
-    times.smooth.wall_s += retouched.wall_s;
-    times.smooth.cpu_s += retouched.cpu_s;
+    times.smooth += spare_->time();
     return times;
   }
 
@@ -192,8 +190,7 @@ class Renderer::Implementation {
       const std::scoped_lock lock(mutex_);
       --out_;
       free_.push_back(rest);
-      time_.wall_s += time.wall_s;
-      time_.cpu_s += time.cpu_s;
+      time_ += time;
     }
     bool are_many_out() const {
       constexpr int kMany = 3;

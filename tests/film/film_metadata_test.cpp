@@ -27,6 +27,13 @@ struct Case {
     frames.first = first;
     frames.count = count;
   }
+  Case& with_shot_at(double at) {
+    ShotSpec shot;
+    shot.name = "From above";
+    shot.at = at;
+    scene.shots = {shot};
+    return *this;
+  }
   FilmMetadata metadata() const { return film_metadata(scene, scene.story, frames); }
 };
 
@@ -41,12 +48,7 @@ TEST(FilmMetadata, KeyFramesWhereTheStoryPausesGoesOnAndSpeaks) {
 }
 
 TEST(FilmMetadata, ChaptersAreStepsAndNamedShots) {
-  Case one(kStory);
-  ShotSpec shot;
-  shot.name = "From above";
-  shot.at = 2.0;
-  one.scene.shots = {shot};
-  const FilmMetadata metadata = one.metadata();
+  const FilmMetadata metadata = Case(kStory).with_shot_at(2.0).metadata();
   ASSERT_EQ(metadata.chapters.size(), 4u);
   EXPECT_EQ(metadata.chapters[0].title, "One");
   EXPECT_EQ(metadata.chapters[1].start, 10);
@@ -59,12 +61,7 @@ TEST(FilmMetadata, ChaptersAreStepsAndNamedShots) {
 
 // a shot begins behind the pause at its time, and has its chapter there
 TEST(FilmMetadata, AShotAtAPauseFollowsIt) {
-  Case one(kStory);
-  ShotSpec shot;
-  shot.name = "From above";
-  shot.at = 1.0;
-  one.scene.shots = {shot};
-  const FilmMetadata metadata = one.metadata();
+  const FilmMetadata metadata = Case(kStory).with_shot_at(1.0).metadata();
   ASSERT_EQ(metadata.chapters.size(), 4u);
   EXPECT_EQ(metadata.chapters[1].title, "Two lines");
   EXPECT_EQ(metadata.chapters[2].start, 30);

@@ -14,6 +14,12 @@ namespace polhode {
 struct StageTime {
   double wall_s = 0.0;  // s
   double cpu_s = 0.0;   // s; of the thread that ran the stage, plus those that its owner adds
+
+  StageTime& operator+=(const StageTime& more) {
+    wall_s += more.wall_s;
+    cpu_s += more.cpu_s;
+    return *this;
+  }
 };
 
 // Adds the time between its construction and its destruction, which must be on the same thread, to
