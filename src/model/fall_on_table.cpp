@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "math/bracketed_zero.h"
 #include "model/mobility.h"
 
 namespace polhode {
@@ -29,6 +32,9 @@ double first_part(const Passed& passed) {
 
 // A fall while its normal impulse grows.
 class Fall {
+  static constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
+  static constexpr double kSmallest = std::numeric_limits<double>::min();
+
  public:
   Fall(const Mat3& mobility, const Friction& law, double restitution, const Vec3& before)
       : K_(mobility), law_(law), restitution_(restitution), speed_(-before.z()), v_(before) {}
@@ -53,16 +59,27 @@ class Fall {
   }
 
  private:
-  // the velocity per normal impulse stays the same from now on
-  void end_with(const Vec3& gain) {
-    if (!(gain.z() > 0.0)) return;
+  // The velocity per normal impulse stays the same until that has grown by `most`, N s; whether the
+  // fall ends before.
+  bool end_with(const Vec3& gain, double most = kWithoutEnd) {
+    if (!(gain.z() > 0.0) && most == kWithoutEnd) return true;  // nothing would end it
     if (!rising_) {
-      taken_ += 0.5 * v_.z() * v_.z() / gain.z();
-      v_ -= v_.z() / gain.z() * gain;
+      const double lowest = gain.z() > 0.0 ? -v_.z() / gain.z() : kWithoutEnd;
+      const double part = std::min(lowest, most);
+      taken_ -= part * (v_.z() + 0.5 * part * gain.z());
+      v_ += part * gain;
+      if (lowest > most) return false;
+      most -= lowest;
+      v_.z() = 0.0;
       rise();
     }
-    const double end = std::sqrt(v_.z() * v_.z() + 2.0 * gain.z() * left_);
-    v_ += (end - v_.z()) / gain.z() * gain;
+    const double squared = v_.z() * v_.z() + 2.0 * gain.z() * left_;
+    const double all = squared > 0.0 ? 2.0 * left_ / (v_.z() + std::sqrt(squared))
+                                     : v_.z() / std::max(-gain.z(), kSmallest);
+    const double part = std::min(all, most);
+    left_ -= part * (v_.z() + 0.5 * part * gain.z());
+    v_ += part * gain;
+    return all <= most;
   }
 
   void rise() {
@@ -125,25 +142,44 @@ class Fall {
     }
   }
 
+  // The velocity per normal impulse, where the slip keeps its direction.
+  std::optional<Vec3> steady_gain() const {
+    constexpr double kTurns = 1e-11;  // rad, until the slip has changed by its size
+    const Vec3 way = horizontal(v_).normalized();
+    const Vec3 gain = K_ * (Vec3::UnitZ() - law_.mu * way);
+    const double along = gain.dot(way);
+    const bool ends = along < 0.0 || gain.z() > 0.0;
+    const double turns = (horizontal(gain) - along * way).norm();
+    return ends && turns <= kTurns * K_.norm() ? std::optional(gain) : std::nullopt;
+  }
+
   // whether the slip has ended, rather than the fall
   bool slide() {
     constexpr int kMost = 1'000'000;
-    constexpr double kFine = 0.01;      // of what changes the velocity, in a step
+    constexpr double kFine = 0.01;      // of what changes the slip, in a step
+    constexpr double kPart = 0.25;      // of the speed of the fall
     constexpr double kStopped = 1e-11;  // of the speed of the fall
     const double rate = K_.norm() * (1.0 + law_.mu);
     for (int i = 0; i < kMost; ++i) {
       const double slip = horizontal(v_).norm();
       if (slip <= kStopped * speed_) return true;
-      const double h = kFine * std::min(1.0 / rate, speed_ / (rate * slip));
-      const auto ends = [&](const Sliding& step) {
-        return rising_ ? step.work >= left_ || step.v.z() < 0.0 : step.v.z() >= 0.0;
+      if (const std::optional<Vec3> gain = steady_gain(); gain) {
+        const double loses = -gain->dot(horizontal(v_)) / slip;
+        return !end_with(*gain, loses > 0.0 ? slip / loses : kWithoutEnd);
+      }
+      const double h = std::min(kFine / rate, kPart * speed_ / (rate * slip));
+      // zero where the fall or the rise ends
+      const auto left_after = [&](const Sliding& step) {
+        if (!rising_) return -step.v.z();
+        return step.v.z() < 0.0 ? -left_ : left_ - step.work;
       };
       const Sliding step = slid(h);
-      if (!ends(step)) {
+      const Bracket whole{0.0, h, rising_ ? left_ : -v_.z(), left_after(step)};
+      if (whole.at_high > 0.0) {
         take(step);
         continue;
       }
-      take(slid(h * first_part([&](double part) { return ends(slid(h * part)); })));
+      take(slid(narrowed(whole, 0.0, [&](double part) { return left_after(slid(part)); }).high));
       if (rising_) return false;
       rise();
       if (restitution_ == 0.0) return false;

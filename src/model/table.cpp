@@ -116,11 +116,14 @@ Effort stick(const BodyModel& m,
   return {force, force.dot(up) * moment_per_newton};
 }
 
-// v / |v|, but on the side of `reference`, which stands for it where it is zero
+// v / |v|, but on the side of `reference`, a unit vector, which stands for it where it is zero.
+// Only the part along it is turned about: so beyond a zero, friction goes on as before it, and
+// still brakes what goes to the side.
 Vec3 direction_near(const Vec3& v, const Vec3& reference) {
   const double size = v.norm();
   if (!(size > 0.0)) return reference;
-  return v.dot(reference) < 0.0 ? Vec3(-v / size) : Vec3(v / size);
+  const double along = v.dot(reference);
+  return along < 0.0 ? Vec3((v - 2.0 * along * reference) / size) : Vec3(v / size);
 }
 
 // the force and moment of the laws of friction per newton of normal force, in S, where nothing is

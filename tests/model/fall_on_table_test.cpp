@@ -102,6 +102,26 @@ TEST(FallOnTable, IsThatOfManySmallImpulses) {
   RecordProperty("worst", std::to_string(worst));
 }
 
+// Where friction is just what keeps a slip from growing, the slip neither ends nor grows for long,
+// in its own direction; a little more or less friction makes a little difference.
+TEST(FallOnTable, ChangesLittleWithFrictionWhereSlipHardlyDies) {
+  std::mt19937 numbers(7);
+  for (int i = 0; i < 50; ++i) {
+    const Falling fall = random_fall(numbers);
+    const Mat3& K = fall.mobility;
+    const double limit = (K.topLeftCorner<2, 2>().inverse() * K.topRightCorner<2, 1>()).norm();
+    const auto impulse = [&](double mu) {
+      return impulse_of_fall(K, law(Friction::Kind::coulomb, mu), 0.5, fall.before);
+    };
+    const Vec3 at = impulse(limit);
+    for (const double part : {-1e-6, -1e-9, 1e-9, 1e-6}) {
+      EXPECT_LT((impulse(limit * (1.0 + part)) - at).norm(),
+                100.0 * std::abs(part) * at.norm() + 1e-9)
+          << i << ' ' << part;
+    }
+  }
+}
+
 // Newton's rule with Coulomb's cone made up to 3.5 times the energy of the normal velocity
 TEST(FallOnTable, MakesNoEnergy) {
   std::mt19937 numbers(4);

@@ -150,10 +150,8 @@ double ContactStepper::turning_rate(const Touch& touch, const Moving& now) const
   return law.mu * model_.gravity_S.norm() * kMobility / slip;
 }
 
-ContactStepper::Result ContactStepper::step(const Touch& touch,
-                                            double t,
-                                            double h,
-                                            const OnTable& from) const {
+ContactStepper::Result ContactStepper::step(
+    const Touch& touch, double t, double h, const OnTable& from, bool implicit) const {
   Result result;
   const bool touching = touch.phase != Touch::Phase::flying;
   const auto slope = [&](double at, const Vector& v) -> Vector {
@@ -174,7 +172,7 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
   constexpr double kSolved = 0.01;
   // well below the slips, relative to a fall's speed, that have a direction of their own
   constexpr double kDifference = 1e-10;
-  if (std::abs(h) * turning_rate(touch, from.moving) > kExplicit) {
+  if (implicit) {
     result.order = 5;
     // the direction of a slip turns the slower, the faster the slip has become within the step
     const RadauSettings settings{

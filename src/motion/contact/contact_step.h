@@ -78,12 +78,15 @@ class ContactStepper {
     double error = 0.0;   // estimate of the local error, relative to the scales
     double margin = 1.0;  // the least at the inner stages of the step
   };
-  // From t by h (s). Throws Error (check_failed) as reaction_of does.
-  Result step(const Touch& touch, double t, double h, const OnTable& from) const;
+  // From t by h (s), by Radau's method if `implicit`; where that finds no solution, by the other
+  // one. A part of a step is taken as all of it, since near the end of an implicit one the explicit
+  // method may be far off. Throws Error (check_failed) as reaction_of does.
+  Result step(
+      const Touch& touch, double t, double h, const OnTable& from, bool implicit = false) const;
   // How fast the direction of a slip turns to where dry friction lets it, 1/s: mu g, times what the
   // rotation adds to the mobility of the contact, over the speed of slip. Zero without such a slip.
   double turning_rate(const Touch& touch, const Moving& now) const;
-  // Explicit steps bear this much of it in a step; longer ones are Radau's.
+  // Explicit steps bear this much of it in a step; longer ones are for Radau's.
   static constexpr double kExplicit = 6.0;
   // All margins of a state.
   Margins margins(const Touch& touch, double t, const OnTable& now) const;

@@ -63,6 +63,7 @@ class ContactTrajectory final : public Trajectory {
 
   ContactStepper stepper;
   std::vector<double> times;
+  std::vector<bool> implicit;  // how the step from the time with that index is taken
   std::vector<Kept> kept;
 
  private:
@@ -77,11 +78,14 @@ class ContactTrajectory final : public Trajectory {
     OnTable state = from->state;
     Touch touch = from->touch;
     for (std::size_t i = from->index; i < index; ++i) {
-      state = stepper.step(touch, times[i], times[i + 1] - times[i], state).end;
+      state = stepper.step(touch, times[i], times[i + 1] - times[i], state, implicit[i]).end;
       touch = refreshed(stepper.model(), touch, state.moving);
     }
     const double rest = t - times[index];
-    if (rest != 0.0) state = stepper.step(touch, times[index], rest, state).end;
+    if (rest != 0.0) {
+      const bool as_whole = index < implicit.size() && implicit[index];
+      state = stepper.step(touch, times[index], rest, state, as_whole).end;
+    }
     return {touch, state};
   }
 };
@@ -93,10 +97,14 @@ struct Crossing {
 };
 
 // The zero within a step of length h (s), at whose end a margin is negative.
-Crossing crossing_in(
-    const ContactStepper& stepper, const Touch& touch, double t, double h, const OnTable& from) {
+Crossing crossing_in(const ContactStepper& stepper,
+                     const Touch& touch,
+                     double t,
+                     double h,
+                     const OnTable& from,
+                     bool implicit) {
   const auto margins_after = [&](double part) {
-    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from).end : from;
+    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from, implicit).end : from;
     return stepper.margins(touch, t + part, end);
   };
   const auto least_after = [&](double part) {
@@ -152,7 +160,7 @@ class Walk {
       const bool stiff = h > kWorthRadau * most;
       if (!stiff) h = std::min(h, most);
       const double next = t_ + h < duration_ ? t_ + h : duration_;
-      const ContactStepper::Result trial = tried(next);
+      const ContactStepper::Result trial = tried(next, stiff);
       record_.evaluations += 12;
       if (stiff && trial.order == 8) {
         // Newton's method did not converge
@@ -173,7 +181,7 @@ class Walk {
         continue;
       }
       if (margin < -kNoise) {
-        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_));
+        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_, stiff), stiff);
         h = std::min(h, std::max(duration_ - t_, 1e-300));
         continue;
       }
@@ -184,25 +192,27 @@ class Walk {
       h = next == duration_ ? std::max(h, proposed) : proposed;
       now_ = trial.end;
       touch_ = refreshed(path_->stepper.model(), touch_, now_.moving);
-      arrive(next, false);
+      arrive(next, false, stiff);
     }
-    if (path_->times.back() < duration_) path_->times.push_back(duration_);
     record_.drift = drift_.value().worst();
     return record_;
   }
 
  private:
-  // A step; its error is infinite where friction has no solution at a stage that is too far off.
-  ContactStepper::Result tried(double next) const {
+  // A step; its error is infinite where friction has no solution at a stage that is too far off, or
+  // numbers overflow there.
+  ContactStepper::Result tried(double next, bool implicit) const {
     constexpr double kNear = 1e-6;
+    ContactStepper::Result none{now_};
+    none.error = std::numeric_limits<double>::infinity();
     try {
-      return path_->stepper.step(touch_, t_, next - t_, now_);
+      const ContactStepper::Result trial =
+          path_->stepper.step(touch_, t_, next - t_, now_, implicit);
+      return std::isnan(trial.error) ? none : trial;
     } catch (const Error& error) {
       if (error.fault() != Fault::check_failed) throw;
       if (next - t_ < kNear / path_->stepper.scales().rate) throw;
     }
-    ContactStepper::Result none{now_};
-    none.error = std::numeric_limits<double>::infinity();
     return none;
   }
 
@@ -216,8 +226,8 @@ class Walk {
     return h;
   }
 
-  void pass_event(const Crossing& crossing) {
-    if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_).end;
+  void pass_event(const Crossing& crossing, bool implicit) {
+    if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_, implicit).end;
     at_one_time_ = crossing.h > 1e-13 * std::max(t_, 1e-6) ? 0 : at_one_time_ + 1;
     double t = t_ + crossing.h;
     ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
@@ -232,7 +242,8 @@ class Walk {
     // one after another, too low to be found by their heights
     for (int low = 1; change.flies_for > 0.0 && t + change.flies_for < duration_; ++low) {
       if (low > kMostLowBounces) refuse_more(crossing.event, t, low);
-      arrive(t, true);
+      arrive(t, true, implicit);
+      implicit = false;
       now_ = path_->stepper.step(touch_, t, change.flies_for, now_).end;
       t += change.flies_for;
       change = change_at(path_->stepper, ContactEvent::landing, touch_, t, now_);
@@ -242,7 +253,7 @@ class Walk {
       record_.events.push_back({t, "bounces_end", "the last of the bounces without end"});
     if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime)
       refuse_more(crossing.event, t, events_);
-    arrive(t, true);
+    arrive(t, true, implicit);
   }
 
   [[noreturn]] static void refuse_more(ContactEvent event, double t, int events) {
@@ -255,7 +266,7 @@ class Walk {
                 {{}, 0, "motion.friction"});
   }
 
-  void arrive(double t, bool after_event) {
+  void arrive(double t, bool after_event, bool implicit) {
     const long most = std::min(effort_.most_steps, kMostSteps / 8);
     if (after_event && t == t_) {
       // nothing can have been kept for this time but the state before
@@ -263,6 +274,7 @@ class Walk {
         path_->kept.pop_back();
     } else {
       path_->times.push_back(t);
+      path_->implicit.push_back(implicit);
     }
     t_ = t;
     path_->keep(touch_, now_, after_event);
