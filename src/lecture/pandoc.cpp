@@ -137,9 +137,16 @@ void refuse_deep(const Tree& tree) {
   }
 }
 
+// pandoc as it is installed: templates and designs that a user keeps for it would change documents
+std::vector<std::string> pandoc(const std::vector<std::string>& words) {
+  std::vector<std::string> command = {"pandoc", "--data-dir=/dev/null"};
+  command.insert(command.end(), words.begin(), words.end());
+  return command;
+}
+
 // pandoc's answer to what Polhode has written itself
-ChildResult converted(const std::vector<std::string>& command, const std::string& text) {
-  ChildResult ran = run_child(command, text, {.seconds = kMostSeconds});
+ChildResult converted(const std::vector<std::string>& words, const std::string& text) {
+  ChildResult ran = run_child(pandoc(words), text, {.seconds = kMostSeconds});
   if (!ended_well(ran)) {
     throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
   }
@@ -161,7 +168,7 @@ Json read_markdown(const std::string& text) {
   // aliases of YAML and brackets that nobody closes can take all memory there is
   constexpr ChildLimits kLimits{.seconds = kMostSeconds, .memory = 1U << 30U, .output = 64U << 20U};
   const ChildResult ran =
-      run_child({"pandoc", "--sandbox", "-f", kMarkdown, "-t", "json"}, text, kLimits);
+      run_child(pandoc({"--sandbox", "-f", kMarkdown, "-t", "json"}), text, kLimits);
   // what the run-time system of pandoc says when it gets no more memory
   const bool no_memory = ran.status != 0 && ran.err.find("commit") != std::string::npos;
   if (!ran.exceeded.empty() || no_memory) {
@@ -195,14 +202,14 @@ Json parse_tree(const std::string& json) {
 }
 
 Json read_html(const std::string& html) {
-  return parse_tree(converted({"pandoc", "--sandbox", "-f", "html", "-t", "json"}, html).out);
+  return parse_tree(converted({"--sandbox", "-f", "html", "-t", "json"}, html).out);
 }
 
 Written write_document(const Json& tree, const std::vector<std::string>& words, bool sandbox) {
-  std::vector<std::string> command = {"pandoc", "-f", "json"};
-  if (sandbox) command.emplace_back("--sandbox");
-  command.insert(command.end(), words.begin(), words.end());
-  ChildResult ran = converted(command, tree.dump());
+  std::vector<std::string> all = {"-f", "json"};
+  if (sandbox) all.emplace_back("--sandbox");
+  all.insert(all.end(), words.begin(), words.end());
+  ChildResult ran = converted(all, tree.dump());
   return {std::move(ran.out), formulas_in(ran.err)};
 }
 

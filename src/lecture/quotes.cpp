@@ -77,10 +77,14 @@ std::string without_numbers(std::string path) {
 
 // does a full path say the same as the short one: without "derived.", without the unit
 bool means(const std::string& full, const std::string& asked) {
-  std::string path = full.starts_with("derived.") ? full.substr(8) : full;
-  if (full == asked || path == asked) return true;
+  constexpr std::string_view kPrefix = "derived.";
+  const bool is_derived = full.starts_with(kPrefix);
+  const std::string path = is_derived ? full.substr(kPrefix.size()) : full;
+  const std::string short_path =
+      is_derived && asked.starts_with(kPrefix) ? asked.substr(kPrefix.size()) : asked;
+  if (path == short_path) return true;
   const std::string head = without_numbers(path), numbers = path.substr(head.size());
-  return split_unit(head).first + numbers == asked;
+  return split_unit(head).first + numbers == short_path;
 }
 
 const char* superscript(char c) {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/json.h"
 #include "support/in_child.h"
+#include "support/run.h"
 
 namespace polhode {
 namespace {
@@ -48,6 +49,19 @@ TEST(Pandoc, WritesDocumentsAndTellsFormulasThatItCannotRead) {
   EXPECT_EQ(written.bad_formulas[0].rfind("\\frac{1}", 0), 0U) << written.bad_formulas[0];
   const Tree good = read_markdown("$x^2$\n");
   EXPECT_TRUE(write_document(good, {"-t", "html5", "--mathml"}).bad_formulas.empty());
+}
+
+TEST(Pandoc, TakesNoTemplatesOfTheUser) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "pandoc/templates");
+  test::write_text(folder / "pandoc/templates/default.latex", "MINE $body$");
+  EXPECT_EQ(test::exit_code_in_child([&] {
+              setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+              const Written written =
+                  write_document(read_markdown("# A head\n"), {"-s", "-t", "latex"}, false);
+              return written.text.find("MINE") == std::string::npos ? 0 : 1;
+            }),
+            0);
 }
 
 // another version of pandoc may write other trees

@@ -26,6 +26,7 @@ std::string told(const std::string& words) {
 TEST(Quotes, NumbersAsReadersWantThem) {
   EXPECT_EQ(told("precession_rate"), "1.257\u00A0rad/s");
   EXPECT_EQ(told("derived.precession_rate_rad_per_s|%.2f"), "1.26\u00A0rad/s");
+  EXPECT_EQ(told("derived.precession_rate|%.2f"), "1.26\u00A0rad/s");
   EXPECT_EQ(told("precession_rate|%.4g,deg_per_s"), "72°/s");
   EXPECT_EQ(told("precession_rate|,none"), "1.257");
   EXPECT_EQ(told("flip_time"), "−0.0002442\u00A0s");

@@ -12,6 +12,7 @@
 #include "base/one_line.h"
 #include "base/shell_word.h"
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 
 namespace polhode {
 
@@ -72,7 +73,7 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
       missing.emplace_back(file, name);
     } else if (is_first) {
       refuse(fmt::format("{} is already there", one_line(file.string())));
-    } else if (read_file(file) == template_files().at(name)) {
+    } else if (is_there(file) && read_file(file) == template_files().at(name)) {
       kept = fmt::format(" (with the {} that was there)", one_line(file.string()));
     } else {
       refuse(fmt::format("{} is already there, and is not the scene that the {} needs",

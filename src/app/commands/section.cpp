@@ -95,8 +95,9 @@ std::string summary_of(const SectionSurface& surface, const std::vector<SectionO
   std::string text = fmt::format("energy {:.6g} J, vertical momentum {:.6g} kg m^2/s\n",
                                  surface.energy(),
                                  surface.vertical_momentum());
-  text += fmt::format("{} motions: {} regular, {} chaotic, {} undecided; {} crossings\n",
+  text += fmt::format("{} motion{}: {} regular, {} chaotic, {} undecided; {} crossings\n",
                       orbits.size(),
+                      orbits.size() == 1 ? "" : "s",
                       count[0],
                       count[2],
                       count[1],

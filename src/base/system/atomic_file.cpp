@@ -85,7 +85,9 @@ AtomicFile::AtomicFile(fs::path target)
   // a file system without locks is no reason to refuse
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     unlock();
-    throw input_error("another run is writing this file; wait for it or choose another output")
+    throw input_error(
+        "is being written already, by another run or as another output of this one; wait for it or "
+        "choose another output")
         .at(place);
   }
   unfinished_.emplace(part_);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "film/report/reported_film.h"
 
+#include <filesystem>
+
 #include "base/system/atomic_file.h"
+#include "base/system/files.h"
 #include "film/report/film_report.h"
 #include "scene/canonical.h"
 #include "video/encoders.h"
 
 namespace polhode {
+namespace fs = std::filesystem;
 namespace {
 
 // pixels depend on all of them
@@ -44,6 +48,13 @@ EncoderSettings encoder_from(const std::string& output, const EncoderRecord& rec
   return encoder;
 }
 
+// A file that a report names: from where the film was rendered or, of films that were moved
+// together with their scenes, from the folder of the report.
+std::string found_file(const std::string& named, const fs::path& folder) {
+  const fs::path beside = folder / named;
+  return !is_there(named) && is_there(beside) ? beside.string() : named;
+}
+
 // The scene without lines: those of its text in the report are not those of its file.
 Scene scene_of_text(const Json& text, const std::string& file) {
   Scene scene = scene_from_json(text, file);
@@ -51,8 +62,8 @@ Scene scene_of_text(const Json& text, const std::string& file) {
   return scene;
 }
 
-Scene scene_from(const FilmReport& record) {
-  Scene scene = scene_of_text(record.scene, record.scene_file);
+Scene scene_from(const FilmReport& record, const fs::path& folder) {
+  Scene scene = scene_of_text(record.scene, found_file(record.scene_file, folder));
   if (!record.film) return scene;
   const Json& film = *record.film;
   scene.film_file = film.at("file");
@@ -61,15 +72,16 @@ Scene scene_from(const FilmReport& record) {
   scene.same_scales = film.at("scales") == "same";
   for (const Json& row : film.at("panels")) {
     scene.panels.push_back(
-        {row.at("caption"), scene_of_text(row.at("scene"), row.at("scene_file"))});
+        {row.at("caption"),
+         scene_of_text(row.at("scene"), found_file(row.at("scene_file"), folder))});
   }
   if (scene.panels.empty()) throw input_error("has a film without panels");
   return scene;
 }
 
-RenderPlan plan_from(const FilmReport& record) {
+RenderPlan plan_from(const FilmReport& record, const fs::path& folder) {
   RenderPlan plan;
-  plan.scene = scene_from(record);
+  plan.scene = scene_from(record, folder);
   plan.story = plan.scene.story;
   if (record.captions.size() != plan.story.size()) {
     throw input_error(
@@ -120,8 +132,11 @@ ReportedFilm read_report(const std::string& file) {
     refuse_other_versions(report.at("versions"));
     FilmReport record;
     read_json(report, record);
-    ReportedFilm film{
-        plan_from(record), record.gl_renderer, std::move(record.frame_hashes), {}, {}};
+    ReportedFilm film{plan_from(record, fs::path(file).parent_path()),
+                      record.gl_renderer,
+                      std::move(record.frame_hashes),
+                      {},
+                      {}};
     film.broken = contradiction(record, film);
     if (!film.broken) check_time_range(film.plan.scene, film.plan.range);
     film.record = std::move(report);

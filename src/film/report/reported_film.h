@@ -22,10 +22,11 @@ struct ReportedFilm {
   Json record = {};  // all that the report says
 };
 
-// Reads the report in that file. Throws Error, with the file as place: (input) if it is missing,
-// not a report or longer than 1 GiB, if it was written with other versions()
-// (film/report/motion_report.h), or if it has a value that no scene, option or encoder accepts;
-// (environment) as settle_encoder (video/encoders.h) does.
+// Reads the report in that file. Scenes that it names, beside which their meshes are, are looked
+// for where they were and then from the folder of the report. Throws Error, with the file as place:
+// (input) if it is missing, not a report or longer than 1 GiB, if it was written with other
+// versions() (film/report/motion_report.h), or if it has a value that no scene, option or encoder
+// accepts; (environment) as settle_encoder (video/encoders.h) does.
 ReportedFilm read_report(const std::string& file);
 
 }  // namespace polhode

@@ -141,6 +141,20 @@ TEST_F(ReportOfAFilm, WithValuesThatNobodyCouldAskForIsRefused) {
   expect_refused(other, "--to");
 }
 
+// scenes in a report are named from where the film was rendered
+TEST_F(ReportOfAFilm, FindsMeshesBesideItsScenesWhereverItIsMovedWithThem) {
+  std::filesystem::create_directories(folder_ / "scenes");
+  test::write_text(folder_ / "scenes/a.toml", "");
+  test::write_text(folder_ / "scenes/a.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  Json moved = json_;
+  moved["scene_file"] = "scenes/a.toml";
+  moved["scene"]["body"]["solid"] = {{"kind", "mesh"}, {"file", "a.obj"}, {"mass", 1.0}};
+  EXPECT_NE(broken(moved).find("has the hash"), std::string::npos) << broken(moved);
+  moved["scene_file"] = "elsewhere/a.toml";
+  expect_refused(moved, "a.obj");
+}
+
 TEST_F(ReportOfAFilm, OtherFilesAreNoReports) {
   for (const char* key : {"scene", "versions", "frame_hashes", "encoder", "output"}) {
     Json other = json_;
