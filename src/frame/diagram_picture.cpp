@@ -33,6 +33,8 @@ const std::array<Vec2, 8> kSidesOfMarks = {{{1.0, -1.0},
                                             {1.0, 0.0},
                                             {-1.0, 0.0}}};
 constexpr double kReadsOn = 5.0;  // the price of two names that are read as one
+constexpr double kStrays = 3.0;   // that of a name which is not clearly nearest to its own mark
+constexpr double kClearly = 1.4;
 
 // how curves of a kind, and their names, are drawn
 struct CurveStyle {
@@ -208,8 +210,8 @@ void DiagramPicture::add_marks(const Typesetter& typesetter) {
     curves_.push_back({std::make_shared<const Sprite>(std::move(disc)), left, top});
     if (mark.name.empty()) continue;
     const TextBox box = typesetter.measure(plain_text(mark.name), style);
-    // above it to the right if nothing is hidden there and no name is so near that both would be
-    // read as one; else where this is less
+    // above it to the right if nothing is hidden there, no name is so near that both would be read
+    // as one, and no other mark is as near; else where this is less
     const LabelWish wish{{at.x, at.y}, {1.0, -1.0}, box.ink_width(), box.ink_height()};
     const double gap = radius + 0.3 * paper_.size();
     Vec2 best = Vec2::Zero();
@@ -229,8 +231,14 @@ void DiagramPicture::add_marks(const Typesetter& typesetter) {
         const bool reads_on = std::any_of(names.begin(), names.end(), [&](const TextRoom& name) {
           return overlap(name, around(0.5));
         });
+        const double away = (center - wish.at).norm();
+        const bool strays = std::any_of(
+            diagram_.marks.begin(), diagram_.marks.end(), [&](const DiagramMark& other) {
+              const LinePoint there = pixel(other.at);
+              return &other != &mark && (center - Vec2(there.x, there.y)).norm() < kClearly * away;
+            });
         const double price = hidden_by(around(0.15)) + (reads_on ? kReadsOn : 0.0) +
-                             (center - wish.at).norm() / (10.0 * paper_.size());
+                             (strays ? kStrays : 0.0) + away / (10.0 * paper_.size());
         if (price >= least) continue;
         least = price;
         best = center;
