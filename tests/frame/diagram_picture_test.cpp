@@ -78,6 +78,30 @@ TEST(DiagramPicture, TheCurveOfThePotentialGoesThroughNoName) {
   }
 }
 
+// also where two points are nearer to each other than their names are long
+TEST(DiagramPicture, NamesStandNearestToTheirOwnPoints) {
+  const Drawn drawn("potential");
+  Diagram narrow = drawn.diagram;
+  ASSERT_EQ(narrow.marks.size(), 2U);
+  const double pixel =
+      1.0 / (drawn.picture.pixel({1.0, 0.0}).x - drawn.picture.pixel({0.0, 0.0}).x);
+  for (const double apart : {16.0, 24.0, 32.0, 48.0, 64.0}) {
+    narrow.marks[1].at = narrow.marks[0].at + Vec2(apart * pixel, 0.0);
+    const DiagramPicture picture(
+        narrow, {1094, 95, 826, 470}, 32.0, make_theme({}), drawn.typesetter);
+    for (const PlacedText& text : picture.texts()) {
+      const auto away = [&](const DiagramMark& mark) {
+        const LinePoint at = picture.pixel(mark.at);
+        return distance(text.room, {at.x, at.y});
+      };
+      for (int own = 0; own < 2; ++own) {
+        if (text.markup != narrow.marks[own].name) continue;
+        EXPECT_LT(away(narrow.marks[own]), away(narrow.marks[1 - own])) << text.markup << apart;
+      }
+    }
+  }
+}
+
 TEST(DiagramPicture, TextStaysInItsRoomAndOffOtherText) {
   for (const int height : {940, 470, 310}) {
     for (const char* kind : {"potential", "phase", "polhode_map"}) {
