@@ -79,8 +79,8 @@ class ContactStepper {
     double margin = 1.0;  // the least at the inner stages of the step
   };
   // From t by h (s), by Radau's method if `implicit`; where that finds no solution, by the other
-  // one. A part of a step is taken as all of it, since near the end of an implicit one the explicit
-  // method may be far off. Throws Error (check_failed) as reaction_of does.
+  // one. A part of an implicit step is taken as all of it: near its end the explicit method may be
+  // far off. Throws Error (check_failed) as reaction_of does.
   Result step(
       const Touch& touch, double t, double h, const OnTable& from, bool implicit = false) const;
   // How fast the direction of a slip turns to where dry friction lets it, 1/s: mu g, times what the

@@ -29,7 +29,8 @@ constexpr int kMostLowBounces = 2 * kMostContactEvents;
 // than this, so that the solution of one is near that of the next
 constexpr double kWorthRadau = 3.0;
 constexpr double kGrowthOfRadau = 1.5;
-constexpr double kShorterRadau = 0.4;  // where their equations could not be solved
+// where their equations could not be solved, or something happens within the step
+constexpr double kShorterRadau = 0.4;
 
 // The grid of times, and at some of them what is known there: after events always, else of every
 // second, fourth ... step, so that memory is bounded.
@@ -97,14 +98,10 @@ struct Crossing {
 };
 
 // The zero within a step of length h (s), at whose end a margin is negative.
-Crossing crossing_in(const ContactStepper& stepper,
-                     const Touch& touch,
-                     double t,
-                     double h,
-                     const OnTable& from,
-                     bool implicit) {
+Crossing crossing_in(
+    const ContactStepper& stepper, const Touch& touch, double t, double h, const OnTable& from) {
   const auto margins_after = [&](double part) {
-    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from, implicit).end : from;
+    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from).end : from;
     return stepper.margins(touch, t + part, end);
   };
   const auto least_after = [&](double part) {
@@ -180,8 +177,15 @@ class Walk {
         h = shorter(next, 0.5, trial);
         continue;
       }
+      if (stiff && margin < -kNoise) {
+        // solutions of parts of the step are too far from each other for a zero to be located in it
+        ++record_.rejected;
+        h = std::max(most, kShorterRadau * (next - t_));
+        grows = false;
+        continue;
+      }
       if (margin < -kNoise) {
-        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_, stiff), stiff);
+        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_));
         h = std::min(h, std::max(duration_ - t_, 1e-300));
         continue;
       }
@@ -226,8 +230,8 @@ class Walk {
     return h;
   }
 
-  void pass_event(const Crossing& crossing, bool implicit) {
-    if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_, implicit).end;
+  void pass_event(const Crossing& crossing) {
+    if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_).end;
     at_one_time_ = crossing.h > 1e-13 * std::max(t_, 1e-6) ? 0 : at_one_time_ + 1;
     double t = t_ + crossing.h;
     ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
@@ -242,8 +246,7 @@ class Walk {
     // one after another, too low to be found by their heights
     for (int low = 1; change.flies_for > 0.0 && t + change.flies_for < duration_; ++low) {
       if (low > kMostLowBounces) refuse_more(crossing.event, t, low);
-      arrive(t, true, implicit);
-      implicit = false;
+      arrive(t, true);
       now_ = path_->stepper.step(touch_, t, change.flies_for, now_).end;
       t += change.flies_for;
       change = change_at(path_->stepper, ContactEvent::landing, touch_, t, now_);
@@ -253,7 +256,7 @@ class Walk {
       record_.events.push_back({t, "bounces_end", "the last of the bounces without end"});
     if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime)
       refuse_more(crossing.event, t, events_);
-    arrive(t, true, implicit);
+    arrive(t, true);
   }
 
   [[noreturn]] static void refuse_more(ContactEvent event, double t, int events) {
@@ -266,7 +269,7 @@ class Walk {
                 {{}, 0, "motion.friction"});
   }
 
-  void arrive(double t, bool after_event, bool implicit) {
+  void arrive(double t, bool after_event, bool implicit = false) {
     const long most = std::min(effort_.most_steps, kMostSteps / 8);
     if (after_event && t == t_) {
       // nothing can have been kept for this time but the state before
