@@ -140,7 +140,8 @@ const std::vector<ContactInvariant>& contact_invariants() {
          return rolls_freely(m) && is_eccentric_sphere(m, sphere);
        },
        routh,
-       momentum_at_start},
+       momentum_at_start,
+       true},
       {"vertical_momentum",
        "angular momentum about the vertical through the centre of mass",
        "kg m^2/s",
@@ -172,6 +173,19 @@ const std::vector<ContactInvariant>& contact_invariants() {
        }},
   };
   return table;
+}
+
+std::vector<const ContactInvariant*> invariants_from(const BodyModel& model, const Moving& start) {
+  constexpr double kAbove = 1e-9;  // of the reach
+  const Vec3 down_P = -up_in(start);
+  const ContactSurface& surface = *model.table->surface;
+  const double gap = start.place_S.z() - surface.height(down_P, surface.lowest(down_P));
+  const bool touches = gap <= kAbove * surface.reach();
+  std::vector<const ContactInvariant*> found;
+  for (const ContactInvariant& law : contact_invariants()) {
+    if (law.holds(model) && (touches || !law.while_touching)) found.push_back(&law);
+  }
+  return found;
 }
 
 }  // namespace polhode

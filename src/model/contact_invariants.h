@@ -20,10 +20,13 @@ struct ContactInvariant {
   Vec3 (*value)(const BodyModel& model, const Moving& now);
   // Its typical size at a start, in the same unit, for relative errors; may be 0.
   double (*scale)(const BodyModel& model, const Moving& start);
+  bool while_touching = false;  // only until the body leaves the table: a landing changes it
 };
 
 // The table of all invariants; it exists until the program ends.
 const std::vector<ContactInvariant>& contact_invariants();
+// The rows of it that hold for this model, which has a table, in a motion that begins so.
+std::vector<const ContactInvariant*> invariants_from(const BodyModel& model, const Moving& start);
 
 // Whether the table of the model is level, and nothing but gravity and the table acts on the body.
 bool is_level_and_unloaded(const BodyModel& model);

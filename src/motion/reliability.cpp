@@ -32,7 +32,10 @@ Reliability reliability_of(const BodyModel& model,
                                 : fmt::format("{} drifts without end", what));
   };
   watch(drift.energy, "energy");
-  watch(drift.momentum, model.chi_P.squaredNorm() > 0.0 ? "L about the vertical" : "L");
+  watch(drift.momentum,
+        model.table                       ? "what the table conserves"
+        : model.chi_P.squaredNorm() > 0.0 ? "L about the vertical"
+                                          : "L");
   for (const SolutionMethod& row : solution_methods()) {
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);

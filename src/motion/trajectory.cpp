@@ -87,10 +87,9 @@ DriftWatch::DriftWatch(const BodyModel& model, const State& start)
   // a height is as good as another: what a fall from there gives is a scale too
   energy_scale_ += model.body.mass * model.gravity_S.norm() * model.table->surface->reach();
   const Moving begins = moving_of(model, start);
-  for (const ContactInvariant& law : contact_invariants()) {
-    if (!law.holds(model)) continue;
-    const Vec3 value = law.value(model, begins);
-    watched_.push_back({&law, value, or_one(std::max(value.norm(), law.scale(model, begins)))});
+  for (const ContactInvariant* law : invariants_from(model, begins)) {
+    const Vec3 value = law->value(model, begins);
+    watched_.push_back({law, value, or_one(std::max(value.norm(), law->scale(model, begins)))});
     worst_.momentum = 0.0;
   }
 }
@@ -103,6 +102,8 @@ void DriftWatch::look_at(const State& s, const ContactState& contact) {
     if (++heavy_->count == kAtOnce) look_at_waiting();
     return;
   }
+  if (contact.touch.phase == Touch::Phase::flying)
+    std::erase_if(watched_, [](const Watched& one) { return one.law->while_touching; });
   const Drift now = of(s, contact);
   keep_larger(worst_.energy, now.energy);
   keep_larger(worst_.momentum, now.momentum);

@@ -107,13 +107,12 @@ void add_contact(Json& facts, const Solved& solved) {
   const Motion& motion = solved.simulation.motion;
   const Moving now = moving_of(solved.model, motion.state_at(0.0));
   facts["conserved"] = Json::object();
-  for (const ContactInvariant& law : contact_invariants()) {
-    if (!law.holds(solved.model)) continue;
-    const Vec3 value = law.value(solved.model, now);
+  for (const ContactInvariant* law : invariants_from(solved.model, now)) {
+    const Vec3 value = law->value(solved.model, now);
     const bool is_vector = value.tail<2>() != Eigen::Vector2d::Zero();
-    facts["conserved"][law.name] = {{"what", law.doc},
-                                    {"value", is_vector ? list_of(value) : Json(value[0])},
-                                    {"unit", law.unit}};
+    facts["conserved"][law->name] = {{"what", law->doc},
+                                     {"value", is_vector ? list_of(value) : Json(value[0])},
+                                     {"unit", law->unit}};
   }
   if (keeps_energy(solved.model)) {
     facts["conserved"]["energy"] = {

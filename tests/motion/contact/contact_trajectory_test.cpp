@@ -461,6 +461,20 @@ TEST(OnTable, IsAPureFunctionOfTime) {
     EXPECT_EQ(forwards[i], backwards[i]) << i;
 }
 
+// Routh's constant is that of a ball that rolls: a landing changes it, and the motion is sound.
+TEST(OnTable, ALandingIsNoDriftOfRouthsConstant) {
+  MotionSpec spec = on_table(0.2, rolling());
+  spec.position = Vec3(0, 0, 0.05);
+  spec.attitude.zxz = Vec3(0, 0.5 * kPi, 0);
+  spec.spin.body = Vec3(0, 0, 2);
+  const Integration found = integrated(ball_body(), spec, 1e-9);
+  EXPECT_EQ(times_of(found, "landing").size(), 1u);
+  EXPECT_NEAR(angular_velocity(make_model(ball_body(), spec), found.trajectory->at(0.2).y).norm(),
+              2.0 * 2.0 / 7.0,
+              1e-9);
+  EXPECT_LT(found.record.drift.momentum.value_or(1.0), 1e-8);
+}
+
 // The steps before the end of a slip may be long, and are not a method's that needs short ones:
 // that would find the end where there is none.
 TEST(OnTable, TheEndOfASlipIsFoundInLongSteps) {
@@ -512,6 +526,22 @@ TEST(OnTable, ASlipThatDiesSlowlyEndsWhereItIsZero) {
     EXPECT_LT(found.record.steps, 10'000) << tolerance;
     EXPECT_LT(rotation_angle_between(found.trajectory->at(3.6).q, fine.q), 100.0 * tolerance);
   }
+}
+
+// A slip against the direction in which one could grow, where none does, stops: with moments
+// against boring it was held there.
+TEST(OnTable, ASlipThatCannotTurnBackStops) {
+  BodySpec ring = round_body("ring", 0.011941103045447274, 0.051730312585832064);
+  ring.solid->tube = 0.0012890931675733177;
+  MotionSpec spec = on_table(0.8, coulomb(0.14662310547825147));
+  spec.friction->boring = 0.00011302228742523065;
+  spec.attitude.zxz = Vec3(-2.153983876302235, 0.2736280945439353, -1.3104304578737933);
+  spec.spin.body = Vec3(0, 0, -59.19104584674296);
+  spec.velocity = Vec3(-0.3212140299067895, -0.19976385837610974, 0);
+  const State fine = integrated(ring, spec, 1e-12).trajectory->at(0.8);
+  const Integration found = integrated(ring, spec, 1e-8);
+  EXPECT_LT(found.record.steps, 10'000);
+  EXPECT_LT(rotation_angle_between(found.trajectory->at(0.8).q, fine.q), 1e-5);
 }
 
 // the law itself: just beyond the end of a slip along x, with a little slip along y
