@@ -34,7 +34,7 @@ const std::array<Vec2, 8> kSidesOfMarks = {{{1.0, -1.0},
                                             {-1.0, 0.0}}};
 constexpr double kReadsOn = 5.0;  // the price of two names that are read as one
 constexpr double kStrays = 3.0;   // that of a name which is not clearly nearest to its own mark
-constexpr double kClearly = 1.4;
+constexpr double kClearly = 1.4;  // so many times as far all others are
 
 // how curves of a kind, and their names, are drawn
 struct CurveStyle {

@@ -176,11 +176,7 @@ const std::vector<ContactInvariant>& contact_invariants() {
 }
 
 std::vector<const ContactInvariant*> invariants_from(const BodyModel& model, const Moving& start) {
-  constexpr double kAbove = 1e-9;  // of the reach
-  const Vec3 down_P = -up_in(start);
-  const ContactSurface& surface = *model.table->surface;
-  const double gap = start.place_S.z() - surface.height(down_P, surface.lowest(down_P));
-  const bool touches = gap <= kAbove * surface.reach();
+  const bool touches = is_on_table(model, start);
   std::vector<const ContactInvariant*> found;
   for (const ContactInvariant& law : contact_invariants()) {
     if (law.holds(model) && (touches || !law.while_touching)) found.push_back(&law);

@@ -178,6 +178,17 @@ double gap_of(const BodyModel& model, const Touch& touch, const Moving& now) {
   return now.place_S.z() - model.table->surface->height(down_P, touch.piece);
 }
 
+double gap_of(const BodyModel& model, const Moving& now) {
+  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const ContactSurface& surface = *model.table->surface;
+  return now.place_S.z() - surface.height(down_P, surface.lowest(down_P));
+}
+
+bool is_on_table(const BodyModel& model, const Moving& now) {
+  constexpr double kAbove = 1e-9;  // of the reach
+  return gap_of(model, now) <= kAbove * model.table->surface->reach();
+}
+
 double energy_of(const BodyModel& model, const Moving& now) {
   return energy(model, state_of(model, now));
 }

@@ -67,8 +67,11 @@ Reaction reaction_of(const BodyModel& model, const Touch& touch, double t, const
 // the gap.
 Vec3 slip_of(const BodyModel& model, const Touch& touch, const Moving& now);
 
-// The height of the lowest point above the table, m.
+// The height of the lowest point above the table, m: of the piece that touches, or of all.
 double gap_of(const BodyModel& model, const Touch& touch, const Moving& now);
+double gap_of(const BodyModel& model, const Moving& now);
+// Whether there is no such gap, but for rounding.
+bool is_on_table(const BodyModel& model, const Moving& now);
 
 // A motion as forces see it.
 struct Posed {

@@ -20,7 +20,7 @@ namespace polhode {
 // fails midway, the references that are already renamed stay. The exit
 // code is 0. Throws Error as load_cases (app/compare/golden_cases.h) and draw_cases
 // (app/compare/golden_results.h) do; (input) with --cause as key for an invalid name, with the
-// folder as place if git does not track it or its tree has uncommitted changes, unless
+// folder as place if git does not say that its tree has no uncommitted changes, unless
 // job.allow_dirty, without a place if a case cannot be rendered or a reference is damaged, and as
 // AtomicFile (base/system/atomic_file.h) does for a write-protected reference, an unwritable folder
 // or another run; (environment) if git cannot be started or a file cannot be written.

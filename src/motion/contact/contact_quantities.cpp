@@ -32,14 +32,6 @@ bool may_roll_freely(const Friction& law) {
   return grips && law.rolling == 0.0 && law.boring == 0.0;
 }
 
-bool starts_on_table(const BodyModel& model, const State& start) {
-  constexpr double kAbove = 1e-9;  // of the body's reach
-  const ContactSurface& surface = *model.table->surface;
-  const Vec3 down_P = -up_in_body(model, start.q);
-  const double height = surface.height(down_P, surface.lowest(down_P));
-  return moving_of(model, start).place_S.z() <= height + kAbove * surface.reach();
-}
-
 // The equations of small deviations from a spin w about the vertical axis e, in two directions
 // across it that turn with the body: of up, e + eps; of the angular velocity, w e + eta; and, with
 // viscous friction, the velocity v of the centre of mass. To first order the table pushes with
@@ -229,7 +221,7 @@ void add_eccentric_sphere(List& list, const BodyModel& model, const State& start
   // what leaves the upright place and stays inverted, with the spins that lambda has there; in the
   // air lambda is another
   const bool is_upright = s.axis_P.dot(up_in_body(model, start.q)) > 0.0;
-  if (!is_upright || !starts_on_table(model, start)) return;
+  if (!is_upright || !is_on_table(model, moving_of(model, start))) return;
   const double lambda = std::abs(jellett_of(model, start)) / (s.along * s.radius);
   const double spin_upright = lambda / (1.0 - e), spin_inverted = lambda / (1.0 + e);
   if (spin_upright > upright && spin_inverted > inverted)
@@ -302,7 +294,7 @@ void add_ball(List& list, const BodyModel& model, const State& start) {
   if (law.turntable != 0.0 && law.kind == Friction::Kind::rolling && law.boring == 0.0)
     list.push_back({"circling_rate", Q::rate, law.turntable * I / (I + mR2)});
   if (law.kind != Friction::Kind::coulomb || law.turntable != 0.0) return;
-  if (!starts_on_table(model, start)) return;
+  if (!is_on_table(model, moving_of(model, start))) return;
   const Vec3 slip = horizontal(slip_of(model, Touch{}, moving_of(model, start)));
   // friction mu m g slows the slip by mu g (1 + m R^2 / I)
   const double slows = law.mu * along_up(model) * (1.0 + mR2 / I);

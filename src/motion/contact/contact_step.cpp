@@ -78,9 +78,7 @@ Margins margins_of(const BodyModel& model,
   if (touch.phase == Touch::Phase::lying) return margins;
   const ContactSurface& surface = *model.table->surface;
   if (touch.phase == Touch::Phase::flying) {
-    const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
-    const double height = surface.height(down_P, surface.lowest(down_P));
-    set(ContactEvent::landing, (now.place_S.z() - height) / scales.length);
+    set(ContactEvent::landing, gap_of(model, now) / scales.length);
     return margins;
   }
   const Friction& law = model.table->friction;

@@ -177,14 +177,14 @@ class Walk {
         h = shorter(next, 0.5, trial);
         continue;
       }
-      if (stiff && margin < -kNoise) {
-        // solutions of parts of the step are too far from each other for a zero to be located in it
-        ++record_.rejected;
-        h = std::max(most, kShorterRadau * (next - t_));
-        grows = false;
-        continue;
-      }
       if (margin < -kNoise) {
+        if (stiff) {
+          // solutions of its parts are too far from each other for a zero to be located in it
+          ++record_.rejected;
+          h = std::max(most, kShorterRadau * (next - t_));
+          grows = false;
+          continue;
+        }
         pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_));
         h = std::min(h, std::max(duration_ - t_, 1e-300));
         continue;
