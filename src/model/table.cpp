@@ -49,7 +49,7 @@ class Contact {
     add({Vec3::Zero(), direction}, {Vec3::Zero(), direction}, wanted);
   }
 
-  // force and moment that do so
+  // force and moment that do so; not numbers where there are none
   Effort solve() const {
     System A(count_, count_);
     Unknowns b(count_);
@@ -61,8 +61,15 @@ class Contact {
         A(i, j) = row.linear.dot(column.linear) + row.angular.dot(column.angular);
       }
     }
-    const Unknowns x = A.partialPivLu().solve(b);
     Effort total;
+    // the first unknown, the normal force, accelerates what it holds by this much while all else is
+    // held; as in slide(), a force that pushes the contact point into the table is no answer
+    const int others = count_ - 1;
+    if (!(A.determinant() / A.bottomRightCorner(others, others).determinant() > 0.0)) {
+      total.force.fill(NAN);
+      return total;
+    }
+    const Unknowns x = A.partialPivLu().solve(b);
     for (int i = 0; i < count_; ++i) {
       total.force += x[i] * efforts_[static_cast<std::size_t>(i)].force;
       total.moment += x[i] * efforts_[static_cast<std::size_t>(i)].moment;
@@ -244,39 +251,15 @@ Reaction reaction_of(
     const Effort law_S = friction_per_newton(law, touch, found.slip_S, way_S, w_S);
     return {R_SP.transpose() * Vec3(law_S.force + Vec3::UnitZ()), R_SP.transpose() * law_S.moment};
   };
-  found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
-  if (law.kind == Friction::Kind::coulomb && !touch.sticks &&
-      found.slip_S.norm() < kCreepReach * touch.creep) {
-    // what friction does to the slip, as a mean of all directions: so the iteration converges
-    const Mat3 K = mobility(model, arm);
-    const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
-    const Effort at_first = slide(model, arm, up_P, per_newton_along(touch.slip_S), missing_P);
-    const double normal = std::abs(up_P.dot(at_first.force));
-    const double weight = mass * model.gravity_S.norm();
-    const double friction = level * law.mu * (normal > 0.0 ? normal : weight);
-    const auto rate_along = [&](const Vec3& way) {
-      const Effort exerted = slide(model, arm, up_P, per_newton_along(way), missing_P);
-      const Accelerations gain = of_effort(model, arm, exerted);
-      return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
-    };
-    Vec3 own = creep_direction(touch.slip_S, friction, rate_along);
-    // a slip that clearly dies does so in its own direction, as does one that could not go on in
-    // the other: it would be held between them
-    constexpr double kDies = 0.05;
-    const double grows = rate_along(own).dot(own);
-    const bool turns_back = own.dot(touch.slip_S) < 0.0;
-    if (grows < (turns_back ? 0.0 : -kDies * friction)) own = touch.slip_S;
-    const double part = found.slip_S.norm() / touch.creep;
-    found.slip_direction_S =
-        (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();
-  }
-  const Effort per_newton = per_newton_along(found.slip_direction_S);
   const bool held =
       law.kind == Friction::Kind::rolling || (law.kind == Friction::Kind::coulomb && touch.sticks);
   const bool no_roll = law.rolling > 0.0 && touch.keeps_from_rolling;
   const bool no_bore = law.boring > 0.0 && touch.keeps_from_boring;
-  Effort total;
-  if (no_roll || no_bore) {
+  const auto exerted = [&](const Effort& per_newton) -> Effort {
+    if (!no_roll && !no_bore) {
+      return held ? stick(model, arm, up_P, per_newton.moment, missing_P)
+                  : slide(model, arm, up_P, per_newton, missing_P);
+    }
     const Vec3 x_P = R_SP.row(0), y_P = R_SP.row(1);
     Contact contact(model, arm);
     contact.hold_point(up_P, per_newton, up_P.dot(missing_P));
@@ -290,11 +273,34 @@ Reaction reaction_of(
       contact.hold_turn(y_P, -y_P.dot(turning));
     }
     if (no_bore) contact.hold_turn(up_P, -up_P.dot(turning));
-    total = contact.solve();
-  } else {
-    total = held ? stick(model, arm, up_P, per_newton.moment, missing_P)
-                 : slide(model, arm, up_P, per_newton, missing_P);
+    return contact.solve();
+  };
+
+  found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
+  if (law.kind == Friction::Kind::coulomb && !touch.sticks &&
+      found.slip_S.norm() < kCreepReach * touch.creep) {
+    // what friction does to the slip, as a mean of all directions: so the iteration converges
+    const Mat3 K = mobility(model, arm);
+    const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
+    const double normal = std::abs(up_P.dot(exerted(per_newton_along(touch.slip_S)).force));
+    const double weight = mass * model.gravity_S.norm();
+    const double friction = level * law.mu * (normal > 0.0 ? normal : weight);
+    const auto rate_along = [&](const Vec3& way) {
+      const Accelerations gain = of_effort(model, arm, exerted(per_newton_along(way)));
+      return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
+    };
+    Vec3 own = creep_direction(touch.slip_S, friction, rate_along);
+    // a slip that clearly dies does so in its own direction, as does one that could not go on in
+    // the other: it would be held between them
+    constexpr double kDies = 0.05;
+    const double grows = rate_along(own).dot(own);
+    const bool turns_back = own.dot(touch.slip_S) < 0.0;
+    if (grows < (turns_back ? 0.0 : -kDies * friction)) own = touch.slip_S;
+    const double part = found.slip_S.norm() / touch.creep;
+    found.slip_direction_S =
+        (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();
   }
+  const Effort total = exerted(per_newton_along(found.slip_direction_S));
   if (!total.force.allFinite()) {
     throw Error(Fault::check_failed,
                 "the equations of friction have no solution here (the body jams: Painleve's "

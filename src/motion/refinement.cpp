@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "motion/contact/contact_step.h"
 #include "motion/contact/contact_trajectory.h"
 #include "motion/deviation.h"
 #include "motion/scales.h"
@@ -191,7 +192,9 @@ Refined refine(const StepperInfo& method,
                         ? accuracy
                         : std::min(0.1 * std::max(1.0, 0.5 * method.order) / rate, duration);
   if (likely) fineness = *likely / (finer * finer);
-  const double drop = method.adaptive ? kTolerancesApart : std::exp2(method.order);
+  // slips on a table are told from rest by a power of the tolerance
+  const double power = model.table && method.adaptive ? kPowerOfStopped : 1.0;
+  const double drop = method.adaptive ? std::pow(kTolerancesApart, power) : std::exp2(method.order);
   Convergence convergence(drop);
   Runs runs(method, model, start, duration, most_steps, watch);
   const Error out_of_reach = input_error(

@@ -25,6 +25,15 @@ inline BodySpec disc_body(double radius = 0.0375, double mass = 0.4) {
   return round_body("disc", radius, mass);
 }
 
+inline BodySpec ellipsoid_body(const Vec3& semi_axes, double mass) {
+  BodySpec body;
+  body.solid = SolidSpec{};
+  body.solid->kind = "ellipsoid";
+  body.solid->semi_axes = semi_axes;
+  body.solid->mass = mass;
+  return body;
+}
+
 // a sphere of 2 cm whose centre is e radii above the centre of mass, with I1 : I3 as given
 inline BodySpec tippe_top_body(double e = 0.25, double ratio = 1.1) {
   constexpr double kAlong = 7.2e-6;  // kg m^2

@@ -61,7 +61,7 @@ TableScales table_scales(const BodyModel& model, const Moving& start, double tol
   scales.rate = std::sqrt(g / scales.length);
   scales.momentum = std::max(start.y.norm(), model.moments.maxCoeff() * scales.rate);
   scales.tolerance = tolerance;
-  scales.stopped = std::max(std::pow(tolerance, 2.0 / 3.0), kLeastStopped);
+  scales.stopped = std::max(std::pow(tolerance, kPowerOfStopped), kLeastStopped);
   return scales;
 }
 
@@ -148,8 +148,12 @@ double ContactStepper::turning_rate(const Touch& touch, const Moving& now) const
   return law.mu * model_.gravity_S.norm() * kMobility / slip;
 }
 
-ContactStepper::Result ContactStepper::step(
-    const Touch& touch, double t, double h, const OnTable& from, bool implicit) const {
+ContactStepper::Result ContactStepper::step(const Touch& touch,
+                                            double t,
+                                            double h,
+                                            const OnTable& from,
+                                            bool implicit,
+                                            MarginsSeen* seen) const {
   Result result;
   const bool touching = touch.phase != Touch::Phase::flying;
   const auto slope = [&](double at, const Vector& v) -> Vector {
@@ -157,8 +161,8 @@ ContactStepper::Result ContactStepper::step(
     Posed pose = posed(model_, touch, now.moving);
     hold_to_table(model_, touch, pose, now.moving);
     const Reaction reaction = reaction_of(model_, touch, at, now.moving, pose);
-    result.margin =
-        std::min(result.margin, least_of(margins_of(model_, scales_, touch, now.moving, reaction)));
+    if (seen != nullptr)
+      seen->push_back({at, margins_of(model_, scales_, touch, now.moving, reaction)});
     return slope_of(model_, now.moving, reaction);
   };
   const auto size = [&](const Vector& e) {

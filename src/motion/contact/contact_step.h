@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "model/body_model.h"
 #include "model/table.h"
@@ -47,6 +48,8 @@ struct TableScales {
   double stopped = 0.0;
   double tolerance = 0.0;  // the local error of a step, relative
 };
+// `stopped` is this power of the tolerance; so the errors of motions with slips fall.
+inline constexpr double kPowerOfStopped = 2.0 / 3.0;
 // tolerance: the local error of a step, relative.
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance);
 
@@ -59,6 +62,16 @@ Margins margins_of(const BodyModel& model,
                    const Moving& now,
                    const Reaction& reaction);
 double least_of(const Margins& margins);
+// Margins may be below zero by this much for their round-off.
+inline constexpr double kNoiseOfMargins = 1e-12;
+
+// The margins at some times (s) within a step, in no order; of those at one time the last is the
+// best.
+struct MarginsAt {
+  double t;
+  Margins margins;
+};
+using MarginsSeen = std::vector<MarginsAt>;
 
 // The touch with the directions of slip and rolling as they are now.
 Touch refreshed(const BodyModel& model, const Touch& touch, const Moving& now);
@@ -74,15 +87,19 @@ class ContactStepper {
 
   struct Result {
     OnTable end;
-    int order = 8;        // of the method that was used
-    double error = 0.0;   // estimate of the local error, relative to the scales
-    double margin = 1.0;  // the least at the inner stages of the step
+    int order = 8;       // of the method that was used
+    double error = 0.0;  // estimate of the local error, relative to the scales
   };
   // From t by h (s), by Radau's method if `implicit`; where that finds no solution, by the other
   // one. A part of an implicit step is taken as all of it: near its end the explicit method may be
-  // far off. Throws Error (check_failed) as reaction_of does.
-  Result step(
-      const Touch& touch, double t, double h, const OnTable& from, bool implicit = false) const;
+  // far off. The margins at the stages are added to `seen`, if there is one; those of a first
+  // attempt by Radau's method too. Throws Error (check_failed) as reaction_of does.
+  Result step(const Touch& touch,
+              double t,
+              double h,
+              const OnTable& from,
+              bool implicit = false,
+              MarginsSeen* seen = nullptr) const;
   // How fast the direction of a slip turns to where dry friction lets it, 1/s: mu g, times what the
   // rotation adds to the mobility of the contact, over the speed of slip. Zero without such a slip.
   double turning_rate(const Touch& touch, const Moving& now) const;

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "base/system/interrupt.h"
-#include "math/bracketed_zero.h"
 #include "motion/contact/contact_change.h"
+#include "motion/contact/contact_crossing.h"
 #include "motion/walk.h"
 
 namespace polhode {
@@ -17,16 +18,10 @@ namespace {
 
 constexpr std::size_t kMostKeptSteps = 200'000;
 constexpr long kStepsBetweenCalls = 4096;
-// margins may be below zero by this much for their round-off
-constexpr double kNoise = 1e-12;
-// margins at inner stages, which are less exact, by this much
-constexpr double kNoiseOfStages = 1e-4;
-constexpr int kMostHalvings = 60;
-constexpr double kRoundingOfTime = 1e-16;  // relative
 constexpr int kMostAtOneTime = 200;
 constexpr int kMostLowBounces = 2 * kMostContactEvents;
-// Radau's steps are taken where they are longer than so many explicit ones, and grow by no more
-// than this, so that the solution of one is near that of the next
+// Radau's steps begin where they are longer than so many explicit ones, and grow by no more than
+// this, so that the solution of one is near that of the next
 constexpr double kWorthRadau = 3.0;
 constexpr double kGrowthOfRadau = 1.5;
 // where their equations could not be solved, or something happens within the step
@@ -91,38 +86,6 @@ class ContactTrajectory final : public Trajectory {
   }
 };
 
-// Where a step first makes a margin zero.
-struct Crossing {
-  double h;  // from the beginning of the step, s
-  ContactEvent event;
-};
-
-// The zero within a step of length h (s), at whose end a margin is negative.
-Crossing crossing_in(
-    const ContactStepper& stepper, const Touch& touch, double t, double h, const OnTable& from) {
-  const auto margins_after = [&](double part) {
-    const OnTable end = part > 0.0 ? stepper.step(touch, t, part, from).end : from;
-    return stepper.margins(touch, t + part, end);
-  };
-  const auto least_after = [&](double part) {
-    return least_of(margins_after(part));
-  };
-  // a margin that begins at zero, such as the gap after lift-off, grows first
-  Bracket found{0.0, h, least_after(0.0), least_after(h)};
-  for (int i = 1; found.at_low <= kNoise && i <= kMostHalvings; ++i) {
-    found.low = std::ldexp(h, -i);
-    found.at_low = least_after(found.low);
-  }
-  const auto first_of = [](const Margins& margins) {
-    const auto least = std::min_element(margins.begin(), margins.end());
-    return static_cast<ContactEvent>(least - margins.begin());
-  };
-  // if it never grew, the event is now
-  if (found.at_low <= 0.0) return {0.0, first_of(margins_after(h))};
-  const double crossing = narrowed(found, kRoundingOfTime * t, least_after).high;
-  return {crossing, first_of(margins_after(crossing))};
-}
-
 // The walk from event to event.
 class Walk {
  public:
@@ -151,10 +114,11 @@ class Walk {
         scales.rate + angular_velocity(path_->stepper.model(), now_.moving.y).norm();
     double h = std::min(duration_, 0.5 * std::pow(tolerance_, 1.0 / method_.order) / rate);
     bool grows = true;
+    bool stiff = false;  // the step is, or that before was, Radau's
     while (t_ < duration_) {
       const double turning = path_->stepper.turning_rate(touch_, now_.moving);
       const double most = ContactStepper::kExplicit / turning;
-      const bool stiff = h > kWorthRadau * most;
+      stiff = h > (stiff ? 1.0 : kWorthRadau) * most;
       if (!stiff) h = std::min(h, most);
       const double next = t_ + h < duration_ ? t_ + h : duration_;
       const ContactStepper::Result trial = tried(next, stiff);
@@ -171,13 +135,11 @@ class Walk {
         grows = false;
         continue;
       }
-      const double margin = least_of(path_->stepper.margins(touch_, next, trial.end));
-      // an event came and went within the step
-      if (margin > -kNoise && trial.margin < -kNoiseOfStages && next - t_ > 1e-6 / scales.rate) {
-        h = shorter(next, 0.5, trial);
-        continue;
-      }
-      if (margin < -kNoise) {
+      const Margins margins = path_->stepper.margins(touch_, next, trial.end);
+      seen_.push_back({next, margins});
+      const TakenStep step{touch_, t_, next - t_, now_, stiff};
+      const std::optional<double> dip = dip_within(path_->stepper, step, seen_);
+      if (dip || least_of(margins) < -kNoiseOfMargins) {
         if (stiff) {
           // solutions of its parts are too far from each other for a zero to be located in it
           ++record_.rejected;
@@ -185,7 +147,7 @@ class Walk {
           grows = false;
           continue;
         }
-        pass_event(crossing_in(path_->stepper, touch_, t_, next - t_, now_));
+        pass_event(crossing_in(path_->stepper, step, dip.value_or(step.h)));
         h = std::min(h, std::max(duration_ - t_, 1e-300));
         continue;
       }
@@ -205,13 +167,14 @@ class Walk {
  private:
   // A step; its error is infinite where friction has no solution at a stage that is too far off, or
   // numbers overflow there.
-  ContactStepper::Result tried(double next, bool implicit) const {
+  ContactStepper::Result tried(double next, bool implicit) {
     constexpr double kNear = 1e-6;
     ContactStepper::Result none{now_};
     none.error = std::numeric_limits<double>::infinity();
+    seen_.clear();
     try {
       const ContactStepper::Result trial =
-          path_->stepper.step(touch_, t_, next - t_, now_, implicit);
+          path_->stepper.step(touch_, t_, next - t_, now_, implicit, &seen_);
       return std::isnan(trial.error) ? none : trial;
     } catch (const Error& error) {
       if (error.fault() != Fault::check_failed) throw;
@@ -307,6 +270,7 @@ class Walk {
   std::optional<DriftWatch> drift_;
   Touch touch_;
   OnTable now_;
+  MarginsSeen seen_;  // within the step that was tried last
   double t_ = 0.0;
   int events_ = 0, at_one_time_ = 0;
   IntegrationRecord record_;

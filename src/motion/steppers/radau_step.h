@@ -64,7 +64,7 @@ class RadauStep {
  private:
   static constexpr int kNumbers = Vector::RowsAtCompileTime;
   static constexpr int kStages = 3;
-  static constexpr int kMostIterations = 12;
+  static constexpr int kMostIterations = 30;
   using Square = Eigen::Matrix<double, kNumbers, kNumbers>;
   using Stages = Eigen::Matrix<double, kNumbers, kStages>;
   using System = Eigen::Matrix<double, kNumbers * kStages, kNumbers * kStages>;

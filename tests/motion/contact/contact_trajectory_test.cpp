@@ -511,11 +511,8 @@ TEST(OnTable, ASlipThatDiesAtAnAngleKeepsItsSteps) {
 
 // A slip that takes long to die is stepped over by an implicit method, and its end found without.
 TEST(OnTable, ASlipThatDiesSlowlyEndsWhereItIsZero) {
-  BodySpec stone = ball_body();
-  stone.solid->kind = "ellipsoid";
-  stone.solid->radius.reset();
-  stone.solid->semi_axes = Vec3(0.09674143557125464, 0.09810197959521542, 0.06455661517396155);
-  stone.solid->mass = 0.39060519973981817;
+  const BodySpec stone = ellipsoid_body(
+      Vec3(0.09674143557125464, 0.09810197959521542, 0.06455661517396155), 0.39060519973981817);
   MotionSpec spec = on_table(3.6, coulomb(0.05525844827233813));
   spec.friction->boring = 0.0030337455365028933;
   spec.attitude.zxz = Vec3(2.6368044276063145, 0.25603983184145873, -2.944771737574621);
@@ -542,6 +539,91 @@ TEST(OnTable, ASlipThatCannotTurnBackStops) {
   const Integration found = integrated(ring, spec, 1e-8);
   EXPECT_LT(found.record.steps, 10'000);
   EXPECT_LT(rotation_angle_between(found.trajectory->at(0.8).q, fine.q), 1e-5);
+}
+
+// A body that sticks never has more friction than there is, also for less than a step: where it
+// would need more, it slips.
+TEST(OnTable, ASlipShorterThanAStepIsNotLeftOut) {
+  const BodySpec egg = ellipsoid_body(
+      Vec3(0.06627618956276575, 0.06627618956276575, 0.06818428638099938), 0.3015327826149502);
+  MotionSpec spec = on_table(1.3, {});
+  spec.attitude.zxz = Vec3(-1.5243035730374233, 1.7880747151110035, -2.5608404225728503);
+  spec.spin.space = Vec3(-0.3431571440566419, -0.03537523938826256, 5.23403371637687);
+  spec.velocity = Vec3(-0.0025456747601283972, 0.02702876907763899, 0);
+  for (const double mu : {0.008163192096974126, 0.008245648582802148}) {
+    spec.friction = coulomb(mu);
+    const BodyModel model = with_needed_degrees(make_model(egg, spec));
+    for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+      const Integration found = integrated(egg, spec, tolerance);
+      int slips = 0;
+      for (int i = 0; i <= 5000; ++i) {
+        const double t = spec.duration * i / 5000;
+        const Touch touch = found.trajectory->contact_at(t)->touch;
+        slips += touch.sticks ? 0 : 1;
+        if (!touch.sticks) continue;
+        const Reaction r = reaction_of(model, touch, t, moving_of(model, found.trajectory->at(t)));
+        EXPECT_LE(r.friction_S.norm() / (mu * r.normal), 1.0 + 1e-9 + tolerance / mu) << t;
+      }
+      EXPECT_GT(slips, 0) << mu << ' ' << tolerance;
+    }
+  }
+}
+
+// Where a body that is kept from turning about the vertical begins to slip, it slips in the
+// direction in which its slip grows while it is kept: else the slip ends as it begins, for ever.
+TEST(OnTable, ASlipBeginsInTheDirectionInWhichItGrowsWhileMomentsHoldTheBody) {
+  BodySpec ring = round_body("ring", 0.0038085051752944623, 0.26328060988293056);
+  ring.solid->tube = 0.0018453754833074943;
+  MotionSpec spec = on_table(0.2548748241888096, coulomb(0.5351674314452965));
+  spec.friction->boring = 0.00025824052325264414;
+  spec.attitude.zxz = Vec3(0.5687957646604715, 2.5896114245171913, 0.07423969271986808);
+  spec.spin.space = Vec3(-0.7501013533655482, 4.850538568794845, 29.765986676328108);
+  spec.velocity = Vec3(0.1009967770612597, -0.21545782252522944, 0);
+  const BodyModel model = with_needed_degrees(make_model(ring, spec));
+  const Integration found = integrated(ring, spec, 1e-9);
+  int held = 0;
+  for (const double t : times_of(found, "slip_begins")) {
+    const Touch touch = found.trajectory->contact_at(t)->touch;
+    if (touch.sticks || !touch.keeps_from_boring) continue;
+    ++held;
+    const Reaction r = reaction_of(model, touch, t, moving_of(model, found.trajectory->at(t)));
+    // at the limit of friction it grows from nothing, so that there is little to see at once
+    const double along = r.slip_rate_S.dot(r.slip_direction_S);
+    EXPECT_LT((r.slip_rate_S - along * r.slip_direction_S).norm(), 1e-3 * kG) << t;
+    EXPECT_GT(along, -1e-6 * kG) << t;
+  }
+  EXPECT_GT(held, 0);
+  const State fine = integrated(ring, spec, 1e-11).trajectory->at(0.25);
+  EXPECT_LT(rotation_angle_between(found.trajectory->at(0.25).q, fine.q), 1e-6);
+}
+
+// A needle that slides with its tip ahead jams under strong friction, whether or not something
+// keeps it from turning about the vertical.
+TEST(OnTable, ANeedleJamsAlsoWhereMomentsHoldIt) {
+  const BodySpec needle = ellipsoid_body(Vec3(0.01, 0.01, 0.3), 0.1);
+  MotionSpec spec = on_table(1.0, coulomb(3.0));
+  spec.friction->boring = 0.001;
+  spec.attitude.tilt = 0.8;
+  const BodyModel model = with_needed_degrees(make_model(needle, spec));
+  Touch touch;
+  touch.sticks = touch.keeps_from_rolling = false;
+  Moving now = moving_of(model, start_state(model, spec));
+  const SurfacePoint point = reaction_of(model, Touch{}, 0.0, now).point;
+  now.velocity_S = horizontal(now.q * point.arm_P).normalized();
+  touch.slip_S = now.velocity_S;
+  for (const bool keeps : {false, true}) {
+    touch.keeps_from_boring = keeps;
+    expect_error([&] { reaction_of(model, touch, 0.0, now); },
+                 Fault::check_failed,
+                 "motion.friction",
+                 "jams");
+    // drawn the other way it does not
+    Touch back = touch;
+    back.slip_S = -touch.slip_S;
+    Moving drawn = now;
+    drawn.velocity_S = -now.velocity_S;
+    EXPECT_GT(reaction_of(model, back, 0.0, drawn).normal, 0.0);
+  }
 }
 
 // the law itself: just beyond the end of a slip along x, with a little slip along y
