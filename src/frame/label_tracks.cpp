@@ -15,10 +15,11 @@ namespace {
 // Prices, in heights of a label that it stands from its wish for one moment.
 constexpr double kOverMark = 1000.0;  // over the head of an arrow
 constexpr double kOverText = 2000.0;  // over text, another label, or the edge of the frame
-constexpr double kOverShaft = 60.0;   // over a vector
+constexpr double kOverShaft = 60.0;   // over its own vector
+constexpr double kOverOther = 120.0;  // over another one
 constexpr double kBehindMark = 40.0;  // with another head of an arrow between it and its tip
-constexpr double kBehind = 10.0;      // with another vector there
-constexpr double kNearer = 6.0;       // nearer to another vector than to its own
+constexpr double kBehind = 20.0;      // with another vector there
+constexpr double kNearer = 12.0;      // nearer to another vector than to its own
 constexpr double kClearly = 0.5;      // heights from which on these two count in full
 constexpr double kOverCurve = 2.0;    // over a rim or an arc
 constexpr double kOverBody = 20.0;    // of what stands around an ellipse: over the body,
@@ -148,10 +149,11 @@ Choices choices_at(std::size_t index,
   const std::vector<Vec2> rim = rim_of(wish);
   const auto is_taken = [&](const TextRoom& room) {
     const TextRoom with_gap = grown(room, 0.9 * gap, 0.9 * gap);
+    const double between = 0.9 * gap_between_names(wish, gap);
     const bool is_inside = room.left >= frame.left && room.right <= frame.right &&
                            room.top >= frame.top && room.bottom <= frame.bottom;
     return !is_inside || any_overlaps(with_gap, moment.obstacles.text) ||
-           any_overlaps(with_gap, labels);
+           any_overlaps(grown(room, between, 0.9 * gap), labels);
   };
   const auto is_over_mark = [&](const TextRoom& room) {
     return any_overlaps(grown(room, 0.4 * gap, 0.4 * gap), moment.obstacles.marks);
@@ -178,7 +180,7 @@ Choices choices_at(std::size_t index,
     double nearer = 0.0;
     for (std::size_t i = 0; i < moment.shafts.size(); ++i) {
       const TextShaft& shaft = moment.shafts[i];
-      if (is_over(room, shaft)) sum += kOverShaft;
+      if (is_over(room, shaft)) sum += i == index ? kOverShaft : kOverOther;
       if (i == index) continue;
       if (parts(shaft, named, center)) {
         const double across = (nearest_on(shaft, named) - named).norm();

@@ -156,6 +156,11 @@ bool overlap(const TextRoom& a, const TextRoom& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
+double gap_between_names(const LabelWish& wish, double gap) {
+  constexpr double kApart = 0.7;  // heights of the label
+  return std::max(gap, kApart * wish.height);
+}
+
 LabelRoom::LabelRoom(const LabelWish& wish,
                      const Obstacles& obstacles,
                      const std::vector<TextRoom>& labels,
@@ -167,14 +172,14 @@ LabelRoom::LabelRoom(const LabelWish& wish,
   bounds_.right = std::max(bounds_.left, bounds_.right);
   bounds_.bottom = std::max(bounds_.top, bounds_.bottom);
   std::vector<TextRoom> blocked;
-  const auto block = [&](const std::vector<TextRoom>& rooms, double space) {
+  const auto block = [&](const std::vector<TextRoom>& rooms, double across, double along) {
     for (const TextRoom& other : rooms)
-      blocked.push_back(grown(other, half_width + space, half_height + space));
+      blocked.push_back(grown(other, half_width + across, half_height + along));
   };
-  block(obstacles.text, gap);
-  block(labels, gap);
+  block(obstacles.text, gap, gap);
+  block(labels, gap_between_names(wish, gap), gap);
   beside_text_ = blocked;
-  block(obstacles.marks, 0.5 * gap);
+  block(obstacles.marks, 0.5 * gap, 0.5 * gap);
   free_ = FreeSpace(blocked, bounds_);
 }
 

@@ -64,6 +64,10 @@ struct LabelWish {
   bool is_around() const { return !half_a.isZero() || !half_b.isZero(); }
 };
 
+// How far a label keeps from others beside it (px), so that two are not read as one word, where
+// `gap` is what it keeps from all else.
+double gap_between_names(const LabelWish& wish, double gap);
+
 // The points between rectangles, pixels, y down. What has been found about them is kept, so that
 // many points can be looked up.
 class FreeSpace {
@@ -103,7 +107,8 @@ class LabelRoom {
 
   // The middle of the label that should stand around `center`. It overlaps neither other labels nor
   // obstacles if there is enough space: where it would, it goes the shortest way that keeps `gap`
-  // pixels from text and labels and half of it from marks.
+  // pixels from text and labels above and below, gap_between_names() from labels beside it, and
+  // half of `gap` from marks.
   Vec2 settled_at(const Vec2& center);
 
  private:

@@ -50,6 +50,24 @@ TEST(LabelTracks, NoOtherVectorPartsANameFromItsTip) {
   EXPECT_GT(tracks.place("name", kWish, 4.0).center.y(), 176.0);
 }
 
+// Two vectors that end at one height have names that are not read as one word; one above the other
+// is as near as any.
+TEST(LabelTracks, NamesBesideEachOtherAreApart) {
+  for (double apart = 0.0; apart <= 40.0; apart += 2.0) {
+    const LabelWish right{kWish.at + Vec2(apart, 0), kWish.away, 20, 16};
+    const LabelMoment moment{{"left", "right"},
+                             {kWish, right},
+                             {{Vec2(300, 300), kWish.at}, {Vec2(300, 300), right.at}},
+                             {}};
+    const LabelTracks tracks(std::vector<LabelMoment>(9, moment), kFrame, kGap);
+    const Vec2 between =
+        tracks.place("right", right, 4.0).center - tracks.place("left", kWish, 4.0).center;
+    const double across = std::abs(between.x()) - kWish.width;
+    const double along = std::abs(between.y()) - kWish.height;
+    EXPECT_TRUE(across >= 0.6 * kWish.height || along >= 0.0) << apart << ' ' << across;
+  }
+}
+
 // a longer vector on the right of the tip: the name stands on the left, beside its own
 TEST(LabelTracks, NamesAreNearestToTheirOwnVectors) {
   LabelMoment moment = moment_with({});
