@@ -18,12 +18,12 @@ constexpr double kShallow = 1e-2;
 constexpr int kMostLooksAtMargin = 64;
 
 // A margin after a part of a step, s.
-struct MarginAt {
+struct MarginAfter {
   double part, value;
 };
 
 // Half the second derivative through three of them.
-double curvature(const MarginAt& a, const MarginAt& b, const MarginAt& c) {
+double curvature(const MarginAfter& a, const MarginAfter& b, const MarginAfter& c) {
   const double left = (b.value - a.value) / (b.part - a.part);
   const double right = (c.value - b.value) / (c.part - b.part);
   return std::abs(right - left) / (c.part - a.part);
@@ -31,7 +31,8 @@ double curvature(const MarginAt& a, const MarginAt& b, const MarginAt& c) {
 
 // The first of the places i for which the margin may be below zero between place i and i + 1,
 // where it is positive; by a parabola that is bent more than those through neighbours.
-std::optional<std::size_t> first_that_may_dip(const std::vector<MarginAt>& along, double shallow) {
+std::optional<std::size_t> first_that_may_dip(const std::vector<MarginAfter>& along,
+                                              double shallow) {
   constexpr double kMoreBent = 3.0;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const auto& [from, at_from] = along[i];
@@ -65,17 +66,20 @@ std::optional<double> dip_of(const ContactStepper& stepper,
                              std::size_t event,
                              double lowest,
                              double shallow) {
-  std::vector<MarginAt> along;
+  std::vector<MarginAfter> along;
   const auto look = [&](double part) {
     const double value = margins_after(stepper, step, part)[event];
-    const auto place = std::upper_bound(
-        along.begin(), along.end(), part, [](double p, const MarginAt& m) { return p < m.part; });
+    const auto place =
+        std::upper_bound(along.begin(), along.end(), part, [](double p, const MarginAfter& m) {
+          return p < m.part;
+        });
     along.insert(place, {part, value});
     return value;
   };
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
     look(part * step.h);
-  if (std::none_of(along.begin(), along.end(), [&](const MarginAt& m) { return m.part == lowest; }))
+  if (std::none_of(
+          along.begin(), along.end(), [&](const MarginAfter& m) { return m.part == lowest; }))
     look(lowest);
   // the last value may be negative: that is no dip
   for (std::size_t i = 1; i + 1 < along.size(); ++i) {
@@ -98,12 +102,12 @@ std::optional<double> dip_within(const ContactStepper& stepper,
   const double shallow = std::max(kShallow * stepper.scales().tolerance, kNoiseOfMargins);
   std::stable_sort(
       seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
-  std::vector<MarginAt> along;
+  std::vector<MarginAfter> along;
   for (std::size_t event = 0; event < kContactEvents; ++event) {
     along.clear();
     bool dips = false;
     for (const MarginsAt& one : seen) {
-      const MarginAt here{one.t - step.t, one.margins[event]};
+      const MarginAfter here{one.t - step.t, one.margins[event]};
       // of those at one time the last is the best
       if (!along.empty() && along.back().part == here.part) along.pop_back();
       along.push_back(here);
