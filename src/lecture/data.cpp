@@ -194,8 +194,10 @@ void write_data(const LectureData& data, const fs::path& folder) {
 
   Json products = Json::array();
   for (const auto& [stem, facts] : data.products) {
-    products.push_back(
-        {{"name", stem}, {"kind", facts.value("kind", "")}, {"files", facts.at("files")}});
+    products.push_back({{"name", stem},
+                        {"kind", facts.value("kind", "")},
+                        {"files", facts.at("files")},
+                        {"warnings", facts.at("warnings")}});
   }
   std::string to;
   for (const std::string& output : data.outputs)

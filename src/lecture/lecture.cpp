@@ -86,6 +86,30 @@ void tell_failures(LectureWork& work) {
   }
 }
 
+// Tells what products were made with warnings of, now or before: those of pictures with the line of
+// the first that needs them, and of the others what has not been told yet.
+void tell_warnings(const LectureWork& work, const std::vector<LectureTask*>& tasks) {
+  std::set<std::string> stems, told;
+  for (const LectureTask* task : tasks)
+    stems.insert(Media::stem_of(task->product));
+  const auto tell = [&](const std::string& stem, int line) {
+    const LectureTask& task = work.tasks.at(stem);
+    if (stems.erase(stem) == 0 || task.failure) return;
+    for (const Json& warning : task.facts.at("warnings")) {
+      std::string words = warning.get<std::string>();
+      if (!told.insert(words).second && line == 0) continue;
+      // a picture has the options of the program without their dashes
+      if (words.starts_with("--")) words.erase(0, 2);
+      spdlog::warn("{}", Error(Fault::input, words, Place{work.deck.file, line, {}}).what());
+    }
+  };
+  for (std::size_t i = 0; i < work.stems.size(); ++i)
+    if (!work.stems[i].empty()) tell(work.stems[i], work.deck.pictures[i].line);
+  const std::set<std::string> others = stems;
+  for (const std::string& stem : others)
+    tell(stem, 0);
+}
+
 Figure figure_of(const LectureWork& work, const DeckPicture& picture) {
   const std::vector<DeckPicture>& all = work.deck.pictures;
   const auto found = std::find_if(
@@ -200,6 +224,7 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
   const std::vector<LectureTask*> mine = tasks_of(work, shard);
   Media media(lecture.folder / "media");
   run_tasks(work, media, mine);
+  tell_warnings(work, mine);
   LectureResult result;
   for (const LectureTask* task : mine) {
     if (!task->failure) continue;
@@ -259,7 +284,9 @@ LectureResult lecture(const LectureJob& job) {
 
   // render, then everything that needs it
   Media media(folder / "media");
-  run_tasks(work, media, tasks_of(work, {}));
+  const std::vector<LectureTask*> tasks = tasks_of(work, {});
+  run_tasks(work, media, tasks);
+  tell_warnings(work, tasks);
   tell_failures(work);
   fill_quotes(work.deck, work.deck_text, [&](const std::string& name) -> const Json& {
     return inspection_of(work, name);

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
+#include "base/system/log.h"
 #include "base/version.h"
 #include "film/report/motion_report.h"
 
@@ -69,7 +70,10 @@ Json Media::obtain(const Product& product) {
   }
   const std::filesystem::path work = work_ / stem;
   std::filesystem::create_directories(work, missing);
-  Json facts = product.make(work, stem);
+  Json facts;
+  const std::vector<std::string> warnings =
+      warnings_of([&] { facts = product.make(work, stem); });
+  facts["warnings"] = warnings;
   facts["files"] = Json::array();
   for (const std::filesystem::path& file : entries_of(work, Fault::environment)) {
     const std::string bytes = read_file(file);

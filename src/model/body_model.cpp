@@ -130,6 +130,19 @@ void refuse_impossible(const Vec3& moments, const BodySpec& spec, const std::str
                       where)
         .at({{}, 0, key});
   }
+  // products of moments and momenta would vanish; the smallest solid has more
+  constexpr double kLeastMoment = 1e-60;
+  if (largest < kLeastMoment) {
+    throw input_error(
+        "moments of inertia ({:.3g}, {:.3g}, {:.3g}) kg m^2 {} are too small; the largest must be "
+        "at least {:.0e}",
+        moments[0],
+        moments[1],
+        moments[2],
+        where,
+        kLeastMoment)
+        .at({{}, 0, key});
+  }
   int zeros = 0;
   for (int i = 0; i < 3; ++i)
     zeros += moments[i] <= 1e-12 * largest ? 1 : 0;

@@ -18,24 +18,29 @@ constexpr int kTimesCompared = 256;
 
 }  // namespace
 
-Reliability reliability_of(const BodyModel& model,
-                           const State& start,
-                           double duration,
-                           double accuracy_rad,
-                           const Integration& found) {
-  Reliability result;
-  const Drift& drift = found.record.drift;
+std::vector<std::string> doubts_of_drift(const BodyModel& model, const Drift& drift) {
+  std::vector<std::string> doubts;
   const auto watch = [&](const std::optional<double>& worst, const char* what) {
     if (!worst || *worst <= kTrustedDrift) return;
-    result.doubts.push_back(std::isfinite(*worst)
-                                ? fmt::format("{} drifts by {:.2g} of itself", what, *worst)
-                                : fmt::format("{} drifts without end", what));
+    doubts.push_back(std::isfinite(*worst)
+                         ? fmt::format("{} drifts by {:.2g} of itself", what, *worst)
+                         : fmt::format("{} drifts without end", what));
   };
   watch(drift.energy, "energy");
   watch(drift.momentum,
         model.table                       ? "what the table conserves"
         : model.chi_P.squaredNorm() > 0.0 ? "L about the vertical"
                                           : "L");
+  return doubts;
+}
+
+Reliability reliability_of(const BodyModel& model,
+                           const State& start,
+                           double duration,
+                           double accuracy_rad,
+                           const Integration& found) {
+  Reliability result;
+  result.doubts = doubts_of_drift(model, found.record.drift);
   for (const SolutionMethod& row : solution_methods()) {
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);

@@ -23,6 +23,10 @@ struct Reliability {
 // Relative drift of energy or angular momentum beyond which a motion is not trusted.
 inline constexpr double kTrustedDrift = 1e-3;
 
+// A doubt for each conserved quantity that drifts by more than that; also of closed forms, whose
+// numbers may overflow or vanish.
+std::vector<std::string> doubts_of_drift(const BodyModel& model, const Drift& drift);
+
 // Checks the motion `found` from 0 to `duration` (s): the drift of the conserved quantities, and,
 // if there is a closed form, the error against it, which may be at most accuracy_rad.
 // Throws Error (check_failed) as Trajectory::at (motion/trajectory.h) does.

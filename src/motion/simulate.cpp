@@ -372,6 +372,7 @@ Simulation simulate(const BodyModel& body,
     drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
   }
   report.record.drift = drift.worst();
+  report.reliability.doubts = doubts_of_drift(model, report.record.drift);
   report.conditioning =
       conditioning_of_closed_form(chosen, model, start, *trajectory, motion.duration, accuracy_rad);
   doubt_conditioning(report);

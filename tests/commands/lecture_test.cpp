@@ -115,6 +115,21 @@ TEST_F(Lecture, RendersOnlyWhatChanged) {
 }
 
 // a picture of the deck's own that has changed leaves no old copy
+// a picture that cannot be trusted is told in every run, with its line of the deck, not only in that
+// which makes it
+TEST_F(Lecture, WarningsComeWithKeptPicturesToo) {
+  write_text(folder_ / "deck/deck.md",
+             "## A\n\n![](scene.toml){.film to=0.5 method=rk4 step=0.4 fps=4}\n");
+  const Ran first = lecture("--to html,data"), second = lecture("--to html,data");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_NE(second.out.find(" 0 made now"), std::string::npos) << second.out;
+  EXPECT_NE(first.err.find("deck.md:3: "), std::string::npos) << first.err;
+  EXPECT_EQ(first.err, second.err);
+  EXPECT_EQ(first.err.find("--"), std::string::npos) << first.err;
+  const std::string manifest = read_text(folder_ / "out/data/manifest.json");
+  EXPECT_NE(manifest.find("cannot be trusted"), std::string::npos) << first.err;
+}
+
 TEST_F(Lecture, CopiesOfPicturesAreForgottenToo) {
   write_text(folder_ / "deck/deck.md", "# One\n\n![A drawing](own.svg)\n");
   const auto copies = [&](const char* drawing) {

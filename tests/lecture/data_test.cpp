@@ -30,7 +30,7 @@ class DataOfALecture : public ::testing::Test {
     data_.deck_text = "# The deck\n";
     data_.outputs = {"html", "data"};
     data_.scenes = {{scene("in/top.toml"), "motion.csv"}};
-    data_.products = {{"top-film-1", {{"kind", "film"}, {"files", {"a.mp4"}}}}};
+    data_.products = {{"top-film-1", {{"kind", "film"}, {"files", {"a.mp4"}}, {"warnings", {"it shakes"}}}}};
   }
   std::shared_ptr<DeckScene> scene(const std::string& name) const {
     auto made = std::make_shared<DeckScene>();
@@ -88,6 +88,7 @@ TEST_F(DataOfALecture, TheManifestTellsHowToMakeItAgain) {
   EXPECT_EQ(json.at("pictures").at(0).at("name"), "top-film-1");
   EXPECT_EQ(json.at("pictures").at(0).at("kind"), "film");
   EXPECT_EQ(json.at("pictures").at(0).at("files"), Json::array({"a.mp4"}));
+  EXPECT_EQ(json.at("pictures").at(0).at("warnings"), Json::array({"it shakes"}));
 }
 
 TEST_F(DataOfALecture, TheManifestTellsTheLicences) {

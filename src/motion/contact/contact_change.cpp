@@ -103,6 +103,15 @@ Touch touch_now(const ContactStepper& stepper,
   Touch touch = before;
   touch.phase = Touch::Phase::touching;
   touch = by_velocities(stepper, touch, now.moving);
+  // a slip that has just begun goes on, however slow it is, where only a rotation begins or ends
+  const bool of_rotation =
+      given_way != nullptr &&
+      (*given_way == ContactEvent::rolling_ends || *given_way == ContactEvent::rolling_begins ||
+       *given_way == ContactEvent::boring_ends || *given_way == ContactEvent::boring_begins);
+  if (of_rotation && !before.sticks && touch.sticks) {
+    touch.sticks = false;
+    touch.slip_S = refreshed(stepper.model(), before, now.moving).slip_S;
+  }
   // what is snapped to zero counts as work
   const double had = energy_of(stepper.model(), now.moving);
   hold_to_table(stepper.model(), touch, now.moving);

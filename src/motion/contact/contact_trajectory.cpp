@@ -113,9 +113,11 @@ class Walk {
     const double rate =
         scales.rate + angular_velocity(path_->stepper.model(), now_.moving.y).norm();
     double h = std::min(duration_, 0.5 * std::pow(tolerance_, 1.0 / method_.order) / rate);
+    const double longest = longest_step_of_loads();
     bool grows = true;
     bool stiff = false;  // the step is, or that before was, Radau's
     while (t_ < duration_) {
+      h = std::min(h, longest);
       const double turning = path_->stepper.turning_rate(touch_, now_.moving);
       const double most = ContactStepper::kExplicit / turning;
       stiff = h > (stiff ? 1.0 : kWorthRadau) * most;
@@ -181,6 +183,19 @@ class Walk {
       if (next - t_ < kNear / path_->stepper.scales().rate) throw;
     }
     return none;
+  }
+
+  // A body at rest makes no error, however much the loads on it change within a step, and may be
+  // moved by them for an instant only.
+  double longest_step_of_loads() const {
+    constexpr double kPhase = 0.5;  // rad of the fastest load
+    const BodyModel& model = path_->stepper.model();
+    double fastest = 0.0;
+    for (const Load& load : model.loads.turning)
+      fastest = std::max(fastest, std::abs(load.rate));
+    for (const Push& push : model.loads.pushes)
+      fastest = std::max(fastest, std::abs(push.rate));
+    return fastest > 0.0 ? kPhase / fastest : std::numeric_limits<double>::infinity();
   }
 
   double shorter(double next, double factor, const ContactStepper::Result& trial) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/log.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 namespace polhode {
@@ -30,6 +32,25 @@ TEST(Log, NamesOfFilesStayWithinTheLine) {
   start_log(false);
   spdlog::warn("a\nb\x1b[2J");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "polhode: warning: a b\\x1b[2J\n");
+}
+
+TEST(Log, WarningsOfAPieceOfWorkAreKept) {
+  spdlog::drop("polhode");
+  ::testing::internal::CaptureStderr();
+  start_log(false);
+  const std::vector<std::string> kept = warnings_of([] {
+    for (const char* words : {"one", "two", "one"})
+      spdlog::warn("{}", words);
+  });
+  EXPECT_EQ(kept, (std::vector<std::string>{"one", "two"}));
+  spdlog::warn("after it");
+  const auto fails = [] {
+    spdlog::warn("before the end");
+    throw std::runtime_error("the end");
+  };
+  EXPECT_THROW(warnings_of(fails), std::runtime_error);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "polhode: warning: after it\npolhode: warning: before the end\n");
 }
 
 }  // namespace
