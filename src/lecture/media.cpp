@@ -71,8 +71,7 @@ Json Media::obtain(const Product& product) {
   const std::filesystem::path work = work_ / stem;
   std::filesystem::create_directories(work, missing);
   Json facts;
-  const std::vector<std::string> warnings =
-      warnings_of([&] { facts = product.make(work, stem); });
+  const std::vector<std::string> warnings = warnings_of([&] { facts = product.make(work, stem); });
   facts["warnings"] = warnings;
   facts["files"] = Json::array();
   for (const std::filesystem::path& file : entries_of(work, Fault::environment)) {

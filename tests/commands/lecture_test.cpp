@@ -115,8 +115,8 @@ TEST_F(Lecture, RendersOnlyWhatChanged) {
 }
 
 // a picture of the deck's own that has changed leaves no old copy
-// a picture that cannot be trusted is told in every run, with its line of the deck, not only in that
-// which makes it
+// a picture that cannot be trusted is told in every run, with its line of the deck, not only in
+// that which makes it
 TEST_F(Lecture, WarningsComeWithKeptPicturesToo) {
   write_text(folder_ / "deck/deck.md",
              "## A\n\n![](scene.toml){.film to=0.5 method=rk4 step=0.4 fps=4}\n");

@@ -30,7 +30,8 @@ class DataOfALecture : public ::testing::Test {
     data_.deck_text = "# The deck\n";
     data_.outputs = {"html", "data"};
     data_.scenes = {{scene("in/top.toml"), "motion.csv"}};
-    data_.products = {{"top-film-1", {{"kind", "film"}, {"files", {"a.mp4"}}, {"warnings", {"it shakes"}}}}};
+    data_.products = {
+        {"top-film-1", {{"kind", "film"}, {"files", {"a.mp4"}}, {"warnings", {"it shakes"}}}}};
   }
   std::shared_ptr<DeckScene> scene(const std::string& name) const {
     auto made = std::make_shared<DeckScene>();

@@ -225,6 +225,12 @@ TEST(ImpossibleMoments, AreRefusedInEveryOrderUnlessMathematical) {
 
 TEST(BodyErrors, NameTheKey) {
   expect_input_error([] { free_model(with_moments({0, 0, 0})); }, "body.moments", "all zero");
+  expect_input_error(
+      [] {
+        free_model(with_moments({1e-108, 1.5e-108, 2.3e-108}));
+      },
+      "body.moments",
+      "are too small; the largest must be at least 1e-60");
   expect_input_error([] { free_model(with_moments({1, 1, -1})); }, "body.moments", "negative");
   expect_input_error([] { free_model(with_moments({0, 0, 1})); }, "body.moments", "no attitude");
 

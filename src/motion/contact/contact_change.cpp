@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "base/error.h"
 #include "model/fall_on_table.h"
@@ -54,42 +55,76 @@ Touch by_velocities(const ContactStepper& stepper, Touch touch, const Moving& no
   return touch;
 }
 
+// Whether what the event lets go is held, and needs more than the laws give.
+bool gives_way(const Friction& law, const Touch& touch, const Reaction& r, ContactEvent event) {
+  switch (event) {
+    case ContactEvent::slip_begins:
+      return law.kind == Friction::Kind::coulomb && touch.sticks &&
+             r.friction_S.norm() > law.mu * r.normal;
+    case ContactEvent::rolling_begins:
+      return law.rolling > 0.0 && touch.keeps_from_rolling &&
+             horizontal(r.moment_S).norm() > law.rolling * r.normal;
+    default:
+      return law.boring > 0.0 && touch.keeps_from_boring &&
+             std::abs(r.moment_S.z()) > law.boring * r.normal;
+  }
+}
+
+// The touch with that let go, in the direction in which it is pushed by the reaction r.
+Touch without(const ContactStepper& stepper,
+              Touch touch,
+              double t,
+              const OnTable& now,
+              const Reaction& r,
+              ContactEvent event) {
+  switch (event) {
+    case ContactEvent::slip_begins:
+      touch.sticks = false;
+      touch.slip_S = -r.friction_S.normalized();
+      touch.slip_S = reaction_of(stepper.model(), touch, t, now.moving).slip_direction_S;
+      break;
+    case ContactEvent::rolling_begins:
+      touch.keeps_from_rolling = false;
+      touch.roll_S = -horizontal(r.moment_S).normalized();
+      break;
+    default:
+      touch.keeps_from_boring = false;
+      touch.bore = -std::copysign(1.0, r.moment_S.z());
+  }
+  return touch;
+}
+
 // Lets go what the laws cannot hold. `given_way`: what an event has just found at its limit.
 Touch let_go(const ContactStepper& stepper,
              Touch touch,
              double t,
              const OnTable& now,
              const ContactEvent* given_way) {
-  const BodyModel& model = stepper.model();
-  const Friction& law = model.table->friction;
-  const auto is = [&](ContactEvent event) {
-    return given_way != nullptr && *given_way == event;
+  constexpr std::array<ContactEvent, 3> kHolds = {
+      ContactEvent::boring_begins, ContactEvent::rolling_begins, ContactEvent::slip_begins};
+  const Friction& law = stepper.model().table->friction;
+  const auto over_of = [&](const Touch& one, const Reaction& r) {
+    std::vector<ContactEvent> over;
+    for (const ContactEvent event : kHolds)
+      if (gives_way(law, one, r, event)) over.push_back(event);
+    return over;
   };
-  for (int i = 0; i < 4; ++i) {
-    const Reaction r = reaction_of(model, touch, t, now.moving);
-    const double limit = r.normal;
-    bool changed = false;
-    if (law.kind == Friction::Kind::coulomb && touch.sticks &&
-        (r.friction_S.norm() > law.mu * limit || is(ContactEvent::slip_begins))) {
-      touch.sticks = false;
-      touch.slip_S = -r.friction_S.normalized();
-      touch.slip_S = reaction_of(model, touch, t, now.moving).slip_direction_S;
-      changed = true;
+  const auto reaction = [&](const Touch& one) {
+    return reaction_of(stepper.model(), one, t, now.moving);
+  };
+  if (given_way != nullptr && std::find(kHolds.begin(), kHolds.end(), *given_way) != kHolds.end())
+    touch = without(stepper, touch, t, now, reaction(touch), *given_way);
+  for (std::size_t i = 0; i < kHolds.size(); ++i) {
+    const Reaction r = reaction(touch);
+    const std::vector<ContactEvent> over = over_of(touch, r);
+    if (over.empty()) break;
+    // one that gives way may spare the others
+    for (const ContactEvent event : over) {
+      const Touch alone = without(stepper, touch, t, now, r, event);
+      if (over_of(alone, reaction(alone)).empty()) return alone;
     }
-    if (law.rolling > 0.0 && touch.keeps_from_rolling &&
-        (horizontal(r.moment_S).norm() > law.rolling * limit || is(ContactEvent::rolling_begins))) {
-      touch.keeps_from_rolling = false;
-      touch.roll_S = -horizontal(r.moment_S).normalized();
-      changed = true;
-    }
-    if (law.boring > 0.0 && touch.keeps_from_boring &&
-        (std::abs(r.moment_S.z()) > law.boring * limit || is(ContactEvent::boring_begins))) {
-      touch.keeps_from_boring = false;
-      touch.bore = -std::copysign(1.0, r.moment_S.z());
-      changed = true;
-    }
-    given_way = nullptr;
-    if (!changed) break;
+    for (const ContactEvent event : over)
+      touch = without(stepper, touch, t, now, r, event);
   }
   return touch;
 }

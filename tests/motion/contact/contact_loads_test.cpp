@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Loads on a body on a table: energy less the work of the table and of loads without a potential
 // stays, so that a right motion is trusted.
+#include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -132,6 +133,37 @@ TEST(ContactLoads, ABodyThatLiesIsNotHeldAgainstWhatMovesIt) {
   MotionSpec damped = lying(coulomb(0.1));
   damped.torque = {damping("spin", 0.01)};
   EXPECT_EQ(integrated(disc_body(), damped, 1e-9).record.events.back().event, "lies_flat");
+}
+
+// A ball at rest is turned for an instant whenever two torques that beat against each other exceed
+// what moments against boring hold, which no error of its steps tells. Held against I dw/dt alone,
+// in a million steps.
+TEST(LoadsOnATable, TurnABodyAtRestForAnInstantOnly) {
+  constexpr double kTorque = 0.001, kBoring = 0.001;
+  const BodySpec ball = ball_body(0.05, 0.2);
+  MotionSpec spec = on_table(20.0, coulomb(0.3));
+  spec.friction->boring = kBoring;
+  for (const double rate : {5.0, 6.0}) {
+    LoadSpec load = load_of("constant");
+    load.space = Vec3(0, 0, kTorque);
+    load.rate = rate;
+    load.phase = -8.0 * rate;
+    spec.torque.push_back(load);
+  }
+  constexpr int kSteps = 1'000'000;
+  const double h = spec.duration / kSteps, held = kBoring * 0.2 * kG;
+  double w = 0.0, turned = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = (i + 0.5) * h - 8.0;
+    const double torque = kTorque * (std::cos(5.0 * t) + std::cos(6.0 * t));
+    const double after = std::max(0.0, w + h * (torque - held) / (0.4 * 0.2 * 0.05 * 0.05));
+    turned += 0.5 * h * (w + after);
+    w = after;
+  }
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const State end = integrated(ball, spec, tolerance).trajectory->at(20.0);
+    EXPECT_NEAR(2.0 * std::asin(std::abs(end.q.z())), turned, 1e-6 * turned) << tolerance;
+  }
 }
 
 }  // namespace

@@ -597,6 +597,23 @@ TEST(OnTable, ASlipBeginsInTheDirectionInWhichItGrowsWhileMomentsHoldTheBody) {
   EXPECT_LT(rotation_angle_between(found.trajectory->at(0.25).q, fine.q), 1e-6);
 }
 
+// Where a spin about the vertical passes through zero while the contact sticks, holding both would
+// need more friction than there is; letting the spin go on spares the contact, which then sticks.
+TEST(OnTable, WhatGivesWaySparesTheRest) {
+  BodySpec ring = round_body("ring", 0.03669469084247925, 0.9122243474899219);
+  MotionSpec spec = on_table(0.4, coulomb(0.3014501785623426));
+  spec.friction->boring = 3.709106238416931e-05;
+  spec.attitude.zxz = Vec3(-2.894871837221481, 1.5146550608892695, -1.030362143234245);
+  spec.spin.body = Vec3(-1.5027952933817148, 0.2742679452997455, -0.24069631699446192);
+  spec.velocity = Vec3(-0.0037508047017140783, -0.0212715483369181, 0);
+  const Integration found = integrated(ring, spec, 1e-8);
+  // the spin changes its sign at 0.278116 s
+  for (const double t : {0.2785, 0.279, 0.28})
+    EXPECT_TRUE(found.trajectory->contact_at(t)->touch.sticks) << t;
+  const State fine = integrated(ring, spec, 1e-11).trajectory->at(0.4);
+  EXPECT_LT(rotation_angle_between(found.trajectory->at(0.4).q, fine.q), 1e-6);
+}
+
 // A needle that slides with its tip ahead jams under strong friction, whether or not something
 // keeps it from turning about the vertical.
 TEST(OnTable, ANeedleJamsAlsoWhereMomentsHoldIt) {
