@@ -39,8 +39,9 @@ class Media {
   // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
   // The facts of a product, cached or made now, with "files" (a list of objects with "name",
-  // "bytes" and "hash") and "warnings", the sentences with which it was made. Throws what `make` throws, Error (input) as read_file and AtomicFile
-  // (base/system/atomic_file.h) do, and (environment) if a file cannot be written.
+  // "bytes" and "hash") and "warnings", the sentences with which it was made. Throws what `make`
+  // throws, Error (input) as read_file and AtomicFile (base/system/atomic_file.h) do, and
+  // (environment) if a file cannot be written.
   Json obtain(const Product& product);
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }

@@ -120,7 +120,7 @@ Touch let_go(const ContactStepper& stepper,
     if (over.empty()) break;
     // one that gives way may spare the others
     for (const ContactEvent event : over) {
-      const Touch alone = without(stepper, touch, t, now, r, event);
+      Touch alone = without(stepper, touch, t, now, r, event);
       if (over_of(alone, reaction(alone)).empty()) return alone;
     }
     for (const ContactEvent event : over)
