@@ -55,18 +55,30 @@ Touch by_velocities(const ContactStepper& stepper, Touch touch, const Moving& no
   return touch;
 }
 
-// Whether what the event lets go is held, and needs more than the laws give.
-bool gives_way(const Friction& law, const Touch& touch, const Reaction& r, ContactEvent event) {
+// Whether a law holds what the event lets go.
+bool is_held(const Friction& law, const Touch& touch, ContactEvent event) {
   switch (event) {
     case ContactEvent::slip_begins:
-      return law.kind == Friction::Kind::coulomb && touch.sticks &&
-             r.friction_S.norm() > law.mu * r.normal;
+      return law.kind == Friction::Kind::coulomb && touch.sticks;
     case ContactEvent::rolling_begins:
-      return law.rolling > 0.0 && touch.keeps_from_rolling &&
-             horizontal(r.moment_S).norm() > law.rolling * r.normal;
+      return law.rolling > 0.0 && touch.keeps_from_rolling;
+    case ContactEvent::boring_begins:
+      return law.boring > 0.0 && touch.keeps_from_boring;
     default:
-      return law.boring > 0.0 && touch.keeps_from_boring &&
-             std::abs(r.moment_S.z()) > law.boring * r.normal;
+      return false;
+  }
+}
+
+// Whether it is held, and needs more than the law gives.
+bool gives_way(const Friction& law, const Touch& touch, const Reaction& r, ContactEvent event) {
+  if (!is_held(law, touch, event)) return false;
+  switch (event) {
+    case ContactEvent::slip_begins:
+      return r.friction_S.norm() > law.mu * r.normal;
+    case ContactEvent::rolling_begins:
+      return horizontal(r.moment_S).norm() > law.rolling * r.normal;
+    default:
+      return std::abs(r.moment_S.z()) > law.boring * r.normal;
   }
 }
 
@@ -112,7 +124,7 @@ Touch let_go(const ContactStepper& stepper,
   const auto reaction = [&](const Touch& one) {
     return reaction_of(stepper.model(), one, t, now.moving);
   };
-  if (given_way != nullptr && std::find(kHolds.begin(), kHolds.end(), *given_way) != kHolds.end())
+  if (given_way != nullptr && is_held(law, touch, *given_way))
     touch = without(stepper, touch, t, now, reaction(touch), *given_way);
   for (std::size_t i = 0; i < kHolds.size(); ++i) {
     const Reaction r = reaction(touch);
