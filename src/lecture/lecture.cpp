@@ -222,7 +222,7 @@ LectureData data_of(const LectureWork& work,
 LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
   LectureWork& work = lecture.work;
   const std::vector<LectureTask*> mine = tasks_of(work, shard);
-  Media media(lecture.folder / "media");
+  Media media(lecture.folder / "media", work.deck.root.folder);
   run_tasks(work, media, mine);
   tell_warnings(work, mine);
   LectureResult result;
@@ -283,7 +283,7 @@ LectureResult lecture(const LectureJob& job) {
   OutputFolder documents(folder, files);
 
   // render, then everything that needs it
-  Media media(folder / "media");
+  Media media(folder / "media", work.deck.root.folder);
   const std::vector<LectureTask*> tasks = tasks_of(work, {});
   run_tasks(work, media, tasks);
   tell_warnings(work, tasks);

@@ -28,7 +28,9 @@ constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a d
 
 }  // namespace
 
-Media::Media(std::filesystem::path folder) : folder_(std::move(folder)) {
+Media::Media(std::filesystem::path folder, const std::filesystem::path& deck_folder)
+    : folder_(std::move(folder)), deck_folders_{(absolute_path(deck_folder) / "").string()} {
+  if (!deck_folder.empty()) deck_folders_.push_back((deck_folder / "").string());
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
   std::string name = (folder_ / (kWork + "XXXXXX")).string();
@@ -71,7 +73,11 @@ Json Media::obtain(const Product& product) {
   const std::filesystem::path work = work_ / stem;
   std::filesystem::create_directories(work, missing);
   Json facts;
-  const std::vector<std::string> warnings = warnings_of([&] { facts = product.make(work, stem); });
+  std::vector<std::string> warnings = warnings_of([&] { facts = product.make(work, stem); });
+  for (std::string& words : warnings) {
+    for (const std::string& folder : deck_folders_)
+      if (words.starts_with(folder)) words.erase(0, folder.size());
+  }
   facts["warnings"] = warnings;
   facts["files"] = Json::array();
   for (const std::filesystem::path& file : entries_of(work, Fault::environment)) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/json.h"
 #include "base/system/unfinished.h"
@@ -30,8 +31,10 @@ struct Product {
 // be called meanwhile.
 class Media {
  public:
-  // Throws Error (input), naming --output, if the folder cannot be created or written.
-  explicit Media(std::filesystem::path folder);
+  // deck_folder: warnings name files in it relative to it, so that what is given away does not tell
+  // where it was made. Throws Error (input), naming --output, if the folder cannot be created or
+  // written.
+  explicit Media(std::filesystem::path folder, const std::filesystem::path& deck_folder = {});
   ~Media();
   Media(const Media&) = delete;
   Media& operator=(const Media&) = delete;
@@ -55,7 +58,8 @@ class Media {
   bool is_whole(const Json& facts) const;
 
   std::filesystem::path folder_;
-  std::filesystem::path work_;  // for incomplete products
+  std::vector<std::string> deck_folders_;  // names of the deck's folder, which ends in a slash
+  std::filesystem::path work_;             // for incomplete products
   std::optional<Unfinished> unfinished_;
   std::mutex lock_;
   std::set<std::string> used_;  // stems

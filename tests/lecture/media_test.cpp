@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/json.h"
+#include "base/system/log.h"
 #include "support/expect_error.h"
 #include "support/run.h"
 
@@ -76,6 +77,23 @@ TEST(Media, FactsListTheFilesWithTheirSizes) {
   EXPECT_EQ(media.made(), 1);
   EXPECT_EQ(media.obtain(product), facts) << "found again as it was made";
   EXPECT_EQ(media.made(), 1);
+}
+
+// what is given away does not tell where it was made
+TEST(Media, WarningsNameFilesRelativeToTheDeck) {
+  const TemporaryFolder folder;
+  const std::filesystem::path deck = folder / "deck";
+  spdlog::drop("polhode");
+  start_log(false);
+  Media media(folder / "media", deck);
+  const Product product = {"one", "a", [&](const std::filesystem::path&, const std::string&) {
+                             spdlog::warn("{}/top.toml:3: it shakes", deck.string());
+                             spdlog::warn("elsewhere");
+                             return Json::object();
+                           }};
+  const Json expected = {"top.toml:3: it shakes", "elsewhere"};
+  EXPECT_EQ(media.obtain(product).at("warnings"), expected);
+  EXPECT_EQ(media.obtain(product).at("warnings"), expected) << "kept";
 }
 
 // a program that removes its own folder, as far as one can know
