@@ -177,6 +177,13 @@ bool Load::conservative() const {
   }
 }
 
+double Loads::fastest() const {
+  double fastest = 0.0;
+  for (const Load& load : listed)
+    fastest = std::max(fastest, std::abs(load.rate));
+  return fastest;
+}
+
 bool Loads::only_damp_momentum() const {
   return !gimbals && std::all_of(turning.begin(), turning.end(), [](const Load& load) {
     return load.kind == Load::Kind::damp_momentum && load.acts.always();

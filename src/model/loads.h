@@ -88,6 +88,8 @@ struct Loads {
 
   std::optional<Gimbals> gimbals;  // rings that carry the body, unless they do nothing
 
+  // The largest frequency with which one of them varies, rad/s.
+  double fastest() const;
   bool empty() const { return !turn_body() && pushes.empty(); }
   // Whether anything besides gravity turns the body.
   bool turn_body() const { return !turning.empty() || gimbals; }

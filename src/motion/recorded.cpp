@@ -338,8 +338,7 @@ int steps_to_show(const Motion& motion, double end, int least) {
     for (const double t : times)
       fastest = std::max(fastest, motion.at(t).w_B.norm());
   }
-  for (const Load& load : loads.listed)
-    fastest = std::max(fastest, std::abs(load.rate));
+  fastest = std::max(fastest, loads.fastest());
   double needed = std::ceil(kShownInATurn * fastest * end / (2.0 * kPi));
   const bool enough = needed * kFewestInATurn <= kMostShown * kShownInATurn;
   double before = 0.0;

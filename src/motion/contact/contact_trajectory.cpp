@@ -99,7 +99,8 @@ class Walk {
         path_(std::move(path)),
         duration_(duration),
         tolerance_(tolerance),
-        effort_(effort) {
+        effort_(effort),
+        most_steps_(std::min(effort.most_steps, kMostSteps / 8)) {
     const BodyModel& model = path_->stepper.model();
     now_.moving = moving_of(model, start);
     touch_ = first_touch(path_->stepper, 0.0, now_);
@@ -113,7 +114,12 @@ class Walk {
     const double rate =
         scales.rate + angular_velocity(path_->stepper.model(), now_.moving.y).norm();
     double h = std::min(duration_, 0.5 * std::pow(tolerance_, 1.0 / method_.order) / rate);
-    const double longest = longest_step_of_loads();
+    // A body at rest makes no error, however much the loads on it change within a step, and may be
+    // moved by them for an instant only.
+    constexpr double kPhase = 0.5;  // rad of the fastest load
+    const double longest = kPhase / path_->stepper.model().loads.fastest();
+    if (duration_ / longest > static_cast<double>(most_steps_))
+      throw too_many_steps(method_, duration_, duration_ / longest, most_steps_);
     bool grows = true;
     bool stiff = false;  // the step is, or that before was, Radau's
     while (t_ < duration_) {
@@ -185,19 +191,6 @@ class Walk {
     return none;
   }
 
-  // A body at rest makes no error, however much the loads on it change within a step, and may be
-  // moved by them for an instant only.
-  double longest_step_of_loads() const {
-    constexpr double kPhase = 0.5;  // rad of the fastest load
-    const BodyModel& model = path_->stepper.model();
-    double fastest = 0.0;
-    for (const Load& load : model.loads.turning)
-      fastest = std::max(fastest, std::abs(load.rate));
-    for (const Push& push : model.loads.pushes)
-      fastest = std::max(fastest, std::abs(push.rate));
-    return fastest > 0.0 ? kPhase / fastest : std::numeric_limits<double>::infinity();
-  }
-
   double shorter(double next, double factor, const ContactStepper::Result& trial) {
     ++record_.rejected;
     const double h = (next - t_) * factor;
@@ -248,7 +241,6 @@ class Walk {
   }
 
   void arrive(double t, bool after_event, bool implicit = false) {
-    const long most = std::min(effort_.most_steps, kMostSteps / 8);
     if (after_event && t == t_) {
       // nothing can have been kept for this time but the state before
       while (!path_->kept.empty() && path_->kept.back().index + 1 == path_->times.size())
@@ -265,9 +257,9 @@ class Walk {
       stop_if_interrupted();
       if (effort_.watch) effort_.watch(t / duration_);
     }
-    if (record_.steps > most) {
+    if (record_.steps > most_steps_) {
       throw too_many_steps(
-          method_, duration_, static_cast<double>(record_.steps) * duration_ / t, most);
+          method_, duration_, static_cast<double>(record_.steps) * duration_ / t, most_steps_);
     }
   }
 
@@ -282,6 +274,7 @@ class Walk {
   std::shared_ptr<ContactTrajectory> path_;
   double duration_, tolerance_;
   const Effort& effort_;
+  long most_steps_;
   std::optional<DriftWatch> drift_;
   Touch touch_;
   OnTable now_;

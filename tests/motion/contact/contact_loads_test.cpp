@@ -166,5 +166,18 @@ TEST(LoadsOnATable, TurnABodyAtRestForAnInstantOnly) {
   }
 }
 
+// steps that loads would make too many are refused before the first of them
+TEST(LoadsOnATable, TooFastForTheDurationAreRefusedAtOnce) {
+  MotionSpec spec = on_table(20.0, coulomb(0.3));
+  LoadSpec load = load_of("constant");
+  load.space = Vec3(0, 0, 1e-4);
+  load.rate = 1e8;
+  spec.torque = {load};
+  expect_error([&] { integrated(ball_body(), spec, 1e-6); },
+               Fault::input,
+               "",
+               "needs at least about 4e+09 steps for 20 s");
+}
+
 }  // namespace
 }  // namespace polhode::test
