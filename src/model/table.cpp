@@ -65,11 +65,12 @@ class Contact {
     // the first unknown, the normal force, accelerates what it holds by this much while all else is
     // held; as in slide(), a force that pushes the contact point into the table is no answer
     const int others = count_ - 1;
-    if (!(A.determinant() / A.bottomRightCorner(others, others).determinant() > 0.0)) {
+    const Eigen::PartialPivLU<System> lu(A);
+    if (!(lu.determinant() / A.bottomRightCorner(others, others).determinant() > 0.0)) {
       total.force.fill(NAN);
       return total;
     }
-    const Unknowns x = A.partialPivLu().solve(b);
+    const Unknowns x = lu.solve(b);
     for (int i = 0; i < count_; ++i) {
       total.force += x[i] * efforts_[static_cast<std::size_t>(i)].force;
       total.moment += x[i] * efforts_[static_cast<std::size_t>(i)].moment;

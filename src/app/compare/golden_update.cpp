@@ -30,8 +30,7 @@ void refuse_dirty(const GoldenJob& job) {
     if (said.status != 0) {
       throw input_error(
           "git does not track this folder, or cannot say what has changed in it (it {}), so that "
-          "an "
-          "update could not be reviewed or undone; give --allow-dirty to update anyway",
+          "an update could not be reviewed or undone; give --allow-dirty to update anyway",
           how_it_ended(said))
           .at({job.folder, 0, {}});
     }

@@ -60,31 +60,34 @@ Margins margins_after(const ContactStepper& stepper, const TakenStep& step, doub
   return stepper.margins(step.touch, step.t + part, after(stepper, step, part));
 }
 
-// As dip_within, of one margin.
+// The first part after which the margin is negative, and then positive again.
+std::optional<double> first_dip(const std::vector<MarginAfter>& along, double shallow) {
+  for (std::size_t i = 1; i + 1 < along.size(); ++i)
+    if (along[i].value < -shallow && along[i + 1].value > 0.0) return along[i].part;
+  return std::nullopt;
+}
+
+// As dip_within, of one margin; `seen` in order.
 std::optional<double> dip_of(const ContactStepper& stepper,
                              const TakenStep& step,
                              std::size_t event,
-                             double lowest,
+                             const std::vector<MarginAfter>& seen,
                              double shallow) {
-  std::vector<MarginAfter> along;
+  if (!first_dip(seen, shallow) && !first_that_may_dip(seen, shallow)) return std::nullopt;
+  std::vector<MarginAfter> along = {seen.back()};
   const auto look = [&](double part) {
-    const double value = margins_after(stepper, step, part)[event];
     const auto place =
-        std::upper_bound(along.begin(), along.end(), part, [](double p, const MarginAfter& m) {
-          return p < m.part;
+        std::lower_bound(along.begin(), along.end(), part, [](const MarginAfter& m, double p) {
+          return m.part < p;
         });
-    along.insert(place, {part, value});
-    return value;
+    if (place != along.end() && place->part == part) return place->value;
+    return along.insert(place, {part, margins_after(stepper, step, part)[event]})->value;
   };
-  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
-    look(part * step.h);
-  if (std::none_of(
-          along.begin(), along.end(), [&](const MarginAfter& m) { return m.part == lowest; }))
-    look(lowest);
-  // the last value may be negative: that is no dip
-  for (std::size_t i = 1; i + 1 < along.size(); ++i) {
-    if (along[i].value < -shallow && along[i + 1].value > 0.0) return along[i].part;
-  }
+  const auto lowest = std::min_element(
+      seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  for (const double part : {0.0, 0.25 * step.h, 0.5 * step.h, 0.75 * step.h, lowest->part})
+    look(part);
+  if (const auto dip = first_dip(along, shallow)) return dip;
   for (int looks = 0; looks < kMostLooksAtMargin; ++looks) {
     const auto i = first_that_may_dip(along, shallow);
     if (!i) break;
@@ -98,26 +101,20 @@ std::optional<double> dip_of(const ContactStepper& stepper,
 
 std::optional<double> dip_within(const ContactStepper& stepper,
                                  const TakenStep& step,
-                                 MarginsSeen seen) {
+                                 MarginsSeen& seen) {
   const double shallow = std::max(kShallow * stepper.scales().tolerance, kNoiseOfMargins);
   std::stable_sort(
       seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
   std::vector<MarginAfter> along;
   for (std::size_t event = 0; event < kContactEvents; ++event) {
     along.clear();
-    bool dips = false;
     for (const MarginsAt& one : seen) {
       const MarginAfter here{one.t - step.t, one.margins[event]};
       // of those at one time the last is the best
       if (!along.empty() && along.back().part == here.part) along.pop_back();
       along.push_back(here);
     }
-    for (std::size_t i = 1; i + 1 < along.size(); ++i)
-      dips = dips || (along[i].value < -shallow && along.back().value > 0.0);
-    if (!dips && !first_that_may_dip(along, shallow)) continue;
-    const auto lowest = std::min_element(
-        along.begin(), along.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-    if (const auto dip = dip_of(stepper, step, event, lowest->part, shallow)) return dip;
+    if (const auto dip = dip_of(stepper, step, event, along, shallow)) return dip;
   }
   return std::nullopt;
 }

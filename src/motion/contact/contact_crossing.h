@@ -20,11 +20,12 @@ struct TakenStep {
 
 // A part of the step (s) after which a margin is negative that has been positive and will be so
 // again; the first such margin that is found. `seen`: the margins at the inner stages, and at the
-// end. They tell by their curvature which margins may come down to zero between them; those are
-// looked at after parts of the step, ever closer where they may still do so.
+// end; they are put in order. They tell by their curvature which margins may come down to zero
+// between them; those are looked at after parts of the step, ever closer where they may still do
+// so.
 std::optional<double> dip_within(const ContactStepper& stepper,
                                  const TakenStep& step,
-                                 MarginsSeen seen);
+                                 MarginsSeen& seen);
 
 struct Crossing {
   double h;  // from the beginning of the step, s
