@@ -34,6 +34,7 @@ const std::array<Vec2, 8> kSidesOfMarks = {{{1.0, -1.0},
                                             {-1.0, 0.0}}};
 constexpr double kReadsOn = 5.0;  // the price of two names that are read as one
 constexpr double kStrays = 3.0;   // that of a name which is not clearly nearest to its own mark
+constexpr double kPassed = 1.0;   // that of a name that the dot covers for a moment
 constexpr double kClearly = 1.4;  // so many times as far all others are
 
 // how curves of a kind, and their names, are drawn
@@ -174,15 +175,26 @@ double DiagramPicture::hidden_by(const TextRoom& room) const {
     const LinePoint at = pixel(point);
     return Vec2(at.x, at.y);
   };
+  // the dot of the motion goes along these, and hides what it passes
+  const double of_dot = kPlotDot * paper_.size() + paper_.line();
+  const TextRoom with_dot = grown(room, of_dot, of_dot);
   double hidden = 0.0;
   for (const DiagramCurve& curve : diagram_.curves) {
+    double price = 0.0;
+    const bool has_dot = curve.kind == Kind::motion || curve.kind == Kind::potential;
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
       const Vec2 from = place(curve.points[i - 1]), to = place(curve.points[i]);
       // in small pictures pieces are shorter than a pixel, of which is_over() says nothing
-      if (distance(room, to) > 0.0 && !is_over(room, {from, to})) continue;
-      hidden += style_of(curve.kind, paper_.theme()).importance;
-      break;
+      const auto meets = [&](const TextRoom& area) {
+        return distance(area, to) <= 0.0 || is_over(area, {from, to});
+      };
+      if (meets(room)) {
+        price = style_of(curve.kind, paper_.theme()).importance;
+        break;
+      }
+      if (has_dot && meets(with_dot)) price = kPassed;
     }
+    hidden += price;
   }
   return hidden;
 }

@@ -218,23 +218,46 @@ void add_strip(const std::array<Vec2, 3>& from,
     mesh.indices.insert(mesh.indices.end(), {side, side + 1, side + 4, side, side + 4, side + 3});
 }
 
+constexpr int kPiecesOfLine = 24;  // on a floor, along which it fades
+
+// a straight line on a floor
+void add_line(const Vec2& from, const Vec2& to, double half_width, Mesh& mesh) {
+  const Vec2 along = (to - from).normalized(), aside = half_width * Vec2(-along.y(), along.x());
+  for (int i = 0; i < kPiecesOfLine; ++i) {
+    const Vec2 here = from + (to - from) * i / kPiecesOfLine;
+    const Vec2 next = from + (to - from) * (i + 1) / kPiecesOfLine;
+    add_strip({here + aside, here, here - aside},
+              {next + aside, next, next - aside},
+              strength_of_lines(here),
+              strength_of_lines(next),
+              mesh);
+  }
+}
+
+// how far it is from a point inside the unit circle to that circle
+double way_to_rim(const Vec2& from, const Vec2& along) {
+  const double inwards = -along.dot(from);
+  return inwards + std::sqrt(inwards * inwards + 1.0 - from.squaredNorm());
+}
+
+// the unit vector at an angle from +x
+Vec2 ray(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
 }  // namespace
 
 Mesh dial(int segments, double half_width) {
   constexpr int kTicks = 12;
   constexpr double kShort = 0.05, kLong = 0.11;
   Mesh mesh;
-  const auto around = [](double angle) {
-    return Vec2(std::cos(angle), std::sin(angle));
-  };
   for (int k = 0; k < segments; ++k) {
-    const Vec2 here = around(2.0 * kPi * k / segments),
-               next = around(2.0 * kPi * (k + 1) / segments);
+    const Vec2 here = ray(2.0 * kPi * k / segments), next = ray(2.0 * kPi * (k + 1) / segments);
     const double in = 1.0 - half_width, out = 1.0 + half_width;
     add_strip({in * here, here, out * here}, {in * next, next, out * next}, 1.0f, 1.0f, mesh);
   }
   for (int k = 0; k < kTicks; ++k) {
-    const Vec2 along = around(2.0 * kPi * k / kTicks);
+    const Vec2 along = ray(2.0 * kPi * k / kTicks);
     const Vec2 aside = half_width * Vec2(-along.y(), along.x());
     const Vec2 from = (1.0 - (k % 3 == 0 ? kLong : kShort)) * along;
     add_strip({from + aside, from, from - aside},
@@ -247,45 +270,67 @@ Mesh dial(int segments, double half_width) {
 }
 
 Mesh floor_sector(const Vec2& tip, double angle, double half_angle) {
-  constexpr int kPieces = 24;  // along which it fades
   Mesh mesh;
   for (const double side : {-half_angle, half_angle}) {
-    const Vec2 along(std::cos(angle + side), std::sin(angle + side));
-    // from the tip to the unit circle
-    const double inwards = -along.dot(tip);
-    const double reach = inwards + std::sqrt(inwards * inwards + 1.0 - tip.squaredNorm());
-    for (int i = 0; i <= kPieces; ++i) {
-      const Vec2 p = tip + reach * i / kPieces * along;
+    const Vec2 along = ray(angle + side);
+    const double reach = way_to_rim(tip, along);
+    for (int i = 0; i <= kPiecesOfLine; ++i) {
+      const Vec2 p = tip + reach * i / kPiecesOfLine * along;
       mesh.vertices.push_back({glm::vec3(p.x(), p.y(), 0.0), {0.0f, 0.0f, strength_of_lines(p)}});
     }
   }
-  for (std::uint32_t i = 0; i < kPieces; ++i) {
-    const std::uint32_t other = i + kPieces + 1;
+  for (std::uint32_t i = 0; i < kPiecesOfLine; ++i) {
+    const std::uint32_t other = i + kPiecesOfLine + 1;
     mesh.indices.insert(mesh.indices.end(), {i, i + 1, other + 1, i, other + 1, other});
   }
   return mesh;
 }
 
 Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_width) {
-  constexpr int kPieces = 24;  // of each line, along which it fades
   Mesh mesh;
   for (const double turn : {angle, angle + 0.5 * kPi}) {
-    const Vec2 along(std::cos(turn), std::sin(turn)), across(-along.y(), along.x());
+    const Vec2 along = ray(turn), across(-along.y(), along.x());
     const double offset = across.dot(through);
-    const Vec2 aside = half_width * across;
     for (double k = std::ceil((-1.0 - offset) / spacing); offset + k * spacing < 1.0; k += 1.0) {
       const double away = offset + k * spacing;
-      const double half = std::sqrt(std::max(0.0, 1.0 - away * away));
-      for (int i = 0; i < kPieces; ++i) {
-        const Vec2 from = away * across + half * (2.0 * i / kPieces - 1.0) * along;
-        const Vec2 to = away * across + half * (2.0 * (i + 1) / kPieces - 1.0) * along;
-        add_strip({from + aside, from, from - aside},
-                  {to + aside, to, to - aside},
-                  strength_of_lines(from),
-                  strength_of_lines(to),
-                  mesh);
-      }
+      const Vec2 half = std::sqrt(std::max(0.0, 1.0 - away * away)) * along;
+      add_line(away * across - half, away * across + half, half_width, mesh);
     }
+  }
+  return mesh;
+}
+
+Mesh polar_floor_grid(const Vec2& center, double angle, double spacing, double half_width) {
+  constexpr int kSpokes = 12;
+  constexpr double kPiece = kPi / 72.0;  // of circles, rad
+  const double away = center.norm();
+  const double towards = std::atan2(-center.y(), -center.x());  // the middle of the floor
+  Mesh mesh;
+  for (double radius = spacing; radius < 1.0 + away; radius += spacing) {
+    // the part of the circle that is on the floor
+    const double beyond = (away * away + radius * radius - 1.0) / (2.0 * away * radius);
+    const double half = radius <= 1.0 - away ? kPi : std::acos(std::clamp(beyond, -1.0, 1.0));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(2.0 * half / kPiece)));
+    for (int i = 0; i < pieces; ++i) {
+      const Vec2 here = ray(towards + half * (2.0 * i / pieces - 1.0));
+      const Vec2 next = ray(towards + half * (2.0 * (i + 1) / pieces - 1.0));
+      const auto across = [&](const Vec2& out) -> std::array<Vec2, 3> {
+        return {center + (radius - half_width) * out,
+                center + radius * out,
+                center + (radius + half_width) * out};
+      };
+      add_strip(across(here),
+                across(next),
+                strength_of_lines(center + radius * here),
+                strength_of_lines(center + radius * next),
+                mesh);
+    }
+  }
+  for (int k = 0; k < kSpokes; ++k) {
+    const Vec2 along = ray(angle + 2.0 * kPi * k / kSpokes);
+    const double reach = way_to_rim(center, along);
+    if (reach > spacing)
+      add_line(center + spacing * along, center + reach * along, half_width, mesh);
   }
   return mesh;
 }

@@ -58,6 +58,9 @@ Mesh dial(int segments, double half_width);
 // `soft`, inside the unit circle: towards its rim the lines fade as the floor does. through: a
 // point where two lines cross; angle (rad): from +x to one of them.
 Mesh floor_grid(const Vec2& through, double angle, double spacing, double half_width);
+// The same with circles about `center`, which is inside the unit circle, and a spoke every 30
+// degrees from the first of them on; angle (rad): from +x to one of them.
+Mesh polar_floor_grid(const Vec2& center, double angle, double spacing, double half_width);
 // A sector on such a floor, which fades in the same way. tip: inside the unit circle; angle: from
 // +x to its middle; half_angle: between that and each side; rad.
 Mesh floor_sector(const Vec2& tip, double angle, double half_angle);

@@ -121,8 +121,10 @@ Scale make_scale(const Scenery& scenery, double radius) {
           per(kSlipLength, slip)};
 }
 
-// the box around all places that a body goes to on its table
+// the box around all places that a body goes to on its table; about the axis of a turntable, unless
+// the body stays far from it
 void measure_table(Scenery& scenery) {
+  constexpr double kFarFromAxis = 1.0;  // of the middle, in how far the body goes from there
   if (!scenery.motion.model().table) return;
   Vec3 low = scenery.motion.at(0.0).center_S, high = low;
   for (const double t : framing_times(scenery.motion)) {
@@ -133,6 +135,12 @@ void measure_table(Scenery& scenery) {
   scenery.table_middle = 0.5 * (low + high);
   scenery.table_middle.z() = 0.0;
   scenery.table_reach = 0.5 * (high - low).head<2>().norm();
+  const double from_axis = scenery.table_middle.norm();
+  if (scenery.motion.model().table->friction.turntable != 0.0 &&
+      from_axis < kFarFromAxis * scenery.table_reach) {
+    scenery.table_middle = Vec3::Zero();
+    scenery.table_reach += from_axis;
+  }
 }
 
 // high enough for a body of this radius (m) to swing clear of the floor, in units of it

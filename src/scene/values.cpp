@@ -127,7 +127,11 @@ void read_value(const Found& found, const Doc&, bool& value) {
 }
 
 void read_value(const Found& found, const Doc& doc, int& value) {
-  if (!found.node.is_integer()) refuse_type(found, "a whole number, such as 1");
+  if (!found.node.is_integer()) {
+    const auto* floating = found.node.as_floating_point();
+    const bool is_whole = floating != nullptr && floating->get() == std::floor(floating->get());
+    refuse_type(found, "a whole number, such as 1", is_whole ? ", written with a point" : "");
+  }
   const double wide = number(found, doc, "a whole number, such as 1");
   if (std::abs(wide) > std::numeric_limits<int>::max()) {
     refuse(found, fmt::format("is too large, got {}", found.node.as_integer()->get()));
@@ -142,7 +146,11 @@ void read_value(const Found& found, const Doc& doc, double& value) {
 void read_value(const Found& found, const Doc& doc, std::string& value) {
   const std::string example =
       doc.choices.empty() ? doc.color ? "#ff8800" : "a title" : doc.choices.front();
-  if (!found.node.is_string()) refuse_type(found, fmt::format("text, such as \"{}\"", example));
+  if (!found.node.is_string()) {
+    refuse_type(found,
+                fmt::format("text, such as \"{}\"", example),
+                found.node.is_value() ? ", without quotes" : "");
+  }
   value = found.node.as_string()->get();
   if (value.size() > kLongestText) {
     refuse(

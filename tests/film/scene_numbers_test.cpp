@@ -474,9 +474,9 @@ TEST(SceneNumbers, BallsKeepWhatTheirScenesSay) {
     EXPECT_LT(drift.energy.value_or(1.0), 1e-6) << scene;
   }
   const Solved billiard = solved_scene("billiard_ball");
-  EXPECT_NEAR(number_of(billiard, "sliding_time_s"), 0.2663, 1e-4);
+  EXPECT_NEAR(number_of(billiard, "sliding_time_s"), 0.1598, 1e-4);
   ASSERT_FALSE(billiard.simulation.report.record.events.empty());
-  EXPECT_NEAR(billiard.simulation.report.record.events[0].t, 0.2663, 1e-4);
+  EXPECT_NEAR(billiard.simulation.report.record.events[0].t, 0.1598, 1e-4);
   const Solved circling = solved_scene("ball_on_a_turntable");
   EXPECT_NEAR(number_of(circling, "circling_rate_rad_per_s"), 1.0, 1e-12);
   const Motion& motion = circling.simulation.motion;

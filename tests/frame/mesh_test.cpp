@@ -89,6 +89,18 @@ TEST(Mesh, ASectorOfAFloorReachesFromItsTipToTheRim) {
   EXPECT_NEAR(farthest, 1.0, 1e-6);
 }
 
+// of a mesh in a plane z = const
+double area_of(const Mesh& mesh) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const glm::vec3& a = mesh.vertices[mesh.indices[i]].position;
+    const glm::vec3& b = mesh.vertices[mesh.indices[i + 1]].position;
+    const glm::vec3& c = mesh.vertices[mesh.indices[i + 2]].position;
+    area += 0.5 * std::abs(glm::cross(b - a, c - a).z);
+  }
+  return area;
+}
+
 // lines of both directions, at equal distances, up to the rim, where they are gone
 TEST(Mesh, AGridIsOfLinesThatFadeOutwards) {
   const double spacing = 0.3, width = 0.01;
@@ -114,14 +126,47 @@ TEST(Mesh, AGridIsOfLinesThatFadeOutwards) {
       if (std::abs(away) < 1.0) length += 2.0 * std::sqrt(1.0 - away * away);
     }
   }
-  double area = 0.0;
-  for (std::size_t i = 0; i < lines.indices.size(); i += 3) {
-    const glm::vec3& a = lines.vertices[lines.indices[i]].position;
-    const glm::vec3& b = lines.vertices[lines.indices[i + 1]].position;
-    const glm::vec3& c = lines.vertices[lines.indices[i + 2]].position;
-    area += 0.5 * std::abs(glm::cross(b - a, c - a).z);
+  EXPECT_NEAR(area_of(lines), 2.0 * width * length, 1e-4 * area_of(lines));
+}
+
+// circles at equal distances about a point, and twelve spokes from the first of them to the rim
+TEST(Mesh, APolarGridIsOfCirclesAndSpokesThatFadeOutwards) {
+  const double spacing = 0.3, width = 0.01, angle = 0.4;
+  for (const Vec2& center : {Vec2(0, 0), Vec2(0.3, -0.2), Vec2(-0.9, 0.1)}) {
+    const Mesh lines = polar_floor_grid(center, angle, spacing, width);
+    for (const Vertex& vertex : lines.vertices) {
+      const Vec2 p(vertex.position.x, vertex.position.y);
+      const double radius = (p - center).norm();
+      const double off_circles = std::abs(radius - spacing * std::round(radius / spacing));
+      const double off_spokes =
+          radius * std::abs(std::sin(std::remainder(
+                       std::atan2(p.y() - center.y(), p.x() - center.x()) - angle, kPi / 6.0)));
+      EXPECT_LT(std::min(off_circles, off_spokes), 1.001 * width);
+      EXPECT_GT(radius, spacing - 1.001 * width);
+      EXPECT_LT(p.norm(), 1.02);
+      if (p.norm() > 0.999) {
+        EXPECT_LT(vertex.normal.z, 1e-4f);
+      }
+    }
+    // by how many of a million points on each circle are on the floor
+    double length = 0.0;
+    for (double radius = spacing; radius < 2.0; radius += spacing) {
+      int inside = 0;
+      constexpr int kPoints = 1'000'000;
+      for (int i = 0; i < kPoints; ++i) {
+        const double at = 2.0 * kPi * i / kPoints;
+        if ((center + radius * Vec2(std::cos(at), std::sin(at))).norm() < 1.0) ++inside;
+      }
+      length += 2.0 * kPi * radius * inside / kPoints;
+    }
+    for (int k = 0; k < 12; ++k) {
+      const Vec2 along(std::cos(angle + k * kPi / 6.0), std::sin(angle + k * kPi / 6.0));
+      const double inwards = -along.dot(center);
+      const double reach = inwards + std::sqrt(inwards * inwards + 1.0 - center.squaredNorm());
+      length += std::max(0.0, reach - spacing);
+    }
+    EXPECT_NEAR(area_of(lines), 2.0 * width * length, 1e-3 * area_of(lines));
   }
-  EXPECT_NEAR(area, 2.0 * width * length, 1e-4 * area);
 }
 
 // seen from above, a circle and twelve ticks of lines that are gone at their sides

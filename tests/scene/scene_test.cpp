@@ -211,6 +211,7 @@ TEST_F(SceneSettings, ThatAreWrongAreNamedByTheirOption) {
       {"a[=1", "--set a[", "not a key"},
       {"a b=1", "--set a b", "not a key"},
       {"motion.duration", "", "no KEY=VALUE"},
+      {"title=", "", "title has no value after its '='; an empty text is title='\"\"'"},
       {"=1", "", "no KEY=VALUE"},
   };
   for (const auto& [text, key, words] : cases) {

@@ -87,6 +87,8 @@ TEST(Values, EachTypeTakesItsOwn) {
 TEST(Values, AnotherTypeIsRefusedWithWhatWasFound) {
   expect_refused<bool>("1", "x", "must be true or false; found the number 1");
   expect_refused<int>("1.5", "x", "a whole number, such as 1; found the number 1.5");
+  expect_refused<int>("1.0", "x", "found the number 1, written with a point");
+  expect_refused<std::string>("5", "x", "such as \"a title\"; found the number 5, without quotes");
   expect_refused<double>("\"1\"", "x", "found the text \"1\"");
   expect_refused<std::string>("[]", "x", "found an empty list");
   expect_refused<Vec3>("[1, 2]", "x", "found a list of 2");

@@ -81,10 +81,11 @@ void add_table(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   if (along || scenery.table_reach > kTravels * size) {
     const double spacing = along ? size : std::max(size, radius / kLinesOfTable);
     const double width = kGridWidth * scenery.dial_line * std::max(size, radius / kTableAround);
+    const auto lines = floor.sector.mesh ? polar_floor_grid : floor_grid;
     floor.grid = floor.dial;
     floor.grid.space_from_mesh = floor.place;
     floor.grid.mesh =
-        std::make_shared<const Mesh>(floor_grid(origin, turned, spacing / radius, width / radius));
+        std::make_shared<const Mesh>(lines(origin, turned, spacing / radius, width / radius));
     floor.dial.mesh = nullptr;
   }
   glyphs.floors.push_back(floor);
