@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,10 @@ void require_gnuplot() {
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height) {
   const std::string whole = "set encoding utf8\nset terminal " + terminal(format, width, height) +
                             "\n" + script + "\nunset output\n";
-  ChildResult result = run_child({"gnuplot", "--default-settings", "-"}, whole);
+  // GNUTERM is the terminal that it would open first, a window perhaps
+  const std::vector<std::string> words = {
+      "env", "-u", "GNUTERM", "gnuplot", "--default-settings", "-"};
+  ChildResult result = run_child(words, whole);
   // a script of ours has no errors: what is said is a missing terminal or font
   if (!ended_well(result)) {
     throw environment_error("the chart cannot be drawn: gnuplot {}", how_it_ended(result));

@@ -292,11 +292,11 @@ Reaction reaction_of(
     };
     Vec3 own = creep_direction(touch.slip_S, friction, rate_along);
     // a slip that clearly dies does so in its own direction, as does one that could not go on in
-    // the other: it would be held between them
+    // the other, where it would be held between them, or where the body would jam
     constexpr double kDies = 0.05;
     const double grows = rate_along(own).dot(own);
     const bool turns_back = own.dot(touch.slip_S) < 0.0;
-    if (grows < (turns_back ? 0.0 : -kDies * friction)) own = touch.slip_S;
+    if (!(grows >= (turns_back ? 0.0 : -kDies * friction))) own = touch.slip_S;
     const double part = found.slip_S.norm() / touch.creep;
     found.slip_direction_S =
         (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();

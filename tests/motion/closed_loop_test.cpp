@@ -49,6 +49,54 @@ TEST(Loop, TheShortestIsTaken) {
   EXPECT_NEAR(loop.duration, 1.0, 1e-6);
 }
 
+// a rod on its end, which swings by so little that it hardly turns in a period: 2 pi sqrt(2 l / 3
+// g) and a little more, by the radius of the rod and the size of the swing
+TEST(Loop, ClosesAfterOneSmallSwing) {
+  SolidSpec rod;
+  rod.kind = "rod";
+  rod.length = 1.0;
+  rod.radius = 0.01;
+  rod.mass = 1.0;
+  BodySpec body = test::body_of(rod);
+  body.pivot = Vec3(0.0, 0.0, 0.5);
+  const double period = 2.0 * kPi * std::sqrt(2.0 / (3.0 * 9.80665));
+  const auto loop_of = [&](double tilt, double push) {
+    MotionSpec spec;
+    spec.hold = "pivot";
+    spec.duration = 12.0;
+    spec.attitude.zxz = Vec3(0.0, tilt, 0.0);
+    spec.spin.body = Vec3(push, 0.0, 0.0);
+    return find_loop(test::moving(body, spec), 12.0, 0.0349);
+  };
+  for (const auto& [tilt, push] :
+       {std::pair(0.0, 0.05), {0.0, 0.08}, {0.0, 0.3}, {0.0, 1e-6}, {0.009, 0.0}, {0.035, 0.0}}) {
+    SCOPED_TRACE(testing::Message() << tilt << " rad, " << push << " rad/s");
+    const Loop loop = loop_of(tilt, push);
+    EXPECT_NEAR(loop.duration, period, 2e-3);
+    EXPECT_LT(loop.residual, 1e-5);
+  }
+}
+
+// at rest at the start: the angle of a body that an oscillating torque turns is
+// tau / (w^2 I) (1 - cos w t)
+TEST(Loop, ClosesWithTheLoadThatTurnsTheBody) {
+  BodySpec body;
+  body.moments = Vec3(0.956, 0.956, 0.445);
+  body.mass = 1.0;
+  for (const double torque : {0.1, 0.3, 3.0}) {
+    MotionSpec spec;
+    spec.duration = 11.0;
+    LoadSpec load;
+    load.kind = "constant";
+    load.body = Vec3(torque, 0.0, 0.0);
+    load.rate = 3.0;
+    spec.torque = {load};
+    const Loop loop = find_loop(test::moving(body, spec), 11.0, 0.0349);
+    EXPECT_NEAR(loop.duration, 2.0 * kPi / 3.0, 1e-4) << torque;
+    EXPECT_LT(loop.residual, 1e-3) << torque;
+  }
+}
+
 TEST(Loop, OfABodyAtRestIsAnyTime) {
   MotionSpec spec;
   spec.duration = 3.0;

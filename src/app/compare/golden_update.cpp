@@ -21,7 +21,17 @@ namespace {
 // what git says has changed: everywhere in what it knows, and new files in the folder itself
 void refuse_dirty(const GoldenJob& job) {
   const auto ask = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words = {"git", "-C", job.folder, "status", "--porcelain"};
+    // the tree of this folder, whatever another one is named in the environment
+    std::vector<std::string> words = {"env",
+                                      "-u",
+                                      "GIT_DIR",
+                                      "-u",
+                                      "GIT_WORK_TREE",
+                                      "git",
+                                      "-C",
+                                      job.folder,
+                                      "status",
+                                      "--porcelain"};
     words.insert(words.end(), more.begin(), more.end());
     const ChildResult said = run_child(words, "");
     if (said.signal != 0 || !said.exceeded.empty()) {
