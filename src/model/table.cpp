@@ -278,8 +278,9 @@ Reaction reaction_of(
   };
 
   found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
-  if (law.kind == Friction::Kind::coulomb && !touch.sticks &&
-      found.slip_S.norm() < kCreepReach * touch.creep) {
+  const bool creeps = law.kind == Friction::Kind::coulomb && !touch.sticks &&
+                      found.slip_S.norm() < kCreepReach * touch.creep;
+  if (creeps) {
     // what friction does to the slip, as a mean of all directions: so the iteration converges
     const Mat3 K = mobility(model, arm);
     const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
@@ -301,7 +302,13 @@ Reaction reaction_of(
     found.slip_direction_S =
         (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();
   }
-  const Effort total = exerted(per_newton_along(found.slip_direction_S));
+  Effort total = exerted(per_newton_along(found.slip_direction_S));
+  const bool is_beyond = !held && found.slip_S.dot(touch.slip_S) < 0.0;
+  if ((creeps || is_beyond) && !total.force.allFinite()) {
+    // a step looks beyond the zero of the slip, where there may be no solution, nor a need for one
+    found.slip_direction_S = touch.slip_S;
+    total = exerted(per_newton_along(found.slip_direction_S));
+  }
   if (!total.force.allFinite()) {
     throw Error(Fault::check_failed,
                 "the equations of friction have no solution here (the body jams: Painleve's "

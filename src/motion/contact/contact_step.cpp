@@ -142,10 +142,20 @@ double least_of(const Margins& margins) {
 double ContactStepper::turning_rate(const Touch& touch, const Moving& now) const {
   constexpr double kMobility = 3.5;  // of a ball, times its mass
   const Friction& law = model_.table->friction;
-  if (law.kind != Friction::Kind::coulomb || touch.sticks) return 0.0;
   if (touch.phase != Touch::Phase::touching) return 0.0;
-  const double slip = slip_of(model_, touch, now).head<2>().norm() + touch.creep;
-  return law.mu * model_.gravity_S.norm() * kMobility / slip;
+  double rate = 0.0;
+  if (law.kind == Friction::Kind::coulomb && !touch.sticks) {
+    const double slip = slip_of(model_, touch, now).head<2>().norm() + touch.creep;
+    rate = law.mu * model_.gravity_S.norm() * kMobility / slip;
+  }
+  if (law.rolling > 0.0 && !touch.keeps_from_rolling) {
+    const Vec3 w_S = now.q * angular_velocity(model_, now.y);
+    const double roll = w_S.head<2>().norm() + scales_.stopped * scales_.rate;
+    const double inertia =
+        model_.moments.maxCoeff() + model_.body.mass * scales_.length * scales_.length;
+    rate = std::max(rate, law.rolling * scales_.weight / (inertia * roll));
+  }
+  return rate;
 }
 
 ContactStepper::Result ContactStepper::step(const Touch& touch,

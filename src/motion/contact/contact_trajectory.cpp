@@ -186,7 +186,8 @@ class Walk {
       return std::isnan(trial.error) ? none : trial;
     } catch (const Error& error) {
       if (error.fault() != Fault::check_failed) throw;
-      if (next - t_ < kNear / path_->stepper.scales().rate) throw;
+      // the stages of Radau's method are looked for also where the motion does not come to
+      if (!implicit && next - t_ < kNear / path_->stepper.scales().rate) throw;
     }
     return none;
   }

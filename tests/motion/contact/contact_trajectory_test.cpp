@@ -643,6 +643,45 @@ TEST(OnTable, ANeedleJamsAlsoWhereMomentsHoldIt) {
   }
 }
 
+// An ellipsoid that would jam if it slipped the other way: its slip ends, and it sticks. Held
+// against the same motion from a little later on, when it sticks already.
+TEST(OnTable, ASlipEndsAlsoWhereTheBodyWouldJamTheOtherWay) {
+  BodySpec body;
+  body.tensor = Mat3{{0.00044381082251881927, -6.606835515351377e-06, 1.8049511761929396e-05},
+                     {-6.606835515351377e-06, 0.0005621116013520112, 2.0031348612824496e-05},
+                     {1.8049511761929396e-05, 2.0031348612824496e-05, 0.0005376466333878821}};
+  body.mass = 0.565799750948446;
+  body.look = SolidSpec{};
+  body.look->kind = "ellipsoid";
+  body.look->semi_axes = Vec3(0.06549918742370313, 0.0325374397614445, 0.06667420086353146);
+  body.look->at = Vec3(0.004482619028637301, -0.008908248081544274, -0.006930109619417611);
+  MotionSpec spec = on_table(0.18, {});
+  spec.attitude.quaternion = Eigen::Vector4d(
+      -0.48267155064919276, -0.01642098371362095, -0.7321315139278785, -0.480356088544169);
+  spec.spin.body = Vec3(-3.113430984344415, -0.934979757180893, -0.5029698505383741);
+  spec.velocity = Vec3(1.1078359912233229, 0.6242151729221312, 0.0);
+  spec.gravity = Vec3(-3.5998937177699806, -4.3215617179801535, -8.033383705571932);
+  for (const double mu : {1.8, 2.5, 3.008207793101244, 4.0}) {
+    spec.friction = coulomb(mu);
+    spec.friction->turntable = 1.2078786485021633;
+    const BodyModel model = with_needed_degrees(make_model(body, spec));
+    const Integration fine = integrated(body, spec, 1e-11);
+    ASSERT_FALSE(times_of(fine, "slip_ends").empty()) << mu;
+    const double stops = times_of(fine, "slip_ends")[0];
+    const State stuck = fine.trajectory->at(stops + 2e-4);
+    ASSERT_TRUE(fine.trajectory->contact_at(stops + 2e-4)->touch.sticks) << mu;
+    const Integration later =
+        integrate_with(find_stepper("dop853"), model, stuck, 0.14 - stops, 1e-11);
+    for (const double tolerance : {1e-6, 1e-8, 1e-9, 1e-10, 1e-11}) {
+      const Integration found = integrated(body, spec, tolerance);
+      const State end = found.trajectory->at(0.14 + 2e-4);
+      EXPECT_LT(rotation_angle_between(end.q, later.trajectory->at(0.14 - stops).q),
+                std::pow(tolerance, kPowerOfStopped) + 1e-8)
+          << mu << ' ' << tolerance;
+    }
+  }
+}
+
 // the law itself: just beyond the end of a slip along x, with a little slip along y
 TEST(OnTable, FrictionBeyondTheEndOfASlipBrakesWhatGoesToTheSide) {
   const BodyModel model = with_needed_degrees(make_model(ball_body(), on_table(1.0, coulomb(0.2))));
