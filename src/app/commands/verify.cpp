@@ -326,7 +326,14 @@ Verified verify(const VerifyJob& job) {
   RenderPlan& plan = reported.plan;
   const std::string made = scratch / fs::path(output).filename().string();
   plan.sink.output = job.output.substr(0, prefix) + made;
-  const std::unique_ptr<RenderOutput> remade = open_output(plan, true);
+  std::unique_ptr<RenderOutput> remade;
+  try {
+    remade = open_output(plan, true);
+  } catch (const Error& error) {
+    // what render refuses, it has not reported
+    if (error.fault() != Fault::input) throw;
+    return {false, fmt::format("{}: was altered: {}", report_file, error.message())};
+  }
   const PreparedFilm film(plan);
   remade->begin(film);
   const std::unique_ptr<FrameRenderer> renderer =

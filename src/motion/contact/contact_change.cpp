@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "base/error.h"
 #include "model/fall_on_table.h"
 
 namespace polhode {
@@ -278,7 +277,7 @@ ContactChange lie_down(const ContactStepper& stepper, const Touch& before, doubl
 }
 
 // Ideal rolling holds a body sideways also where nothing presses it to the table. Let go, it may
-// come down at once; then there is no motion that goes on.
+// come down at once, or again and again; then there is no motion that goes on.
 ContactChange lift_off(const ContactStepper& stepper,
                        const Touch& before,
                        double t,
@@ -288,19 +287,20 @@ ContactChange lift_off(const ContactStepper& stepper,
   ContactChange change{before};
   change.touch.phase = Touch::Phase::flying;
   const Reaction free = reaction_of(model, change.touch, t, now.moving);
-  if (free.slip_rate_S.z() < -kFalls * model.gravity_S.norm()) {
-    throw Error(
-        Fault::check_failed,
-        fmt::format("at {:.6g} s rolling needs a friction that holds the body while nothing "
-                    "presses it to the table, and without it the body comes down again: "
-                    "take kind = \"coulomb\", with which it slips before",
-                    t),
-        {{}, 0, "motion.friction"});
-  }
+  if (free.slip_rate_S.z() < -kFalls * model.gravity_S.norm()) throw held_without_pressure(t);
   return change;
 }
 
 }  // namespace
+
+Error held_without_pressure(double t) {
+  return {Fault::check_failed,
+          fmt::format("at {:.6g} s rolling needs a friction that holds the body while nothing "
+                      "presses it to the table, and without it the body comes down again: "
+                      "take kind = \"coulomb\", with which it slips before",
+                      t),
+          {{}, 0, "motion.friction"}};
+}
 
 std::string words_for(ContactEvent event) {
   return kWords[static_cast<std::size_t>(event)].words;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "motion/contact/contact_step.h"
 
 namespace polhode {
@@ -18,6 +19,10 @@ struct ContactChange {
   double flies_for = 0.0;
   bool bounces_end = false;  // it was the last of bounces without end
 };
+
+// An Error (check_failed): at t (s) the body would have to be held to roll on while nothing presses
+// it to the table.
+Error held_without_pressure(double t);
 
 // Changes `now` at the event at t (s). Throws Error (check_failed) for a second contact, for a body
 // that still turns when a face comes down on the table, and as reaction_of does.

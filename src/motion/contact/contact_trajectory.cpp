@@ -231,7 +231,11 @@ class Walk {
     arrive(t, true);
   }
 
-  [[noreturn]] static void refuse_more(ContactEvent event, double t, int events) {
+  [[noreturn]] void refuse_more(ContactEvent event, double t, int events) const {
+    const Friction& law = path_->stepper.model().table->friction;
+    const bool comes_down = event == ContactEvent::landing || event == ContactEvent::lift_off;
+    if (comes_down && law.kind == Friction::Kind::rolling && law.restitution == 0.0)
+      throw held_without_pressure(t);
     throw Error(Fault::check_failed,
                 fmt::format("at {:.6g} s {} again and again ({} events); end the motion before, "
                             "or change friction or restitution",

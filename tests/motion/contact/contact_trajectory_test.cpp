@@ -720,6 +720,21 @@ TEST(OnTable, IdealRollingEndsWhereItNeedsFrictionWithoutPressure) {
   }
 }
 
+// a disc that comes down rolling would be thrown up and come down for ever
+TEST(OnTable, IdealRollingAfterALandingEndsInTheSameWay) {
+  const BodySpec disc = disc_body(0.6979385273825542, 0.3590414473487886);
+  MotionSpec spec = on_table(1.26, rolling());
+  spec.attitude.quaternion = Eigen::Vector4d(
+      0.05409574110831877, 0.19832972755578349, -0.21649690086749046, 0.9543940810149456);
+  spec.spin.body = Vec3(-1.1738651211907483, -7.564532456566998, 11.601909052647349);
+  spec.velocity = Vec3(0.6476855153854472, 0.5465004963744775, 1.4237396571799887);
+  spec.position = Vec3(0, 0, 1.3555503019460517);
+  expect_error([&] { integrated(disc, spec, 1e-9); },
+               Fault::check_failed,
+               "motion.friction",
+               "rolling needs a friction that holds the body while nothing presses it");
+}
+
 // Where the accuracy is loose, the first runs are so coarse that they come to an end that the
 // motion does not have. Finer runs pass it.
 TEST(OnTable, AnEndThatOnlyCoarseRunsHaveIsNotThatOfTheMotion) {
@@ -758,7 +773,7 @@ TEST(OnTable, RefusesWhatItCannotFollow) {
   expect_error([&] { integrated(tippe_top_body(0.58, 7.8 / 7.2), spec, 1e-9); },
                Fault::check_failed,
                "motion.friction",
-               "end the motion before");
+               "rolling needs a friction that holds the body");
   BodySpec cylinder = ball_body();
   cylinder.solid->kind = "cylinder";
   cylinder.solid->height = 0.06;
