@@ -224,6 +224,8 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   }
   with([](Json& r) { r["width"] = r["width"].get<int>() + 1; });
   expect("a.mp4", 1, "was altered: width is ");
+  with([](Json& r) { r["still"] = true; });
+  expect("a.mp4", 1, "was altered: one picture (--still) is written as .png");
   with([](Json& r) { r["trusted"] = !r["trusted"]; });
   expect("a.mp4", 1, "was altered: trusted is ");
   with([](Json& r) { r["doubts"].push_back("bad"); });
