@@ -127,19 +127,20 @@ void measure_table(Scenery& scenery) {
   constexpr double kFarFromAxis = 1.0;  // of the middle, in how far the body goes from there
   if (!scenery.motion.model().table) return;
   Vec3 low = scenery.motion.at(0.0).center_S, high = low;
+  double farthest = 0.0;  // from the axis of a turntable
   for (const double t : framing_times(scenery.motion)) {
     const Vec3 center = scenery.motion.at(t).center_S;
     low = low.cwiseMin(center);
     high = high.cwiseMax(center);
+    farthest = std::max(farthest, center.head<2>().norm());
   }
   scenery.table_middle = 0.5 * (low + high);
   scenery.table_middle.z() = 0.0;
   scenery.table_reach = 0.5 * (high - low).head<2>().norm();
-  const double from_axis = scenery.table_middle.norm();
   if (scenery.motion.model().table->friction.turntable != 0.0 &&
-      from_axis < kFarFromAxis * scenery.table_reach) {
+      scenery.table_middle.norm() < kFarFromAxis * scenery.table_reach) {
     scenery.table_middle = Vec3::Zero();
-    scenery.table_reach += from_axis;
+    scenery.table_reach = farthest;
   }
 }
 

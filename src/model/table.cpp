@@ -140,12 +140,11 @@ Effort friction_per_newton(const Friction& law,
                            const Touch& touch,
                            const Vec3& slip_S,
                            const Vec3& slip_way_S,
-                           const Vec3& w_S) {
+                           const Vec3& roll_way_S) {
   Effort effort;
   if (law.kind == Friction::Kind::viscous) effort.force = -law.c * horizontal(slip_S);
   if (law.kind == Friction::Kind::coulomb && !touch.sticks) effort.force = -law.mu * slip_way_S;
-  if (law.rolling > 0.0 && !touch.keeps_from_rolling)
-    effort.moment = -law.rolling * direction_near(horizontal(w_S), touch.roll_S);
+  if (law.rolling > 0.0 && !touch.keeps_from_rolling) effort.moment = -law.rolling * roll_way_S;
   if (law.boring > 0.0 && !touch.keeps_from_boring)
     effort.moment -= law.boring * touch.bore * Vec3::UnitZ();
   return effort;
@@ -153,6 +152,27 @@ Effort friction_per_newton(const Friction& law,
 
 // beyond this many times Touch::creep, the direction of slip is that of the slip alone
 constexpr double kCreepReach = 6.0;
+
+// The direction against which friction acts on a motion v (a slip, a rolling) that is slower than
+// kCreepReach times `creep`: the one in which v changes by itself, and more and more its own.
+// reference: that so far; deceleration: about what friction does to v; rate_along: how v changes if
+// friction acts against a direction.
+template <class Rate>
+Vec3 creeping_direction(const Vec3& v,
+                        const Vec3& reference,
+                        double creep,
+                        double deceleration,
+                        const Rate& rate_along) {
+  Vec3 own = creep_direction(reference, deceleration, rate_along);
+  // what clearly dies does so in its own direction, as does what could not go on in the other,
+  // where it would be held between them, or where the body would jam
+  constexpr double kDies = 0.05;
+  const double grows = rate_along(own).dot(own);
+  const bool turns_back = own.dot(reference) < 0.0;
+  if (!(grows >= (turns_back ? 0.0 : -kDies * deceleration))) own = reference;
+  const double part = v.norm() / creep;
+  return (part * direction_near(v, reference) + std::exp(-part * part) * own).normalized();
+}
 
 }  // namespace
 
@@ -248,8 +268,9 @@ Reaction reaction_of(
 
   // what the laws say per newton of normal force, and what is held
   const Vec3 w_S = R_SP * (w_P - turntable_P);
-  const auto per_newton_along = [&](const Vec3& way_S) -> Effort {
-    const Effort law_S = friction_per_newton(law, touch, found.slip_S, way_S, w_S);
+  found.roll_direction_S = direction_near(horizontal(w_S), touch.roll_S);
+  const auto per_newton_along = [&](const Vec3& slip_way_S, const Vec3& roll_way_S) -> Effort {
+    const Effort law_S = friction_per_newton(law, touch, found.slip_S, slip_way_S, roll_way_S);
     return {R_SP.transpose() * Vec3(law_S.force + Vec3::UnitZ()), R_SP.transpose() * law_S.moment};
   };
   const bool held =
@@ -278,36 +299,44 @@ Reaction reaction_of(
   };
 
   found.slip_direction_S = direction_near(found.slip_S, touch.slip_S);
+  const double weight = mass * model.gravity_S.norm();
+  const auto normal_of = [&](const Effort& per_newton) {
+    const double normal = std::abs(up_P.dot(exerted(per_newton).force));
+    return normal > 0.0 ? normal : weight;
+  };
+  if (law.rolling > 0.0 && !no_roll && horizontal(w_S).norm() < kCreepReach * touch.roll_creep) {
+    const Vec3& K = model.inverse_moments;
+    const double level = 0.5 * (K.sum() - up_P.dot(K.cwiseProduct(up_P)));
+    const double normal = normal_of(per_newton_along(found.slip_direction_S, touch.roll_S));
+    const auto rate_along = [&](const Vec3& way) {
+      const Effort effort = exerted(per_newton_along(found.slip_direction_S, way));
+      const Vec3 moment_P = found.momentum_rate_P + arm.cross(effort.force) + effort.moment;
+      return horizontal(R_SP * K.cwiseProduct(moment_P));
+    };
+    found.roll_direction_S = creeping_direction(
+        horizontal(w_S), touch.roll_S, touch.roll_creep, level * law.rolling * normal, rate_along);
+  }
   const bool creeps = law.kind == Friction::Kind::coulomb && !touch.sticks &&
                       found.slip_S.norm() < kCreepReach * touch.creep;
   if (creeps) {
     // what friction does to the slip, as a mean of all directions: so the iteration converges
     const Mat3 K = mobility(model, arm);
     const double level = 0.5 * (K.trace() - up_P.dot(K * up_P));
-    const double normal = std::abs(up_P.dot(exerted(per_newton_along(touch.slip_S)).force));
-    const double weight = mass * model.gravity_S.norm();
-    const double friction = level * law.mu * (normal > 0.0 ? normal : weight);
+    const double normal = normal_of(per_newton_along(touch.slip_S, found.roll_direction_S));
     const auto rate_along = [&](const Vec3& way) {
-      const Accelerations gain = of_effort(model, arm, exerted(per_newton_along(way)));
+      const Accelerations gain =
+          of_effort(model, arm, exerted(per_newton_along(way, found.roll_direction_S)));
       return Vec3(R_SP * (gain.linear + gain.angular.cross(arm) - missing_P));
     };
-    Vec3 own = creep_direction(touch.slip_S, friction, rate_along);
-    // a slip that clearly dies does so in its own direction, as does one that could not go on in
-    // the other, where it would be held between them, or where the body would jam
-    constexpr double kDies = 0.05;
-    const double grows = rate_along(own).dot(own);
-    const bool turns_back = own.dot(touch.slip_S) < 0.0;
-    if (!(grows >= (turns_back ? 0.0 : -kDies * friction))) own = touch.slip_S;
-    const double part = found.slip_S.norm() / touch.creep;
-    found.slip_direction_S =
-        (part * found.slip_direction_S + std::exp(-part * part) * own).normalized();
+    found.slip_direction_S = creeping_direction(
+        found.slip_S, touch.slip_S, touch.creep, level * law.mu * normal, rate_along);
   }
-  Effort total = exerted(per_newton_along(found.slip_direction_S));
+  Effort total = exerted(per_newton_along(found.slip_direction_S, found.roll_direction_S));
   const bool is_beyond = !held && found.slip_S.dot(touch.slip_S) < 0.0;
   if ((creeps || is_beyond) && !total.force.allFinite()) {
     // a step looks beyond the zero of the slip, where there may be no solution, nor a need for one
     found.slip_direction_S = touch.slip_S;
-    total = exerted(per_newton_along(found.slip_direction_S));
+    total = exerted(per_newton_along(found.slip_direction_S, found.roll_direction_S));
   }
   if (!total.force.allFinite()) {
     throw Error(Fault::check_failed,

@@ -47,7 +47,8 @@ Touch by_velocities(const ContactStepper& stepper, Touch touch, const Moving& no
   touch.creep = scales.stopped * scales.speed;
   touch.sticks = slip.norm() <= touch.creep;
   if (!touch.sticks) touch.slip_S = slip.normalized();
-  touch.keeps_from_rolling = horizontal(w_S).norm() <= scales.stopped * scales.rate;
+  touch.roll_creep = scales.stopped * scales.rate;
+  touch.keeps_from_rolling = horizontal(w_S).norm() <= touch.roll_creep;
   if (!touch.keeps_from_rolling) touch.roll_S = horizontal(w_S).normalized();
   touch.keeps_from_boring = std::abs(w_S.z()) <= scales.stopped * scales.rate;
   if (!touch.keeps_from_boring) touch.bore = std::copysign(1.0, w_S.z());
@@ -97,6 +98,7 @@ Touch without(const ContactStepper& stepper,
     case ContactEvent::rolling_begins:
       touch.keeps_from_rolling = false;
       touch.roll_S = -horizontal(r.moment_S).normalized();
+      touch.roll_S = reaction_of(stepper.model(), touch, t, now.moving).roll_direction_S;
       break;
     default:
       touch.keeps_from_boring = false;

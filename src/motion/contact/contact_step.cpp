@@ -49,6 +49,13 @@ double size_of_error(const Vector& v, const TableScales& scales, bool touching) 
                    part(10) / scales.speed});
 }
 
+// How far a motion (a slip, a rolling) is from its end, by its part along its direction and the
+// rate of that, in units of `scale`. What has just begun is of either sign by its error, and grows.
+double margin_of_end(double along, double rate, double creep, double scale, double stopped) {
+  const bool begins = std::abs(along) < creep && rate > 0.0;
+  return begins ? stopped : along / scale;
+}
+
 }  // namespace
 
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance) {
@@ -89,11 +96,12 @@ Margins margins_of(const BodyModel& model,
       set(ContactEvent::slip_begins,
           (law.mu * normal - reaction.friction_S.norm()) / scales.weight);
     } else {
-      // a slip that has just begun is of either sign by its error, and grows
-      const double along = reaction.slip_S.dot(touch.slip_S);
-      const bool begins =
-          std::abs(along) < touch.creep && reaction.slip_rate_S.dot(touch.slip_S) > 0.0;
-      set(ContactEvent::slip_ends, begins ? scales.stopped : along / scales.speed);
+      set(ContactEvent::slip_ends,
+          margin_of_end(reaction.slip_S.dot(touch.slip_S),
+                        reaction.slip_rate_S.dot(touch.slip_S),
+                        touch.creep,
+                        scales.speed,
+                        scales.stopped));
     }
   }
   if (law.rolling > 0.0 || law.boring > 0.0) {
@@ -103,7 +111,14 @@ Margins margins_of(const BodyModel& model,
       set(ContactEvent::rolling_begins,
           (law.rolling * normal - reaction.moment_S.head<2>().norm()) * per_newton_metre);
     } else if (law.rolling > 0.0) {
-      set(ContactEvent::rolling_ends, w_S.dot(touch.roll_S) / scales.rate);
+      const Vec3 rate_S =
+          now.q * Vec3(model.inverse_moments.cwiseProduct(reaction.momentum_rate_P));
+      set(ContactEvent::rolling_ends,
+          margin_of_end(w_S.dot(touch.roll_S),
+                        rate_S.dot(touch.roll_S),
+                        touch.roll_creep,
+                        scales.rate,
+                        scales.stopped));
     }
     if (law.boring > 0.0 && touch.keeps_from_boring) {
       set(ContactEvent::boring_begins,
