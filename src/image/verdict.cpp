@@ -18,8 +18,9 @@ void check_range(double value, double low, double high, const char* option) {
 
 std::string reason_of(const Verdict& verdict, const Thresholds& t) {
   const Difference& d = verdict.values;
-  if (d.largest > t.limit && d.largest > t.max) {
-    return fmt::format("a value differs by {} levels of 255 (limit {})", d.largest, t.limit);
+  if (d.largest > largest_allowed(t)) {
+    return fmt::format(
+        "a value differs by {} levels of 255 (limit {})", d.largest, largest_allowed(t));
   }
   if (d.fraction_over > t.fraction) {
     return fmt::format("{} of the pixels differ by more than {} levels of 255 (allowed {})",
@@ -40,6 +41,10 @@ std::string reason_of(const Verdict& verdict, const Thresholds& t) {
 
 std::string percent(double share) {
   return fmt::format("{:.3g}%", 100.0 * share);
+}
+
+int largest_allowed(const Thresholds& thresholds) {
+  return std::max(thresholds.limit, thresholds.max);
 }
 
 void check_thresholds(const Thresholds& thresholds) {

@@ -41,6 +41,9 @@ void fields(Visitor& v, Thresholds& s) {
       "flip", s.flip, Doc{"greatest mean FLIP; absent: not measured", Unit::none, Range{0.0, 1.0}});
 }
 
+// The largest difference that passes: `limit`, or `max` if that is more.
+int largest_allowed(const Thresholds& thresholds);
+
 // Throws Error (input), naming the option (--max, --fraction, --limit, --ssim, --flip), for a
 // number out of range: levels 0 to 255, shares and FLIP 0 to 1, SSIM -1 to 1.
 void check_thresholds(const Thresholds& thresholds);

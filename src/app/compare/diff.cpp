@@ -245,7 +245,8 @@ std::string as_words(const DiffJob& job, const Outcome& outcome, const DiffSumma
                       outcome.width,
                       outcome.height,
                       many ? fmt::format(", {} frames", outcome.scores.size()) : "");
-  text += fmt::format("  largest        {} levels of 255 (limit {})\n", d.largest, t.limit);
+  text +=
+      fmt::format("  largest        {} levels of 255 (limit {})\n", d.largest, largest_allowed(t));
   text += fmt::format("  over {:<3} levels {} of the pixels{} (allowed {})\n",
                       t.max,
                       percent(d.fraction_over),

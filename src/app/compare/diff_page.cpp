@@ -91,8 +91,8 @@ std::string numbers(const Difference& d,
   std::string text = "<div class=\"scroll\"><table>\n";
   text += row("Largest difference",
               fmt::format("{} levels of 255", d.largest),
-              fmt::format("limit {}", t.limit),
-              d.largest > std::max(t.limit, t.max));
+              fmt::format("limit {}", largest_allowed(t)),
+              d.largest > largest_allowed(t));
   text += row("Pixels over the threshold",
               percent(d.fraction_over),
               fmt::format("allowed {} over {} levels", percent(t.fraction), t.max),
@@ -196,10 +196,11 @@ std::string strips(const DiffPage& page) {
     most = std::max(most, score.values.fraction_over);
   most = std::max(most, 1e-9);
   return "<section><h2>From frame to frame</h2>\n" +
-         strip(fmt::format("Largest difference, 0 to 255 levels; dashed: limit {}", t.limit),
+         strip(fmt::format("Largest difference, 0 to 255 levels; dashed: limit {}",
+                           largest_allowed(t)),
                page.scores,
                255.0,
-               t.limit,
+               largest_allowed(t),
                [](const FrameScore& s) { return static_cast<double>(s.values.largest); }) +
          end +
          strip(fmt::format("Pixels that differ by more than {} levels, 0 to {}; dashed: allowed {}",

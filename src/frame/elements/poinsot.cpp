@@ -160,6 +160,7 @@ void add_polhode(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
 
 void add_polhodes(const Scenery& scenery, const Sample& sample, Glyphs& glyphs) {
   const Placement ellipsoid = energy_ellipsoid(scenery, sample);
+  add_ball_reach(ellipsoid, glyphs);
   for (const MeshPtr& mesh : scenery.paths.polhodes)
     add_body_curve(scenery, sample, mesh, scenery.theme.polhodes, ellipsoid, glyphs);
   if (scenery.paths.separatrix.empty()) return;
