@@ -23,7 +23,7 @@ struct Touch {
   // Near zero it turns there at once, far faster than anything else moves.
   double creep = 0.0;
   double roll_creep = 0.0;  // likewise of the horizontal part of the angular velocity, rad/s
-  double bore = 1.0;  // likewise the sign of that about the vertical
+  double bore = 1.0;        // likewise the sign of that about the vertical
 };
 
 // The motion of a body on a table: attitude (P to S), angular momentum (P), centre of mass and its
@@ -53,9 +53,9 @@ struct Reaction {
   Vec3 slip_S = Vec3::Zero();      // velocity of the body's lowest point against the table, m/s
   Vec3 slip_direction_S = Vec3::Zero();  // against which dry friction acts, unit; where it slips
   Vec3 roll_direction_S = Vec3::Zero();  // against which the moment against rolling acts, likewise
-  Vec3 slip_rate_S = Vec3::Zero();       // rate of the slip, m/s^2; in flight with the vertical part
-  Vec3 momentum_rate_P = Vec3::Zero();   // dy/dt, N m
-  Vec3 acceleration_S = Vec3::Zero();    // of the centre of mass, m/s^2
+  Vec3 slip_rate_S = Vec3::Zero();      // rate of the slip, m/s^2; in flight with the vertical part
+  Vec3 momentum_rate_P = Vec3::Zero();  // dy/dt, N m
+  Vec3 acceleration_S = Vec3::Zero();   // of the centre of mass, m/s^2
   // what normal force, friction, moments and the loads without a potential do to the body, W
   double power = 0.0;
 };

@@ -16,7 +16,7 @@ Setting parse_setting(const std::string& text) {
   const auto part = [&](std::size_t from, std::size_t length) {
     return std::string(trimmed(std::string_view(text).substr(from, length), " \t"));
   };
-  const Setting setting{part(0, equals), part(equals + 1, std::string::npos)};
+  Setting setting{part(0, equals), part(equals + 1, std::string::npos)};
   if (setting.value.empty()) {
     throw input_error(
         "{} has no value after its '='; an empty text is {}='\"\"'", setting.key, setting.key);
