@@ -165,7 +165,7 @@ double ContactStepper::turning_rate(const Touch& touch, const Moving& now) const
   }
   if (law.rolling > 0.0 && !touch.keeps_from_rolling) {
     const Vec3 w_S = now.q * angular_velocity(model_, now.y);
-    const double roll = w_S.head<2>().norm() + scales_.stopped * scales_.rate;
+    const double roll = w_S.head<2>().norm() + touch.roll_creep;
     const double inertia =
         model_.moments.maxCoeff() + model_.body.mass * scales_.length * scales_.length;
     rate = std::max(rate, law.rolling * scales_.weight / (inertia * roll));

@@ -49,6 +49,34 @@ TEST(Poinsot, TheEllipsoidTouchesThePlaneAtTheTipOfOmega) {
   }
 }
 
+// the curves of other motions reach farther than omega does, with or without their ellipsoid
+TEST(Poinsot, OtherPolhodesStayInThePicture) {
+  constexpr double kWidth = 640.0, kHeight = 360.0;
+  for (const Vec3& spin : kSpins) {
+    MotionSpec spec = test::wobbling();
+    spec.spin.body = spin;
+    ShowSpec show = test::show_only("polhodes");
+    show["omega"] = true;
+    show.vector_length = 2.5;
+    const BodySpec body = test::brick_body();
+    const Composer picture(test::moving(body, spec), body, CameraSpec{}, show, {}, {640, 360});
+    for (const double t : {0.0, 0.9, 2.9}) {
+      const Camera camera = picture.camera_at(t);
+      int curves = 0;
+      for (const MeshGlyph& glyph : picture.glyphs_at(picture.scenery().motion.at(t)).meshes) {
+        if (!glyph.ellipsoid) continue;
+        ++curves;
+        for (const Vertex& vertex : glyph.mesh->vertices) {
+          const Vec2 p = camera.project(glyph.space_from_mesh * to_eigen(vertex.position));
+          ASSERT_TRUE(p.x() > 0.0 && p.x() < kWidth && p.y() > 0.0 && p.y() < kHeight)
+              << p.transpose() << " at " << t << " s";
+        }
+      }
+      EXPECT_GT(curves, 10);
+    }
+  }
+}
+
 // A plane below the ellipsoid has the shadow of it: from what is dark, a ray to the lamp meets the
 // ellipsoid or passes as near as the lamp's size allows. The lamp is above: one overhead has none.
 TEST(Poinsot, TheEllipsoidThrowsItsShadowOnThePlaneBelow) {
