@@ -122,9 +122,8 @@ Scale make_scale(const Scenery& scenery, double radius) {
 }
 
 // the box around all places that a body goes to on its table; about the axis of a turntable, unless
-// the body stays far from it
+// it is farther from the middle of them than the body goes
 void measure_table(Scenery& scenery) {
-  constexpr double kFarFromAxis = 1.0;  // of the middle, in how far the body goes from there
   if (!scenery.motion.model().table) return;
   Vec3 low = scenery.motion.at(0.0).center_S, high = low;
   double farthest = 0.0;  // from the axis of a turntable
@@ -138,7 +137,7 @@ void measure_table(Scenery& scenery) {
   scenery.table_middle.z() = 0.0;
   scenery.table_reach = 0.5 * (high - low).head<2>().norm();
   if (scenery.motion.model().table->friction.turntable != 0.0 &&
-      scenery.table_middle.norm() < kFarFromAxis * scenery.table_reach) {
+      scenery.table_middle.norm() < scenery.table_reach) {
     scenery.table_middle = Vec3::Zero();
     scenery.table_reach = farthest;
   }

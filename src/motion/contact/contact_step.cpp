@@ -51,9 +51,9 @@ double size_of_error(const Vector& v, const TableScales& scales, bool touching) 
 
 // How far a motion (a slip, a rolling) is from its end, by its part along its direction and the
 // rate of that, in units of `scale`. What has just begun is of either sign by its error, and grows.
-double margin_of_end(double along, double rate, double creep, double scale, double stopped) {
+double margin_of_end(double along, double rate, double creep, double scale) {
   const bool begins = std::abs(along) < creep && rate > 0.0;
-  return begins ? stopped : along / scale;
+  return (begins ? creep : along) / scale;
 }
 
 }  // namespace
@@ -100,8 +100,7 @@ Margins margins_of(const BodyModel& model,
           margin_of_end(reaction.slip_S.dot(touch.slip_S),
                         reaction.slip_rate_S.dot(touch.slip_S),
                         touch.creep,
-                        scales.speed,
-                        scales.stopped));
+                        scales.speed));
     }
   }
   if (law.rolling > 0.0 || law.boring > 0.0) {
@@ -114,11 +113,8 @@ Margins margins_of(const BodyModel& model,
       const Vec3 rate_S =
           now.q * Vec3(model.inverse_moments.cwiseProduct(reaction.momentum_rate_P));
       set(ContactEvent::rolling_ends,
-          margin_of_end(w_S.dot(touch.roll_S),
-                        rate_S.dot(touch.roll_S),
-                        touch.roll_creep,
-                        scales.rate,
-                        scales.stopped));
+          margin_of_end(
+              w_S.dot(touch.roll_S), rate_S.dot(touch.roll_S), touch.roll_creep, scales.rate));
     }
     if (law.boring > 0.0 && touch.keeps_from_boring) {
       set(ContactEvent::boring_begins,
