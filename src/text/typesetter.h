@@ -26,7 +26,7 @@ struct TextStyle {
   double size = 20.0;  // font size, pixels
   Rgb color{255, 255, 255};
   bool bold = false;
-  double halo = 0.0;  // width of an outline around the letters, pixels; 0: none
+  double halo = 0.0;  // width of a rim around the letters, which wears off, pixels; 0: none
   Rgb halo_color{0, 0, 0};
   double width = 0.0;     // lines are wrapped at this width, pixels; 0: never
   bool centered = false;  // in `width`, or if that is 0 in the widest line; else left-aligned

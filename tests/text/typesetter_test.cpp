@@ -181,7 +181,6 @@ TEST(Typesetter, ARimStandsAroundTheLetters) {
   EXPECT_TRUE(red && blue);
 }
 
-// GLib aborts where it finds no memory; the process ends in our words, and with our exit code
 // Whatever the place of a letter, all pixels beside its ink are of its rim.
 TEST(Typesetter, RimsHaveNoHoles) {
   constexpr int kWhole = 250;  // alpha; the narrowest rims, of 2.1 px, end a little sooner
