@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -102,11 +103,16 @@ int line_of(const toml::node_view<const toml::node>& value) {
   return value ? static_cast<int>(value.node()->source().begin.line) : 0;
 }
 
-// "{} rad/s" with a value
+// "{} rad/s" with a value in each of its places
 std::string filled(const std::string& pattern, const std::string& value) {
-  const std::size_t at = pattern.find("{}");
+  constexpr std::string_view kPlace = "{}";
+  std::string text = pattern;
+  std::size_t at = text.find(kPlace);
   if (at == std::string::npos) return fmt::format("{} {}", pattern, value);
-  return pattern.substr(0, at) + value + pattern.substr(at + 2);
+  for (; at != std::string::npos; at = text.find(kPlace, at + value.size())) {
+    text.replace(at, kPlace.size(), value);
+  }
+  return text;
 }
 
 std::string text_of(const toml::node& value) {

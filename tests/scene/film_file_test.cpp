@@ -83,6 +83,7 @@ TEST_F(FilmFiles, ASweepIsAPanelForEachValue) {
   const Scene film = this->film(sweep + "caption = \"{} rad/s\"\n");
   ASSERT_EQ(film.panels.size(), 2U);
   EXPECT_EQ(film.panels[1].caption, "10.5 rad/s");
+  EXPECT_EQ(this->film(sweep + "caption = \"{}: Ω = {}\"\n").panels[1].caption, "10.5: Ω = 10.5");
   EXPECT_EQ((*film.panels[1].scene.motion.spin.body)[2], 10.5);
   EXPECT_EQ(this->film(sweep).panels[0].caption, "motion.spin.body[2] = 5");
 }
