@@ -12,12 +12,21 @@
 
 namespace polhode {
 
+// What lies around letters, below them: where the picture differs too little from their ink, it is
+// mixed with `color` until the contrast is 5.2 : 1 (WCAG 2.1), or as far as that goes.
+struct Rim {
+  std::array<std::uint8_t, 3> color{};  // sRGB
+  std::array<std::uint8_t, 3> ink{};    // sRGB
+  std::vector<std::uint8_t> coverage;   // of each pixel, 0..255; empty: there is no rim
+};
+
 // 8-bit RGBA, sRGB-encoded colour premultiplied by alpha, rows from top to bottom, without padding:
 // pixels.size() == 4 * width * height.
 struct Sprite {
   int width = 0;   // pixels
   int height = 0;  // pixels
   std::vector<std::uint8_t> pixels;
+  Rim rim = {};
 
   Sprite() = default;
   // Transparent.
@@ -36,8 +45,9 @@ struct Stamp {
   int columns = -1;      // how many columns from the left are shown; negative or too many: all
 };
 
-// Composites the stamp over a picture with straight alpha (Porter-Duff "over", on encoded values)
-// and clips it at the borders. Adds the changed box to picture.painted if the picture has a ground.
+// Composites the stamp, its rim first, over a picture with straight alpha (Porter-Duff "over", on
+// encoded values) and clips it at the borders. Where the picture is transparent the rim is whole.
+// Adds the changed box to picture.painted if the picture has a ground.
 void lay_over(Image& picture, const Stamp& stamp);
 
 // The picture as a sprite, with its alpha premultiplied.

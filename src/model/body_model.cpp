@@ -90,17 +90,17 @@ Mat3 frame_of_asymmetric(const Mat3& axes) {
 
 // Right-handed principal frame, as close to the body axes as it can be: where moments coincide, or
 // do but for round-off, an eigensolver's axes are any, and the next bit would turn them.
-void find_principal_frame(const Mat3& tensor, Mat3& R_BP, Vec3& moments) {
+void find_principal_frame(const Mat3& tensor, double equal, Mat3& R_BP, Vec3& moments) {
   Mat3 off_diagonal = tensor;
   off_diagonal.diagonal().setZero();
   R_BP = Mat3::Identity();
   moments = tensor.diagonal();
-  if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-14 * tensor.cwiseAbs().maxCoeff()) return;
+  if (off_diagonal.cwiseAbs().maxCoeff() <= 0.01 * equal * tensor.cwiseAbs().maxCoeff()) return;
 
   // ascending
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor);
   const Vec3& found = solver.eigenvalues();
-  const double close = kEqualMoments * found.cwiseAbs().maxCoeff();
+  const double close = equal * found.cwiseAbs().maxCoeff();
   const bool low = found[1] - found[0] <= close;
   const bool high = found[2] - found[1] <= close;
   if (low && high) return;
@@ -211,28 +211,41 @@ std::string impossible_moments(const Vec3& moments) {
   return {};
 }
 
-TopKind classify(const Vec3& moments) {
+TopKind classify(const Vec3& moments, double equal) {
   TopKind kind;
   const double largest = moments.maxCoeff();
-  const auto equal = [&](int i, int j) {
-    return std::abs(moments[i] - moments[j]) <= kEqualMoments * largest;
+  const auto agree = [&](int i, int j) {
+    return std::abs(moments[i] - moments[j]) <= equal * largest;
   };
   kind.rotator = moments.minCoeff() <= kEqualMoments * largest;
   kind.planar =
       !kind.rotator && std::abs(2.0 * largest - moments.sum()) <= 4.0 * kEqualMoments * largest;
-  if (equal(0, 1) && equal(1, 2)) {
+  if (agree(0, 1) && agree(1, 2)) {
     kind.shape = TopKind::Shape::spherical;
     return kind;
   }
   for (int axis = 2; axis >= 0; --axis) {
     const int other = (axis + 1) % 3;
-    if (!equal(other, (axis + 2) % 3)) continue;
+    if (!agree(other, (axis + 2) % 3)) continue;
     kind.axis = axis;
     kind.shape = moments[axis] < moments[other] ? TopKind::Shape::prolate : TopKind::Shape::oblate;
     return kind;
   }
   return kind;
 }
+
+namespace {
+
+// the moments of a body whose kind is exact
+Vec3 moments_of_kind(const TopKind& kind, Vec3 moments) {
+  if (kind.shape == TopKind::Shape::spherical) return Vec3::Constant(moments.mean());
+  if (!kind.symmetric()) return moments;
+  const int i = (kind.axis + 1) % 3, j = (kind.axis + 2) % 3;
+  moments[i] = moments[j] = 0.5 * (moments[i] + moments[j]);
+  return moments;
+}
+
+}  // namespace
 
 MassProperties mass_properties(const BodySpec& spec) {
   const bool by_tensor = spec.moments || spec.tensor;
@@ -282,7 +295,8 @@ MassProperties mass_properties(const BodySpec& spec) {
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
-                     const std::vector<LoadSpec>& loads) {
+                     const std::vector<LoadSpec>& loads,
+                     double equal) {
   BodyModel model;
   model.body = mass_properties(spec);
   model.on_pivot = on_pivot;
@@ -295,9 +309,12 @@ BodyModel make_model(const BodySpec& spec,
   const Mat3 tensor = as_given   ? given_tensor(spec)
                       : on_pivot ? tensor_about(model.body, spec.pivot)
                                  : model.body.tensor;
-  find_principal_frame(tensor, model.R_BP, model.moments);
+  find_principal_frame(tensor, equal, model.R_BP, model.moments);
   refuse_impossible(model.moments, spec, on_pivot ? "about the pivot" : "about the centre of mass");
-  model.kind = classify(model.moments);
+  model.kind = classify(model.moments, equal);
+  Mat3 rest = model.R_BP.transpose() * tensor * model.R_BP;
+  rest.diagonal() -= moments_of_kind(model.kind, model.moments);
+  model.left_out = rest.cwiseAbs().maxCoeff();
   const double least = kEqualMoments * model.moments.maxCoeff();
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] <= least) model.moments[i] = 0.0;
@@ -309,7 +326,10 @@ BodyModel make_model(const BodySpec& spec,
   if (g > 0.0) model.up_S = -gravity_S / g;
   const Vec3 arm = model.body.center - spec.pivot;
   const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
-  const double noise = 1e-14 * (model.body.center.norm() + spec.pivot.norm() + gyration);
+  // a centre that is given has no round-off of the body's size
+  const bool is_given = spec.center_of_mass || spec.moments || spec.tensor;
+  const double noise =
+      1e-14 * (model.body.center.norm() + spec.pivot.norm() + (is_given ? 0.0 : gyration));
   if (on_pivot && arm.norm() > noise) {
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   }

@@ -32,6 +32,8 @@ struct TopKind {
 // Moments that differ by at most this, relative to the largest, count as equal, and a moment of at
 // most this as zero.
 inline constexpr double kEqualMoments = 1e-12;
+// The same where so small a difference moves the body: round-off of what moments come from.
+inline constexpr double kSameMoments = 0x1p-48;
 
 // Made by make_model(); a value that is not changed afterwards, so any thread may read it.
 struct BodyModel {
@@ -44,6 +46,8 @@ struct BodyModel {
   Vec3 moments = Vec3::Ones();          // about the reference point, kg m^2, along P
   Vec3 inverse_moments = Vec3::Ones();  // 1/moments, 1/(kg m^2); 0 for the zero moment of a rotator
   TopKind kind;
+  double left_out = 0.0;          // by how much an element of the tensor may differ from that of a
+                                  // body of this kind, kg m^2
   Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity; +Z without gravity
   Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
   Loads loads;                    // torques and forces besides gravity
@@ -77,11 +81,13 @@ MassProperties mass_properties(const BodySpec& spec);
 // and make_loads do; naming the key that gives the mass distribution (body.moments, tensor, points,
 // solid or parts) for a body without extent and for moments that no body can have (with
 // BodySpec::mathematical they may break the triangle inequality); and naming motion.torque[i].KEY
-// for a torque about the line of a rotator.
+// for a torque about the line of a rotator. Moments that differ by `equal` of the largest count as
+// equal.
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
-                     const std::vector<LoadSpec>& loads = {});
+                     const std::vector<LoadSpec>& loads = {},
+                     double equal = kEqualMoments);
 
 // Checks the triangle inequality of the principal moments (kg m^2), which follows from I1 + I2 - I3
 // = 2 sum m x3^2, in all three permutations and within 1e-9. Returns "" or the reason why no body
@@ -89,7 +95,7 @@ BodyModel make_model(const BodySpec& spec,
 std::string impossible_moments(const Vec3& moments);
 
 // The kind of top that has these principal moments (kg m^2).
-TopKind classify(const Vec3& moments);
+TopKind classify(const Vec3& moments, double equal = kEqualMoments);
 
 // w_P = I^-1 y, rad/s.
 inline Vec3 angular_velocity(const BodyModel& m, const Vec3& y) {

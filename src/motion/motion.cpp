@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "math/so3.h"
+#include "motion/scales.h"
 
 namespace polhode {
 namespace {
@@ -162,8 +163,12 @@ Vec3 gravity_of(const MotionSpec& spec) {
   return spec.hold == "free" ? Vec3(Vec3::Zero()) : Vec3(0, 0, -kStandardGravity);
 }
 
-BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
-  BodyModel model = make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque);
+namespace {
+
+// moments that differ by `equal` of the largest count as equal
+BodyModel model_of(const BodySpec& body, const MotionSpec& motion, double equal) {
+  BodyModel model =
+      make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque, equal);
   const auto refuse_free = [&](const char* key) {
     if (model.on_pivot) return;
     throw input_error("is for a body on a pivot; set motion.hold = \"pivot\"").at({{}, 0, key});
@@ -198,6 +203,21 @@ BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
         .at({{}, 0, "motion.friction"});
   }
   return model;
+}
+
+}  // namespace
+
+BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
+  constexpr double kUnseen = 1e-10;  // rad
+  BodyModel model = model_of(body, motion, kEqualMoments);
+  if (model.left_out == 0.0) return model;
+  try {
+    const State start = start_state(model, motion);
+    if (turn_left_out(model, start, motion.duration, false) <= kUnseen) return model;
+  } catch (const Error&) {
+    return model;  // a start that cannot be is told where it is asked for
+  }
+  return model_of(body, motion, kSameMoments);
 }
 
 }  // namespace polhode

@@ -80,8 +80,9 @@ Vec3 point_position(const BodyModel& model, const Sample& sample, const Vec3& r_
 // docs/theory.md).
 Vec3 point_velocity(const BodyModel& model, const Sample& sample, const Vec3& r_B);
 
-// The model of a body with the pivot, gravity and loads of a [motion] table. Throws Error (input)
-// as make_model in model/body_model.h does.
+// The model of a body with the pivot, gravity and loads of a [motion] table. Moments that nearly
+// agree count as equal if that turns the body by less than 1e-10 rad in this motion. Throws Error
+// (input) as make_model in model/body_model.h does.
 BodyModel make_model(const BodySpec& body, const MotionSpec& motion);
 
 // Gravity of a [motion] table in S, m/s^2. The default is zero for a free body and standard gravity

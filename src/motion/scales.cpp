@@ -64,6 +64,18 @@ double typical_turn(const BodyModel& model, const State& start, double duration)
   return turn;
 }
 
+double turn_left_out(const BodyModel& model, const State& start, double duration, bool steadily) {
+  if (model.kind.shape == TopKind::Shape::asymmetric || model.left_out == 0.0) return 0.0;
+  const double rate = typical_rate(model, start);
+  const double growth = model.left_out * rate * rate * model.inverse_moments.maxCoeff();
+  const double all = 0.5 * growth * duration * duration;
+  if (!steadily || !model.kind.symmetric()) return all;
+  const int axis = model.kind.axis;
+  const double about_axis =
+      start.y[axis] * (model.inverse_moments[axis] - model.inverse_moments[(axis + 1) % 3]);
+  return std::min(all, growth * duration / std::abs(about_axis));
+}
+
 double stiffness(const BodyModel& model, const State& start, double duration) {
   double damping = 0.0, all = 0.0;
   for (const Load& load : model.loads.turning) {

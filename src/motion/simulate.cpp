@@ -296,6 +296,20 @@ void doubt_conditioning(SimulationReport& report) {
       found->exceeded_at));
 }
 
+// what round-off of the moments of inertia leaves between those that count as equal
+void doubt_kind(const BodyModel& model,
+                const State& start,
+                double duration,
+                SimulationReport& report) {
+  const double turn = turn_left_out(model, start, duration, true);
+  if (!(turn > report.accuracy_rad)) return;
+  report.reliability.doubts.push_back(fmt::format(
+      "two moments of inertia count as equal; what they differ by may move the attitude by {:.2g} "
+      "rad, and the scene allows {:.2g}",
+      turn,
+      report.accuracy_rad));
+}
+
 // the angles of a closed form are rates times the time: what is rounded off a rate grows with it
 void doubt_length(double rate, double duration, SimulationReport& report) {
   const double per_second = kRoundingsOfRates * 0x1p-53 * rate;
@@ -376,6 +390,7 @@ Simulation simulate(const BodyModel& body,
   report.conditioning =
       conditioning_of_closed_form(chosen, model, start, *trajectory, motion.duration, accuracy_rad);
   doubt_conditioning(report);
+  doubt_kind(model, start, motion.duration, report);
   doubt_length(typical_rate(model, start), motion.duration, report);
   return {Motion(model, trajectory, motion), report};
 }

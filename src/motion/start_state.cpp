@@ -184,7 +184,7 @@ void refuse_massless_lock(const BodyModel& model) {
   if (gimbals.outer + gimbals.inner.z() > 0.0 || gimbals.clamp == Gimbals::Clamp::outer) return;
   throw input_error(
       "the axle is along the axis of the outer ring (gimbal lock), where rings without mass have "
-      "no motion; give motion.gimbals.outer, or tilt the axle by 0.001 rad")
+      "no motion; give motion.gimbals.outer, or tilt the axle by more than 0.001 rad")
       .at({{}, 0, "motion.attitude"});
 }
 
@@ -208,7 +208,7 @@ void set_start_of_rings(const BodyModel& model, const MotionSpec& spec, State& s
   } else if (locked) {
     throw input_error(
         "the axle is along the axis of the outer ring (gimbal lock), so that this does not say "
-        "where the rings are; {}tilt the axle by 0.001 rad",
+        "where the rings are; {}tilt the axle by more than 0.001 rad",
         as_given ? "give attitude.zxz and spin.rates, or " : "")
         .at({{}, 0, "motion.attitude"});
   } else {

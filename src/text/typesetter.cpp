@@ -193,13 +193,17 @@ void add_outline(cairo_t* cairo, const Letter& letter) {
 // `count` columns of one sprite to another of the same height
 void copy_columns(const Sprite& from, int first, int count, Sprite& to, int at) {
   const auto place = [](const Sprite& sprite, int x, int y) {
-    return 4 * (static_cast<std::ptrdiff_t>(y) * sprite.width + x);
+    return static_cast<std::ptrdiff_t>(y) * sprite.width + x;
   };
   CHECK(first + count <= from.width && at + count <= to.width && from.height == to.height);
   for (int y = 0; y < from.height; ++y) {
-    std::copy_n(from.pixels.begin() + place(from, first, y),
+    std::copy_n(from.pixels.begin() + 4 * place(from, first, y),
                 4 * static_cast<std::size_t>(count),
-                to.pixels.begin() + place(to, at, y));
+                to.pixels.begin() + 4 * place(to, at, y));
+    if (from.rim.coverage.empty()) continue;
+    std::copy_n(from.rim.coverage.begin() + place(from, first, y),
+                count,
+                to.rim.coverage.begin() + place(to, at, y));
   }
 }
 
@@ -346,6 +350,7 @@ class Typesetter::Implementation {
                       int width,
                       int height) {
     auto sprite = std::make_shared<Sprite>(width, height);
+    if (style.halo > 0.0) sprite->rim = rim_of(style, width, height);
     int first = 0;
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const bool is_last = i + 1 == letters.size();
@@ -419,6 +424,7 @@ class Typesetter::Implementation {
     const std::unique_ptr<cairo_t, DestroyCairo> cairo(cairo_create(surface.get()));
     cairo_translate(cairo.get(), x, y);
     add_path(cairo.get());
+    Rim rim;
     if (style.halo > 0.0) {
       flatten_path(cairo.get());
       cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
@@ -427,6 +433,13 @@ class Typesetter::Implementation {
         cairo_set_line_width(cairo.get(), 2.0 * fringe.width * style.halo);
         cairo_stroke_preserve(cairo.get());
       }
+      rim = rim_of(style, width, height);
+      read_pixels(surface.get(), [&](std::size_t at, std::uint32_t pixel) {
+        rim.coverage[at] = static_cast<std::uint8_t>(pixel >> 24);
+      });
+      cairo_set_operator(cairo.get(), CAIRO_OPERATOR_CLEAR);
+      cairo_paint(cairo.get());
+      cairo_set_operator(cairo.get(), CAIRO_OPERATOR_OVER);
     }
     set_source(cairo.get(), style.color);
     cairo_fill(cairo.get());
@@ -434,28 +447,38 @@ class Typesetter::Implementation {
       throw environment_error("text cannot be drawn: {}",
                               cairo_status_to_string(cairo_status(cairo.get())));
     }
-    cairo_surface_flush(surface.get());
-    return copy_of(surface.get());
+    auto sprite = std::make_shared<Sprite>(width, height);
+    read_pixels(surface.get(), [&](std::size_t at, std::uint32_t pixel) {
+      std::uint8_t* to = sprite->pixels.data() + 4 * at;
+      to[0] = static_cast<std::uint8_t>(pixel >> 16);
+      to[1] = static_cast<std::uint8_t>(pixel >> 8);
+      to[2] = static_cast<std::uint8_t>(pixel);
+      to[3] = static_cast<std::uint8_t>(pixel >> 24);
+    });
+    sprite->rim = std::move(rim);
+    return sprite;
   }
 
-  // Cairo keeps a pixel as one 32-bit number, alpha highest
-  static SpritePtr copy_of(cairo_surface_t* surface) {
-    auto sprite = std::make_shared<Sprite>(cairo_image_surface_get_width(surface),
-                                           cairo_image_surface_get_height(surface));
+  // without coverage yet
+  static Rim rim_of(const TextStyle& style, int width, int height) {
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return {style.halo_color, style.color, std::vector<std::uint8_t>(pixels)};
+  }
+
+  // Calls with each pixel of the surface, counted in rows; Cairo keeps one as a 32-bit number,
+  // alpha highest.
+  template <class Call>
+  static void read_pixels(cairo_surface_t* surface, const Call& call) {
+    cairo_surface_flush(surface);
     const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    const auto width = static_cast<std::size_t>(cairo_image_surface_get_width(surface));
+    const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface));
     const unsigned char* data = cairo_image_surface_get_data(surface);
-    std::uint8_t* to = sprite->pixels.data();
-    for (int y = 0; y < sprite->height; ++y) {
-      const auto* row =
-          reinterpret_cast<const std::uint32_t*>(data + stride * static_cast<std::size_t>(y));
-      for (int x = 0; x < sprite->width; ++x, to += 4) {
-        to[0] = static_cast<std::uint8_t>(row[x] >> 16);
-        to[1] = static_cast<std::uint8_t>(row[x] >> 8);
-        to[2] = static_cast<std::uint8_t>(row[x]);
-        to[3] = static_cast<std::uint8_t>(row[x] >> 24);
-      }
+    for (std::size_t y = 0; y < height; ++y) {
+      const auto* row = reinterpret_cast<const std::uint32_t*>(data + stride * y);
+      for (std::size_t x = 0; x < width; ++x)
+        call(y * width + x, row[x]);
     }
-    return sprite;
   }
 
   std::mutex mutex_;

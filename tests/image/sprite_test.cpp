@@ -67,4 +67,44 @@ TEST(Sprite, ColumnsRevealItFromTheLeft) {
 }
 
 }  // namespace
+// grey ink with a dark rim, as on a dark page
+TEST(LayOver, ARimIsAsStrongAsContrastNeeds) {
+  Sprite sprite(1, 1);
+  sprite.rim = {{16, 20, 28}, {139, 147, 167}, {255}};
+  const auto pixel_over = [&](std::array<std::uint8_t, 4> ground) {
+    Image image(1, 1);
+    image.fill({0, 0, 1, 1}, ground);
+    lay_over(image, {std::make_shared<Sprite>(sprite), 0, 0});
+    return std::array<int, 4>{
+        image.at(0, 0)[0], image.at(0, 0)[1], image.at(0, 0)[2], image.at(0, 0)[3]};
+  };
+  // dark enough: 5.5 : 1
+  EXPECT_EQ(pixel_over({20, 25, 34, 255}), (std::array<int, 4>{20, 25, 34, 255}));
+  // a floor: a little darker, not as dark as the rim
+  const std::array<int, 4> floor = pixel_over({42, 47, 58, 255});
+  EXPECT_LT(floor[1], 44);
+  EXPECT_GT(floor[1], 28);
+  // a light body: nearly the colour of the rim
+  const std::array<int, 4> body = pixel_over({226, 221, 208, 255});
+  EXPECT_LT(body[1], 48);
+  EXPECT_GT(body[1], 20);
+  // where nothing is known of the ground, all of it
+  EXPECT_EQ(pixel_over({0, 0, 0, 0}), (std::array<int, 4>{16, 20, 28, 255}));
+}
+
+// the other way round on a light page
+TEST(LayOver, ALightRimLightens) {
+  Sprite sprite(1, 1);
+  sprite.rim = {{245, 244, 240}, {90, 90, 100}, {255}};
+  const auto red_over = [&](std::uint8_t grey) {
+    Image image(1, 1);
+    image.fill({0, 0, 1, 1}, {grey, grey, grey, 255});
+    lay_over(image, {std::make_shared<Sprite>(sprite), 0, 0});
+    return int{image.at(0, 0)[0]};
+  };
+  EXPECT_GT(red_over(160), 215);
+  EXPECT_LT(red_over(160), 245);
+  EXPECT_EQ(red_over(238), 238);
+}
+
 }  // namespace polhode

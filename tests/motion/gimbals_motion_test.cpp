@@ -236,11 +236,13 @@ TEST(GimbalsMotion, InLockOnlyTheirOwnAnglesTell) {
   const auto begin = [&](const BodySpec& body) {
     return start_state(make_model(body, spec), spec);
   };
-  expect_input_error([&] { begin(about_x); }, "motion.attitude", "are; tilt the axle by 0.001 rad");
+  expect_input_error(
+      [&] { begin(about_x); }, "motion.attitude", "are; tilt the axle by more than 0.001 rad");
   spec = on_pivot({right, right, 0.0}, {0.3, 1.0, 0.7}, 3.0);
   spec.gravity = Vec3(-1.0, 0.0, 0.0);
   spec.gimbals = GimbalsSpec{0.3, Vec3(0.1, 0.1, 0.1), Vec3::Zero(), {}};
-  expect_input_error([&] { begin(rotor()); }, "motion.attitude", "are; tilt the axle by 0.001 rad");
+  expect_input_error(
+      [&] { begin(rotor()); }, "motion.attitude", "are; tilt the axle by more than 0.001 rad");
   // what the rings then do is what the scene says
   spec.attitude.zxz = Vec3(right, right - 0.01, 0.0);
   const State s = begin(rotor());

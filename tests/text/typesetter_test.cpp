@@ -173,12 +173,16 @@ TEST(Typesetter, ARimStandsAroundTheLetters) {
   rimmed.color = {255, 0, 0};
   rimmed.halo_color = {0, 0, 255};
   const Stamp stamp = typesetter.set("I", rimmed, 0.0, 0.0);
-  bool red = false, blue = false;
-  for (std::size_t i = 0; i < stamp.sprite->pixels.size(); i += 4) {
-    red = red || stamp.sprite->pixels[i] > 200;
-    blue = blue || stamp.sprite->pixels[i + 2] > 200;
+  const Sprite& sprite = *stamp.sprite;
+  EXPECT_EQ(sprite.rim.color, rimmed.halo_color);
+  EXPECT_EQ(sprite.rim.ink, rimmed.color);
+  ASSERT_EQ(4 * sprite.rim.coverage.size(), sprite.pixels.size());
+  bool inked = false, rim_alone = false;
+  for (std::size_t i = 0; i < sprite.rim.coverage.size(); ++i) {
+    inked = inked || sprite.pixels[4 * i] > 200;
+    rim_alone = rim_alone || (sprite.pixels[4 * i + 3] == 0 && sprite.rim.coverage[i] > 200);
   }
-  EXPECT_TRUE(red && blue);
+  EXPECT_TRUE(inked && rim_alone);
 }
 
 // Whatever the place of a letter, all pixels beside its ink are of its rim.
@@ -196,11 +200,14 @@ TEST(Typesetter, RimsHaveNoHoles) {
         const double x = 10.0 + 0.25 * (part % 4), y = 10.0 + 0.25 * (part / 4.0);
         const Stamp ink = typesetter.set(text, bare, x, y);
         const Stamp all = typesetter.set(text, rimmed, x, y);
+        // of ink and rim together
         const auto alpha = [](const Stamp& stamp, int column, int row) -> int {
           const int i = column - stamp.x, j = row - stamp.y;
           const Sprite& sprite = *stamp.sprite;
           if (i < 0 || j < 0 || i >= sprite.width || j >= sprite.height) return 0;
-          return sprite.pixels[4 * static_cast<std::size_t>(j * sprite.width + i) + 3];
+          const auto at = static_cast<std::size_t>(j * sprite.width + i);
+          const int rim = sprite.rim.coverage.empty() ? 0 : sprite.rim.coverage[at];
+          return std::max<int>(sprite.pixels[4 * at + 3], rim);
         };
         int least = 255;
         for (int row = ink.y; row < ink.y + ink.sprite->height; ++row) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -131,13 +132,22 @@ Touch let_go(const ContactStepper& stepper,
     const Reaction r = reaction(touch);
     const std::vector<ContactEvent> over = over_of(touch, r);
     if (over.empty()) break;
-    // one that gives way may spare the others
-    for (const ContactEvent event : over) {
-      Touch alone = without(stepper, touch, t, now, r, event);
-      if (over_of(alone, reaction(alone)).empty()) return alone;
+    // the fewest of them that spare the others
+    const auto freed = [&](unsigned which) {
+      Touch one = touch;
+      for (std::size_t k = 0; k < over.size(); ++k)
+        if ((which >> k) & 1U) one = without(stepper, one, t, now, r, over[k]);
+      return one;
+    };
+    const unsigned all = (1U << over.size()) - 1U;
+    for (int count = 1; count < static_cast<int>(over.size()); ++count) {
+      for (unsigned which = 1; which < all; ++which) {
+        if (std::popcount(which) != count) continue;
+        const Touch one = freed(which);
+        if (over_of(one, reaction(one)).empty()) return one;
+      }
     }
-    for (const ContactEvent event : over)
-      touch = without(stepper, touch, t, now, r, event);
+    touch = freed(all);
   }
   return touch;
 }
@@ -160,11 +170,14 @@ Touch touch_now(const ContactStepper& stepper,
     touch.sticks = false;
     touch.slip_S = refreshed(stepper.model(), before, now.moving).slip_S;
   }
+  // what is held stops, and what cannot be held goes on with what it has
+  OnTable at_rest = now;
+  hold_to_table(stepper.model(), touch, at_rest.moving);
+  touch = let_go(stepper, touch, t, at_rest, given_way);
   // what is snapped to zero counts as work
   const double had = energy_of(stepper.model(), now.moving);
   hold_to_table(stepper.model(), touch, now.moving);
   now.work += energy_of(stepper.model(), now.moving) - had;
-  touch = let_go(stepper, touch, t, now, given_way);
   const Reaction reaction = reaction_of(stepper.model(), touch, t, now.moving);
   if (reaction.normal < 0.0) touch.phase = Touch::Phase::flying;
   return touch;

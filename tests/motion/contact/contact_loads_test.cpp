@@ -166,6 +166,38 @@ TEST(LoadsOnATable, TurnABodyAtRestForAnInstantOnly) {
   }
 }
 
+// A ball at rest is pushed harder than friction can hold it at rest, while moments against rolling
+// and boring hold it too: where both give way it rolls, and does not slip. The end was found by two
+// other programs, one with events and one with laws of friction that are smooth.
+TEST(LoadsOnATable, RollABallThatMomentsOfBothKindsHold) {
+  MotionSpec spec = on_table(0.1, coulomb(0.4));
+  spec.friction->rolling = spec.friction->boring = 0.001;
+  LoadSpec push = load_of("force");
+  push.space = Vec3(4.0, 0.0, 0.0);
+  push.at = Vec3(0.0, 0.01, 0.0);
+  spec.torque = {push};
+  const Simulation found = simulated(ball_body(0.1, 1.0), spec);
+  const Quat right(0.9973957175, -3.0e-8, 0.0696156356, -0.0188532757);
+  EXPECT_LT(rotation_angle_between(found.motion.at(0.1).q_SB, right), 1e-8);
+  EXPECT_TRUE(found.motion.contact_at(0.05)->touch.sticks);
+}
+
+// What rolls back and forth turns without coming to rest where its load is greatest: what it has
+// across its way stays. The end was found by another program with smooth laws of friction.
+TEST(LoadsOnATable, RollABallBackAndForth) {
+  MotionSpec spec = on_table(1.0, coulomb(0.5));
+  spec.friction->rolling = 0.001;
+  LoadSpec push = load_of("force");
+  push.space = Vec3(2.0, 0.0, 0.0);
+  push.at = Vec3(0.0, 0.01, 0.0);
+  push.rate = 30.0;
+  spec.torque = {push};
+  const Simulation found = simulated(ball_body(0.1, 1.0), spec, 1e-5);
+  const Quat right(0.99998139585, 8.167384e-05, -0.005620967905, -0.002367699192);
+  EXPECT_LT(rotation_angle_between(found.motion.at(1.0).q_SB, right), 1e-5);
+  EXPECT_TRUE(found.report.reliability.doubts.empty());
+}
+
 // steps that loads would make too many are refused before the first of them
 TEST(LoadsOnATable, TooFastForTheDurationAreRefusedAtOnce) {
   MotionSpec spec = on_table(20.0, coulomb(0.3));
