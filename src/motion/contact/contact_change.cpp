@@ -143,7 +143,7 @@ Touch let_go(const ContactStepper& stepper,
     for (int count = 1; count < static_cast<int>(over.size()); ++count) {
       for (unsigned which = 1; which < all; ++which) {
         if (std::popcount(which) != count) continue;
-        const Touch one = freed(which);
+        Touch one = freed(which);
         if (over_of(one, reaction(one)).empty()) return one;
       }
     }
