@@ -75,6 +75,7 @@ class RimNeed {
     const double grey = grey_of(found);
     const double part = (grey - target_) / (grey - rim_);
     if (!(part < 1.0)) return 255;
+    if (part < 0.0) return 0;  // it stands out from the ink more than the rim does
     return static_cast<unsigned>(std::ceil(255.0 * part));
   }
 

@@ -105,6 +105,10 @@ TEST(LayOver, ALightRimLightens) {
   EXPECT_GT(red_over(160), 215);
   EXPECT_LT(red_over(160), 245);
   EXPECT_EQ(red_over(238), 238);
+  // ink so light that no ground is light enough: the rim is whole, but does not darken
+  sprite.rim.ink = {180, 84, 0};
+  EXPECT_EQ(red_over(160), 245);
+  EXPECT_EQ(red_over(250), 250);
 }
 
 }  // namespace polhode
