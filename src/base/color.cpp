@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/color.h"
 
+#include <cmath>
+
 #include "base/error.h"
 
 namespace polhode {
@@ -26,6 +28,10 @@ std::array<std::uint8_t, 3> parse_color(std::string_view text) {
         static_cast<std::uint8_t>(16 * hex_digit(text[1 + 2 * i]) + hex_digit(text[2 + 2 * i]));
   }
   return bytes;
+}
+
+double linear_of_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <tiny_gltf.h>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "frame/to_glm.h"
 
@@ -33,12 +34,6 @@ tinygltf::Value value_of(const json& from) {
   if (from.is_boolean()) return tinygltf::Value(from.get<bool>());
   if (from.is_number_integer()) return tinygltf::Value(from.get<int>());
   return tinygltf::Value(from.get<double>());
-}
-
-// sRGB-encoded to linear (IEC 61966-2-1)
-double linear(float encoded) {
-  const double c = static_cast<double>(encoded);
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
 // The file while it is put together.
@@ -127,7 +122,10 @@ class Writer {
     const double alpha = static_cast<double>(look.alpha * look.fade);
     const bool marked = look.mark_width > 0.0f;
     auto& pbr = material.pbrMetallicRoughness;
-    pbr.baseColorFactor = {linear(look.color.r), linear(look.color.g), linear(look.color.b), alpha};
+    pbr.baseColorFactor = {linear_of_srgb(look.color.r),
+                           linear_of_srgb(look.color.g),
+                           linear_of_srgb(look.color.b),
+                           alpha};
     if (marked) pbr.baseColorFactor = {1.0, 1.0, 1.0, alpha};
     pbr.metallicFactor = look.finish == Finish::metal ? 0.6 : 0.0;
     pbr.roughnessFactor = look.finish == Finish::metal ? 0.4

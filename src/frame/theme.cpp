@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <glm/common.hpp>
 
@@ -17,10 +16,8 @@ namespace {
 
 // relative luminance of a colour, and the contrast of two (WCAG 2.1)
 double luminance(const glm::vec3& color) {
-  const auto linear = [](double c) {
-    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+  return 0.2126 * linear_of_srgb(color.r) + 0.7152 * linear_of_srgb(color.g) +
+         0.0722 * linear_of_srgb(color.b);
 }
 double contrast(const glm::vec3& a, const glm::vec3& b) {
   const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "base/system/interrupt.h"
 #include "base/system/parallel.h"
@@ -164,8 +165,7 @@ Constants make_constants(double ppd) {
   c.most =
       std::pow(hyab(hunt_lab({0.0F, 1.0F, 0.0F}), hunt_lab({0.0F, 0.0F, 1.0F})), kColorExponent);
   for (std::size_t i = 0; i < 256; ++i) {
-    const double v = static_cast<double>(i) / 255.0;
-    c.linear[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+    c.linear[i] = static_cast<float>(linear_of_srgb(static_cast<double>(i) / 255.0));
   }
   return c;
 }

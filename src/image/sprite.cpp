@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/color.h"
+
 namespace polhode {
 namespace {
 
@@ -38,17 +40,13 @@ void over(const std::uint8_t* source, unsigned opacity, std::uint8_t* pixel) {
 constexpr double kContrastOfInk = 5.2;
 
 // relative luminance of encoded values (WCAG 2.1)
-std::array<float, 256> make_linear() {
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double c = static_cast<double>(i) / 255.0;
-    table[i] = static_cast<float>(c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-  }
-  return table;
-}
-
 float luminance(const std::uint8_t* rgb) {
-  static const std::array<float, 256> linear = make_linear();
+  static const std::array<float, 256> linear = [] {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+      table[i] = static_cast<float>(linear_of_srgb(static_cast<double>(i) / 255.0));
+    return table;
+  }();
   return 0.2126F * linear[rgb[0]] + 0.7152F * linear[rgb[1]] + 0.0722F * linear[rgb[2]];
 }
 

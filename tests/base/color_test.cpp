@@ -21,5 +21,13 @@ TEST(ParseColor, RefusesEverythingElse) {
   }
 }
 
+// 18 % grey is about 46 % of the way to white
+TEST(LinearOfSrgb, IsTheStandards) {
+  EXPECT_EQ(linear_of_srgb(0.0), 0.0);
+  EXPECT_NEAR(linear_of_srgb(1.0), 1.0, 1e-15);
+  EXPECT_NEAR(linear_of_srgb(0.04), 0.04 / 12.92, 1e-15);
+  EXPECT_NEAR(linear_of_srgb(0.4614), 0.18, 1e-4);
+}
+
 }  // namespace
 }  // namespace polhode
