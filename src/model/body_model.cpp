@@ -236,13 +236,19 @@ TopKind classify(const Vec3& moments, double equal) {
 
 namespace {
 
-// the moments of a body whose kind is exact
-Vec3 moments_of_kind(const TopKind& kind, Vec3 moments) {
-  if (kind.shape == TopKind::Shape::spherical) return Vec3::Constant(moments.mean());
-  if (!kind.symmetric()) return moments;
-  const int i = (kind.axis + 1) % 3, j = (kind.axis + 2) % 3;
-  moments[i] = moments[j] = 0.5 * (moments[i] + moments[j]);
-  return moments;
+// how far a tensor in principal axes is from that of a body with equal moments, which count as
+// equal
+double left_out_by(const TopKind& kind, Mat3 tensor_P) {
+  if (kind.shape == TopKind::Shape::asymmetric) return 0.0;
+  Vec3 moments = tensor_P.diagonal();
+  if (kind.symmetric()) {
+    const int i = (kind.axis + 1) % 3, j = (kind.axis + 2) % 3;
+    moments[i] = moments[j] = 0.5 * (moments[i] + moments[j]);
+  } else {
+    moments.setConstant(moments.mean());
+  }
+  tensor_P.diagonal() -= moments;
+  return tensor_P.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -312,9 +318,7 @@ BodyModel make_model(const BodySpec& spec,
   find_principal_frame(tensor, equal, model.R_BP, model.moments);
   refuse_impossible(model.moments, spec, on_pivot ? "about the pivot" : "about the centre of mass");
   model.kind = classify(model.moments, equal);
-  Mat3 rest = model.R_BP.transpose() * tensor * model.R_BP;
-  rest.diagonal() -= moments_of_kind(model.kind, model.moments);
-  model.left_out = rest.cwiseAbs().maxCoeff();
+  model.left_out = left_out_by(model.kind, model.R_BP.transpose() * tensor * model.R_BP);
   const double least = kEqualMoments * model.moments.maxCoeff();
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] <= least) model.moments[i] = 0.0;
@@ -327,7 +331,7 @@ BodyModel make_model(const BodySpec& spec,
   const Vec3 arm = model.body.center - spec.pivot;
   const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
   // a centre that is given has no round-off of the body's size
-  const bool is_given = spec.center_of_mass || spec.moments || spec.tensor;
+  const bool is_given = spec.moments || spec.tensor;
   const double noise =
       1e-14 * (model.body.center.norm() + spec.pivot.norm() + (is_given ? 0.0 : gyration));
   if (on_pivot && arm.norm() > noise) {

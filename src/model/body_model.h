@@ -46,8 +46,8 @@ struct BodyModel {
   Vec3 moments = Vec3::Ones();          // about the reference point, kg m^2, along P
   Vec3 inverse_moments = Vec3::Ones();  // 1/moments, 1/(kg m^2); 0 for the zero moment of a rotator
   TopKind kind;
-  double left_out = 0.0;          // by how much an element of the tensor may differ from that of a
-                                  // body of this kind, kg m^2
+  double left_out = 0.0;          // what elements of the tensor differ by, at most, from those of a
+                                  // body with moments that are equal, kg m^2; 0 if none count so
   Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity; +Z without gravity
   Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
   Loads loads;                    // torques and forces besides gravity

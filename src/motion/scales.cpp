@@ -65,7 +65,7 @@ double typical_turn(const BodyModel& model, const State& start, double duration)
 }
 
 double turn_left_out(const BodyModel& model, const State& start, double duration, bool steadily) {
-  if (model.kind.shape == TopKind::Shape::asymmetric || model.left_out == 0.0) return 0.0;
+  if (model.left_out == 0.0) return 0.0;
   const double rate = typical_rate(model, start);
   const double growth = model.left_out * rate * rate * model.inverse_moments.maxCoeff();
   const double all = 0.5 * growth * duration * duration;

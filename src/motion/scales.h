@@ -16,7 +16,7 @@ double typical_turn(const BodyModel& model, const State& start, double duration)
 
 // How far what BodyModel::left_out leaves out may turn the body in the duration (s), rad. The spin
 // about the axis of the least moment I grows by left_out w^2 / I at most; where the body is
-// `steadily` turned about that axis, it comes and goes. 0 for an asymmetric body.
+// `steadily` turned about that axis, it comes and goes.
 double turn_left_out(const BodyModel& model, const State& start, double duration, bool steadily);
 
 // A typical angular momentum for error norms, kg m^2/s; never 0.

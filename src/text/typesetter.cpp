@@ -36,7 +36,7 @@ constexpr std::array<Wanted, 2> kWanted = {{
 }};
 
 constexpr std::size_t kMostKept = 2048;              // texts
-constexpr std::size_t kMostPixelsKept = 16'000'000;  // of their sprites, 4 bytes each
+constexpr std::size_t kMostPixelsKept = 16'000'000;  // of their sprites, up to 5 bytes each
 constexpr int kPartsOfPixel = 4;
 
 // The rim of letters is one stroke over the other. It wears off outwards, so that thin letters over
@@ -190,6 +190,11 @@ void add_outline(cairo_t* cairo, const Letter& letter) {
   pango_cairo_glyph_string_path(cairo, letter.font, &alone);
 }
 
+// how far the rim reaches from the letters, pixels
+double reach_of_rim(const TextStyle& style) {
+  return kFringes.front().width * style.halo + 1.0;
+}
+
 // `count` columns of one sprite to another of the same height
 void copy_columns(const Sprite& from, int first, int count, Sprite& to, int at) {
   const auto place = [](const Sprite& sprite, int x, int y) {
@@ -317,7 +322,7 @@ class Typesetter::Implementation {
   Set draw(const std::string& markup, const TextStyle& style, double part_x, double part_y) {
     const GObjectPtr<PangoLayout> text = layout(markup, style);
     const TextBox box = box_of(text.get());
-    const double rim = kFringes.front().width * style.halo + 1.0;
+    const double rim = reach_of_rim(style);
     const int left = static_cast<int>(std::floor(box.ink_left + part_x - rim));
     const int top = static_cast<int>(std::floor(box.ink_top + part_y - rim));
     const int right = static_cast<int>(std::ceil(box.ink_right + part_x + rim));
@@ -373,7 +378,7 @@ class Typesetter::Implementation {
                      double y,
                      int width,
                      int height) {
-    const double rim = kFringes.front().width * style.halo + 1.0;
+    const double rim = reach_of_rim(style);
     std::vector<Letter> reach;
     std::string key = fmt::format("{} {} {} {}", key_of({}, style), y, width, height);
     for (const Letter& letter : letters) {

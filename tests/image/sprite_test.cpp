@@ -66,9 +66,8 @@ TEST(Sprite, ColumnsRevealItFromTheLeft) {
   EXPECT_EQ(image.at(2, 0)[0], 0);
 }
 
-}  // namespace
 // grey ink with a dark rim, as on a dark page
-TEST(LayOver, ARimIsAsStrongAsContrastNeeds) {
+TEST(Sprite, ARimIsAsStrongAsContrastNeeds) {
   Sprite sprite(1, 1);
   sprite.rim = {{16, 20, 28}, {139, 147, 167}, {255}};
   const auto pixel_over = [&](std::array<std::uint8_t, 4> ground) {
@@ -93,7 +92,7 @@ TEST(LayOver, ARimIsAsStrongAsContrastNeeds) {
 }
 
 // the other way round on a light page
-TEST(LayOver, ALightRimLightens) {
+TEST(Sprite, ALightRimLightens) {
   Sprite sprite(1, 1);
   sprite.rim = {{245, 244, 240}, {90, 90, 100}, {255}};
   const auto red_over = [&](std::uint8_t grey) {
@@ -111,4 +110,5 @@ TEST(LayOver, ALightRimLightens) {
   EXPECT_EQ(red_over(250), 250);
 }
 
+}  // namespace
 }  // namespace polhode
