@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/gimbals.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -41,13 +42,64 @@ double about_vertical(const Gimbals& gimbals, double theta) {
   return gimbals.outer + up.dot(gimbals.inner.cwiseProduct(up));
 }
 
-// what of w' does not come from accelerations of the angles
-Vec3 rest_of_acceleration(const Gimbals& gimbals, const GimbalPose& pose) {
-  const Mat3 ring = inner_axes_P(gimbals, pose.angles[2]);
-  const Vec3 up = ring * vertical_in_ring(pose.angles[1]);
+// the angular velocity of the body about the axes of the inner ring
+Vec3 rate_in_ring(const GimbalPose& pose) {
+  const Vec3 up = vertical_in_ring(pose.angles[1]);
+  return pose.rates[0] * up + Vec3(pose.rates[1], 0.0, pose.rates[2]);
+}
+
+// The same of its acceleration, but for what comes from accelerations of the angles: products of
+// rates, of which those that cancel near gimbal lock are taken together.
+Vec3 rest_in_ring(const GimbalPose& pose) {
+  const Vec3 up = vertical_in_ring(pose.angles[1]);
   const Vec3& rates = pose.rates;
-  return rates[0] * up.cross(angular_velocity_of(gimbals, pose)) -
-         rates[1] * rates[2] * ring.col(1);
+  return {up.y() * rates[0] * rates[2],
+          (up.z() * rates[0] - rates[2]) * rates[1],
+          -up.y() * rates[0] * rates[1]};
+}
+
+// How the rings speed up: phi'' and theta'', and in place of psi'' that of the body about its axle
+// as the inner ring sees it, psi'' + phi'' cos(theta). In gimbal lock, where the vertical is the
+// axle, phi'' and psi'' may be large and cancel.
+Vec3 speed_up(const Gimbals& gimbals,
+              const GimbalPose& pose,
+              const Vec3& moments,
+              const Vec3& others_P) {
+  const Vec3& rates = pose.rates;
+  const Mat3 axes = inner_axes_P(gimbals, pose.angles[2]);
+  const Mat3 body = axes.transpose() * moments.asDiagonal() * axes;
+  const Vec3 up = vertical_in_ring(pose.angles[1]);
+  const Vec3 w = axes * rate_in_ring(pose);
+  const Vec3 on_body =
+      axes.transpose() * (moments.cwiseProduct(w).cross(w) + others_P) - body * rest_in_ring(pose);
+
+  // what turns the inner ring besides its accelerations, about its own axes
+  const Vec3& J = gimbals.inner;
+  const Vec3 ring = rate_of_inner(pose);
+  const Vec3 bent = rates[0] * rates[1] * Vec3(0.0, up.z(), -up.y());
+  const Vec3 held = J.cwiseProduct(bent) + ring.cross(J.cwiseProduct(ring)) -
+                    frame_torque(J, ring, frame_in_ring(gimbals, pose.angles));
+
+  // The first equation is that of turns about the vertical less that of turns about the axle times
+  // cos(theta): of turns across the axle, times sin(theta).
+  const Vec3 across(up.y(), 1.0, 1.0);
+  const Mat3 in_order = Mat3{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};  // across, nodes, axle
+  Mat3 mass = across.asDiagonal() * in_order * body * in_order.transpose() * across.asDiagonal();
+  mass(0, 0) += about_vertical(gimbals, pose.angles[1]);
+  mass(1, 1) += J.x();
+  const Vec3 dragged = gimbals.friction.cwiseProduct(rates);
+  Vec3 turned = across.cwiseProduct(in_order * on_body);
+  turned -=
+      Vec3(held.dot(up) + dragged[0] - up.z() * dragged[2], held.x() + dragged[1], dragged[2]);
+
+  const int clamped = gimbals.clamp == Gimbals::Clamp::outer   ? 0
+                      : gimbals.clamp == Gimbals::Clamp::inner ? 1
+                                                               : -1;
+  if (clamped >= 0) {
+    mass.row(clamped) = Vec3::Unit(clamped).transpose();
+    turned[clamped] = 0.0;
+  }
+  return mass.inverse() * turned;
 }
 
 }  // namespace
@@ -96,45 +148,30 @@ Vec3 accelerations(const Gimbals& gimbals,
                    const GimbalPose& pose,
                    const Vec3& moments,
                    const Vec3& others_P) {
-  const double theta = pose.angles[1];
-  const Vec3& rates = pose.rates;
-  const Mat3 axes = turning_axes_P(gimbals, pose.angles);
-  const Vec3 w = axes * rates;
-  Mat3 mass = axes.transpose() * moments.asDiagonal() * axes;
-  mass(0, 0) += about_vertical(gimbals, theta);
-  mass(1, 1) += gimbals.inner.x();
-
-  // what turns the inner ring besides its accelerations, about its own axes
-  const Vec3& J = gimbals.inner;
-  const Vec3 ring = rate_of_inner(pose);
-  const Vec3 up = vertical_in_ring(theta);
-  const Vec3 bent = rates[0] * rates[1] * Vec3(0.0, up.z(), -up.y());
-  const Vec3 held = J.cwiseProduct(bent) + ring.cross(J.cwiseProduct(ring)) -
-                    frame_torque(J, ring, frame_in_ring(gimbals, pose.angles));
-
-  const Vec3 inertia = moments.cwiseProduct(rest_of_acceleration(gimbals, pose));
-  Vec3 turned = axes.transpose() * (moments.cwiseProduct(w).cross(w) + others_P - inertia);
-  turned -= Vec3(held.dot(up), held.x(), 0.0) + gimbals.friction.cwiseProduct(rates);
-
-  const int clamped = gimbals.clamp == Gimbals::Clamp::outer   ? 0
-                      : gimbals.clamp == Gimbals::Clamp::inner ? 1
-                                                               : -1;
-  if (clamped >= 0) {
-    mass.row(clamped) = Vec3::Unit(clamped).transpose();
-    turned[clamped] = 0.0;
-  }
-  return mass.inverse() * turned;
+  const Vec3 found = speed_up(gimbals, pose, moments, others_P);
+  return {found[0], found[1], found[2] - std::cos(pose.angles[1]) * found[0]};
 }
 
 Vec3 torque_of_rings(const Gimbals& gimbals,
                      const GimbalPose& pose,
                      const Vec3& moments,
                      const Vec3& others_P) {
-  const Mat3 axes = turning_axes_P(gimbals, pose.angles);
-  const Vec3 w = axes * pose.rates;
-  const Vec3 acceleration =
-      axes * accelerations(gimbals, pose, moments, others_P) + rest_of_acceleration(gimbals, pose);
+  const Mat3 axes = inner_axes_P(gimbals, pose.angles[2]);
+  const Vec3 w = axes * rate_in_ring(pose);
+  const Vec3 found = speed_up(gimbals, pose, moments, others_P);
+  const Vec3 faster(found[1], std::sin(pose.angles[1]) * found[0], found[2]);
+  const Vec3 acceleration = axes * (faster + rest_in_ring(pose));
   return moments.cwiseProduct(acceleration) - moments.cwiseProduct(w).cross(w) - others_P;
+}
+
+double size_of_rates(
+    const Gimbals& gimbals, double theta, double nearby, double moment, const Vec3& rates) {
+  const double across = std::min(1.0, std::abs(std::sin(theta)) + nearby);
+  const double axle = rates[2] + std::cos(theta) * rates[0];
+  const double of_body = Vec3(across * rates[0], rates[1], axle).squaredNorm();
+  const double of_rings = about_vertical(gimbals, theta) * rates[0] * rates[0] +
+                          gimbals.inner.x() * rates[1] * rates[1];
+  return std::sqrt(of_body + of_rings / moment);
 }
 
 double kinetic_energy(const Gimbals& gimbals, const GimbalPose& pose) {

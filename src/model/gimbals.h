@@ -62,6 +62,12 @@ Vec3 torque_of_rings(const Gimbals& gimbals,
                      const Vec3& moments,
                      const Vec3& others_P);
 
+// The norm of rates (rad/s) of the angles while theta (rad) is so, or off by `nearby`: that of the
+// angular velocity they give the body, rad/s, with the moments of the rings over `moment` (kg m^2)
+// in it. Near gimbal lock those of phi and psi may be large and give little.
+double size_of_rates(
+    const Gimbals& gimbals, double theta, double nearby, double moment, const Vec3& rates);
+
 // Kinetic energy of the rings, J; and their potential energy in a frame that rotates, J.
 double kinetic_energy(const Gimbals& gimbals, const GimbalPose& pose);
 double frame_potential(const Gimbals& gimbals, const Vec3& angles);

@@ -71,6 +71,8 @@ class Convergence {
     return before_ && *before_ < kClose && *last_ >= 0.8 * *before_;
   }
   double last() const { return last_.value_or(0.0); }
+  // the best accuracy of which is_within() could be told of at least three runs
+  double best_shown() const { return std::max(error(), *last_ / kClearlyLess); }
 
  private:
   double drop_;
@@ -237,11 +239,12 @@ Refined refine(const StepperInfo& method,
       // runs that are still too coarse for a chaotic motion may seem to stall too
       if (!(round_off.effect <= kOfRoundOff * convergence.last())) {
         throw input_error(
-            "round-off grows so much in this motion that runs of {} agree only within {:.2g} rad "
-            "over {} s, and {:.3g} rad are asked for; take a shorter duration or a looser accuracy",
+            "round-off grows so much in this motion that runs of {} over {} s show an accuracy of "
+            "{:.2g} rad at best, and {:.3g} rad are asked for; take a shorter duration or a looser "
+            "accuracy",
             method.name,
-            convergence.last(),
             duration,
+            convergence.best_shown(),
             accuracy);
       }
       stalled = 0;

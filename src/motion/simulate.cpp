@@ -25,6 +25,8 @@ constexpr double kLeastAccuracy = 1e-13;  // rad
 // by how many parts of 2^-53 the rates in closed forms may be off; measured: up to 1.5
 constexpr double kRoundingsOfRates = 3.0;
 constexpr int kTimesOfDrift = 257;
+// damping that is so much faster than all else is stiff
+constexpr double kStiff = 300.0;
 // A given step is checked with this part of it: the golden section, so that no load that repeats
 // with the one step repeats with the other.
 constexpr double kFinerStep = 0.38196601125010515;
@@ -33,7 +35,8 @@ constexpr double kFinerStep = 0.38196601125010515;
 struct Request {
   const NumericsSpec& numerics;
   const SimulationWatch& watch;
-  const SimulationReport* neighbour;  // or null
+  const SimulationReport* neighbour;    // or null
+  long most_steps = kMostStepsRefined;  // of one run, where the scene does not say
 };
 
 long most_steps(const NumericsSpec& numerics, long by_default) {
@@ -96,7 +99,7 @@ Integration integrate_by(const StepperInfo& method,
                   start,
                   duration,
                   report.accuracy_rad,
-                  most_steps(numerics, kMostStepsRefined),
+                  most_steps(numerics, request.most_steps),
                   request.watch,
                   likely);
   });
@@ -137,11 +140,21 @@ std::string reason_against_others(const BodyModel& model,
                      splittings.front().ns_per_rad);
 }
 
-// a method to try, and why
+// a method to try, why, and how far
 struct Candidate {
   const StepperInfo* method;
   std::string reason;
+  long most_steps = kMostStepsRefined;
 };
+
+// Whether friction in the bearings of gimbals is stiff wherever the axle comes along the axis of
+// the outer ring: the two turn as one there, as fast as the rings are light.
+bool is_stiff_in_gimbal_lock(const BodyModel& model, const State& start) {
+  if (!model.loads.gimbals) return false;
+  const Gimbals& rings = *model.loads.gimbals;
+  const double inertia = (rings.outer + rings.inner.z()) * typical_rate(model, start);
+  return rings.friction.maxCoeff() > kStiff * inertia;
+}
 
 // those of the method tables that may suit the motion, in the order in which to try them
 std::vector<Candidate> candidates(const BodyModel& model,
@@ -154,8 +167,7 @@ std::vector<Candidate> candidates(const BodyModel& model,
     return {{&find_stepper("dop853"), "of high order, with events located on its own steps"}};
   const std::string others = reason_against_others(model, chosen, numerics, accuracy_rad);
   std::vector<Candidate> found;
-  // where damping is much faster than all else, explicit steps resolve what is at rest
-  constexpr double kStiff = 300.0;
+  // explicit steps resolve what is at rest
   if (stiffness(model, start, duration) > kStiff && !numerics.step) {
     for (const StepperInfo& row : stepper_table()) {
       if (row.stiff) found.push_back({&row, "damping is much faster than the motion" + others});
@@ -176,10 +188,19 @@ std::vector<Candidate> candidates(const BodyModel& model,
     const char* what = chosen.splits ? "splitting" : "method";
     found.push_back({&find_stepper(able.front().method), reason_for(able, what) + others});
   }
+  // most motions in such gimbals do not come near to where they are stiff
+  constexpr long kBeforeImplicit = 50'000, kImplicit = 200'000;
+  if (is_stiff_in_gimbal_lock(model, start) && !numerics.step) {
+    for (Candidate& one : found)
+      one.most_steps = kBeforeImplicit;
+    found.push_back(
+        {&find_stepper("radau5"), "friction is stiff in gimbal lock" + others, kImplicit});
+  }
   // where steps that suit the start fail later, steps that choose their own length still tell why
   const StepperInfo& last = together;
-  const bool tried = std::any_of(
-      found.begin(), found.end(), [&](const Candidate& one) { return one.method == &last; });
+  const bool tried = std::any_of(found.begin(), found.end(), [&](const Candidate& one) {
+    return one.method == &last && one.most_steps == kMostStepsRefined;
+  });
   if (!tried && !chosen.splits && !numerics.step && why_not(last, model).empty())
     found.push_back({&last, "cheaper methods failed" + others});
   return found;
@@ -198,11 +219,14 @@ Integration integrate_by_cheapest(const BodyModel& model,
   std::optional<Error> refusal;
   for (auto one = tried.begin();; ++one) {
     report.method_reason = one->reason;
+    Request limited = request;
+    limited.most_steps = one->most_steps;
     try {
-      return integrate_by(*one->method, model, start, duration, request, report);
+      return integrate_by(*one->method, model, start, duration, limited, report);
     } catch (const Error& error) {
       if (error.fault() == Fault::interrupted) throw;
-      if (error.fault() == Fault::input && !refusal) refusal = error;
+      const bool to_the_end = one->most_steps == kMostStepsRefined;
+      if (error.fault() == Fault::input && to_the_end && !refusal) refusal = error;
       if (one + 1 != tried.end()) continue;
       if (refusal) throw *refusal;
       throw;

@@ -14,10 +14,12 @@ void refuse_nan(const State& s, const StepperInfo& method, double t) {
   if (is_finite(s)) return;
   throw Error(
       Fault::check_failed,
-      fmt::format("the motion is not a number at t = {:.6g} s with method {}; take a smaller "
-                  "step or another method",
+      fmt::format("the motion is not a number at t = {:.6g} s with method {}; {}",
                   t,
-                  method.name));
+                  method.name,
+                  method.adaptive ? "no step is short enough there, so that another tolerance or "
+                                    "method may not do, either"
+                                  : "take a smaller step or another method"));
 }
 
 void refuse_tolerance(const StepperInfo& method, double tolerance, double t) {

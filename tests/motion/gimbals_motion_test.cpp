@@ -195,6 +195,51 @@ TEST(GimbalsMotion, PassesGimbalLock) {
   EXPECT_LT(home.angularDistance(motion.at(0.0).q_SB), 1e-8);
 }
 
+// Friction in rings without mass, whose axle passes within 1e-6 rad of gimbal lock, where it is
+// stiff, or brakes so much that it passes right through: as rings move that are so light, in
+// explicit steps.
+TEST(GimbalsMotion, OfRingsWithoutMassInLockIsThatOfTheLightest) {
+  BodySpec sphere = rotor();
+  sphere.moments = Vec3::Ones();
+  MotionSpec spec = on_pivot({0.3, 0.0011, 0.2}, {1.0, -1.0, 3.0}, 2.0);
+  NumericsSpec explicitly;
+  explicitly.method = "dop853";
+  for (const auto& [friction, light] :
+       {std::pair(1e-12, 1e-19), std::pair(1e-9, 1e-19), std::pair(1e-6, 1e-17)}) {
+    spec.gimbals = GimbalsSpec{0.0, Vec3::Zero(), Vec3(0.0, 0.0, friction), {}};
+    const Simulation done = simulate(make_model(sphere, spec), spec, NumericsSpec{}, 1e-7);
+    EXPECT_EQ(fmt::format("{}", fmt::join(done.report.reliability.doubts, "; ")), "") << friction;
+    EXPECT_LT(done.report.record.steps, 10'000) << friction;
+    // nothing turns the body about the vertical
+    const double begins = done.motion.at(0.0).L_S.z();
+    EXPECT_NEAR(done.motion.at(2.0).L_S.z(), begins, 1e-7 * begins) << friction;
+    spec.gimbals->outer = light;
+    const Motion other = simulate(make_model(sphere, spec), spec, explicitly, 1e-7).motion;
+    for (double t = 0.0; t <= 2.0; t += 0.1) {
+      EXPECT_LT(other.at(t).q_SB.angularDistance(done.motion.at(t).q_SB), 2e-6)
+          << friction << " at " << t;
+    }
+  }
+  // and what explicit steps cannot do
+  spec.gimbals = GimbalsSpec{0.0, Vec3::Zero(), Vec3(0.0, 0.0, 1e-3), {}};
+  trusted_motion(sphere, spec, 1e-7);
+}
+
+// Angular velocities there, from equations of these alone in which the rings are constraints,
+// integrated by another program with a tolerance of 1e-13 and steps of 2e-8 s in lock.
+TEST(GimbalsMotion, InLockAgreesWithEquationsOfTheBodyAlone) {
+  BodySpec sphere = rotor();
+  sphere.moments = Vec3::Ones();
+  MotionSpec spec = on_pivot({0.3, 0.0011, 0.2}, {1.0, -1.0, 3.0}, 2.0);
+  for (const auto& [friction, w] :
+       {std::pair(1e-12, Vec3(-0.954358794747, -0.298672040981, 3.999998185)),
+        std::pair(1e-9, Vec3(-0.951876755798, -0.297895850802, 3.999998185)),
+        std::pair(1e-7, Vec3(-0.557984525273, -0.190811568162, 3.999998185))}) {
+    spec.gimbals = GimbalsSpec{0.0, Vec3::Zero(), Vec3(0.0, 0.0, friction), {}};
+    EXPECT_LT((trusted_motion(sphere, spec, 1e-7).at(2.0).L_S - w).norm(), 2e-8) << friction;
+  }
+}
+
 // It may also begin there, if the scene gives the angles.
 TEST(GimbalsMotion, BeginsInGimbalLock) {
   MotionSpec spec = on_pivot({0.3, 0.0, 0.0}, {0.5, 1.0, 2.0}, 1.0);

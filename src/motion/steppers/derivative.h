@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "math/so3.h"
 #include "model/body_model.h"
@@ -111,8 +112,9 @@ StateVector<N> derivative(const BodyModel& m, double t, const StateVector<N>& v)
 }
 
 // The norm of a difference of states: the largest of the norms of q (in gimbals, of half the
-// angles), of y over a typical momentum, and with six degrees of freedom of the place over the
-// radius of gyration and of the linear momentum over linear_momentum_scale(). Dimensionless.
+// angles), of y over a typical momentum (in gimbals, of their rates, as size_of_rates() has it,
+// over the rate that goes with it), and with six degrees of freedom of the place over the radius of
+// gyration and of the linear momentum over linear_momentum_scale(). Dimensionless.
 class ErrorNorm {
  public:
   // momentum_scale: a typical |y|, kg m^2/s.
@@ -120,24 +122,37 @@ class ErrorNorm {
       : momentum_scale_(momentum_scale),
         rate_scale_(momentum_scale / model.moments.maxCoeff()),
         length_scale_(std::sqrt(model.moments.maxCoeff() / model.body.mass)),
-        linear_momentum_scale_(linear_momentum_scale(model, momentum_scale)) {}
+        linear_momentum_scale_(linear_momentum_scale(model, momentum_scale)),
+        moment_(model.moments.maxCoeff()),
+        gimbals_(model.loads.gimbals) {}
 
   double momentum_scale() const { return momentum_scale_; }
 
+  // of v, an error in a step of h (s) from `start`
+  template <int N>
+  double of(const StateVector<N>& v,
+            [[maybe_unused]] const StateVector<N>& start,
+            [[maybe_unused]] double h) const {
+    if constexpr (N == kInGimbals) {
+      const double rates =
+          size_of_rates(*gimbals_, start[1], std::abs(h * start[4]), moment_, v.template tail<3>());
+      return std::max(0.5 * v.template head<3>().norm(), rates / rate_scale_);
+    } else {
+      return of<N>(v);
+    }
+  }
+
+  // the same without gimbals, where it is all one from where
   template <int N>
   double of(const StateVector<N>& v) const {
-    if constexpr (N == kInGimbals) {
-      return std::max(0.5 * v.template head<3>().norm(), v.template tail<3>().norm() / rate_scale_);
-    } else {
-      double size =
-          std::max(v.template head<4>().norm(), v.template segment<3>(4).norm() / momentum_scale_);
-      if constexpr (N == kSixDegrees) {
-        size = std::max({size,
-                         v.template segment<3>(7).norm() / length_scale_,
-                         v.template segment<3>(10).norm() / linear_momentum_scale_});
-      }
-      return size;
+    double size =
+        std::max(v.template head<4>().norm(), v.template segment<3>(4).norm() / momentum_scale_);
+    if constexpr (N == kSixDegrees) {
+      size = std::max({size,
+                       v.template segment<3>(7).norm() / length_scale_,
+                       v.template segment<3>(10).norm() / linear_momentum_scale_});
     }
+    return size;
   }
 
  private:
@@ -145,6 +160,8 @@ class ErrorNorm {
   double rate_scale_;             // rad/s
   double length_scale_;           // m
   double linear_momentum_scale_;  // kg m/s
+  double moment_;                 // kg m^2
+  std::optional<Gimbals> gimbals_;
 };
 
 // Makes a Method<N>(model, arguments...) with the N that the model needs.

@@ -266,7 +266,7 @@ class DormandPrince853 final : public Stepper {
         h,
         v,
         [&](double at, const Vector& now) -> Vector { return derivative<N>(model_, at, now); },
-        [&](const Vector& e) { return norm_.template of<N>(e); },
+        [&](const Vector& e) { return norm_.template of<N>(e, v, h); },
         error);
     set_state<N>(model_, v + change, s);
     return error;

@@ -115,7 +115,7 @@ class DormandPrince5 final : public Stepper {
     // difference of the two embedded solutions
     const Vector error = h * (71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
                               17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7);
-    return norm_.template of<N>(error);
+    return norm_.template of<N>(error, v, h);
   }
 };
 

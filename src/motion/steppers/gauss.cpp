@@ -81,7 +81,7 @@ class Gauss final : public Stepper {
         for (int j = 0; j < Stages; ++j)
           stage += Table::kA[i][j] * k[j];
         next[i] = derivative<N>(model_, t + Table::kC[i] * h, v + h * stage);
-        change = std::max(change, norm_.template of<N>(h * (next[i] - k[i])));
+        change = std::max(change, norm_.template of<N>(h * (next[i] - k[i]), v, h));
       }
       work.evaluations += Stages;
       k = next;

@@ -31,7 +31,7 @@ class Radau5 final : public Stepper {
       return derivative<N>(model_, at, now);
     };
     const auto size = [&](const Vector& e) {
-      return norm_.template of<N>(e);
+      return norm_.template of<N>(e, v, h);
     };
     double error = 0.0;
     const Vector change =
