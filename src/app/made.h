@@ -10,7 +10,6 @@ namespace polhode {
 struct Made {
   std::string output;       // as the user named it; "-": standard output
   int frames = 0;           // number of frames drawn for it, in this run, earlier runs and parts
-  int every = 1;            // the output contains every n-th of these frames; above 1 for a GIF
   int from_earlier = 0;     // how many of these frames earlier runs have made (--resume)
   bool is_picture = false;  // true: the output is one picture, not a film or a sequence
   int parts = 0;            // number of parts that were joined; 0: nothing was joined

@@ -24,12 +24,8 @@ double frames_per_second(const Made& made, double seconds) {
   return seconds > 0.0 ? (made.frames - made.from_earlier) / seconds : 0.0;
 }
 
-int frames_of_output(const Made& made) {
-  return (made.frames + made.every - 1) / made.every;
-}
-
 std::string frames_of(const Made& made) {
-  const int count = frames_of_output(made);
+  const int count = made.frames;
   std::string frames =
       fmt::format("{} {}{}", count, made.is_picture ? "picture" : "frame", count == 1 ? "" : "s");
   if (made.parts > 0) {
@@ -59,7 +55,7 @@ std::string closing_json(const Made& made, double seconds) {
                      {"seconds_left", 0.0},
                      {"limit", nullptr},
                      {"output", made.output},
-                     {"frames", frames_of_output(made)},
+                     {"frames", made.frames},
                      {"seconds", std::round(1000.0 * seconds) / 1000.0}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

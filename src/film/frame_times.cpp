@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace polhode {
 namespace {
@@ -15,7 +16,7 @@ double time_option(const char* option,
                    const std::optional<double>& value,
                    double fallback,
                    double duration) {
-  const double t = value.value_or(fallback);
+  const double t = up_to(duration, value.value_or(fallback));
   if (std::isfinite(t) && t >= 0.0 && t <= duration) return t;
   throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, t)
       .at({{}, 0, option});
@@ -50,7 +51,7 @@ void refuse_steps_behind(const Loop& loop, const Scene& scene) {
 
 std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<StoryStep>& story) {
   for (std::size_t i = 0; scene.in_turn && i < story.size(); ++i) {
-    if (story[i].at <= scene.motion.duration) continue;
+    if (up_to(scene.motion.duration, story[i].at) <= scene.motion.duration) continue;
     throw input_error("must be a time within each panel's motion, 0 to {} s, got {}",
                       scene.motion.duration,
                       story[i].at)

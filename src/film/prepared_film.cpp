@@ -53,7 +53,11 @@ void check_film(Solved solved) {
   one.one_picture = true;
   const FrameTimes frames = with_place(scene, [&] { return plan_frame_times(alone.front(), one); });
   with_place(scene, [&] { return composer_alone(alone.front(), frames.timeline); });
-  with_place(scene, [&] { return make_charts(alone); });
+  check_charts(alone);
+}
+
+void check_charts(const std::vector<Solved>& panels) {
+  with_place(panels.front().scene, [&] { return make_charts(panels); });
 }
 
 }  // namespace polhode

@@ -58,4 +58,8 @@ class PreparedFilm {
 // elements and plots that it cannot show. Paths, which take long to prepare, are left out.
 void check_film(Solved solved);
 
+// The same of what stands beside the panels of a film. `panels`: each alone, of which the first has
+// the settings of the film.
+void check_charts(const std::vector<Solved>& panels);
+
 }  // namespace polhode

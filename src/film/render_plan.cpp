@@ -2,6 +2,7 @@
 #include "film/render_plan.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "base/nearest.h"
@@ -10,6 +11,7 @@
 #include "film/overrides.h"
 #include "video/encoders.h"
 #include "video/frame_sink.h"
+#include "video/gif_sink.h"
 #include "video/plain_sinks.h"
 #include "video/sink_kinds.h"
 
@@ -101,6 +103,15 @@ void check_shard(const RenderPlan& plan, const std::optional<int>& pieces) {
   }
 }
 
+// What a GIF cannot show is not drawn. Returns the rate that was asked for, where it is another.
+std::optional<FrameRate> slow_down_for_gif(Scene& scene) {
+  const FrameRate asked = scene.video.fps;
+  const FrameRate shown = gif_rate(asked);
+  if (shown == asked) return {};
+  for_each_scene(scene, [&](Scene& one) { one.video.fps = shown; });
+  return asked;
+}
+
 }  // namespace
 
 const std::vector<Quality>& qualities() {
@@ -148,11 +159,14 @@ RenderPlan plan_render(const RenderJob& job) {
   });
   const std::string output = output_of(job);
   const bool still = is_still(job, output);
+  std::optional<FrameRate> asked_fps;
+  if (!still && find_sink_kind(output).name == "gif") asked_fps = slow_down_for_gif(plan.scene);
   plan.range = {job.from, job.to, job.still, still};
   check_time_range(plan.scene, plan.range);
   const EncoderSettings encoder =
       settle_encoder(output, {quality.grade, quality.preset, job.codec, job.preset, job.crf});
   plan.sink = sink_of(plan.scene, output, encoder, job.transparent, still);
+  plan.sink.asked_fps = asked_fps;
   plan.sink.captions = std::any_of(plan.story.begin(), plan.story.end(), [](const StoryStep& step) {
     return step.caption && !step.caption->empty();
   });

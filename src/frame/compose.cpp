@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/units.h"
 #include "math/so3.h"
 #include "motion/deviation.h"
@@ -567,7 +568,7 @@ std::vector<Composer::Rig> Composer::make_rigs(PictureSize size) const {
     const ShotSpec& shot = staging_.shots[i];
     try {
       const double end = staging_.timeline.motion_time(staging_.timeline.film_duration());
-      if (shot.at > end) {
+      if (up_to(end, shot.at) > end) {
         throw input_error("must be a time within the motion, 0 to {} s, got {}", end, shot.at)
             .at({{}, 0, fmt::format("shots[{}].at", i)});
       }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace polhode {
 namespace {
@@ -41,6 +42,7 @@ Timeline::Timeline(const std::vector<StoryStep>& story, double duration, double 
       throw input_error("'{}' is shown and hidden at once", element)
           .at({{}, 0, fmt::format("story[{}].hide", i)});
     }
+    story_[i].at = up_to(duration, story_[i].at);
     if (story_[i].at <= duration) continue;
     throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, story_[i].at)
         .at({{}, 0, fmt::format("story[{}].at", i)});

@@ -142,9 +142,14 @@ std::string png_tags(const std::filesystem::path& path) {
   const std::string bytes = read_file(path, 5 * kMostPngPixels);
   std::string tags;
   for (const Chunk& chunk : chunks_of(bytes)) {
-    // pixels, and the frames of an animation
+    // pixels, and the frames of an animation, of which their number counts
     const bool of_pixels = chunk.type == "IDAT" || chunk.type == "fdAT";
-    if (!of_pixels && chunk.type != "acTL" && chunk.type != "fcTL") tags += chunk.whole;
+    constexpr std::size_t kHead = 8, kNumber = 4;  // bytes: length and type; of a number
+    if (chunk.type == "acTL") {
+      tags += chunk.whole.substr(0, kHead + kNumber);
+    } else if (!of_pixels && chunk.type != "fcTL") {
+      tags += chunk.whole;
+    }
   }
   return tags;
 }

@@ -102,6 +102,9 @@ class Places {
     return "source/" + place.string();
   }
 
+  // Whether all have their places: the deck and the scenes name them as they are.
+  bool kept() const { return folders_.empty(); }
+
  private:
   static fs::path normal(const std::string& name) { return fs::path(name).lexically_normal(); }
   static bool is_elsewhere(const std::string& name) {
@@ -211,16 +214,17 @@ void write_data(const LectureData& data, const fs::path& folder) {
   add_option("--theme", data.settings.theme);
   if (data.settings.quality != LectureSettings{}.quality)
     add_option("--quality", data.settings.quality);
+  const std::string rebuild =
+      fmt::format("cd data/source && polhode lecture {} -o ../../again --to {}{}",
+                  shell_word(deck_name),
+                  to,
+                  options);
   const Json manifest = {
       {"deck", "source/" + deck_name},
       {"deck_hash", content_hash(data.deck_text)},
       {"program", "polhode " + program_version()},
       {"versions", versions()},
-      {"rebuild",
-       fmt::format("cd data/source && polhode lecture {} -o ../../again --to {}{}",
-                   shell_word(deck_name),
-                   to,
-                   options)},
+      {"rebuild", places.kept() ? Json(rebuild) : Json(nullptr)},
       {"licences", licences(data)},
       {"columns",
        "t,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,x,y,z,energy: s, attitude body to space, rad/s in body "

@@ -104,12 +104,23 @@ class Reader {
     if (node.contains("c")) read(node["c"]);
   }
 
-  // after all has been read: links within the deck lead somewhere
+  // After all has been read: pictures have places, by the names that the deck gives them or else
+  // by those of their files, where these are free.
+  void place_pictures() {
+    const auto take = [&](DeckPicture& picture, const std::string& place) {
+      picture.place = places_.insert(place).second ? place : "";
+    };
+    for (DeckPicture& picture : deck_.pictures)
+      if (!picture.place.empty()) take(picture, picture.place);
+    for (DeckPicture& picture : deck_.pictures)
+      if (picture.place.empty()) take(picture, picture.name);
+  }
+
+  // and then: links within the deck lead somewhere
   void check_links_within() {
-    std::vector<std::string> known(places_.begin(), places_.end());
-    known.insert(known.end(), names_.begin(), names_.end());
+    const std::vector<std::string> known(places_.begin(), places_.end());
     for (const auto& [place, line] : links_) {
-      if (!places_.contains(place) && !names_.contains(place))
+      if (!places_.contains(place))
         tell(line, input_error("no place is called '#{}'{}", place, suggestion(place, known)));
     }
   }
@@ -186,6 +197,7 @@ class Reader {
     }
     const std::string asked = attributes[0];
     picture.name = unique(name_from(asked.empty() ? picture.scenes[0] : asked));
+    picture.place = asked;
     if (picture.kind != PictureKind::compare) return;
     std::string with = picture.settings["with"];
     while (!with.empty()) {
@@ -286,7 +298,7 @@ class Reader {
 
   Deck& deck_;
   LineFinder lines_;
-  std::set<std::string> names_;                     // of pictures
+  std::set<std::string> names_;                     // of the files of pictures
   std::set<std::string> places_;                    // identifiers
   std::vector<std::pair<std::string, int>> links_;  // place, line
 };
@@ -467,6 +479,7 @@ Deck deck_of_tree(Json tree,
     reader.read(value);
   }
   reader.read(tree["blocks"]);
+  reader.place_pictures();
   reader.check_links_within();
   deck.blocks = std::move(tree["blocks"]);
   return deck;

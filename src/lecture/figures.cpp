@@ -88,6 +88,11 @@ std::string img_element(const std::string& file,
                      escaped(alt));
 }
 
+// where links to a picture lead
+std::string id_of(const DeckPicture& picture) {
+  return picture.place.empty() ? "" : fmt::format(" id=\"{}\"", escaped(picture.place));
+}
+
 std::string film(const Figure& figure, bool slides) {
   const DeckPicture& picture = *figure.picture;
   std::string turn;
@@ -97,8 +102,8 @@ std::string film(const Figure& figure, bool slides) {
                        escaped(picture.name),
                        clock == picture.settings.end() ? "" : escaped(clock->second));
   }
-  return fmt::format("<figure class=\"film\" id=\"film-{}\"{}><div class=\"screen\">{}</div>",
-                     escaped(picture.name),
+  return fmt::format("<figure class=\"film\"{}{}><div class=\"screen\">{}</div>",
+                     id_of(picture),
                      turn,
                      video_element(figure.facts, picture, slides));
 }
@@ -110,7 +115,7 @@ bool is_plot(const DeckPicture& picture) {
 Json plot_blocks(const Figure& figure, const char* what) {
   const DeckPicture& picture = *figure.picture;
   const Json& facts = figure.facts;
-  std::string text = fmt::format("<figure class=\"plot\" id=\"{}\">", escaped(picture.name));
+  std::string text = fmt::format("<figure class=\"plot\"{}>", id_of(picture));
   text += fmt::format("<a href=\"{}\">{}</a>",
                       media(facts, what),
                       img_element(media(facts, what), alt_of(picture)));
@@ -143,9 +148,7 @@ std::string shown_in(const Json& facts, bool links) {
 
 // a still, as these elements show it
 Json still_blocks(const DeckPicture& picture, const std::string& elements) {
-  return framed(
-      fmt::format("<figure class=\"still\" id=\"{}\">{}", escaped(picture.name), elements),
-      picture);
+  return framed(fmt::format("<figure class=\"still\"{}>{}", id_of(picture), elements), picture);
 }
 
 Json document_blocks(const Figure& figure, bool links) {
@@ -225,8 +228,8 @@ Json page_blocks(const Figure& figure) {
                             img_element(media(facts, "paper"), alt_of(picture), "on-light"));
   }
   if (picture.kind == PictureKind::inspect) {
-    Json blocks = Json::array({raw_html(fmt::format(
-        "<figure class=\"numbers\" id=\"{}\"><div class=\"scroll\">", escaped(picture.name)))});
+    Json blocks = Json::array({raw_html(
+        fmt::format("<figure class=\"numbers\"{}><div class=\"scroll\">", id_of(picture)))});
     for (const Json& block : figure.facts.at("table"))
       blocks.push_back(block);
     for (Json& block : framed("</div>", picture))

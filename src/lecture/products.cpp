@@ -63,7 +63,7 @@ void check_times(const DeckPicture& picture,
                  std::initializer_list<const char*> keys) {
   for (const char* key : keys) {
     for (const double t : numbers_in(picture, key)) {
-      if (t >= 0.0 && t <= duration) continue;
+      if (t >= 0.0 && up_to(duration, t) <= duration) continue;
       throw input_error("must be a time within the motion, 0 to {} s, got {}", duration, t)
           .at({{}, 0, key});
     }

@@ -236,6 +236,25 @@ TopKind classify(const Vec3& moments, double equal) {
 
 namespace {
 
+// a few roundings of a sum
+constexpr double kRounding = 4.0 * 0x1p-53;
+
+// How far round-off may have moved the moments of a tensor, kg m^2. In principal axes as they are
+// given or calculated each has an error of its own size, which does not count; from others, all
+// have that of the largest.
+double rounding_of_moments(const BodySpec& spec, const Mat3& tensor) {
+  constexpr double kMoreOfMeshes = 16.0;
+  const double rounding = kRounding * tensor.cwiseAbs().maxCoeff();
+  const auto many_sums = [](const SolidSpec& solid) {
+    return solid.mesh != nullptr || solid.kind == "lathe";
+  };
+  if ((spec.solid && many_sums(*spec.solid)) ||
+      std::any_of(spec.parts.begin(), spec.parts.end(), many_sums))
+    return kMoreOfMeshes * rounding;
+  const bool in_order = tensor(0, 1) == 0.0 && tensor(1, 2) == 0.0 && tensor(2, 0) == 0.0;
+  return in_order ? 0.0 : rounding;
+}
+
 // how far a tensor in principal axes is from that of a body with equal moments, which count as
 // equal
 double left_out_by(const TopKind& kind, Mat3 tensor_P) {
@@ -302,7 +321,8 @@ BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
                      const std::vector<LoadSpec>& loads,
-                     double equal) {
+                     bool finely) {
+  const double equal = finely ? kSameMoments : kEqualMoments;
   BodyModel model;
   model.body = mass_properties(spec);
   model.on_pivot = on_pivot;
@@ -319,6 +339,9 @@ BodyModel make_model(const BodySpec& spec,
   refuse_impossible(model.moments, spec, on_pivot ? "about the pivot" : "about the centre of mass");
   model.kind = classify(model.moments, equal);
   model.left_out = left_out_by(model.kind, model.R_BP.transpose() * tensor * model.R_BP);
+  model.moments_off = rounding_of_moments(spec, tensor);
+  if (!as_given && spec.about == "pivot")
+    model.moments_off += kRounding * given_tensor(spec).cwiseAbs().maxCoeff();
   const double least = kEqualMoments * model.moments.maxCoeff();
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] <= least) model.moments[i] = 0.0;
@@ -330,16 +353,44 @@ BodyModel make_model(const BodySpec& spec,
   if (g > 0.0) model.up_S = -gravity_S / g;
   const Vec3 arm = model.body.center - spec.pivot;
   const double gyration = std::sqrt(model.moments.maxCoeff() / model.body.mass);
-  // a centre that is given has no round-off of the body's size
+  const double places = model.body.center.norm() + spec.pivot.norm();
+  // a centre that is given has no round-off
   const bool is_given = spec.moments || spec.tensor;
-  const double noise =
-      1e-14 * (model.body.center.norm() + spec.pivot.norm() + (is_given ? 0.0 : gyration));
+  model.lever_off = is_given ? 0.0 : kRounding * (places + gyration);
+  const double noise = finely ? model.lever_off : kNoArm * (places + (is_given ? 0.0 : gyration));
   if (on_pivot && arm.norm() > noise) {
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
+  } else if (on_pivot) {
+    model.torque_left_out = model.body.mass * g * arm.norm();
   }
+  const double no_arm = finely ? (is_given ? 0.0 : kRounding) : kNoArm;
   model.loads = make_loads(
-      loads, on_pivot, model.body.center, model.reference_B(), model.R_BP, model.moments);
+      loads, on_pivot, model.body.center, model.reference_B(), model.R_BP, model.moments, no_arm);
+  model.torque_left_out += model.loads.left_out;
   refuse_torque_about_line(model);
+  return model;
+}
+
+BodyModel moved_by_rounding(BodyModel model) {
+  Vec3 signs(1.0, -1.0, 1.0);
+  if (model.kind.symmetric()) {
+    signs.setConstant(-1.0);
+    signs[model.kind.axis] = 1.0;
+  } else if (model.kind.shape == TopKind::Shape::spherical) {
+    signs.setOnes();
+  }
+  for (int i = 0; i < 3; ++i) {
+    double& moment = model.moments[i];
+    if (moment == 0.0) continue;
+    moment += signs[i] * std::min(model.moments_off, 0.5 * moment);
+    model.inverse_moments[i] = 1.0 / moment;
+  }
+  for (std::vector<Load>* loads : {&model.loads.turning, &model.loads.listed}) {
+    for (Load& load : *loads)
+      load.moments = model.moments;
+  }
+  const double arm = (model.body.center - model.pivot_B).norm();
+  if (model.lever_off > 0.0 && arm > 0.0) model.chi_P *= 1.0 + model.lever_off / arm;
   return model;
 }
 

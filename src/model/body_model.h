@@ -48,6 +48,9 @@ struct BodyModel {
   TopKind kind;
   double left_out = 0.0;          // what elements of the tensor differ by, at most, from those of a
                                   // body with moments that are equal, kg m^2; 0 if none count so
+  double torque_left_out = 0.0;   // what lever arms that count as none turn it by, at most, N m
+  double moments_off = 0.0;       // how far round-off may have moved each moment, kg m^2,
+  double lever_off = 0.0;         // and the centre of mass from the point of reference, m
   Vec3 up_S = Vec3::UnitZ();      // unit vector against gravity; +Z without gravity
   Vec3 chi_P = Vec3::Zero();      // mass |g| (centre of mass - pivot), J; 0 for a free body
   Loads loads;                    // torques and forces besides gravity
@@ -81,13 +84,18 @@ MassProperties mass_properties(const BodySpec& spec);
 // and make_loads do; naming the key that gives the mass distribution (body.moments, tensor, points,
 // solid or parts) for a body without extent and for moments that no body can have (with
 // BodySpec::mathematical they may break the triangle inequality); and naming motion.torque[i].KEY
-// for a torque about the line of a rotator. Moments that differ by `equal` of the largest count as
-// equal.
+// for a torque about the line of a rotator. `finely`: moments that differ by kSameMoments of the
+// largest count as equal, not by kEqualMoments, and lever arms as none that are round-off, not by
+// kNoArm (model/loads.h).
 BodyModel make_model(const BodySpec& spec,
                      bool on_pivot,
                      const Vec3& gravity_S,
                      const std::vector<LoadSpec>& loads = {},
-                     double equal = kEqualMoments);
+                     bool finely = false);
+
+// The same body, if round-off has moved its moments by moments_off, and its centre of mass by
+// lever_off along where it is. It keeps its kind.
+BodyModel moved_by_rounding(BodyModel model);
 
 // Checks the triangle inequality of the principal moments (kg m^2), which follows from I1 + I2 - I3
 // = 2 sum m x3^2, in all three permutations and within 1e-9. Returns "" or the reason why no body

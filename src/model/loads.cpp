@@ -202,7 +202,8 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
                  const Vec3& center_B,
                  const Vec3& reference_B,
                  const Mat3& R_BP,
-                 const Vec3& moments) {
+                 const Vec3& moments,
+                 double noise) {
   Loads loads;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const LoadSpec& spec = specs[i];
@@ -218,7 +219,16 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     load.at_P = R_BP.transpose() * (spec.at.value_or(center_B) - reference_B);
     // an arm of round-off is none: a force on the centre of mass turns nothing
     const double reach = spec.at.value_or(center_B).norm() + from_B.norm();
-    if (load.arm_P.norm() <= 1e-14 * reach) load.arm_P.setZero();
+    const double arm = load.arm_P.norm();
+    const bool pulls = load.kind == Load::Kind::spring || load.kind == Load::Kind::force;
+    if (pulls && arm <= noise * reach) {
+      const bool is_spring = load.kind == Load::Kind::spring;
+      if (arm > 0.0) {
+        loads.left_out +=
+            is_spring ? std::numeric_limits<double>::infinity() : arm * load.vector.norm();
+      }
+      load.arm_P.setZero();
+    }
     if (load.kind == Load::Kind::couple && load.arm_P.isZero(0.0)) {
       throw input_error("both forces act at one point and cancel; a couple needs two")
           .at({{}, 0, fmt::format("motion.torque[{}].opposite", i)});

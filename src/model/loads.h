@@ -88,6 +88,9 @@ struct Loads {
 
   std::optional<Gimbals> gimbals;  // rings that carry the body, unless they do nothing
 
+  // At most so much torque do arms have that count as none, N m; infinite for a spring.
+  double left_out = 0.0;
+
   // The largest frequency with which one of them varies, rad/s.
   double fastest() const;
   bool empty() const { return !turn_body() && pushes.empty(); }
@@ -102,17 +105,21 @@ struct Loads {
 // which a load of the kind `gradient` turns; unit, in S.
 Vec3 away_from_earth(const Load& gradient, double t);
 
+inline constexpr double kNoArm = 1e-14;
+
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
-// principal axes as columns, in B; moments: the principal moments, kg m^2. Throws Error (input)
-// naming motion.torque[i] if a key that its kind needs is missing, motion.torque[i].KEY for an
-// unknown kind, for a key that the kind does not take, for a couple whose two forces act at one
+// principal axes as columns, in B; moments: the principal moments, kg m^2; `noise`: lever arms that
+// are no longer than this part of what they are the difference of count as none. Throws Error
+// (input) naming motion.torque[i] if a key that its kind needs is missing, motion.torque[i].KEY for
+// an unknown kind, for a key that the kind does not take, for a couple whose two forces act at one
 // point, for an end before its beginning, and for a gravity gradient on a pivot or without a rate.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,
                  const Vec3& reference_B,
                  const Mat3& R_BP,
-                 const Vec3& moments);
+                 const Vec3& moments,
+                 double noise = kNoArm);
 
 // A torque and a force.
 struct Wrench {

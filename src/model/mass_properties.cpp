@@ -4,7 +4,11 @@
 namespace polhode {
 
 Mat3 steiner_tensor(double mass, const Vec3& offset) {
-  return mass * (offset.squaredNorm() * Mat3::Identity() - offset * offset.transpose());
+  // squares that cancel are left out
+  const Vec3 squares = offset.cwiseAbs2();
+  Mat3 tensor = -offset * offset.transpose();
+  tensor.diagonal() << squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1];
+  return mass * tensor;
 }
 
 Mat3 tensor_about(const MassProperties& body, const Vec3& about) {

@@ -165,10 +165,10 @@ Vec3 gravity_of(const MotionSpec& spec) {
 
 namespace {
 
-// moments that differ by `equal` of the largest count as equal
-BodyModel model_of(const BodySpec& body, const MotionSpec& motion, double equal) {
+// `finely`: see make_model() in model/body_model.h
+BodyModel model_of(const BodySpec& body, const MotionSpec& motion, bool finely) {
   BodyModel model =
-      make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque, equal);
+      make_model(body, motion.hold == "pivot", gravity_of(motion), motion.torque, finely);
   const auto refuse_free = [&](const char* key) {
     if (model.on_pivot) return;
     throw input_error("is for a body on a pivot; set motion.hold = \"pivot\"").at({{}, 0, key});
@@ -209,15 +209,17 @@ BodyModel model_of(const BodySpec& body, const MotionSpec& motion, double equal)
 
 BodyModel make_model(const BodySpec& body, const MotionSpec& motion) {
   constexpr double kUnseen = 1e-10;  // rad
-  BodyModel model = model_of(body, motion, kEqualMoments);
-  if (model.left_out == 0.0) return model;
+  BodyModel model = model_of(body, motion, false);
+  if (model.left_out == 0.0 && model.torque_left_out == 0.0) return model;
   try {
     const State start = start_state(model, motion);
-    if (turn_left_out(model, start, motion.duration, false) <= kUnseen) return model;
+    const double turn = turn_left_out(model, start, motion.duration, false) +
+                        turn_by_arms_left_out(model, start, motion.duration);
+    if (turn <= kUnseen) return model;
   } catch (const Error&) {
     return model;  // a start that cannot be is told where it is asked for
   }
-  return model_of(body, motion, kSameMoments);
+  return model_of(body, motion, true);
 }
 
 }  // namespace polhode

@@ -76,6 +76,21 @@ double turn_left_out(const BodyModel& model, const State& start, double duration
   return std::min(all, growth * duration / std::abs(about_axis));
 }
 
+double turn_by_arms_left_out(const BodyModel& model, const State& start, double duration) {
+  const double torque = model.torque_left_out;
+  if (torque == 0.0) return 0.0;
+  const double J = model.inverse_moments.maxCoeff();
+  const double from_rest = 0.5 * J * torque * duration * duration;
+  const double momentum = start.y.norm();
+  const bool is_weight = model.loads.left_out == 0.0 && !model.loads.turn_body();
+  if (!is_weight || momentum == 0.0) return from_rest;
+  // a weight gives no more energy than it has: L turns by torque t / L, and the spin changes by as
+  // little
+  constexpr double kOfTurnAndDirection = 4.0;
+  const double slender = model.moments.maxCoeff() * J;
+  return std::min(from_rest, kOfTurnAndDirection * slender * torque * duration / momentum);
+}
+
 double stiffness(const BodyModel& model, const State& start, double duration) {
   double damping = 0.0, all = 0.0;
   for (const Load& load : model.loads.turning) {

@@ -19,6 +19,9 @@ double typical_turn(const BodyModel& model, const State& start, double duration)
 // `steadily` turned about that axis, it comes and goes.
 double turn_left_out(const BodyModel& model, const State& start, double duration, bool steadily);
 
+// The same of BodyModel::torque_left_out.
+double turn_by_arms_left_out(const BodyModel& model, const State& start, double duration);
+
 // A typical angular momentum for error norms, kg m^2/s; never 0.
 double momentum_scale(const BodyModel& model, const State& start);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/at_place.h"
@@ -334,6 +335,55 @@ void doubt_kind(const BodyModel& model,
       report.accuracy_rad));
 }
 
+// what round-off leaves of lever arms that count as none
+void doubt_arms(const BodyModel& model,
+                const State& start,
+                double duration,
+                SimulationReport& report) {
+  const double turn = turn_by_arms_left_out(model, start, duration);
+  if (!(turn > report.accuracy_rad)) return;
+  report.reliability.doubts.push_back(
+      fmt::format("the centre of mass, or where a force acts, is as near to what the body turns "
+                  "about as round-off tells; what is left may move the attitude by {:.2g} rad, and "
+                  "the scene allows {:.2g}",
+                  std::min(turn, kPi),
+                  report.accuracy_rad));
+}
+
+using Solve = std::function<std::shared_ptr<const Trajectory>(const BodyModel&, const State&)>;
+
+// What round-off of the moments and of the centre of mass does to the motion, if that may be much:
+// small moments beside large ones have the errors of these where axes were turned or moved. `solve`
+// finds the motion of another body as `found` was found.
+void doubt_body(const BodyModel& model,
+                const MotionSpec& motion,
+                const State& start,
+                const Trajectory& found,
+                const Solve& solve,
+                SimulationReport& report) {
+  const double arm = (model.body.center - model.pivot_B).norm();
+  double part = model.moments_off * model.inverse_moments.maxCoeff();
+  if (!model.chi_P.isZero(0.0)) part = std::max(part, model.lever_off / arm);
+  if (part == 0.0) return;
+  constexpr double kGrowth = 100.0;  // of what most motions do to it
+  const double turn = typical_turn(model, start, motion.duration) + 1.0;
+  const double of_one_rounding = report.conditioning ? report.conditioning->effect : 0.0;
+  if (kGrowth * part * turn < report.accuracy_rad &&
+      part / 0x1p-53 * of_one_rounding < report.accuracy_rad)
+    return;
+  const BodyModel other = moved_by_rounding(model);
+  const double moved = largest_deviation(model,
+                                         found,
+                                         *solve(other, start_state(other, motion)),
+                                         scattered_times(motion.duration, kTimesOfDrift));
+  if (moved <= report.accuracy_rad) return;
+  report.reliability.doubts.push_back(
+      fmt::format("round-off of the moments of inertia and of the centre of mass, as they follow "
+                  "from the body, may move the attitude by {:.2g} rad, and the scene allows {:.2g}",
+                  moved,
+                  report.accuracy_rad));
+}
+
 // the angles of a closed form are rates times the time: what is rounded off a rate grows with it
 void doubt_length(double rate, double duration, SimulationReport& report) {
   const double per_second = kRoundingsOfRates * 0x1p-53 * rate;
@@ -387,6 +437,14 @@ Simulation simulate(const BodyModel& body,
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
     doubt_given_fineness(model, start, motion.duration, numerics, watch, found, report);
     doubt_conditioning(report);
+    doubt_arms(model, start, motion.duration, report);
+    const auto again = [&](const BodyModel& other, const State& from) {
+      const double fineness = report.step ? *report.step : report.tolerance.value();
+      const Effort effort{most_steps(numerics, kMostStepsGiven)};
+      const StepperInfo& method = find_stepper(report.method);
+      return integrate_with(method, other, from, motion.duration, fineness, effort).trajectory;
+    };
+    doubt_body(model, motion, start, *found.trajectory, again, report);
     return {Motion(model, found.trajectory, motion), report};
   }
 
@@ -415,6 +473,11 @@ Simulation simulate(const BodyModel& body,
       conditioning_of_closed_form(chosen, model, start, *trajectory, motion.duration, accuracy_rad);
   doubt_conditioning(report);
   doubt_kind(model, start, motion.duration, report);
+  doubt_arms(model, start, motion.duration, report);
+  const auto again = [&](const BodyModel& other, const State& from) {
+    return std::shared_ptr<const Trajectory>(chosen.make(other, from));
+  };
+  doubt_body(model, motion, start, *trajectory, again, report);
   doubt_length(typical_rate(model, start), motion.duration, report);
   return {Motion(model, trajectory, motion), report};
 }

@@ -33,7 +33,7 @@ std::vector<PathPart> parts_of(const std::string& path) {
       parts.push_back({"", std::stol(inside)});
       i = end + 1;
     } else {
-      if (path[i] == '.') ++i;
+      if (path[i] == '.' && i > 0) ++i;
       const std::size_t end = std::min(path.find_first_of(".[", i), path.size());
       const bool bare =
           std::all_of(path.begin() + static_cast<std::ptrdiff_t>(i),

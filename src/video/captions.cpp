@@ -81,7 +81,6 @@ class CaptionedSink final : public FrameSink {
       throw Error(error.fault(), error.message() + "; the film is complete", error.place());
     }
   }
-  int keeps_every() const override { return film_->keeps_every(); }
   SinkTimes times() const override { return film_->times(); }
 
  private:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,12 @@ inline constexpr const char* kStandardOutput = "-";
 
 // What a sink must know when it is opened.
 struct SinkJob {
-  std::string output;        // as the user gave it: "clip.mp4", "still.png", "f_%05d.png", "hash:F"
-  int width = 0;             // pixels
-  int height = 0;            // pixels
-  FrameRate fps;             // exact
-  EncoderSettings encoder;   // for films
+  std::string output;  // as the user gave it: "clip.mp4", "still.png", "f_%05d.png", "hash:F"
+  int width = 0;       // pixels
+  int height = 0;      // pixels
+  FrameRate fps;       // exact; of a GIF at most 50 frames/s
+  std::optional<FrameRate> asked_fps = {};  // what was asked for, if it is another; to be told
+  EncoderSettings encoder;                  // for films
   bool transparent = false;  // keep alpha; make_sink() refuses it for kinds without alpha
   bool still = false;        // exactly one frame will be pushed
   std::string title;         // for containers that keep metadata; empty: none
@@ -71,8 +73,6 @@ class FrameSink {
   virtual void push(const Image& frame) = 0;
   // Completes the output. Called once, after the last frame.
   virtual void finish() = 0;
-  // The n for which the output contains every n-th of the pushed frames, beginning with the first.
-  virtual int keeps_every() const { return 1; }
   // The time spent so far.
   virtual SinkTimes times() const = 0;
 };

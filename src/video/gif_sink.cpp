@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "base/at_place.h"
 #include "base/check.h"
@@ -29,21 +30,15 @@ std::filesystem::path folder_of(const SinkJob& job) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-std::string rate_text(int numerator, int denominator) {
-  return fmt::format("{:.5g}", static_cast<double>(numerator) / denominator);
-}
-
 // what is not as the scene wants it, in one line
 void tell_changes(const SinkJob& job) {
-  const int step = gif_step(job.fps);
   std::string changes = "256 colours";
   if (job.transparent) changes += ", pixels either clear or solid";
-  if (step > 1) {
-    changes += fmt::format(", {} frames/s instead of {}",
-                           rate_text(job.fps.numerator, job.fps.denominator * step),
-                           rate_text(job.fps.numerator, job.fps.denominator));
+  if (job.asked_fps) {
+    changes +=
+        fmt::format(", {:.5g} frames/s instead of {:.5g}", job.fps.value(), job.asked_fps->value());
   }
-  const std::int64_t hundredths = std::int64_t{100} * job.fps.denominator * step;
+  const std::int64_t hundredths = std::int64_t{100} * job.fps.denominator;
   if (hundredths % job.fps.numerator != 0) changes += ", times rounded to hundredths of a second";
   spdlog::warn("a GIF has limits: {}", changes);
 }
@@ -52,19 +47,18 @@ class GifSink final : public FrameSink {
  public:
   explicit GifSink(const SinkJob& job)
       : job_(job),
-        step_(gif_step(job.fps)),
         writer_(job),
         converter_(job.width, job.height, pixels_of(job)),
         palette_("[in]palettegen=stats_mode=diff:reserve_transparent=" +
                      std::string(job.transparent ? "1" : "0") + "[out]",
                  {{"in", job.width, job.height, pixels_of(job)}}),
         spool_(folder_of(job), job.width, job.height, pixels_of(job), job.encoder.threads) {
+    CHECK(gif_rate(job.fps) == job.fps);
     tell_changes(job);
   }
 
   void push(const Image& frame) override {
     CHECK(frame.width == job_.width && frame.height == job_.height);
-    if (count_++ % step_ != 0) return;
     at_place({job_.output, 0, {}}, [&] {
       AVFrame* converted = nullptr;
       {
@@ -72,7 +66,7 @@ class GifSink final : public FrameSink {
         converted = converter_.convert(frame);
       }
       const StageTimer timer(times_.encode);
-      converted->pts = time_of(count_ - 1);
+      converted->pts = time_of(count_++);
       spool_.push(*converted);
       palette_.push(0, converted);
     });
@@ -98,18 +92,17 @@ class GifSink final : public FrameSink {
         frame->pts = time_of(next);
         painter.push(0, frame);
         write_painted(painter);
-        next += step_;
+        ++next;
       }
       painter.push(0, nullptr);
       write_painted(painter);
       // the film lasts as long as its frames would have
-      const std::int64_t last = time_of((count_ - 1) / step_ * step_);
+      const std::int64_t last = time_of(count_ - 1);
       writer_.set_at_end("final_delay", std::max<std::int64_t>(2, time_of(count_) - last));
     });
     writer_.finish();
   }
 
-  int keeps_every() const override { return step_; }
   SinkTimes times() const override { return times_; }
 
  private:
@@ -124,7 +117,6 @@ class GifSink final : public FrameSink {
   }
 
   SinkJob job_;
-  int step_;
   FilmWriter writer_;
   Converter converter_;
   FilterGraph palette_;
@@ -135,9 +127,12 @@ class GifSink final : public FrameSink {
 
 }  // namespace
 
-int gif_step(const FrameRate& fps) {
+FrameRate gif_rate(const FrameRate& fps) {
   const std::int64_t most = std::int64_t{kFastest} * fps.denominator;
-  return static_cast<int>((fps.numerator + most - 1) / most);
+  const std::int64_t step = (fps.numerator + most - 1) / most;
+  const std::int64_t whole = fps.denominator * step;
+  const std::int64_t common = std::gcd(std::int64_t{fps.numerator}, whole);
+  return {static_cast<int>(fps.numerator / common), static_cast<int>(whole / common)};
 }
 
 std::unique_ptr<FrameSink> make_gif_sink(const SinkJob& job) {

@@ -59,7 +59,6 @@ class ListingSink final : public FrameSink {
     sink_->push(frame);
   }
   void finish() override { sink_->finish(); }
-  int keeps_every() const override { return sink_->keeps_every(); }
   SinkTimes times() const override { return sink_->times(); }
 
  private:

@@ -330,6 +330,7 @@ TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
       {"submit", "work"},
       {"submit simulate " + scene, "'simulate' is no work that can be divided (known: "},
       {"submit render " + scene + " -o a.png", "--output: 'a.png' cannot be divided into tasks"},
+      {"submit render " + scene + " --still 1", "--still: a single picture cannot be divided"},
       {"submit render " + scene + " -o a.png --resume", "--resume: 'a.png' cannot be resumed"},
       {"submit render " + scene + " --shard 1/2", "--shard: is given by submit"},
       {"submit --partition 'a b' render " + scene, "--partition: must be one word"},

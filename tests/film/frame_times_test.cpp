@@ -49,6 +49,18 @@ TEST(FrameTimes, ARangeBeginsAndEndsInTheMotion) {
     EXPECT_NEAR(frames.timeline.motion_time(frames.film_time(i)), 0.2 + 0.05 * i, 1e-12);
 }
 
+// three times 0.7 s is a little less than 2.1 s
+TEST(FrameTimes, TheEndIsInTheMotionWhateverRoundOffSays) {
+  Scene scene = small_scene();
+  scene.motion.duration = 0.7 + 0.7 + 0.7;
+  ASSERT_LT(scene.motion.duration, 2.1);
+  EXPECT_EQ(times_of(scene, range(0.0, 2.1)).to, scene.motion.duration);
+  EXPECT_EQ(times_of(scene, picture_at(2.1)).to, scene.motion.duration);
+  EXPECT_NO_THROW(check_time_range(scene, range(0.0, 2.1)));
+  test::expect_input_error(
+      [&] { check_time_range(scene, range(0.0, 2.1000001)); }, "--to", "within the motion");
+}
+
 // two films that follow each other show each pause once
 TEST(FrameTimes, APauseBelongsToTheFilmThatBeginsWithIt) {
   const Scene scene = small_scene("[[story]]\nat = 0.3\nhold = 0.5\n");

@@ -165,6 +165,19 @@ TEST_F(PlanOfARender, OnePictureIsNoFilmAndNoSequence) {
   expect_refused(asked, "--still", "0 to 1 s");
 }
 
+// what it cannot show is not drawn, and no report counts it
+TEST_F(PlanOfARender, AGifIsSlowEnough) {
+  RenderJob asked = job("a.gif");
+  asked.overrides.fps = "60";
+  EXPECT_EQ(plan_render(asked).scene.video.fps, (FrameRate{30, 1}));
+  EXPECT_EQ(plan_render(asked).sink.fps, (FrameRate{30, 1}));
+  asked.overrides.fps = "25";
+  EXPECT_EQ(plan_render(asked).sink.fps, (FrameRate{25, 1}));
+  asked = job("a.mp4");
+  asked.overrides.fps = "60";
+  EXPECT_EQ(plan_render(asked).sink.fps, (FrameRate{60, 1}));
+}
+
 TEST_F(PlanOfARender, PiecesAreOfFilmsSequencesAndHashes) {
   for (const char* output : {"a.mp4", "a.webm", "a.mov", "a_%d.png", "a.hash"}) {
     RenderJob asked = job(output);

@@ -94,6 +94,25 @@ TEST(Png, AnAnimationIsNoPicture) {
   test::expect_input_error([&] { read_png(folder / "a.png"); }, "", "name it .apng");
 }
 
+// of an animation the number of its frames is one, how often it repeats is none
+TEST(Png, TagsOfAnAnimationCountItsFrames) {
+  const TemporaryFolder folder;
+  write_png(folder / "a.png", noise(20, 10, 3), true);
+  const std::string still = test::read_text(folder / "a.png");
+  const auto tags = [&](char frames, char times) {
+    std::string bytes = still;
+    constexpr std::size_t kHeaderEnds = 33;
+    std::string chunk("\0\0\0\10acTL\0\0\0\0\0\0\0\0\0\0\0\0", 20);
+    chunk[11] = frames;
+    chunk[15] = times;
+    bytes.insert(kHeaderEnds, chunk);
+    test::write_text(folder / "b.png", bytes);
+    return png_tags(folder / "b.png");
+  };
+  EXPECT_EQ(tags(2, 0), tags(2, 1));
+  EXPECT_NE(tags(2, 0), tags(3, 0));
+}
+
 // forty bytes may claim a picture of terabytes
 TEST(Png, AnAbsurdSizeIsRefusedBeforeItIsBelieved) {
   const TemporaryFolder folder;

@@ -57,6 +57,19 @@ TEST(Deck, LinksWithinLeadSomewhere) {
             "deck.md:3: a second '#a'; links lead to the first");
 }
 
+TEST(Deck, PicturesAreCalledAsTheDeckSays) {
+  EXPECT_EQ(problem_of("![](a.toml){#\u00e9_1 .film}\n\n[on](#\u00e9_1)\n"), "none");
+  // a picture without a name has that of its file, unless a place has it
+  const Deck deck = deck_of(
+      "# a\n\n![](a.toml){.film}\n\n![](b.toml){.film}\n\n"
+      "![](b.toml){#x .film}\n\n![](b.toml){#x .film}\n");
+  ASSERT_EQ(deck.pictures.size(), 4u);
+  EXPECT_EQ(deck.pictures[0].place, "");
+  EXPECT_EQ(deck.pictures[1].place, "b");
+  EXPECT_EQ(deck.pictures[2].place, "x");
+  EXPECT_EQ(deck.pictures[3].place, "x-2");
+}
+
 TEST(Deck, OtherEncodingsAreRefusedWithTheirLine) {
   for (const auto& [text, start] : std::vector<std::pair<std::string, std::string>>{
            {"# One\n\nCaf\xE9\n", "deck.md:3: byte 0xe9 is not UTF-8"},

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/turning.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/base64.h"
 #include "export/viewer_data.h"
 #include "film/solved_scene.h"
 #include "lecture/decks.h"
+#include "motion/deviation.h"
 #include "scene/scene_file.h"
 #include "support/run.h"
 #include "support/scenes.h"
@@ -24,18 +28,57 @@ TEST(Turning, ADeckThatHasOneHasViewers) {
             std::string::npos);
 }
 
-// numbers at equal steps, and the stops and words of the story
-TEST(Turning, TheDataAreThoseOfTheMotion) {
-  const Solved solved = solve(load_scene(test::scene_path("cones_explained")));
-  const Motion& motion = solved.simulation.motion;
-  const double to = motion.duration();
-  const Json data = viewer_data(solved, 1.0, to);
-  const Json& omega = data.at("series").at("omega");
-  const std::size_t steps = omega.size() - 1;
-  for (const std::size_t i : {std::size_t{0}, steps / 3, steps}) {
-    const double t = 1.0 + (to - 1.0) * static_cast<double>(i) / static_cast<double>(steps);
-    EXPECT_NEAR(omega.at(i), motion.at(t).w_S.norm(), 1e-12);
+// what a page makes of the readings at a time between them
+double read_out(const Json& data, const char* name, double t) {
+  const Json& times = data.at("series").at("times");
+  const Json& values = data.at("series").at(name);
+  std::size_t i = 0;
+  while (i + 2 < times.size() && times.at(i + 1).get<double>() <= t)
+    ++i;
+  const double a = times.at(i), b = times.at(i + 1), from = values.at(i), to = values.at(i + 1);
+  return from + (t - a) / (b - a) * (to - from);
+}
+
+// numbers that are right in four digits at any time, also where they swing fast
+TEST(Turning, NumbersReadOutAreThoseOfTheMotion) {
+  for (const char* name : {"cones_explained", "rattleback", "spring"}) {
+    SCOPED_TRACE(name);
+    const Solved solved = solve(load_scene(test::scene_path(name)));
+    const Motion& motion = solved.simulation.motion;
+    const Json data = viewer_data(solved, 0.5, motion.duration());
+    EXPECT_EQ(data.at("series").at("digits"), 4);
+    EXPECT_LT(data.at("series").at("times").size(), 20'000u);
+    double omega = 0.0, momentum = 0.0, energy = 0.0;
+    for (const double t : scattered_times(motion.duration(), 500)) {
+      omega = std::max(omega, motion.at(t).w_S.norm());
+      momentum = std::max(momentum, motion.at(t).L_S.norm());
+      energy = std::max(energy, std::abs(motion.at(t).energy));
+    }
+    for (const double t : scattered_times(motion.duration(), 200, 7)) {
+      if (t < 0.5) continue;
+      const Sample now = motion.at(t);
+      EXPECT_NEAR(read_out(data, "omega", t), now.w_S.norm(), 1.5e-4 * omega) << t;
+      EXPECT_NEAR(read_out(data, "momentum", t), now.L_S.norm(), 1.5e-4 * momentum) << t;
+      EXPECT_NEAR(read_out(data, "energy", t), now.energy, 1.5e-4 * energy) << t;
+    }
   }
+}
+
+TEST(Turning, TheVerticalIsAgainstGravity) {
+  Scene scene = load_scene(test::scene_path("heavy_top"));
+  scene.motion.gravity = Vec3(6.0, 0.0, -8.0);
+  scene.motion.duration = 0.1;
+  const Json data = viewer_data(solve(scene), 0.0, 0.1);
+  // in axes in which Y is up
+  EXPECT_NEAR(data.at("up").at(0), -0.6, 1e-15);
+  EXPECT_NEAR(data.at("up").at(1), 0.8, 1e-15);
+  EXPECT_NEAR(data.at("up").at(2), 0.0, 1e-15);
+}
+
+// and the stops and words of the story
+TEST(Turning, TheDataHaveTheStory) {
+  const Solved solved = solve(load_scene(test::scene_path("cones_explained")));
+  const Json data = viewer_data(solved, 1.0, solved.simulation.motion.duration());
   EXPECT_FALSE(data.at("captions").empty());
   for (const Json& pause : data.at("pauses"))
     EXPECT_GE(double(pause.at("at")), 1.0);  // those before the start are left out

@@ -210,6 +210,7 @@ TEST_F(SceneSettings, ThatAreWrongAreNamedByTheirOption) {
       {"title=1\nmass=2", "--set title", "more than one value"},
       {"a[=1", "--set a[", "not a key"},
       {"a b=1", "--set a b", "not a key"},
+      {".motion.duration=1", "--set .motion.duration", "not a key"},
       {"motion.duration", "", "no KEY=VALUE"},
       {"title=", "", "title has no value after its '='; an empty text is title='\"\"'"},
       {"=1", "", "no KEY=VALUE"},

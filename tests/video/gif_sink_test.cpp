@@ -18,28 +18,29 @@ using test::walking;
 using test::Way;
 using test::write_film;
 
-TEST(GifSink, AFasterFilmLosesFramesAndNoTime) {
-  EXPECT_EQ(gif_step({50, 1}), 1);
-  EXPECT_EQ(gif_step({51, 1}), 2);
-  EXPECT_EQ(gif_step({60, 1}), 2);
-  EXPECT_EQ(gif_step({60000, 1001}), 2);
-  EXPECT_EQ(gif_step({1000, 1}), 20);
-  EXPECT_EQ(gif_step({999999937, 10000019}), 2);
+TEST(GifSink, HasAtMostFiftyFramesASecond) {
+  EXPECT_EQ(gif_rate({50, 1}), (FrameRate{50, 1}));
+  EXPECT_EQ(gif_rate({51, 1}), (FrameRate{51, 2}));
+  EXPECT_EQ(gif_rate({60, 1}), (FrameRate{30, 1}));
+  EXPECT_EQ(gif_rate({60000, 1001}), (FrameRate{30000, 1001}));
+  EXPECT_EQ(gif_rate({1000, 1}), (FrameRate{50, 1}));
+  EXPECT_EQ(gif_rate({999999937, 10000019}), (FrameRate{999999937, 20000038}));
+}
 
+TEST(GifSink, ShowsFramesAtTheirTimes) {
   const Way gif{find_film_format("a.gif"), &find_encoder(*find_film_format("a.gif"), "")};
-  for (const FrameRate fps : {FrameRate{60, 1}, {60000, 1001}, {120, 1}, {1000, 1}}) {
+  for (const FrameRate fps : {FrameRate{30, 1}, {30000, 1001}, {40, 1}, {50, 1}}) {
     SCOPED_TRACE(fps.value());
     const TemporaryFolder folder;
     const SinkJob job = job_for(folder, gif, fps);
-    const int step = gif_step(fps);
-    write_film(job, 61);
+    write_film(job, 31);
     const DecodedFilm film = decode(job.output);
-    ASSERT_EQ(film.frames.size(), static_cast<std::size_t>(60 / step + 1));
+    ASSERT_EQ(film.frames.size(), 31u);
     for (std::size_t k = 0; k < film.frames.size(); ++k) {
       const double shown = static_cast<double>(film.pts[k] - film.pts[0]) * av_q2d(film.time_base);
-      EXPECT_NEAR(shown, static_cast<double>(k) * step / fps.value(), 0.005 + 1e-9);
-      // frame k * step it is, and no neighbour
-      const int x = (7 + 2 * static_cast<int>(k) * step) % 64;
+      EXPECT_NEAR(shown, static_cast<double>(k) / fps.value(), 0.005 + 1e-9);
+      // frame k it is, and no neighbour
+      const int x = (7 + 2 * static_cast<int>(k)) % 64;
       EXPECT_NEAR(film.frames[k].at(x, 23)[0], 240, 6) << k;
     }
   }
@@ -64,15 +65,6 @@ TEST(GifSink, OnePaletteServesTheWholeFilm) {
   }
   EXPECT_LE(all.size(), 256u);
   EXPECT_EQ(all, first);
-}
-
-// the program that follows learns which frames are kept
-TEST(GifSink, KeepsEveryNthFrame) {
-  const Way gif{find_film_format("a.gif"), &find_encoder(*find_film_format("a.gif"), "")};
-  const TemporaryFolder folder;
-  EXPECT_EQ(make_gif_sink(job_for(folder, gif, {60, 1}))->keeps_every(), 2);
-  EXPECT_EQ(make_gif_sink(job_for(folder, gif, {25, 1}))->keeps_every(), 1);
-  EXPECT_EQ(folder.entries(), 0);
 }
 
 }  // namespace

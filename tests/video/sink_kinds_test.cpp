@@ -21,6 +21,7 @@ SinkJob plain_job(const std::string& output) {
   job.output = output;
   job.width = 64;
   job.height = 48;
+  job.fps = {25, 1};
   return job;
 }
 

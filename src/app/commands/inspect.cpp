@@ -174,23 +174,27 @@ Json inspection(const Solved& solved) {
 
 std::string inspect(const InspectJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
-  const auto facts_of = [](const Scene& one) {
-    const Solved solved = solve_alone(one, ProgressKind::automatic);
+  const auto checked = [](const Scene& one) {
+    Solved solved = solve_alone(one, ProgressKind::automatic);
     check_film(solved);
-    return inspection(solved);
+    return solved;
   };
   if (scene.panels.empty()) {
-    const Json facts = facts_of(scene);
+    const Json facts = inspection(checked(scene));
     return job.json ? facts.dump(2) + "\n" : as_text(facts);
   }
   std::string text;
   Json list = Json::array();
+  std::vector<Solved> panels;
   for (const ScenePanel& panel : scene.panels) {
-    const Json facts = facts_of(panel.scene);
+    panels.push_back(checked(panel.scene));
+    const Json facts = inspection(panels.back());
     text +=
         fmt::format("{}{}\n{}", text.empty() ? "" : "\n", one_line(panel.caption), as_text(facts));
     list.push_back({{"caption", panel.caption}, {"inspection", facts}});
   }
+  panels.front().scene = scene;
+  check_charts(panels);
   return job.json ? Json{{"panels", list}}.dump(2) + "\n" : text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/system/overwriting.h"
 #include "chart/plot_sheet.h"
@@ -119,7 +120,8 @@ void draw_plot(const PlotJob& job) {
     throw input_error("marks a point in a diagram; '{}' shows all times", job.name)
         .at({{}, 0, "--at"});
   }
-  if (job.at && !(*job.at >= 0.0 && *job.at <= scene.motion.duration)) {
+  if (job.at &&
+      !(*job.at >= 0.0 && up_to(scene.motion.duration, *job.at) <= scene.motion.duration)) {
     throw input_error(
         "must be a time within the motion, 0 to {} s, got {}", scene.motion.duration, *job.at)
         .at({{}, 0, "--at"});

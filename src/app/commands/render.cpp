@@ -125,7 +125,6 @@ Made render_film(const RenderJob& job) {
   Made made;
   made.output = is_part ? folder_of_pieces(plan.sink.output) : plan.sink.output;
   made.frames = output->range().count;
-  made.every = output->sink().keeps_every();
   made.from_earlier = output->already_there();
   made.is_picture = plan.sink.still;
   if (!reported) return made;
@@ -199,6 +198,8 @@ DividedWork divided_film(RenderJob job) {
       return plan_render(job);
     } catch (const Error& error) {
       if (asked || error.place().key != "--resume") throw;
+      if (job.still)
+        throw input_error("a single picture cannot be divided into tasks").at({{}, 0, "--still"});
       throw input_error("'{}' cannot be divided into tasks: choose a .mp4, .webm or .mov",
                         job.output)
           .at({{}, 0, "--output"});

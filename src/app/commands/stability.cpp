@@ -66,6 +66,14 @@ StabilityMaps empty_maps(const std::vector<MappedScene>& places) {
       all.files.push_back(fmt::format("stability_{}_{}.png", name, method->name));
     }
   }
+  std::set<std::string> names;
+  for (const std::string& file : all.files) {
+    if (names.insert(file).second) continue;
+    throw input_error(
+        "two of the results would be called {}, one of a scene and one of a method; rename the "
+        "scene",
+        file);
+  }
   return all;
 }
 

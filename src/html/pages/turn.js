@@ -457,7 +457,7 @@
   };
 
   const readable = (name) => name.replaceAll("_", " ");
-  const short = (value) => (value === 0 ? "0" : Number(value.toPrecision(4)).toString());
+  const short = (value, digits = 4) => (value === 0 ? "0" : Number(value.toPrecision(digits)).toString());
 
   const svg = (tag, settings) => {
     const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
@@ -972,19 +972,24 @@
 
     tellNumbers() {
       const { data, clock } = this;
-      const { axis } = this.temporary;
-      const part = Math.min(1, clock.time / this.duration);
-      const value = (list) => {
-        const at = part * (list.length - 1), i = Math.min(list.length - 2, Math.floor(at));
-        return list[i] + (at - i) * (list[i + 1] - list[i]);
-      };
+      const { axis, up } = this.temporary;
+      const { series } = data;
+      // the readings around this time
+      let [before, after] = [0, series.times.length - 1];
+      while (after - before > 1) {
+        const between = (before + after) >> 1;
+        if (series.times[between] <= this.t) before = between;
+        else after = between;
+      }
+      const part = Math.min(1, Math.max(0, (this.t - series.times[before]) / (series.times[after] - series.times[before] || 1)));
+      const told = (list) => short(list[before] + part * (list[after] - list[before]), series.digits);
       axis.set(0, 0, 1).transformDirection(this.middle.matrixWorld);
       const { numbers } = this;
       say(numbers.t, `${this.t.toPrecision(5)} s`);
-      say(numbers["|Ω|"], `${short(value(data.series.omega))} rad/s`);
-      say(numbers["|L|"], `${short(value(data.series.momentum))} kg m²/s`);
-      say(numbers.E, `${short(value(data.series.energy))} J`);
-      say(numbers["θ"], `${((Math.acos(Math.max(-1, Math.min(1, axis.y))) * 180) / Math.PI).toFixed(1)}°`);
+      say(numbers["|Ω|"], `${told(series.omega)} rad/s`);
+      say(numbers["|L|"], `${told(series.momentum)} kg m²/s`);
+      say(numbers.E, `${told(series.energy)} J`);
+      say(numbers["θ"], `${((Math.acos(Math.max(-1, Math.min(1, axis.dot(up.fromArray(data.up))))) * 180) / Math.PI).toFixed(1)}°`);
       this.range.value = String(clock.time);
       setOn(this.range, "aria-valuetext", `${short(this.t)} s`);
       say(this.play, clock.playing ? "❚❚" : "▶");

@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "scene/scene_file.h"
+#include "support/expect_error.h"
 #include "support/run.h"
 
 namespace polhode {
@@ -107,6 +108,23 @@ TEST(Inspect, TakesTheOverridesOfTheCommandLine) {
   job.json = true;
   job.overrides.method = "dop853";
   EXPECT_EQ(Json::parse(inspect(job)).at("method"), "dop853");
+}
+
+// plots that each panel alone can have
+TEST(Inspect, RefusesPlotsThatPanelsCannotHaveTogether) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "scene.toml", test::kSmallScene);
+  InspectJob job;
+  job.scene = folder / "film.toml";
+  const auto with = [&](const std::string& values, const std::string& plots) {
+    test::write_text(folder / "film.toml",
+                     "[sweep]\nscene = \"scene.toml\"\nkey = \"motion.spin.body[0]\"\nvalues = " +
+                         values + "\n[show]\nplots = " + plots + "\n");
+  };
+  with("[0.1, 0.2]", "[\"energy\"]");
+  EXPECT_NE(inspect(job), "");
+  with("[0.1, 0.2, 0.3]", "[\"energy\"]");
+  test::expect_input_error([&] { inspect(job); }, "show.plots", "a plot holds 6 curves");
 }
 
 }  // namespace
