@@ -222,11 +222,10 @@ Loads make_loads(const std::vector<LoadSpec>& specs,
     const double arm = load.arm_P.norm();
     const bool pulls = load.kind == Load::Kind::spring || load.kind == Load::Kind::force;
     if (pulls && arm <= noise * reach) {
-      const bool is_spring = load.kind == Load::Kind::spring;
-      if (arm > 0.0) {
-        loads.left_out +=
-            is_spring ? std::numeric_limits<double>::infinity() : arm * load.vector.norm();
-      }
+      // a spring pulls about as much as it is long
+      const double spring = spec.k.value_or(0.0) * (spec.to.value_or(Vec3::Zero()).norm() + reach +
+                                                    spec.length.value_or(0.0));
+      loads.left_out += arm * (load.vector.norm() + spring);
       load.arm_P.setZero();
     }
     if (load.kind == Load::Kind::couple && load.arm_P.isZero(0.0)) {

@@ -88,7 +88,7 @@ struct Loads {
 
   std::optional<Gimbals> gimbals;  // rings that carry the body, unless they do nothing
 
-  // At most so much torque do arms have that count as none, N m; infinite for a spring.
+  // About so much torque do arms have that count as none, N m.
   double left_out = 0.0;
 
   // The largest frequency with which one of them varies, rad/s.
