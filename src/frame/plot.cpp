@@ -44,9 +44,11 @@ std::pair<double, double> values_between(const FilmPlot& plot) {
   return low <= high ? std::pair{low, high} : std::pair{0.0, 0.0};
 }
 
-// room above and below the values; a constant gets an axis that does not magnify round-off
+// room above and below the values; a constant gets an axis that does not magnify round-off, and 0
+// one of ordinary numbers
 double room_beside(double low, double high, bool ratio) {
   const double size = std::max(std::abs(low), std::abs(high));
+  if (size == 0.0 && !ratio) return 1.0;
   return std::max({0.08 * (high - low), ratio ? 1e-16 : 1e-3 * size, 1e-300});
 }
 

@@ -223,6 +223,18 @@ TEST(Plot, UndefinedValuesAreLeftOut) {
   EXPECT_FALSE(stack({broken}, typesetter).fixed_text().empty());
 }
 
+// what is 0 all the time has its own unit
+TEST(Plot, ZeroHasOrdinaryNumbers) {
+  const Typesetter typesetter;
+  const PlotStack zero = stack({plot(0.0, 0.0, 1)}, typesetter);
+  bool headed = false;
+  for (const PlacedText& text : zero.fixed_text()) {
+    EXPECT_EQ(text.markup.find("10^"), std::string::npos) << text.markup;
+    headed = headed || text.markup.ends_with(", J");
+  }
+  EXPECT_TRUE(headed);
+}
+
 TEST(Plot, TimesOfPlanetsAreInDays) {
   const Typesetter typesetter;
   FilmPlot one = plot(0.0, 1.0, 1);
