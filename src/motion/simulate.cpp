@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "base/at_place.h"
@@ -350,6 +351,32 @@ void doubt_arms(const BodyModel& model,
                   report.accuracy_rad));
 }
 
+// What the last digits of time do where strong loads begin and end: ramps have those of their ends,
+// and a pulse of a few digits has any number of them.
+void doubt_switches(const BodyModel& model, double duration, SimulationReport& report) {
+  constexpr double kFewDigits = 16.0;
+  double turn = 0.0;
+  for (const Load& load : model.loads.turning) {
+    const bool is_torque = load.kind == Load::Kind::torque;
+    const bool is_force = load.kind == Load::Kind::force || load.kind == Load::Kind::couple;
+    if (load.acts.always() || !(is_torque || is_force)) continue;
+    const Switching& acts = load.acts;
+    const double last = std::isfinite(acts.until) ? acts.until + acts.ramp : acts.from + acts.ramp;
+    const double digit = std::numeric_limits<double>::epsilon() * std::abs(last);
+    const double length = acts.until - acts.from;
+    const double off = acts.ramp > 0.0 ? 2.0 * digit : length < kFewDigits * digit ? length : 0.0;
+    const double torque = load.vector.norm() * (is_torque ? 1.0 : load.arm_P.norm());
+    const double left = duration - std::clamp(acts.from, 0.0, duration);
+    turn += off * torque * model.inverse_moments.maxCoeff() * left;
+  }
+  if (!(turn > report.accuracy_rad)) return;
+  report.reliability.doubts.push_back(
+      fmt::format("the times at which loads begin and end have 16 digits, of which the last may "
+                  "move the attitude by {:.2g} rad, and the scene allows {:.2g}",
+                  std::min(turn, kPi),
+                  report.accuracy_rad));
+}
+
 using Solve = std::function<std::shared_ptr<const Trajectory>(const BodyModel&, const State&)>;
 
 // What round-off of the moments and of the centre of mass does to the motion, if that may be much:
@@ -438,6 +465,7 @@ Simulation simulate(const BodyModel& body,
     doubt_given_fineness(model, start, motion.duration, numerics, watch, found, report);
     doubt_conditioning(report);
     doubt_arms(model, start, motion.duration, report);
+    doubt_switches(model, motion.duration, report);
     const auto again = [&](const BodyModel& other, const State& from) {
       const double fineness = report.step ? *report.step : report.tolerance.value();
       const Effort effort{most_steps(numerics, kMostStepsGiven)};

@@ -118,6 +118,27 @@ TEST(RoundedBody, TheSmallMomentOfATurnedNeedleIsDoubted) {
   EXPECT_EQ(doubts_of(simulated(body, motion, 1e-3)), "");
 }
 
+// Pulses so short that they have a few digits of time, and ramps so steep that one of these counts.
+TEST(RoundedBody, StrongLoadsForAMomentAreDoubted) {
+  MotionSpec motion = at_rest("free", 0.0, 10.0);
+  BodySpec sphere;
+  sphere.moments = Vec3::Ones();
+  LoadSpec pulse;
+  pulse.kind = "constant";
+  const auto doubts = [&](double strength, double from, double until, double ramp) {
+    pulse.body = Vec3(0.0, 0.0, strength);
+    pulse.from = from;
+    pulse.until = until;
+    pulse.ramp = ramp;
+    motion.torque = {pulse};
+    return doubts_of(simulated(sphere, motion, 1e-6));
+  };
+  EXPECT_NE(doubts(1e14, 7.5, 7.50000000000001, 0.0).find("16 digits"), std::string::npos);
+  EXPECT_NE(doubts(1e9, 7.0, 7.00000001, 3e-9).find("16 digits"), std::string::npos);
+  EXPECT_EQ(doubts(1e9, 7.0, 7.00000001, 0.0), "");
+  EXPECT_EQ(doubts(1e3, 7.0, 7.01, 3e-3), "");
+}
+
 // Moments about a pivot, of a body that flies: those about its centre of mass are what is left.
 TEST(RoundedBody, MomentsThatAreWhatIsLeftAreDoubted) {
   BodySpec body;
