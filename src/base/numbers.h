@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parses numbers. The whole text must be the number, without white space; the locale is ignored.
+// Parses numbers: the whole text must be the number, without white space; the locale is ignored.
+// And compares them where they have round-off.
 #pragma once
 
 #include <limits>

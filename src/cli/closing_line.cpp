@@ -25,9 +25,8 @@ double frames_per_second(const Made& made, double seconds) {
 }
 
 std::string frames_of(const Made& made) {
-  const int count = made.frames;
-  std::string frames =
-      fmt::format("{} {}{}", count, made.is_picture ? "picture" : "frame", count == 1 ? "" : "s");
+  std::string frames = fmt::format(
+      "{} {}{}", made.frames, made.is_picture ? "picture" : "frame", made.frames == 1 ? "" : "s");
   if (made.parts > 0) {
     return fmt::format("{} of {} {}", frames, made.parts, made.parts == 1 ? "part" : "parts");
   }

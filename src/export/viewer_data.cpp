@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/json.h"
 #include "base/numbers.h"
+#include "base/system/interrupt.h"
 #include "export/key_times.h"
 #include "frame/elements.h"
 #include "frame/timeline.h"
@@ -66,6 +67,7 @@ class Readings {
 
  private:
   Reading at(double t) const {
+    stop_if_interrupted();
     const Sample now = motion_.at(std::min(t, motion_.duration()));
     return {t, {now.w_S.norm(), now.L_S.norm(), now.energy}};
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -270,6 +271,31 @@ void warn_of_what_comes_too_late(const Scene& scene, const FrameTimes& frames) {
   }
 }
 
+// words that others replace before the next frame
+void warn_of_captions_between_frames(const Scene& scene, const FrameTimes& frames) {
+  if (scene.in_turn || frames.count < 2) return;
+  const std::vector<StoryStep>& steps = frames.timeline.steps();
+  const std::vector<double>& starts = frames.timeline.starts();
+  const StoryStep* said = nullptr;
+  double since = 0.0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!steps[i].caption) continue;
+    const StoryStep* before = std::exchange(said, &steps[i]);
+    const double began = std::exchange(since, starts[i]);
+    if (before == nullptr || before->caption->empty() || began < frames.first) continue;
+    const double frame = std::ceil((began - kFilmRounding - frames.first) * frames.rate);
+    if (frame >= frames.count || !reached(frames.first + frame / frames.rate, since)) continue;
+    // steps of a scene may be in any order
+    const auto written =
+        std::find_if(scene.story.begin(), scene.story.end(), [&](const StoryStep& step) {
+          return step.at == before->at && step.caption == before->caption;
+        });
+    warn_at(scene,
+            fmt::format("story[{}].caption", written - scene.story.begin()).c_str(),
+            input_error("is never seen: other words take its place before the next frame"));
+  }
+}
+
 // One scale serves bodies of about one size.
 void warn_of_sizes(const Scene& scene, const std::vector<FilmPanel>& panels) {
   constexpr double kAlike = 5.0;
@@ -420,6 +446,7 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
   warn_of_what_restarts(scene, frames, *panels.front().composer);
   warn_of_what_never_comes(scene, panels);
   warn_of_what_comes_too_late(scene, frames);
+  warn_of_captions_between_frames(scene, frames);
   warn_of_unused_settings(solved, panels);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const Solved& one = solved[i];

@@ -219,8 +219,11 @@ PlotStack::PlotStack(std::vector<FilmPlot> plots,
 
 void PlotStack::add_heading(const Drawn& one, const PixelBox& row) {
   std::vector<PlotEntry> entries;
-  for (std::size_t i = 0; i < one.plot.curves.size(); ++i)
+  for (std::size_t i = 0; i < one.plot.curves.size(); ++i) {
+    // Euler angles of an upright axis, for one, have no value at any time
+    if (one.curves[i].pieces.empty()) continue;
     entries.push_back({one.plot.curves[i].name, color(i), one.curves[i].dashes});
+  }
   paper_.add_heading(heading_of(one.plot, one.ticks.exponent), entries, row);
 }
 

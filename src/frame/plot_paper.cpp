@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.h"
 #include "frame/lettering.h"
 
 namespace polhode {
@@ -19,6 +20,8 @@ constexpr double kCurve = 0.125;             // width of curves
 constexpr double kThin = 0.05;               // width of axes
 constexpr double kBetween = 0.8;             // names of curves
 constexpr double kSample = 1.6;              // width of a curve's sample, below its name
+constexpr double kSmallest = 0.7;            // of type in a heading, rather than a whole name
+constexpr std::size_t kLeastLetters = 8;     // of a name that is cut
 constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
 
 // the name of a curve, as markup
@@ -33,6 +36,19 @@ std::string markup_of(const std::string& name) {
                        plain_text(name.substr(axis + 1)));
   }
   return plain_text(name);
+}
+
+// The name without its last letter, with dots in place of what is missing.
+std::string cut(std::string name) {
+  constexpr std::string_view kDots = "…";
+  if (name.ends_with(kDots)) name.resize(name.size() - kDots.size());
+  std::size_t end = name.size() - 1;
+  while (is_continuation(name, end))
+    --end;
+  name.resize(end);
+  while (name.ends_with(' '))
+    name.pop_back();
+  return name + std::string(kDots);
 }
 
 }  // namespace
@@ -79,7 +95,7 @@ void PlotPaper::add_line(const PixelBox& box, double opacity) {
 
 // each entry above a piece of its curve
 void PlotPaper::add_heading(const std::string& title,
-                            const std::vector<PlotEntry>& entries,
+                            std::vector<PlotEntry> entries,
                             const PixelBox& row) {
   TextStyle style = this->style(theme_.position);
   const auto width = [&](const std::string& markup) {
@@ -91,6 +107,16 @@ void PlotPaper::add_heading(const std::string& title,
   double all = width(plain_text(title));
   for (const PlotEntry& entry : entries)
     all += kBetween * style.size + room_of(entry);
+  while (all * kSmallest > row.width) {
+    const auto longest = std::max_element(
+        entries.begin(), entries.end(), [](const PlotEntry& a, const PlotEntry& b) {
+          return a.name.size() < b.name.size();
+        });
+    if (longest == entries.end() || longest->name.size() <= kLeastLetters) break;
+    all -= room_of(*longest);
+    longest->name = cut(longest->name);
+    all += room_of(*longest);
+  }
   const double shrink = std::min(1.0, row.width / all);
   style.size *= shrink;
   style.halo *= shrink;

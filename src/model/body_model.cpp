@@ -236,15 +236,14 @@ TopKind classify(const Vec3& moments, double equal) {
 
 namespace {
 
-// a few roundings of a sum
-constexpr double kRounding = 4.0 * 0x1p-53;
+constexpr double kFewRoundings = 4.0 * 0x1p-53;  // of a sum
 
 // How far round-off may have moved the moments of a tensor, kg m^2. In principal axes as they are
 // given or calculated each has an error of its own size, which does not count; from others, all
 // have that of the largest.
 double rounding_of_moments(const BodySpec& spec, const Mat3& tensor) {
   constexpr double kMoreOfMeshes = 16.0;
-  const double rounding = kRounding * tensor.cwiseAbs().maxCoeff();
+  const double rounding = kFewRoundings * tensor.cwiseAbs().maxCoeff();
   const auto many_sums = [](const SolidSpec& solid) {
     return solid.mesh != nullptr || solid.kind == "lathe";
   };
@@ -341,7 +340,7 @@ BodyModel make_model(const BodySpec& spec,
   model.left_out = left_out_by(model.kind, model.R_BP.transpose() * tensor * model.R_BP);
   model.moments_off = rounding_of_moments(spec, tensor);
   if (!as_given && spec.about == "pivot")
-    model.moments_off += kRounding * given_tensor(spec).cwiseAbs().maxCoeff();
+    model.moments_off += kFewRoundings * given_tensor(spec).cwiseAbs().maxCoeff();
   const double least = kEqualMoments * model.moments.maxCoeff();
   for (int i = 0; i < 3; ++i) {
     if (model.moments[i] <= least) model.moments[i] = 0.0;
@@ -356,14 +355,14 @@ BodyModel make_model(const BodySpec& spec,
   const double places = model.body.center.norm() + spec.pivot.norm();
   // a centre that is given has no round-off
   const bool is_given = spec.moments || spec.tensor;
-  model.lever_off = is_given ? 0.0 : kRounding * (places + gyration);
+  model.lever_off = is_given ? 0.0 : kFewRoundings * (places + gyration);
   const double noise = finely ? model.lever_off : kNoArm * (places + (is_given ? 0.0 : gyration));
   if (on_pivot && arm.norm() > noise) {
     model.chi_P = model.R_BP.transpose() * (model.body.mass * g * arm);
   } else if (on_pivot) {
     model.torque_left_out = model.body.mass * g * arm.norm();
   }
-  const double no_arm = finely ? (is_given ? 0.0 : kRounding) : kNoArm;
+  const double no_arm = finely ? (is_given ? 0.0 : kFewRoundings) : kNoArm;
   model.loads = make_loads(
       loads, on_pivot, model.body.center, model.reference_B(), model.R_BP, model.moments, no_arm);
   model.torque_left_out += model.loads.left_out;

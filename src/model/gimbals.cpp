@@ -44,8 +44,7 @@ double about_vertical(const Gimbals& gimbals, double theta) {
 
 // the angular velocity of the body about the axes of the inner ring
 Vec3 rate_in_ring(const GimbalPose& pose) {
-  const Vec3 up = vertical_in_ring(pose.angles[1]);
-  return pose.rates[0] * up + Vec3(pose.rates[1], 0.0, pose.rates[2]);
+  return rate_of_inner(pose) + pose.rates[2] * Vec3::UnitZ();
 }
 
 // The same of its acceleration, but for what comes from accelerations of the angles: products of
@@ -169,8 +168,7 @@ double size_of_rates(
   const double across = std::min(1.0, std::abs(std::sin(theta)) + nearby);
   const double axle = rates[2] + std::cos(theta) * rates[0];
   const double of_body = Vec3(across * rates[0], rates[1], axle).squaredNorm();
-  const double of_rings = about_vertical(gimbals, theta) * rates[0] * rates[0] +
-                          gimbals.inner.x() * rates[1] * rates[1];
+  const double of_rings = 2.0 * kinetic_energy(gimbals, {Vec3(0.0, theta, 0.0), rates});
   return std::sqrt(of_body + of_rings / moment);
 }
 

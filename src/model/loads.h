@@ -105,11 +105,12 @@ struct Loads {
 // which a load of the kind `gradient` turns; unit, in S.
 Vec3 away_from_earth(const Load& gradient, double t);
 
+// Lever arms of at most this part of what they are the difference of count as none.
 inline constexpr double kNoArm = 1e-14;
 
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
-// principal axes as columns, in B; moments: the principal moments, kg m^2; `noise`: lever arms that
-// are no longer than this part of what they are the difference of count as none. Throws Error
+// principal axes as columns, in B; moments: the principal moments, kg m^2; `noise`: what
+// stands for kNoArm. Throws Error
 // (input) naming motion.torque[i] if a key that its kind needs is missing, motion.torque[i].KEY for
 // an unknown kind, for a key that the kind does not take, for a couple whose two forces act at one
 // point, for an end before its beginning, and for a gravity gradient on a pivot or without a rate.

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <utility>
 
 #include "base/at_place.h"
@@ -15,6 +13,7 @@
 #include "motion/conditioning.h"
 #include "motion/convoy.h"
 #include "motion/deviation.h"
+#include "motion/doubts.h"
 #include "motion/method_costs.h"
 #include "motion/refinement.h"
 #include "motion/scales.h"
@@ -24,8 +23,6 @@ namespace polhode {
 namespace {
 
 constexpr double kLeastAccuracy = 1e-13;  // rad
-// by how many parts of 2^-53 the rates in closed forms may be off; measured: up to 1.5
-constexpr double kRoundingsOfRates = 3.0;
 constexpr int kTimesOfDrift = 257;
 // damping that is so much faster than all else is stiff
 constexpr double kStiff = 300.0;
@@ -310,123 +307,27 @@ void doubt_given_fineness(const BodyModel& model,
   }
 }
 
-void doubt_conditioning(SimulationReport& report) {
-  const std::optional<Conditioning>& found = report.conditioning;
-  if (!found || !found->exceeds_limit) return;
-  report.reliability.doubts.push_back(fmt::format(
-      "{} may move the attitude by {:.2g} rad, and the scene allows {:.2g} (reached at {:.4g} s): "
-      "the motion is chaotic, close to a separatrix, or turns too often for that",
-      report.method == "exact" ? "one rounding of the start" : "round-off",
-      found->effect,
-      report.accuracy_rad,
-      found->exceeded_at));
-}
-
-// what round-off of the moments of inertia leaves between those that count as equal
-void doubt_kind(const BodyModel& model,
-                const State& start,
-                double duration,
-                SimulationReport& report) {
-  const double turn = turn_left_out(model, start, duration, true);
-  if (!(turn > report.accuracy_rad)) return;
-  report.reliability.doubts.push_back(fmt::format(
-      "two moments of inertia count as equal; what they differ by may move the attitude by {:.2g} "
-      "rad, and the scene allows {:.2g}",
-      turn,
-      report.accuracy_rad));
-}
-
-// what round-off leaves of lever arms that count as none
-void doubt_arms(const BodyModel& model,
-                const State& start,
-                double duration,
-                SimulationReport& report) {
-  const double turn = turn_by_arms_left_out(model, start, duration);
-  if (!(turn > report.accuracy_rad)) return;
-  report.reliability.doubts.push_back(
-      fmt::format("the centre of mass, or where a force acts, is as near to what the body turns "
-                  "about as round-off tells; what is left may move the attitude by {:.2g} rad, and "
-                  "the scene allows {:.2g}",
-                  std::min(turn, kPi),
-                  report.accuracy_rad));
-}
-
-// What the last digits of time do where strong loads begin and end: ramps have those of their ends,
-// and a pulse of a few digits has any number of them.
-void doubt_switches(const BodyModel& model, double duration, SimulationReport& report) {
-  constexpr double kFewDigits = 16.0;
-  double turn = 0.0;
-  for (const Load& load : model.loads.turning) {
-    const bool is_torque = load.kind == Load::Kind::torque;
-    const bool is_force = load.kind == Load::Kind::force || load.kind == Load::Kind::couple;
-    if (load.acts.always() || !(is_torque || is_force)) continue;
-    const Switching& acts = load.acts;
-    const double last = std::isfinite(acts.until) ? acts.until + acts.ramp : acts.from + acts.ramp;
-    const double digit = std::numeric_limits<double>::epsilon() * std::abs(last);
-    const double length = acts.until - acts.from;
-    const double off = acts.ramp > 0.0 ? 2.0 * digit : length < kFewDigits * digit ? length : 0.0;
-    const double torque = load.vector.norm() * (is_torque ? 1.0 : load.arm_P.norm());
-    const double left = duration - std::clamp(acts.from, 0.0, duration);
-    turn += off * torque * model.inverse_moments.maxCoeff() * left;
-  }
-  if (!(turn > report.accuracy_rad)) return;
-  report.reliability.doubts.push_back(
-      fmt::format("the times at which loads begin and end have 16 digits, of which the last may "
-                  "move the attitude by {:.2g} rad, and the scene allows {:.2g}",
-                  std::min(turn, kPi),
-                  report.accuracy_rad));
-}
-
-using Solve = std::function<std::shared_ptr<const Trajectory>(const BodyModel&, const State&)>;
-
-// What round-off of the moments and of the centre of mass does to the motion, if that may be much:
-// small moments beside large ones have the errors of these where axes were turned or moved. `solve`
-// finds the motion of another body as `found` was found.
-void doubt_body(const BodyModel& model,
-                const MotionSpec& motion,
-                const State& start,
-                const Trajectory& found,
-                const Solve& solve,
-                SimulationReport& report) {
-  const double arm = (model.body.center - model.pivot_B).norm();
-  double part = model.moments_off * model.inverse_moments.maxCoeff();
-  if (!model.chi_P.isZero(0.0)) part = std::max(part, model.lever_off / arm);
-  if (part == 0.0) return;
-  constexpr double kGrowth = 100.0;  // of what most motions do to it
-  const double turn = typical_turn(model, start, motion.duration) + 1.0;
-  const double of_one_rounding = report.conditioning ? report.conditioning->effect : 0.0;
-  if (kGrowth * part * turn < report.accuracy_rad &&
-      part / 0x1p-53 * of_one_rounding < report.accuracy_rad)
-    return;
-  const BodyModel other = moved_by_rounding(model);
-  const double moved = largest_deviation(model,
-                                         found,
-                                         *solve(other, start_state(other, motion)),
-                                         scattered_times(motion.duration, kTimesOfDrift));
-  if (moved <= report.accuracy_rad) return;
-  report.reliability.doubts.push_back(
-      fmt::format("round-off of the moments of inertia and of the centre of mass, as they follow "
-                  "from the body, may move the attitude by {:.2g} rad, and the scene allows {:.2g}",
-                  moved,
-                  report.accuracy_rad));
-}
-
-// the angles of a closed form are rates times the time: what is rounded off a rate grows with it
-void doubt_length(double rate, double duration, SimulationReport& report) {
-  const double per_second = kRoundingsOfRates * 0x1p-53 * rate;
-  Conditioning& found = report.conditioning.value();
-  found.effect = std::max(found.effect, per_second * duration);
-  if (!(per_second * duration > report.accuracy_rad)) return;
-  const double since = report.accuracy_rad / per_second;
-  found.exceeded_at = found.exceeds_limit ? std::min(found.exceeded_at, since) : since;
-  found.exceeds_limit = true;
-  report.reliability.doubts.push_back(
-      fmt::format("rounding may move the attitude by {:.2g} rad, and the scene allows {:.2g} "
-                  "(reached at {:.4g} "
-                  "s): so many turns are too long for numbers of 16 digits",
-                  per_second * duration,
-                  report.accuracy_rad,
-                  since));
+// What rounding errors may do; `solve`: see doubt_of_body() in motion/doubts.h.
+void doubt_rounding(const BodyModel& model,
+                    const MotionSpec& motion,
+                    const State& start,
+                    const Trajectory& found,
+                    const Solve& solve,
+                    SimulationReport& report) {
+  const bool closed_form = report.method == "exact";
+  const double duration = motion.duration, accuracy = report.accuracy_rad;
+  const auto add = [&](const std::optional<std::string>& doubt) {
+    if (doubt) report.reliability.doubts.push_back(*doubt);
+  };
+  std::optional<Conditioning>& conditioning = report.conditioning;
+  if (conditioning) add(doubt_of_conditioning(*conditioning, closed_form, accuracy));
+  if (closed_form) add(doubt_of_kind(model, start, duration, accuracy));
+  add(doubt_of_arms(model, start, duration, accuracy));
+  add(doubt_of_switches(model, duration, accuracy));
+  const double one_rounding = conditioning ? conditioning->effect : 0.0;
+  add(doubt_of_body(model, motion, start, found, solve, one_rounding, accuracy));
+  if (closed_form)
+    add(doubt_of_length(typical_rate(model, start), duration, accuracy, conditioning.value()));
 }
 
 }  // namespace
@@ -463,16 +364,13 @@ Simulation simulate(const BodyModel& body,
     report.record = found.record;
     report.reliability = reliability_of(model, start, motion.duration, report.accuracy_rad, found);
     doubt_given_fineness(model, start, motion.duration, numerics, watch, found, report);
-    doubt_conditioning(report);
-    doubt_arms(model, start, motion.duration, report);
-    doubt_switches(model, motion.duration, report);
     const auto again = [&](const BodyModel& other, const State& from) {
       const double fineness = report.step ? *report.step : report.tolerance.value();
       const Effort effort{most_steps(numerics, kMostStepsGiven)};
       const StepperInfo& method = find_stepper(report.method);
       return integrate_with(method, other, from, motion.duration, fineness, effort).trajectory;
     };
-    doubt_body(model, motion, start, *found.trajectory, again, report);
+    doubt_rounding(model, motion, start, *found.trajectory, again, report);
     return {Motion(model, found.trajectory, motion), report};
   }
 
@@ -499,14 +397,10 @@ Simulation simulate(const BodyModel& body,
   report.reliability.doubts = doubts_of_drift(model, report.record.drift);
   report.conditioning =
       conditioning_of_closed_form(chosen, model, start, *trajectory, motion.duration, accuracy_rad);
-  doubt_conditioning(report);
-  doubt_kind(model, start, motion.duration, report);
-  doubt_arms(model, start, motion.duration, report);
   const auto again = [&](const BodyModel& other, const State& from) {
     return std::shared_ptr<const Trajectory>(chosen.make(other, from));
   };
-  doubt_body(model, motion, start, *trajectory, again, report);
-  doubt_length(typical_rate(model, start), motion.duration, report);
+  doubt_rounding(model, motion, start, *trajectory, again, report);
   return {Motion(model, trajectory, motion), report};
 }
 

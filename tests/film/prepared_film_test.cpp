@@ -380,6 +380,22 @@ TEST(PreparedFilm, WarnsOfWhatComesAfterTheLastFrame) {
   }
 }
 
+// ten frames a second: none is between 0.21 and 0.29 s
+TEST(PreparedFilm, WarnsOfWordsThatNoFrameShows) {
+  for (const double until : {0.29, 0.31}) {
+    Scene scene = small_scene();
+    StoryStep next, first;
+    next.at = until;
+    next.caption = "Next";
+    first.at = 0.21;
+    first.caption = "First";
+    scene.story = {next, first};
+    EXPECT_EQ(warnings_of(scene).find("story[1].caption: is never seen") != std::string::npos,
+              until < 0.3)
+        << warnings_of(scene);
+  }
+}
+
 TEST(PreparedFilm, WarnsOfStoriesThatShowWhatNeverAppears) {
   Scene scene = small_scene();
   StoryStep step;

@@ -224,6 +224,32 @@ TEST(Plot, UndefinedValuesAreLeftOut) {
 }
 
 // what is 0 all the time has its own unit
+// the angles of Euler of an upright axis, for one
+TEST(Plot, ACurveWithoutValuesHasNoName) {
+  const Typesetter typesetter;
+  FilmPlot one = plot(0.0, 1.0, 2);
+  one.curves[1].values.assign(one.curves[1].values.size(), NAN);
+  const PlotStack made = stack({one}, typesetter);
+  for (const PlacedText& text : made.fixed_text())
+    EXPECT_NE(text.markup, "kinetic");
+}
+
+// long captions of panels leave headings that can be read
+TEST(Plot, LongNamesAreCut) {
+  const Typesetter typesetter;
+  FilmPlot one = plot(0.0, 1.0, 3);
+  for (PlotCurve& curve : one.curves)
+    curve.name += ", with a wheel of brass that is turned by a thread";
+  std::vector<std::string> names;
+  const PlotStack made = stack({one}, typesetter, 32.0);
+  for (const PlacedText& text : made.fixed_text()) {
+    if (!text.markup.ends_with("…")) continue;
+    names.push_back(text.markup);
+    EXPECT_GE(text.style.size, 0.69 * 32.0);
+  }
+  EXPECT_EQ(names.size(), 3);
+}
+
 TEST(Plot, ZeroHasOrdinaryNumbers) {
   const Typesetter typesetter;
   const PlotStack zero = stack({plot(0.0, 0.0, 1)}, typesetter);

@@ -58,7 +58,7 @@ TEST(RoundedBody, ATinyLeverOfGivenPointsIsALever) {
   }
   const Vec3 axle = done.motion.at(1000.0).q_SB * Vec3::UnitZ();
   EXPECT_NEAR(std::atan2(-axle.y(), axle.z()), std::remainder(theta, 2.0 * kPi), 1e-4);
-  // a second is too short for it
+  // a millisecond is too short for it
   EXPECT_EQ(simulated(body, at_rest("pivot", 0.1, 1e-3), 1e-3).report.model, "symmetric");
 }
 
@@ -137,6 +137,27 @@ TEST(RoundedBody, StrongLoadsForAMomentAreDoubted) {
   EXPECT_NE(doubts(1e9, 7.0, 7.00000001, 3e-9).find("16 digits"), std::string::npos);
   EXPECT_EQ(doubts(1e9, 7.0, 7.00000001, 0.0), "");
   EXPECT_EQ(doubts(1e3, 7.0, 7.01, 3e-3), "");
+}
+
+// A force on a free body moves its place, without an arm too.
+TEST(RoundedBody, StrongForcesForAMomentAreDoubted) {
+  MotionSpec motion = at_rest("free", 0.0, 10.0);
+  BodySpec sphere;
+  sphere.moments = Vec3::Ones();
+  sphere.mass = 1.0;
+  LoadSpec pulse;
+  pulse.kind = "force";
+  pulse.at = Vec3::Zero();
+  pulse.space = Vec3(0.0, 0.0, 1e14);
+  pulse.from = 7.5;
+  const auto doubts = [&](double until) {
+    pulse.until = until;
+    motion.torque = {pulse};
+    return doubts_of(simulated(sphere, motion, 1e-6));
+  };
+  EXPECT_NE(doubts(7.50000000000001).find("16 digits"), std::string::npos);
+  pulse.space = Vec3(0.0, 0.0, 1e3);
+  EXPECT_EQ(doubts(7.51), "");
 }
 
 // Moments about a pivot, of a body that flies: those about its centre of mass are what is left.

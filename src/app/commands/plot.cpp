@@ -120,10 +120,11 @@ void draw_plot(const PlotJob& job) {
     throw input_error("marks a point in a diagram; '{}' shows all times", job.name)
         .at({{}, 0, "--at"});
   }
-  if (job.at &&
-      !(*job.at >= 0.0 && up_to(scene.motion.duration, *job.at) <= scene.motion.duration)) {
+  std::optional<double> at = job.at;
+  if (at) at = up_to(scene.motion.duration, *at);
+  if (at && !(*at >= 0.0 && *at <= scene.motion.duration)) {
     throw input_error(
-        "must be a time within the motion, 0 to {} s, got {}", scene.motion.duration, *job.at)
+        "must be a time within the motion, 0 to {} s, got {}", scene.motion.duration, *at)
         .at({{}, 0, "--at"});
   }
   if (format) require_gnuplot();
@@ -131,7 +132,7 @@ void draw_plot(const PlotJob& job) {
   const Motion& motion = solved.simulation.motion;
   const std::string wrong = kind != nullptr ? kind->why_not(motion) : why_not(*quantity, motion);
   if (!wrong.empty()) throw input_error("'{}' {}", job.name, wrong).at({{}, 0, "PLOT"});
-  const PlotSheet sheet = kind != nullptr ? sheet_of(kind->make(motion), scene.title, job.at)
+  const PlotSheet sheet = kind != nullptr ? sheet_of(kind->make(motion), scene.title, at)
                                           : sheet_of(*quantity, motion, scene.title, !format);
   write_file(job.output, format ? draw_sheet(sheet, *format) : sheet_csv(sheet));
 }

@@ -173,6 +173,17 @@
 
   // ---- the model ------------------------------------------------------------------------------------------------
 
+  // the index of the last of these ascending times that is not after `time`, from `i` on
+  const lastBefore = (times, time, i = 0) => {
+    let high = times.length;
+    while (high - i > 1) {
+      const middle = (i + high) >> 1;
+      if (times[middle] <= time) i = middle;
+      else high = middle;
+    }
+    return i;
+  };
+
   class Model {
     constructor(bytes) {
       const THREE = drawing();
@@ -335,14 +346,7 @@
         const { node, path, times, values } = track;
         let i = track.at;
         if (i >= times.length || times[i] > time) i = 0;
-        if (i + 64 < times.length && times[i + 64] < time) {
-          let high = times.length;
-          while (high - i > 1) {
-            const middle = (i + high) >> 1;
-            if (times[middle] <= time) i = middle;
-            else high = middle;
-          }
-        }
+        if (i + 64 < times.length && times[i + 64] < time) i = lastBefore(times, time, i);
         while (i + 1 < times.length && times[i + 1] <= time) ++i;
         track.at = i;
         const last = i + 1 >= times.length || time <= times[i];
@@ -975,12 +979,8 @@
       const { axis, up } = this.temporary;
       const { series } = data;
       // the readings around this time
-      let [before, after] = [0, series.times.length - 1];
-      while (after - before > 1) {
-        const between = (before + after) >> 1;
-        if (series.times[between] <= this.t) before = between;
-        else after = between;
-      }
+      const before = Math.max(0, Math.min(lastBefore(series.times, this.t), series.times.length - 2));
+      const after = Math.min(before + 1, series.times.length - 1);
       const part = Math.min(1, Math.max(0, (this.t - series.times[before]) / (series.times[after] - series.times[before] || 1)));
       const told = (list) => short(list[before] + part * (list[after] - list[before]), series.digits);
       axis.set(0, 0, 1).transformDirection(this.middle.matrixWorld);
