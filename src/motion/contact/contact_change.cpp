@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "model/fall_on_table.h"
@@ -108,49 +109,122 @@ Touch without(const ContactStepper& stepper,
   return touch;
 }
 
-// Lets go what the laws cannot hold. `given_way`: what an event has just found at its limit.
-Touch let_go(const ContactStepper& stepper,
-             Touch touch,
-             double t,
-             const OnTable& now,
-             const ContactEvent* given_way) {
-  constexpr std::array<ContactEvent, 3> kHolds = {
+// What the laws let go, and in which directions, of what they hold while the body is at rest there.
+class LettingGo {
+ public:
+  LettingGo(const ContactStepper& stepper, double t, const OnTable& now)
+      : stepper_(stepper), law_(stepper.model().table->friction), t_(t), now_(now) {}
+
+  // `given_way`: what an event has just found at its limit.
+  Touch from(Touch touch, const ContactEvent* given_way) const {
+    if (given_way != nullptr && is_held(law_, touch, *given_way))
+      touch = without(stepper_, touch, t_, now_, reaction(touch), *given_way);
+    const Touch found = one_by_one(touch);
+    if (goes_on(touch, found)) return found;
+    return any_that_goes_on(touch).value_or(found);
+  }
+
+ private:
+  static constexpr std::array<ContactEvent, 3> kHolds = {
       ContactEvent::boring_begins, ContactEvent::rolling_begins, ContactEvent::slip_begins};
-  const Friction& law = stepper.model().table->friction;
-  const auto over_of = [&](const Touch& one, const Reaction& r) {
-    std::vector<ContactEvent> over;
+
+  Reaction reaction(const Touch& touch) const {
+    return reaction_of(stepper_.model(), touch, t_, now_.moving);
+  }
+
+  std::vector<ContactEvent> over(const Touch& touch, const Reaction& r) const {
+    std::vector<ContactEvent> all;
     for (const ContactEvent event : kHolds)
-      if (gives_way(law, one, r, event)) over.push_back(event);
-    return over;
-  };
-  const auto reaction = [&](const Touch& one) {
-    return reaction_of(stepper.model(), one, t, now.moving);
-  };
-  if (given_way != nullptr && is_held(law, touch, *given_way))
-    touch = without(stepper, touch, t, now, reaction(touch), *given_way);
-  for (std::size_t i = 0; i < kHolds.size(); ++i) {
+      if (gives_way(law_, touch, r, event)) all.push_back(event);
+    return all;
+  }
+
+  // Without what needs too much, or the fewest of it that spare the others.
+  Touch one_by_one(Touch touch) const {
+    for (std::size_t i = 0; i < kHolds.size(); ++i) {
+      const Reaction r = reaction(touch);
+      const std::vector<ContactEvent> too_much = over(touch, r);
+      if (too_much.empty()) break;
+      const auto freed = [&](unsigned which) {
+        Touch one = touch;
+        for (std::size_t k = 0; k < too_much.size(); ++k)
+          if ((which >> k) & 1U) one = without(stepper_, one, t_, now_, r, too_much[k]);
+        return one;
+      };
+      const unsigned all = (1U << too_much.size()) - 1U;
+      for (int count = 1; count < static_cast<int>(too_much.size()); ++count) {
+        for (unsigned which = 1; which < all; ++which) {
+          if (std::popcount(which) != count) continue;
+          Touch one = freed(which);
+          if (over(one, reaction(one)).empty()) return one;
+        }
+      }
+      touch = freed(all);
+    }
+    return touch;
+  }
+
+  // Whether what is held can be held, and what `touch` lets go and `held` did not grows.
+  bool goes_on(const Touch& held, const Touch& touch) const {
+    const BodyModel& model = stepper_.model();
     const Reaction r = reaction(touch);
-    const std::vector<ContactEvent> over = over_of(touch, r);
-    if (over.empty()) break;
-    // the fewest of them that spare the others
-    const auto freed = [&](unsigned which) {
-      Touch one = touch;
-      for (std::size_t k = 0; k < over.size(); ++k)
-        if ((which >> k) & 1U) one = without(stepper, one, t, now, r, over[k]);
-      return one;
-    };
-    const unsigned all = (1U << over.size()) - 1U;
-    for (int count = 1; count < static_cast<int>(over.size()); ++count) {
-      for (unsigned which = 1; which < all; ++which) {
+    if (!over(touch, r).empty()) return false;
+    const Vec3 rate_S = now_.moving.q * Vec3(model.inverse_moments.cwiseProduct(r.momentum_rate_P));
+    const bool slips = held.sticks && !touch.sticks;
+    const bool rolls = held.keeps_from_rolling && !touch.keeps_from_rolling;
+    const bool bores = held.keeps_from_boring && !touch.keeps_from_boring;
+    return !(slips && r.slip_rate_S.dot(touch.slip_S) < 0.0) &&
+           !(rolls && rate_S.dot(touch.roll_S) < 0.0) && !(bores && rate_S.z() * touch.bore < 0.0);
+  }
+
+  // Each of what is held changes what the others need, also which way they go.
+  std::optional<Touch> any_that_goes_on(const Touch& held) const {
+    const Reaction r = reaction(held);
+    std::vector<ContactEvent> holds;
+    for (const ContactEvent event : kHolds)
+      if (is_held(law_, held, event)) holds.push_back(event);
+    for (int count = 0; count <= static_cast<int>(holds.size()); ++count) {
+      for (unsigned which = 0; which < 1U << holds.size(); ++which) {
         if (std::popcount(which) != count) continue;
-        Touch one = freed(which);
-        if (over_of(one, reaction(one)).empty()) return one;
+        for (const double way : {1.0, -1.0}) {
+          try {
+            Touch one = held;
+            for (std::size_t k = 0; k < holds.size(); ++k)
+              if ((which >> k) & 1U) one = without(stepper_, one, t_, now_, r, holds[k]);
+            if (held.keeps_from_boring && !one.keeps_from_boring) one.bore *= way;
+            one = settled(held, one);
+            if (goes_on(held, one)) return one;
+          } catch (const Error& error) {
+            if (error.fault() != Fault::check_failed) throw;  // the body jams
+          }
+        }
       }
     }
-    touch = freed(all);
+    return {};
   }
-  return touch;
-}
+
+  // with the directions in which a slip and a rotation begin together
+  Touch settled(const Touch& held, Touch touch) const {
+    constexpr int kMost = 50;
+    constexpr double kSettled = 1e-12;
+    const bool slips = held.sticks && !touch.sticks;
+    const bool rolls = held.keeps_from_rolling && !touch.keeps_from_rolling;
+    for (int i = 0; i < kMost; ++i) {
+      const Reaction r = reaction(touch);
+      const Touch before = touch;
+      if (slips) touch.slip_S = r.slip_direction_S;
+      if (rolls) touch.roll_S = r.roll_direction_S;
+      if ((touch.slip_S - before.slip_S).norm() + (touch.roll_S - before.roll_S).norm() < kSettled)
+        break;
+    }
+    return touch;
+  }
+
+  const ContactStepper& stepper_;
+  const Friction& law_;
+  double t_;
+  const OnTable& now_;
+};
 
 // how the body touches at these velocities, or that it lifts off
 Touch touch_now(const ContactStepper& stepper,
@@ -173,7 +247,7 @@ Touch touch_now(const ContactStepper& stepper,
   // what is held stops, and what cannot be held goes on with what it has
   OnTable at_rest = now;
   hold_to_table(stepper.model(), touch, at_rest.moving);
-  touch = let_go(stepper, touch, t, at_rest, given_way);
+  touch = LettingGo(stepper, t, at_rest).from(touch, given_way);
   // what is snapped to zero counts as work
   const double had = energy_of(stepper.model(), now.moving);
   hold_to_table(stepper.model(), touch, now.moving);

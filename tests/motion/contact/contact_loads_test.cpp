@@ -182,6 +182,24 @@ TEST(LoadsOnATable, RollABallThatMomentsOfBothKindsHold) {
   EXPECT_TRUE(found.motion.contact_at(0.05)->touch.sticks);
 }
 
+// A disc at rest leans and is pushed: what gives way alone takes from the others what they need, or
+// gives them more, so that nothing but rolling grows in its direction. The end was found by another
+// program with smooth laws of friction, extrapolated to sharp ones.
+TEST(LoadsOnATable, LetGoOnlyWhatGrows) {
+  MotionSpec spec = on_table(0.5, coulomb(0.2494));
+  spec.friction->rolling = 0.011361;
+  spec.friction->boring = 0.000103;
+
+  spec.attitude.quaternion = Eigen::Vector4d(0.160468, -0.233184, 0.841355, 2.719275);
+  LoadSpec push = load_of("force");
+  push.space = Vec3(-0.20186, -0.88961, -0.12897);
+  push.at = Vec3(0.0161, -0.0194, 0.0211);
+  spec.torque = {push};
+  const Simulation found = simulated(disc_body(0.0951, 0.258), spec);
+  const Quat right(-0.37243321, 0.00984358, -0.00410722, 0.92799771);
+  EXPECT_LT(rotation_angle_between(found.motion.at(0.5).q_SB, right), 1e-6);
+}
+
 // What rolls back and forth turns without coming to rest where its load is greatest: what it has
 // across its way stays. The end was found by another program with smooth laws of friction.
 TEST(LoadsOnATable, RollABallBackAndForth) {
