@@ -65,8 +65,19 @@ void allow_open_files() {
       "only {} files may be open (ulimit -n); {} are needed", limit.rlim_cur, kLeast);
 }
 
+// a shell sets both limits of processor time, and at the second one the system kills at once: so
+// the first is told a second before, in which what is unfinished is removed
+void be_told_of_the_end_of_time() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  if (limit.rlim_cur < limit.rlim_max || limit.rlim_cur < 2) return;
+  --limit.rlim_cur;
+  static_cast<void>(setrlimit(RLIMIT_CPU, &limit));
+}
+
 int run(int argc, char** argv) {
   refuse_small_stack();
+  be_told_of_the_end_of_time();
   allow_open_files();
   CLI::App app("Physically exact films of spinning bodies, rendered without a window.", "polhode");
   app.set_version_flag("--version", version_text(program_commit()));

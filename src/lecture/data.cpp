@@ -19,47 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The data folder as it is written.
-class DataFolder {
- public:
-  explicit DataFolder(fs::path folder) : folder_(std::move(folder)) {}
-
-  void add(const std::string& name, const std::string& bytes) {
-    const fs::path file = folder_ / name;
-    make_folder(file.parent_path());
-    write_file(file, bytes);
-    files_.push_back({{"name", name}, {"bytes", bytes.size()}, {"hash", content_hash(bytes)}});
-    names_.insert(name);
-  }
-
-  // removes what the manifest before this one lists and this one does not, unless somebody has
-  // changed it since
-  void forget_old() const {
-    const fs::path old = folder_ / "manifest.json";
-    std::error_code missing;
-    if (!fs::exists(old, missing)) return;
-    const Json manifest = Json::parse(read_file(old), nullptr, false);
-    if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_array())
-      return;
-    for (const Json& file : manifest["files"]) {
-      if (!file.is_object() || !file.contains("name") || !file["name"].is_string()) continue;
-      const std::string name = file["name"];
-      const fs::path path = name;
-      const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
-                        std::find(path.begin(), path.end(), "..") == path.end();
-      if (ours && !names_.contains(name) && is_as_listed(folder_, file))
-        fs::remove(folder_ / path, missing);
-    }
-  }
-
-  const Json& files() const { return files_; }
-
- private:
-  fs::path folder_;
-  Json files_ = Json::array();
-  std::set<std::string> names_;
-};
-
 // A file of the deck: its name there, and where it is.
 struct Source {
   std::string name;
@@ -158,8 +117,67 @@ Json licences(const LectureData& data) {
 
 }  // namespace
 
-void write_data(const LectureData& data, const fs::path& folder) {
-  DataFolder out(folder / "data");
+// The files as they are written.
+class DataFolder::Files {
+ public:
+  explicit Files(fs::path folder) : folder_(std::move(folder)) {}
+
+  // of a file that a deck names in two ways, once
+  void add(const std::string& name, const std::string& bytes) {
+    if (!names_.insert(name).second) return;
+    write(name, bytes);
+    list_.push_back({{"name", name}, {"bytes", bytes.size()}, {"hash", content_hash(bytes)}});
+  }
+
+  void add_manifest(const std::string& text) { write(kManifest, text); }
+
+  void commit() {
+    forget_old();
+    for (const std::unique_ptr<AtomicFile>& part : parts_)
+      part->commit();
+  }
+
+  const Json& list() const { return list_; }
+
+ private:
+  static constexpr const char* kManifest = "manifest.json";
+
+  void write(const std::string& name, const std::string& bytes) {
+    const fs::path file = folder_ / name;
+    make_folder(file.parent_path());
+    parts_.push_back(std::make_unique<AtomicFile>(file));
+    parts_.back()->write(bytes);
+  }
+
+  // removes what the manifest before this one lists and this one does not, unless somebody has
+  // changed it since
+  void forget_old() const {
+    const fs::path old = folder_ / kManifest;
+    std::error_code missing;
+    if (!fs::exists(old, missing)) return;
+    const Json manifest = Json::parse(read_file(old), nullptr, false);
+    if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_array())
+      return;
+    for (const Json& file : manifest["files"]) {
+      if (!file.is_object() || !file.contains("name") || !file["name"].is_string()) continue;
+      const std::string name = file["name"];
+      const fs::path path = name;
+      const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
+                        std::find(path.begin(), path.end(), "..") == path.end();
+      if (ours && !names_.contains(name) && is_as_listed(folder_, file))
+        fs::remove(folder_ / path, missing);
+    }
+  }
+
+  fs::path folder_;
+  std::vector<std::unique_ptr<AtomicFile>> parts_;
+  Json list_ = Json::array();
+  std::set<std::string> names_;
+};
+
+DataFolder::DataFolder(const LectureData& data, const fs::path& folder)
+    : files_(std::make_unique<Files>(folder / "data")) {
+  Files& out = *files_;
   const DeckRoot& root = data.deck->root;
   const std::string deck_name = fs::path(data.deck->file).filename().string();
   std::vector<Source> sources = {{deck_name, data.deck->file}};
@@ -177,6 +195,9 @@ void write_data(const LectureData& data, const fs::path& folder) {
   out.add("source/" + deck_name, data.deck_text);
   for (auto source = sources.begin() + 1; source != sources.end(); ++source)
     out.add(places.of(*source), read_file(source->file));
+  // what was just read is what the pictures show
+  for (const LectureData::SceneData& one : data.scenes)
+    check_unchanged(*one.scene);
 
   Json scenes = Json::array();
   std::set<std::string> taken;
@@ -231,11 +252,15 @@ void write_data(const LectureData& data, const fs::path& folder) {
        "axes, "
        "kg m^2/s in space axes, m, J"},
       {"scenes", scenes},
-      {"files", out.files()},
+      {"files", out.list()},
       {"pictures", products}};
-  out.forget_old();
-  write_file(folder / "data/manifest.json",
-             manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.add_manifest(manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+DataFolder::~DataFolder() = default;
+
+void DataFolder::commit() {
+  files_->commit();
 }
 
 }  // namespace polhode

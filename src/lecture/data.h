@@ -3,6 +3,7 @@
 // tables, a manifest.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ struct LectureData {
     std::shared_ptr<DeckScene> scene;  // never null
     std::string csv;  // file in FOLDER/media; empty: the motion could not be computed
   };
-  const Deck* deck = nullptr;  // not owned, never null; read by write_data()
+  const Deck* deck = nullptr;  // not owned, never null; read by DataFolder()
   std::string deck_text;       // contents of the file
   std::string licence;         // of the deck, as its author words it; empty: unknown
   // LectureOutput::name (lecture/lecture.h) of those that are made, for the command in the manifest
@@ -34,14 +35,29 @@ struct LectureData {
   std::vector<std::pair<std::string, Json>> products;
 };
 
-// Writes FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative
-// paths; files from outside the deck's folder under their names or, if such a name is taken, those
-// of its folder in a folder of their own), motions/NAME.csv (copied from FOLDER/media; NAME is the
-// name of the scene file without its ending, with _ appended until it is unique), and manifest.json
-// last. Files of source/ and motions/ that only the old manifest lists are deleted. Throws Error
-// (input) as trusted_file() (lecture/sandbox.h), named_files() (scene/scene.h), read_file() and
-// write_file() (base/system/atomic_file.h) do, (environment) if a folder cannot be made or the disk
-// is full.
-void write_data(const LectureData& data, const std::filesystem::path& folder);
+// FOLDER/data: source/ (the deck, its scenes, meshes and pictures under their relative paths; files
+// from outside the deck's folder under their names or, if such a name is taken, those of its folder
+// in a folder of their own), motions/NAME.csv (copied from FOLDER/media; NAME is the name of the
+// scene file without its ending, with _ appended until it is unique), and manifest.json.
+class DataFolder {
+ public:
+  // Writes all of it, but no file has its name before commit(). Throws Error (input) as
+  // trusted_file() (lecture/sandbox.h), named_files() (scene/scene.h), check_unchanged(),
+  // read_file() and AtomicFile (base/system/atomic_file.h) do, (environment) if a folder cannot be
+  // made or the disk is full.
+  DataFolder(const LectureData& data, const std::filesystem::path& folder);
+  ~DataFolder();
+  DataFolder(const DataFolder&) = delete;
+  DataFolder& operator=(const DataFolder&) = delete;
+
+  // Gives the files their names, the manifest last, and deletes those of source/ and motions/ that
+  // only the old manifest lists. Call it once. Throws Error (environment) if the disk tells so late
+  // that it is full.
+  void commit();
+
+ private:
+  class Files;
+  std::unique_ptr<Files> files_;
+};
 
 }  // namespace polhode

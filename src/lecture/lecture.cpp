@@ -305,8 +305,12 @@ LectureResult lecture(const LectureJob& job) {
         notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value()));
   }
   stop_if_interrupted();
-  if (planned.wants("data")) write_data(data_of(work, outputs, scripts, formula_font), folder);
-  documents.commit(contents);
+  // all is written before the first file has its name
+  std::optional<DataFolder> data;
+  if (planned.wants("data")) data.emplace(data_of(work, outputs, scripts, formula_font), folder);
+  documents.write(contents);
+  if (data) data->commit();
+  documents.commit();
   // what documents of an earlier run show must stay with them
   const std::vector<std::string> older = documents_left(folder, outputs);
   if (older.empty()) {

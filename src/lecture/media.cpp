@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fcntl.h>
+#include <unistd.h>
 #include <vector>
+
+#include <sys/file.h>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -26,6 +30,15 @@ std::string text_at(const Json& json, const char* key) {
 const std::string kWork = ".work-";      // begins the names of the folders of runs
 constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a deck
 
+// A descriptor with a lock on the folder, for as long as it is open; -1 if somebody else has one,
+// or there are none.
+int lock_on(const std::filesystem::path& folder) {
+  const int folder_file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder_file < 0 || flock(folder_file, LOCK_EX | LOCK_NB) == 0) return folder_file;
+  close(folder_file);
+  return -1;
+}
+
 }  // namespace
 
 Media::Media(std::filesystem::path folder, const std::filesystem::path& deck_folder)
@@ -40,11 +53,13 @@ Media::Media(std::filesystem::path folder, const std::filesystem::path& deck_fol
   }
   work_ = name;
   unfinished_.emplace(work_);
+  at_work_ = lock_on(work_);
 }
 
 Media::~Media() {
   std::error_code ignored;
   std::filesystem::remove_all(work_, ignored);
+  if (at_work_ >= 0) close(at_work_);
 }
 
 std::string Media::stem_of(const Product& product) {
@@ -93,11 +108,25 @@ Json Media::obtain(const Product& product) {
   return facts;
 }
 
+bool Media::is_alone() const {
+  bool alone = true;
+  for (const std::filesystem::path& other : entries_of(folder_, Fault::environment)) {
+    if (!other.filename().string().starts_with(kWork) || other.filename() == work_.filename())
+      continue;
+    const int lock = lock_on(other);
+    alone = alone && lock >= 0;
+    if (lock < 0) continue;
+    std::error_code failed;
+    std::filesystem::remove_all(other, failed);
+    close(lock);
+  }
+  return alone;
+}
+
 void Media::forget_the_rest() {
+  if (!is_alone()) return;
   std::error_code failed;
   for (const std::filesystem::path& card : entries_of(folder_, Fault::environment)) {
-    if (card.filename().string().starts_with(kWork) && card.filename() != work_.filename())
-      std::filesystem::remove_all(card, failed);
     // only what a card of ours lists
     if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
     if (!std::filesystem::is_regular_file(card, failed)) continue;

@@ -49,11 +49,14 @@ class Media {
   // The number of products that were made, not found in the cache.
   int made() const { return made_; }
   // Deletes the products of earlier runs that have not been obtained from this object, and what
-  // killed runs have left. A file that cannot be deleted stays. Throws Error (input) as read_file
-  // does.
+  // killed runs have left; nothing while other runs work in the folder, such as shards, where the
+  // file system can lock a folder. A file that cannot be deleted stays. Throws Error (input) as
+  // read_file does.
   void forget_the_rest();
 
  private:
+  // Removes what killed runs have left; returns whether nobody else is at work.
+  bool is_alone() const;
   // Whether all files that the facts list exist with the listed hashes.
   bool is_whole(const Json& facts) const;
 
@@ -61,6 +64,7 @@ class Media {
   std::vector<std::string> deck_folders_;  // names of the deck's folder, which ends in a slash
   std::filesystem::path work_;             // for incomplete products
   std::optional<Unfinished> unfinished_;
+  int at_work_ = -1;  // file descriptor that holds a lock on work_; -1 without one
   std::mutex lock_;
   std::set<std::string> used_;  // stems
   int made_ = 0;

@@ -131,12 +131,6 @@ std::string name_of_product(const DeckScene& scene, const std::string& kind) {
   return fmt::format("{}-{}", name.substr(0, 60), kind);
 }
 
-// the key was made from what the file said then
-void check_unchanged(const DeckScene& scene) {
-  if (scene_hash(load_scene(scene.file)) != scene.hash)
-    throw input_error("{} changed during the run; run again", scene.name);
-}
-
 RenderJob render_job(const DeckScene& scene,
                      const Overrides& overrides,
                      const LectureSettings& settings,
@@ -279,6 +273,12 @@ Json take_pictures(const fs::path& made,
 }
 
 }  // namespace
+
+// the key of a product was made from what the file said then
+void check_unchanged(const DeckScene& scene) {
+  if (scene_hash(load_scene(scene.file)) != scene.hash)
+    throw input_error("{} changed during the run; run again", scene.name);
+}
 
 RenderJob film_job(const DeckPicture& picture,
                    const DeckScene& scene,

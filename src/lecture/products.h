@@ -30,6 +30,8 @@ struct DeckScene {
   Scene scene;
   std::string hash;  // scene_hash() (scene/scene.h)
 };
+// Throws Error (input), without a place, if the file says something else now than when it was read.
+void check_unchanged(const DeckScene& scene);
 
 // All these return a product (lecture/media.h) with copies of their arguments. They throw Error
 // (input), without a place, for a setting that is not a number and for turns (of stability maps)

@@ -62,10 +62,9 @@ Conditioning conditioning_of(
     double roundings,
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve) {
-  std::vector<double> even;
-  for (int i = 1; i <= kTimesOfNeighbours; ++i)
-    even.push_back(duration * i / kTimesOfNeighbours);
-  const std::vector<double> times = cheap_times(motion, even);
+  // even times may meet a motion always where neighbours are together
+  const std::vector<double> times = cheap_times(
+      motion, with_busy_times(model, motion, scattered_times(duration, kTimesOfNeighbours)));
   const std::vector<State> here = motion.at_each(times);
   std::vector<std::vector<State>> there;
   for (const State& start : neighbours.starts)

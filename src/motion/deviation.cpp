@@ -74,4 +74,28 @@ std::vector<double> scattered_times(double duration, int parts, unsigned seed) {
   return times;
 }
 
+std::vector<double> with_busy_times(const BodyModel& model,
+                                    const Trajectory& motion,
+                                    std::vector<double> times) {
+  constexpr double kFarMore = 4.0;
+  // what is over sooner, such as a passage near gimbal lock, is not looked at while it lasts
+  constexpr double kShortest = 1e-8;  // of the motion
+  constexpr int kHalvings = 10;
+  if (times.empty()) return times;
+  const double duration = times.back();
+  const double each = duration / static_cast<double>(times.size());
+  const std::vector<double> busy = motion.busy_times(times.size());
+  std::vector<double> more = times_after_switches(model.loads.switches, duration);
+  for (int i = 1; i <= kHalvings; ++i)
+    more.push_back(std::ldexp(each, -i));
+  for (std::size_t i = 1; i < busy.size(); ++i) {
+    const double gap = busy[i] - busy[i - 1];
+    if (kFarMore * gap < each && gap > kShortest * duration) more.push_back(busy[i]);
+  }
+  times.insert(times.end(), more.begin(), more.end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 }  // namespace polhode

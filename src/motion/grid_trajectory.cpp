@@ -86,7 +86,9 @@ class KeptStates {
 class GridTrajectory final : public Trajectory {
  public:
   GridTrajectory(const StepperInfo& method, const BodyModel& model, const State& start)
-      : stepper(method.make(model, momentum_scale(model, start))), states(model) {
+      : stepper(method.make(model, momentum_scale(model, start))),
+        inverse_moments(model.inverse_moments),
+        states(model) {
     states.push_back(start);
   }
 
@@ -128,6 +130,14 @@ class GridTrajectory final : public Trajectory {
       kept[i] = time(last_kept(index));
     }
     return kept;
+  }
+  std::vector<double> busy_times(std::size_t count) const override {
+    std::vector<double> grid, speeds;
+    for (long i = 0; i < states.size(); ++i) {
+      grid.push_back(time(i * stride));
+      speeds.push_back(inverse_moments.cwiseProduct(states[i].y).norm());
+    }
+    return busy_times_of(grid, speeds, count);
   }
   long last_kept(long index) const { return std::min(index / stride, states.size() - 1) * stride; }
 
@@ -179,6 +189,7 @@ class GridTrajectory final : public Trajectory {
   }
 
   std::unique_ptr<Stepper> stepper;
+  Vec3 inverse_moments;
   double h = 0.0;
   long last = 0;  // index of the last grid time
   long stride = 1;

@@ -45,7 +45,10 @@ Reliability reliability_of(const BodyModel& model,
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);
     const double worst = largest_deviation(
-        model, *found.trajectory, *truth, scattered_times(duration, kTimesCompared));
+        model,
+        *found.trajectory,
+        *truth,
+        with_busy_times(model, *found.trajectory, scattered_times(duration, kTimesCompared)));
     result.attitude_error_rad = worst;
     if (!(worst <= accuracy_rad)) {
       result.doubts.push_back(

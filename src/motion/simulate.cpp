@@ -288,7 +288,10 @@ void doubt_given_fineness(const BodyModel& model,
       check = run();
     }
     const double apart = largest_deviation(
-        model, *found.trajectory, *check.trajectory, scattered_times(duration, kTimesOfDrift));
+        model,
+        *found.trajectory,
+        *check.trajectory,
+        with_busy_times(model, *found.trajectory, scattered_times(duration, kTimesOfDrift)));
     // errors that fall by the order are this much larger than what the finer run takes away; those
     // of adaptive runs fall less evenly
     const double order = method.adaptive ? 2.0 : 1.0 / (1.0 - std::pow(kFinerStep, method.order));
@@ -390,9 +393,8 @@ Simulation simulate(const BodyModel& body,
   report.method_reason = "closed form";
   std::shared_ptr<const Trajectory> trajectory = chosen.make(model, start);
   DriftWatch drift(model, start);
-  for (int i = 0; i < kTimesOfDrift; ++i) {
-    drift.look_at(trajectory->at(motion.duration * i / (kTimesOfDrift - 1)));
-  }
+  for (const double t : scattered_times(motion.duration, kTimesOfDrift))
+    drift.look_at(trajectory->at(t));
   report.record.drift = drift.worst();
   report.reliability.doubts = doubts_of_drift(model, report.record.drift);
   report.conditioning =

@@ -55,6 +55,27 @@ double or_one(double scale) {
 
 }  // namespace
 
+std::vector<double> busy_times_of(const std::vector<double>& grid,
+                                  const std::vector<double>& speeds,
+                                  std::size_t count) {
+  // a body at rest may be stepped as often as one that turns, where steps must be short
+  const auto turn = [&](std::size_t i) {
+    return speeds[i] * (grid[i + 1] - grid[i]);
+  };
+  double all = 0.0;
+  for (std::size_t i = 0; i + 1 < grid.size(); ++i)
+    all += turn(i);
+  const double steps = static_cast<double>(grid.size()) - 1.0;
+  std::vector<double> times;
+  double done = 0.0;
+  for (std::size_t i = 0; i + 1 < grid.size(); ++i) {
+    done += 0.5 / steps + (all > 0.0 ? 0.5 * turn(i) / all : 0.0);
+    if (done * static_cast<double>(count) < static_cast<double>(times.size()) + 1.0) continue;
+    times.push_back(grid[i + 1]);
+  }
+  return times;
+}
+
 std::vector<State> Trajectory::at_each(const std::vector<double>& times) const {
   std::vector<State> states;
   states.reserve(times.size());

@@ -32,9 +32,18 @@ class Trajectory {
   // Each time (s, ascending) moved back to where the state costs nothing to ask for, if there is
   // such a time shortly before.
   virtual std::vector<double> kept_times(const std::vector<double>& times) const { return times; }
+  // Times (s, ascending), about `count` of them, that are the closer together, the more an
+  // integration has to do there; none of what is not integrated.
+  virtual std::vector<double> busy_times(std::size_t /*count*/) const { return {}; }
   // How the body touches the table at t (s), if there is one. Throws as at() does.
   virtual std::optional<ContactState> contact_at(double) const { return {}; }
 };
+
+// Of the grid times (s, ascending) of an integration about `count`, after equal shares of its steps
+// and of the angle by which the body has turned: speeds of rotation at these times, rad/s.
+std::vector<double> busy_times_of(const std::vector<double>& grid,
+                                  const std::vector<double>& speeds,
+                                  std::size_t count);
 
 // Relative changes of the conserved quantities since the start: the largest over a motion, or those
 // of one state. Absent if the loads do not conserve them.

@@ -67,6 +67,18 @@ TEST(Environment, AFullDiskLeavesNothing) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+// a shell sets the limit at which the system tells and that at which it kills together
+TEST(Environment, AnEndOfProcessorTimeLeavesNothing) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const Ran ran = run_polhode("render '" + (folder / "scene.toml") + "' --size 1920x1080 -o '" +
+                                  (folder / "a.mp4") + "' --fps 1000 --set motion.duration=100",
+                              "ulimit -t 2;");
+  EXPECT_NE(ran.code, 0);
+  EXPECT_NE(ran.err.find("ulimit -t"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 // Mesa itself crashes below this
 TEST(Environment, LittleMemoryIsToldInOneLine) {
 #ifdef __SANITIZE_ADDRESS__

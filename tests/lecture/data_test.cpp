@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "lecture/deck_scenes.h"
 #include "scene/scene_file.h"
+#include "support/expect_error.h"
 
 namespace polhode {
 namespace {
@@ -42,7 +43,7 @@ class DataOfALecture : public ::testing::Test {
     return made;
   }
   Json manifest() const {
-    write_data(data_, folder_ / "out");
+    DataFolder(data_, folder_ / "out").commit();
     return Json::parse(read_text(folder_ / "out/data/manifest.json"));
   }
   bool has(const std::string& name) const {
@@ -68,6 +69,23 @@ TEST_F(DataOfALecture, FilesStandWhereTheyStood) {
     EXPECT_EQ(file.at("bytes"), bytes.size());
     EXPECT_EQ(file.at("hash"), content_hash(bytes));
   }
+}
+
+// what fails later leaves the files of the run before
+TEST_F(DataOfALecture, NothingHasItsNameBeforeAllIsWritten) {
+  manifest();
+  data_.deck_text = "# Another deck\n";
+  { const DataFolder abandoned(data_, folder_ / "out"); }
+  EXPECT_EQ(read_text(folder_ / "out/data/source/talk.md"), "# The deck\n");
+}
+
+// the pictures would not be of the scene that is kept
+TEST_F(DataOfALecture, ASceneThatHasChangedIsRefused) {
+  std::string text = test::kSmallScene;
+  text.replace(text.find("test"), 4, "other");
+  write_text(folder_ / "deck/in/top.toml", text);
+  test::expect_input_error([&] { manifest(); }, "", "changed during the run");
+  EXPECT_FALSE(has("manifest.json"));
 }
 
 TEST_F(DataOfALecture, TheManifestTellsHowToMakeItAgain) {

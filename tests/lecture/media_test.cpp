@@ -55,6 +55,26 @@ TEST(Media, KeepsWhatIsWholeAndMakesTheRest) {
   EXPECT_FALSE(std::filesystem::exists(folder / (Media::stem_of(product("b")) + ".txt")));
 }
 
+// shards may work in the folder that another run has finished
+TEST(Media, ForgetsNothingWhileOthersAreAtWork) {
+  const TemporaryFolder folder;
+  write_text(folder / "old-1.json", R"({"files":[]})");
+  std::filesystem::create_directory(folder / ".work-killed");
+  Media media(folder.path());
+  const auto files = [&] {
+    const std::filesystem::directory_iterator all(folder.path());
+    return std::distance(begin(all), end(all));
+  };
+  {
+    const Media other(folder.path());
+    media.forget_the_rest();
+    EXPECT_FALSE(std::filesystem::exists(folder / ".work-killed"));
+    EXPECT_EQ(files(), 3);
+  }
+  media.forget_the_rest();
+  EXPECT_EQ(files(), 1);
+}
+
 // a product of one file
 Product text_product(const std::string& name, const std::string& key, const std::string& content) {
   return {name, key, [content](const std::filesystem::path& where, const std::string& stem) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/derived.h"
 #include "motion/simulate.h"
 #include "support/expect_error.h"
 #include "support/tops.h"
@@ -84,6 +85,20 @@ TEST(Conditioning, GrowsWithTheTurnsOfASphere) {
   EXPECT_LT(report.conditioning->effect, 4.0 * 2000.0 * 0x1p-53);
   EXPECT_FALSE(report.conditioning->exceeds_limit);
   EXPECT_TRUE(report.reliability.doubts.empty());
+}
+
+// Near the separatrix neighbours part while the body flips, and are together again between: looks
+// at even times, of which there are as many as flips, would see nothing.
+TEST(Conditioning, IsSeenWhateverTheNumberOfFlips) {
+  const BodyModel model = free_body({1, 2, 3});
+  MotionSpec spec;
+  spec.duration = 1.0;
+  spec.spin.body = Vec3(1e-9, 1.0, 0.0);
+  const double flip = value_of(derived_quantities(model, spec), "flip_time_s").value();
+  for (const int flips : {100, 128, 256, 512}) {
+    const SimulationReport report = report_of(model, spec.spin.body.value(), flips * flip);
+    EXPECT_TRUE(report.conditioning->exceeds_limit) << flips;
+  }
 }
 
 // from its start on, the separatrix leaves a neighbour as exp(growth t)

@@ -154,5 +154,50 @@ TEST(Trust, IsNotWonByChance) {
   }
 }
 
+// A body that is shaken for six seconds and then comes to rest for hours: what is wrong while it
+// tumbles would be forgotten before the second of times that are spread over all of it.
+TEST(Refinement, LooksWhereABodyTumbles) {
+  SolidSpec box;
+  box.kind = "box";
+  box.size = Vec3(0.06, 0.10, 0.16);
+  box.mass = 0.4;
+  BodySpec body;
+  body.solid = box;
+  body.pivot = Vec3(0.01, 0.02, 0.07);
+  MotionSpec spec;
+  spec.hold = "pivot";
+  spec.attitude.zxz = Vec3(288.6, 80.2, 160.0) * kPi / 180.0;
+  LoadSpec damping, shaking, spring;
+  damping.kind = "damping";
+  damping.of = "spin";
+  damping.c = 0.00585;
+  shaking.kind = "constant";
+  shaking.space = Vec3(0.34, 0.17, 0.11);
+  shaking.rate = 10.09;
+  shaking.until = 6.0;
+  spring.kind = "spring";
+  spring.k = 6.6;
+  spring.at = Vec3(0.03, 0.05, -0.08);
+  spring.to = Vec3(0.1, 0.0, -0.18);
+  spec.torque = {damping, shaking, spring};
+  const auto moved = [&](double duration, double accuracy) {
+    spec.duration = duration;
+    return simulate(make_model(body, spec), spec, NumericsSpec{}, accuracy);
+  };
+  const Motion right = moved(30.0, 1e-7).motion;
+  const Simulation found = moved(10'000.0, 1e-3);
+  EXPECT_TRUE(found.report.reliability.doubts.empty());
+  for (double t = 0.0; t <= 30.0; t += 0.5) {
+    const Quat q = found.motion.at(t).q_SB;
+    EXPECT_LT(rotation_angle_between(q, right.at(t).q_SB), 1e-3) << t;
+  }
+  // a tolerance that is given is held against a finer one in the same way
+  NumericsSpec given;
+  given.method = "dop853";
+  given.tolerance = 1e-7;
+  const Simulation coarse = simulate(make_model(body, spec), spec, given, 1e-3);
+  EXPECT_FALSE(coarse.report.reliability.doubts.empty());
+}
+
 }  // namespace
 }  // namespace polhode

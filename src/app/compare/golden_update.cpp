@@ -18,36 +18,31 @@ namespace polhode {
 namespace fs = std::filesystem;
 namespace {
 
-// what git says has changed: everywhere in what it knows, and new files in the folder itself
+// What git says of the folder.
+std::string ask_git(const GoldenJob& job, const std::vector<std::string>& question) {
+  // the tree of this folder, whatever another one is named in the environment
+  std::vector<std::string> words = {
+      "env", "-u", "GIT_DIR", "-u", "GIT_WORK_TREE", "git", "-C", job.folder};
+  words.insert(words.end(), question.begin(), question.end());
+  const ChildResult said = run_child(words, "");
+  if (said.signal != 0 || !said.exceeded.empty()) {
+    throw environment_error("git {}", how_it_ended(said));
+  }
+  if (said.status != 0) {
+    throw input_error(
+        "git does not track this folder, or cannot say what has changed in it (it {}), so that "
+        "an update could not be reviewed or undone; give --allow-dirty to update anyway",
+        how_it_ended(said))
+        .at({job.folder, 0, {}});
+  }
+  return said.out;
+}
+
+// What has changed: everywhere in what git knows, and new files in the folder itself.
 void refuse_dirty(const GoldenJob& job) {
-  const auto ask = [&](const std::vector<std::string>& more) {
-    // the tree of this folder, whatever another one is named in the environment
-    std::vector<std::string> words = {"env",
-                                      "-u",
-                                      "GIT_DIR",
-                                      "-u",
-                                      "GIT_WORK_TREE",
-                                      "git",
-                                      "-C",
-                                      job.folder,
-                                      "status",
-                                      "--porcelain"};
-    words.insert(words.end(), more.begin(), more.end());
-    const ChildResult said = run_child(words, "");
-    if (said.signal != 0 || !said.exceeded.empty()) {
-      throw environment_error("git {}", how_it_ended(said));
-    }
-    if (said.status != 0) {
-      throw input_error(
-          "git does not track this folder, or cannot say what has changed in it (it {}), so that "
-          "an update could not be reviewed or undone; give --allow-dirty to update anyway",
-          how_it_ended(said))
-          .at({job.folder, 0, {}});
-    }
-    return said.out;
-  };
-  std::string changed = ask({"--untracked-files=no"});
-  if (changed.empty()) changed = ask({"--untracked-files=all", "--", "."});
+  std::string changed = ask_git(job, {"status", "--porcelain", "--untracked-files=no"});
+  if (changed.empty())
+    changed = ask_git(job, {"status", "--porcelain", "--untracked-files=all", "--", "."});
   if (changed.empty()) return;
   const std::string first = changed.substr(0, changed.find('\n'));
   throw input_error(
@@ -56,6 +51,25 @@ void refuse_dirty(const GoldenJob& job) {
       first.size() > 3 ? first.substr(3) : first,
       std::count(changed.begin(), changed.end(), '\n') > 1 ? " and others" : "")
       .at({job.folder, 0, {}});
+}
+
+// What git does not look at could not be brought back.
+void refuse_ignored(const GoldenJob& job, const std::vector<LoadedCase>& cases) {
+  const std::string known = '\0' + ask_git(job, {"ls-files", "-z", "--", "."});
+  const auto look_at = [&](const fs::path& file) {
+    const std::string name = file.filename().string();
+    if (!is_there(file) || known.find('\0' + name + '\0') != std::string::npos) return;
+    throw input_error(
+        "git ignores this file, so that an update could not be undone; add it to git (git add -f), "
+        "or give --allow-dirty")
+        .at({file.string(), 0, {}});
+  };
+  for (const LoadedCase& one : cases) {
+    for (const Reference& reference : one.references) {
+      look_at(reference.file);
+      look_at(sidecar_file(reference.file));
+    }
+  }
 }
 
 // What an update does with one case.
@@ -211,7 +225,10 @@ GoldenResult golden_update(const GoldenJob& job) {
   std::vector<LoadedCase> cases = load_cases(job.folder, job.cases);
   refuse_overwriting(job, cases);
   const std::set<fs::path> new_rules = take_new_rules(cases);
-  if (!job.allow_dirty) refuse_dirty(job);
+  if (!job.allow_dirty) {
+    refuse_dirty(job);
+    refuse_ignored(job, cases);
+  }
   const std::vector<CaseResult> results = draw_cases(job, cases);
   for (const CaseResult& result : results) {
     if (!result.drawn) throw input_error("nothing was updated: {}", result.error);

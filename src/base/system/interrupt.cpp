@@ -58,6 +58,8 @@ void watch_for_interrupt(std::chrono::milliseconds same_key) {
   std::signal(SIGALRM, stop_waiting);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  // where a parent ignored it, nobody would tell how programs end that are started here
+  std::signal(SIGCHLD, SIG_DFL);
   tidy_up_after_crashes();
 }
 

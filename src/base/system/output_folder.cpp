@@ -17,12 +17,20 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder,
     files_.push_back(std::make_unique<AtomicFile>(folder / name));
 }
 
-void OutputFolder::commit(const std::vector<std::string>& contents) {
+void OutputFolder::write(const std::vector<std::string>& contents) {
   CHECK(contents.size() == files_.size());
   for (std::size_t i = 0; i < contents.size(); ++i)
     files_[i]->write(contents[i]);
+}
+
+void OutputFolder::commit() {
   for (const std::unique_ptr<AtomicFile>& file : files_)
     file->commit();
+}
+
+void OutputFolder::commit(const std::vector<std::string>& contents) {
+  write(contents);
+  commit();
 }
 
 std::filesystem::path folder_or_default(const std::string& asked,

@@ -21,9 +21,13 @@ class OutputFolder {
   OutputFolder(const std::filesystem::path& folder,
                const std::vector<std::string>& names,
                const char* option = "--output");
-  // Writes one content for each of `names`, in their order, and gives the files their names when
-  // all are written. Call it once. Throws Error (environment) if a file cannot be written; all then
-  // keep their old content, unless the disk tells so late that those before it have their names.
+  // Writes one content for each of `names`, in their order, for commit(). Throws Error
+  // (environment) if a file cannot be written.
+  void write(const std::vector<std::string>& contents);
+  // Gives what is written the names of the files. Call it once. Throws Error (environment) if the
+  // disk tells so late that it is full; the files before have their names then.
+  void commit();
+  // Calls write(), then commit(): if one file cannot be written, all keep their old content.
   void commit(const std::vector<std::string>& contents);
 
  private:

@@ -39,6 +39,15 @@ class ContactTrajectory final : public Trajectory {
     return ContactState{touch, here.work};
   }
 
+  std::vector<double> busy_times(std::size_t count) const override {
+    std::vector<double> grid, speeds;
+    for (const Kept& one : kept) {
+      grid.push_back(times[one.index]);
+      speeds.push_back(angular_velocity(stepper.model(), one.state.moving.y).norm());
+    }
+    return busy_times_of(grid, speeds, count);
+  }
+
   // what is kept at the grid time with that index
   struct Kept {
     std::size_t index;

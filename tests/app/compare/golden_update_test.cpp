@@ -160,6 +160,12 @@ TEST_F(UpdateOfACase, ATreeWithChangesIsRefused) {
   ASSERT_EQ(std::system((git + "add . && " + git + "commit -q -m all").c_str()), 0);
   EXPECT_EQ(update(), "top.png written: new");
   test::expect_input_error([&] { golden_update(job_); }, "", "top.png");
+  // what git ignores cannot be brought back
+  std::ofstream(folder_ / ".gitignore") << "*.png\n";
+  ASSERT_EQ(std::system((git + "add . && " + git + "commit -q -m ignore").c_str()), 0);
+  test::expect_input_error([&] { golden_update(job_); }, "", "git ignores this file");
+  ASSERT_EQ(std::system((git + "add -f top.png && " + git + "commit -q -m picture").c_str()), 0);
+  EXPECT_EQ(update(), "top.png unchanged");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/system/child_process.h"
 #include "support/in_child.h"
 
 namespace polhode::test {
@@ -53,6 +54,16 @@ TEST(Interrupt, NohupGoesOn) {
     return interruption();
   });
   EXPECT_EQ(code, 0);
+}
+
+// where a parent ignores the ends of its children, all exit codes of theirs would be 0
+TEST(Interrupt, TheEndsOfProgramsAreTold) {
+  const int code = exit_code_in_child([] {
+    std::signal(SIGCHLD, SIG_IGN);
+    watch_for_interrupt();
+    return run_child({"false"}, "").status;
+  });
+  EXPECT_EQ(code, 1);
 }
 
 TEST(Interrupt, ASecondKeyEndsTheProcess) {
