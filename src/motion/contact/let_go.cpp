@@ -74,7 +74,7 @@ class LettingGo {
   Touch from(Touch touch, const ContactEvent* given_way) const {
     if (given_way != nullptr && is_held(law_, touch, *given_way))
       touch = without(stepper_, touch, t_, now_, reaction(touch), *given_way);
-    const Touch found = one_by_one(touch);
+    Touch found = one_by_one(touch);
     if (goes_on(touch, found)) return found;
     return any_that_goes_on(touch).value_or(found);
   }
