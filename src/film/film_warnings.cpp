@@ -402,9 +402,11 @@ void warn_of_missing_fonts() {
 
 void warn_of_missing_letters(const std::vector<Solved>& solved) {
   const Typesetter typesetter;
-  for (const Solved& one : solved) {
-    const Scene& scene = one.scene;
+  for (std::size_t panel = 0; panel < solved.size(); ++panel) {
+    const Scene& scene = solved[panel].scene;
     std::vector<std::pair<std::string, std::string>> texts = {{"show.caption", scene.show.caption}};
+    if (panel < scene.panels.size())
+      texts.emplace_back("caption of its panel", scene.panels[panel].caption);
     if (scene.show.title) texts.emplace_back("title", scene.title);
     for (std::size_t i = 0; i < scene.story.size(); ++i)
       texts.emplace_back(fmt::format("story[{}].caption", i), scene.story[i].caption.value_or(""));

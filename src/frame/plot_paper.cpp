@@ -20,8 +20,8 @@ constexpr double kCurve = 0.125;             // width of curves
 constexpr double kThin = 0.05;               // width of axes
 constexpr double kBetween = 0.8;             // names of curves
 constexpr double kSample = 1.6;              // width of a curve's sample, below its name
-constexpr double kSmallest = 0.7;            // of type in a heading, rather than a whole name
-constexpr std::size_t kLeastLetters = 8;     // of a name that is cut
+constexpr double kSmallest = 0.5;            // of type in a heading, rather than a whole name
+constexpr std::size_t kLeastLetters = 20;    // bytes of a name that is cut
 constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
 
 // the name of a curve, as markup
@@ -38,17 +38,27 @@ std::string markup_of(const std::string& name) {
   return plain_text(name);
 }
 
-// The name without its last letter, with dots in place of what is missing.
-std::string cut(std::string name) {
+// The name without a letter of its middle, with dots in place of what is missing: what tells names
+// apart is at their ends.
+std::string cut(const std::string& name) {
   constexpr std::string_view kDots = "…";
-  if (name.ends_with(kDots)) name.resize(name.size() - kDots.size());
-  std::size_t end = name.size() - 1;
-  while (is_continuation(name, end))
-    --end;
-  name.resize(end);
-  while (name.ends_with(' '))
-    name.pop_back();
-  return name + std::string(kDots);
+  const std::size_t dots = name.find(kDots);
+  std::size_t head = dots, tail = dots + kDots.size();
+  if (dots == std::string::npos) {
+    head = tail = name.size() / 2;
+    while (is_continuation(name, head))
+      tail = --head;
+  }
+  if (head > name.size() - tail) {
+    do {
+      --head;
+    } while (is_continuation(name, head));
+  } else {
+    do {
+      ++tail;
+    } while (is_continuation(name, tail));
+  }
+  return name.substr(0, head) + std::string(kDots) + name.substr(tail);
 }
 
 }  // namespace

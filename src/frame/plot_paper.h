@@ -44,7 +44,7 @@ class PlotPaper {
 
   void add_text(const std::string& text, const TextStyle& style, double x, double y);
   // The title on the left and the entries on the right of a row, smaller where there is too little
-  // room; where it is far too little, long names end in dots.
+  // room; where it is far too little, long names have dots in their middle.
   void add_heading(const std::string& title, std::vector<PlotEntry> entries, const PixelBox& row);
   // Lines across the axes at the ticks of the vertical axis, labels on its left. row_of: from a
   // value to pixels.

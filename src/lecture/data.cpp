@@ -150,7 +150,7 @@ class DataFolder::Files {
   }
 
   // removes what the manifest before this one lists and this one does not, unless somebody has
-  // changed it since
+  // changed it since, or it is elsewhere, where a link leads
   void forget_old() const {
     const fs::path old = folder_ / kManifest;
     std::error_code missing;
@@ -162,8 +162,10 @@ class DataFolder::Files {
       if (!file.is_object() || !file.contains("name") || !file["name"].is_string()) continue;
       const std::string name = file["name"];
       const fs::path path = name;
+      const fs::path here = fs::weakly_canonical(folder_, missing);
       const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
-                        std::find(path.begin(), path.end(), "..") == path.end();
+                        std::find(path.begin(), path.end(), "..") == path.end() &&
+                        fs::weakly_canonical(folder_ / path, missing) == here / path;
       if (ours && !names_.contains(name) && is_as_listed(folder_, file))
         fs::remove(folder_ / path, missing);
     }

@@ -60,6 +60,12 @@ void watch_for_interrupt(std::chrono::milliseconds same_key) {
   std::signal(SIGXFSZ, SIG_IGN);
   // where a parent ignored it, nobody would tell how programs end that are started here
   std::signal(SIGCHLD, SIG_DFL);
+  // nor would what a parent has blocked ever come
+  sigset_t ours;
+  sigemptyset(&ours);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGXCPU, SIGCHLD})
+    sigaddset(&ours, signal);
+  pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
   tidy_up_after_crashes();
 }
 

@@ -15,7 +15,7 @@ inline constexpr std::chrono::milliseconds kSameKey{500};
 
 // Installs the handlers. Signals within `same_key` after the first one are ignored. SIGPIPE and
 // SIGXFSZ are ignored too, so that the writes that cause them fail with an error code instead, and
-// SIGCHLD is not, whatever the parent of the process does.
+// SIGCHLD is not, and none of these is blocked, whatever the parent of the process does.
 // Calls tidy_up_after_crashes(). main() calls it once; other values of `same_key` are for tests.
 void watch_for_interrupt(std::chrono::milliseconds same_key = kSameKey);
 

@@ -66,6 +66,19 @@ TEST(Interrupt, TheEndsOfProgramsAreTold) {
   EXPECT_EQ(code, 1);
 }
 
+TEST(Interrupt, ASignalThatAParentHasBlockedArrives) {
+  const int code = exit_code_in_child([] {
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGTERM);
+    sigprocmask(SIG_BLOCK, &blocked, nullptr);
+    watch_for_interrupt();
+    raise(SIGTERM);
+    return interruption();
+  });
+  EXPECT_EQ(code, 130);
+}
+
 TEST(Interrupt, ASecondKeyEndsTheProcess) {
   const int code = exit_code_in_child([] {
     watch_for_interrupt(std::chrono::milliseconds(0));
