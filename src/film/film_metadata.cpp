@@ -11,13 +11,6 @@
 namespace polhode {
 namespace {
 
-// the first frame at or after a moment of the film; negative before the piece that is made, the
-// number of its frames behind it
-int frame_at(const FrameTimes& frames, double film_time) {
-  const double frame = std::ceil((film_time - kFilmRounding - frames.first) * frames.rate);
-  return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(frames.count)));
-}
-
 // one line, for the menu of a player
 std::string one_line(std::string words) {
   std::replace_if(
@@ -36,7 +29,7 @@ std::map<int, std::string> titles_of_story(const Timeline& told, const FrameTime
   std::set<int> pausing;
   for (std::size_t i = 0; i < told.steps().size(); ++i) {
     const StoryStep& step = told.steps()[i];
-    const int start = frame_at(frames, told.starts()[i]);
+    const int start = frames.frame_at(told.starts()[i]);
     if (step.caption) titles.erase(start);  // new words take the place of the old ones
     if (says_something(step)) titles.emplace(start, one_line(*step.caption));
     if (step.hold > 0.0) pausing.insert(start);
@@ -51,7 +44,7 @@ std::vector<FilmMetadata::Caption> captions_of(const Timeline& told, const Frame
     const StoryStep& step = told.steps()[i];
     if (!step.caption) continue;
     // new words end the old ones
-    const int start = std::max(0, frame_at(frames, told.starts()[i]));
+    const int start = std::max(0, frames.frame_at(told.starts()[i]));
     if (!captions.empty()) captions.back().end = start;
     captions.push_back({start, frames.count, *step.caption});
   }
@@ -69,7 +62,7 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
   for (std::size_t i = 0; scene.in_turn && i < scene.panels.size(); ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(scene.panels.size());
     chapters.push_back(
-        {frame_at(frames, part * told.film_duration()), one_line(scene.panels[i].caption)});
+        {frames.frame_at(part * told.film_duration()), one_line(scene.panels[i].caption)});
   }
   for (const auto& [start, title] : titles_of_story(told, frames))
     chapters.push_back({start, title});
@@ -77,7 +70,7 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
     for (const ShotSpec& shot : shots) {
       if (shot.name.empty()) continue;
       const double begins = told.film_time(since + shot.at);  // behind a pause
-      chapters.push_back({frame_at(frames, begins), one_line(shot.name)});
+      chapters.push_back({frames.frame_at(begins), one_line(shot.name)});
     }
   };
   if (scene.in_turn) {
@@ -124,7 +117,7 @@ FilmMetadata film_metadata(const Scene& scene,
 
   std::set<int> keys;
   for (const Pause& pause : told.pauses()) {
-    keys.insert({frame_at(frames, pause.begins), frame_at(frames, pause.ends)});
+    keys.insert({frames.frame_at(pause.begins), frames.frame_at(pause.ends)});
   }
   for (const FilmMetadata::Chapter& chapter : metadata.chapters) {
     keys.insert(chapter.start);

@@ -283,8 +283,8 @@ void warn_of_captions_between_frames(const Scene& scene, const FrameTimes& frame
     const StoryStep* before = std::exchange(said, &steps[i]);
     const double began = std::exchange(since, starts[i]);
     if (before == nullptr || before->caption->empty() || began < frames.first) continue;
-    const double frame = std::ceil((began - kFilmRounding - frames.first) * frames.rate);
-    if (frame >= frames.count || !reached(frames.first + frame / frames.rate, since)) continue;
+    const int frame = frames.frame_at(began);
+    if (frame >= frames.count || !reached(frames.film_time(frame), since)) continue;
     // steps of a scene may be in any order
     const auto written =
         std::find_if(scene.story.begin(), scene.story.end(), [&](const StoryStep& step) {
@@ -405,8 +405,9 @@ void warn_of_missing_letters(const std::vector<Solved>& solved) {
   for (std::size_t panel = 0; panel < solved.size(); ++panel) {
     const Scene& scene = solved[panel].scene;
     std::vector<std::pair<std::string, std::string>> texts = {{"show.caption", scene.show.caption}};
-    if (panel < scene.panels.size())
-      texts.emplace_back("caption of its panel", scene.panels[panel].caption);
+    // all panels are in the first scene
+    const std::vector<ScenePanel>& panels = solved.front().scene.panels;
+    if (panel < panels.size()) texts.emplace_back("caption of its panel", panels[panel].caption);
     if (scene.show.title) texts.emplace_back("title", scene.title);
     for (std::size_t i = 0; i < scene.story.size(); ++i)
       texts.emplace_back(fmt::format("story[{}].caption", i), scene.story[i].caption.value_or(""));

@@ -49,6 +49,11 @@ void refuse_steps_behind(const Loop& loop, const Scene& scene) {
 
 }  // namespace
 
+int FrameTimes::frame_at(double film) const {
+  const double frame = std::ceil((film - kFilmRounding - first) * rate);
+  return static_cast<int>(std::clamp(frame, -1e9, static_cast<double>(count)));
+}
+
 std::vector<StoryStep> story_of_film(const Scene& scene, const std::vector<StoryStep>& story) {
   for (std::size_t i = 0; scene.in_turn && i < story.size(); ++i) {
     if (up_to(scene.motion.duration, story[i].at) <= scene.motion.duration) continue;

@@ -31,6 +31,9 @@ struct FrameTimes {
 
   // The film time (s) that a frame shows; the first frame has the index 0.
   double film_time(int index) const { return first + index / rate; }
+  // The first frame at or after a film time (s): negative before what the frames cover, their
+  // number behind it.
+  int frame_at(double film) const;
   // The motion from one frame to the next, s, where the story does not hold it.
   double motion_step() const { return timeline.time_scale() / rate; }
 };

@@ -21,7 +21,7 @@ constexpr double kThin = 0.05;               // width of axes
 constexpr double kBetween = 0.8;             // names of curves
 constexpr double kSample = 1.6;              // width of a curve's sample, below its name
 constexpr double kSmallest = 0.5;            // of type in a heading, rather than a whole name
-constexpr std::size_t kLeastLetters = 20;    // bytes of a name that is cut
+constexpr std::size_t kLeastBytes = 20;      // of a name that is shortened
 constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
 
 // the name of a curve, as markup
@@ -38,27 +38,16 @@ std::string markup_of(const std::string& name) {
   return plain_text(name);
 }
 
-// The name without a letter of its middle, with dots in place of what is missing: what tells names
-// apart is at their ends.
-std::string cut(const std::string& name) {
-  constexpr std::string_view kDots = "…";
-  const std::size_t dots = name.find(kDots);
-  std::size_t head = dots, tail = dots + kDots.size();
-  if (dots == std::string::npos) {
-    head = tail = name.size() / 2;
-    while (is_continuation(name, head))
-      tail = --head;
-  }
-  if (head > name.size() - tail) {
-    do {
-      --head;
-    } while (is_continuation(name, head));
-  } else {
-    do {
-      ++tail;
-    } while (is_continuation(name, tail));
-  }
-  return name.substr(0, head) + std::string(kDots) + name.substr(tail);
+// A name of more than `most` bytes with dots in place of its middle: what tells names apart is at
+// their ends.
+std::string shortened(const std::string& name, std::size_t most) {
+  if (name.size() <= most) return name;
+  std::size_t head = most / 2, tail = name.size() - most / 2;
+  while (is_continuation(name, head))
+    --head;
+  while (is_continuation(name, tail))
+    ++tail;
+  return name.substr(0, head) + "…" + name.substr(tail);
 }
 
 }  // namespace
@@ -114,20 +103,22 @@ void PlotPaper::add_heading(const std::string& title,
   const auto room_of = [&](const PlotEntry& entry) {
     return std::max(width(markup_of(entry.name)), kSample * style.size);
   };
-  double all = width(plain_text(title));
-  for (const PlotEntry& entry : entries)
-    all += kBetween * style.size + room_of(entry);
-  while (all * kSmallest > row.width) {
-    const auto longest = std::max_element(
-        entries.begin(), entries.end(), [](const PlotEntry& a, const PlotEntry& b) {
-          return a.name.size() < b.name.size();
-        });
-    if (longest == entries.end() || longest->name.size() <= kLeastLetters) break;
-    all -= room_of(*longest);
-    longest->name = cut(longest->name);
-    all += room_of(*longest);
+  const auto width_of_all = [&] {
+    double all = width(plain_text(title));
+    for (const PlotEntry& entry : entries)
+      all += kBetween * style.size + room_of(entry);
+    return all;
+  };
+  const std::vector<PlotEntry> whole = entries;
+  std::size_t most = kLeastBytes;
+  for (const PlotEntry& entry : whole)
+    most = std::max(most, entry.name.size());
+  while (most > kLeastBytes && width_of_all() * kSmallest > row.width) {
+    --most;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      entries[i].name = shortened(whole[i].name, most);
   }
-  const double shrink = std::min(1.0, row.width / all);
+  const double shrink = std::min(1.0, row.width / width_of_all());
   style.size *= shrink;
   style.halo *= shrink;
 

@@ -158,11 +158,11 @@ class DataFolder::Files {
     const Json manifest = Json::parse(read_file(old), nullptr, false);
     if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_array())
       return;
+    const fs::path here = fs::weakly_canonical(folder_, missing);
     for (const Json& file : manifest["files"]) {
       if (!file.is_object() || !file.contains("name") || !file["name"].is_string()) continue;
       const std::string name = file["name"];
       const fs::path path = name;
-      const fs::path here = fs::weakly_canonical(folder_, missing);
       const bool ours = (name.starts_with("source/") || name.starts_with("motions/")) &&
                         std::find(path.begin(), path.end(), "..") == path.end() &&
                         fs::weakly_canonical(folder_ / path, missing) == here / path;

@@ -108,7 +108,7 @@ Json Media::obtain(const Product& product) {
   return facts;
 }
 
-bool Media::is_alone() const {
+bool Media::clear_of_killed_runs() const {
   bool alone = true;
   for (const std::filesystem::path& other : entries_of(folder_, Fault::environment)) {
     if (!other.filename().string().starts_with(kWork) || other.filename() == work_.filename())
@@ -124,7 +124,7 @@ bool Media::is_alone() const {
 }
 
 void Media::forget_the_rest() {
-  if (!is_alone()) return;
+  if (!clear_of_killed_runs()) return;
   std::error_code failed;
   for (const std::filesystem::path& card : entries_of(folder_, Fault::environment)) {
     // only what a card of ours lists

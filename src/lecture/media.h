@@ -55,8 +55,8 @@ class Media {
   void forget_the_rest();
 
  private:
-  // Removes what killed runs have left; returns whether nobody else is at work.
-  bool is_alone() const;
+  // Removes what killed runs have left; returns whether no other run is at work.
+  bool clear_of_killed_runs() const;
   // Whether all files that the facts list exist with the listed hashes.
   bool is_whole(const Json& facts) const;
 

@@ -109,11 +109,11 @@ Vec3 away_from_earth(const Load& gradient, double t);
 inline constexpr double kNoArm = 1e-14;
 
 // center_B: centre of mass; reference_B: fixed point or centre of mass (both in B, m); R_BP:
-// principal axes as columns, in B; moments: the principal moments, kg m^2; `noise`: what
-// stands for kNoArm. Throws Error
-// (input) naming motion.torque[i] if a key that its kind needs is missing, motion.torque[i].KEY for
-// an unknown kind, for a key that the kind does not take, for a couple whose two forces act at one
-// point, for an end before its beginning, and for a gravity gradient on a pivot or without a rate.
+// principal axes as columns, in B; moments: the principal moments, kg m^2; `noise`: what stands for
+// kNoArm. Throws Error (input) naming motion.torque[i] if a key that its kind needs is missing,
+// motion.torque[i].KEY for an unknown kind, for a key that the kind does not take, for a couple
+// whose two forces act at one point, for an end before its beginning, and for a gravity gradient on
+// a pivot or without a rate.
 Loads make_loads(const std::vector<LoadSpec>& specs,
                  bool on_pivot,
                  const Vec3& center_B,

@@ -63,8 +63,8 @@ Conditioning conditioning_of(
     double limit,
     const std::function<std::shared_ptr<const Trajectory>(const State& start)>& solve) {
   // even times may meet a motion always where neighbours are together
-  const std::vector<double> times = cheap_times(
-      motion, with_busy_times(model, motion, scattered_times(duration, kTimesOfNeighbours)));
+  const std::vector<double> times =
+      cheap_times(motion, times_to_compare(model, motion, duration, kTimesOfNeighbours));
   const std::vector<State> here = motion.at_each(times);
   std::vector<std::vector<State>> there;
   for (const State& start : neighbours.starts)

@@ -74,15 +74,13 @@ std::vector<double> scattered_times(double duration, int parts, unsigned seed) {
   return times;
 }
 
-std::vector<double> with_busy_times(const BodyModel& model,
-                                    const Trajectory& motion,
-                                    std::vector<double> times) {
+std::vector<double> times_to_compare(
+    const BodyModel& model, const Trajectory& motion, double duration, int parts, unsigned seed) {
   constexpr double kFarMore = 4.0;
   // what is over sooner, such as a passage near gimbal lock, is not looked at while it lasts
   constexpr double kShortest = 1e-8;  // of the motion
   constexpr int kHalvings = 10;
-  if (times.empty()) return times;
-  const double duration = times.back();
+  std::vector<double> times = scattered_times(duration, parts, seed);
   const double each = duration / static_cast<double>(times.size());
   const std::vector<double> busy = motion.busy_times(times.size());
   std::vector<double> more = times_after_switches(model.loads.switches, duration);

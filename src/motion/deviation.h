@@ -48,11 +48,14 @@ std::vector<double> scattered_times(double duration, int parts, unsigned seed = 
 // scattered time.
 std::vector<double> times_after_switches(const std::vector<double>& switches, double duration);
 
-// These times (s, ascending, from about 0 to the end of the motion), and some soon after the start,
-// after loads begin and end, and where an integration has far more to do than elsewhere: what is
-// wrong while a body tumbles, that then forgets it, would else be over before the second time.
-std::vector<double> with_busy_times(const BodyModel& model,
-                                    const Trajectory& motion,
-                                    std::vector<double> times);
+// The times (s, ascending) at which to hold a motion against others: scattered_times(), and some
+// soon after the start, after loads begin and end, and where an integration has far more to do than
+// elsewhere. What is wrong while a body tumbles, that then forgets it, would else be over before
+// the second time.
+std::vector<double> times_to_compare(const BodyModel& model,
+                                     const Trajectory& motion,
+                                     double duration,
+                                     int parts,
+                                     unsigned seed = 5489);
 
 }  // namespace polhode

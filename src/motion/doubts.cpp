@@ -126,11 +126,11 @@ std::optional<std::string> doubt_of_body(const BodyModel& model,
     return {};
   try {
     const BodyModel other = moved_by_rounding(model);
-    const double moved = largest_deviation(
-        model,
-        found,
-        *solve(other, start_state(other, motion)),
-        with_busy_times(model, found, scattered_times(motion.duration, kTimesCompared)));
+    const double moved =
+        largest_deviation(model,
+                          found,
+                          *solve(other, start_state(other, motion)),
+                          times_to_compare(model, found, motion.duration, kTimesCompared));
     return doubt_if_much(
         "round-off of the moments of inertia and of the centre of mass, as they follow from the "
         "body,",

@@ -112,10 +112,9 @@ class Runs {
   }
 
   double difference(const Integration& coarse, const Integration& fine, unsigned round) const {
-    const std::vector<double> times = cheap_times(
-        *coarse.trajectory,
-        with_busy_times(
-            model_, *coarse.trajectory, scattered_times(duration_, kTimesOfRuns, round)));
+    const std::vector<double> times =
+        cheap_times(*coarse.trajectory,
+                    times_to_compare(model_, *coarse.trajectory, duration_, kTimesOfRuns, round));
     return largest_deviation(model_, *coarse.trajectory, *fine.trajectory, times);
   }
 

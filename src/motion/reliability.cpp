@@ -44,11 +44,11 @@ Reliability reliability_of(const BodyModel& model,
   for (const SolutionMethod& row : solution_methods()) {
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);
-    const double worst = largest_deviation(
-        model,
-        *found.trajectory,
-        *truth,
-        with_busy_times(model, *found.trajectory, scattered_times(duration, kTimesCompared)));
+    const double worst =
+        largest_deviation(model,
+                          *found.trajectory,
+                          *truth,
+                          times_to_compare(model, *found.trajectory, duration, kTimesCompared));
     result.attitude_error_rad = worst;
     if (!(worst <= accuracy_rad)) {
       result.doubts.push_back(

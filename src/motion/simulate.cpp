@@ -287,11 +287,11 @@ void doubt_given_fineness(const BodyModel& model,
       finer /= kTolerancesApart;
       check = run();
     }
-    const double apart = largest_deviation(
-        model,
-        *found.trajectory,
-        *check.trajectory,
-        with_busy_times(model, *found.trajectory, scattered_times(duration, kTimesOfDrift)));
+    const double apart =
+        largest_deviation(model,
+                          *found.trajectory,
+                          *check.trajectory,
+                          times_to_compare(model, *found.trajectory, duration, kTimesOfDrift));
     // errors that fall by the order are this much larger than what the finer run takes away; those
     // of adaptive runs fall less evenly
     const double order = method.adaptive ? 2.0 : 1.0 / (1.0 - std::pow(kFinerStep, method.order));

@@ -422,6 +422,11 @@ TEST(PreparedFilm, WarnsOfLettersThatNoFontHas) {
   EXPECT_EQ(warnings().find("no font here has"), std::string::npos);
   plan.scene.show.caption = "from \xF3\xBF\xBF\xBD to L";  // U+FFFFD, of private use
   EXPECT_NE(warnings().find("show.caption: no font here has 1 of the letters"), std::string::npos);
+  plan.scene = twice_in_turn(small_scene());
+  plan.scene.panels[1].caption = "\xF3\xBF\xBF\xBD";
+  EXPECT_NE(warnings().find("caption of its panel: no font here has 1 of the letters"),
+            std::string::npos)
+      << warnings();
 }
 
 TEST(PreparedFilm, WarnsOfShotsThatNobodySees) {

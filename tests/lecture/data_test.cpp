@@ -79,6 +79,16 @@ TEST_F(DataOfALecture, NothingHasItsNameBeforeAllIsWritten) {
   EXPECT_EQ(read_text(folder_ / "out/data/source/talk.md"), "# The deck\n");
 }
 
+// where a link leads out of the folder, what it leads to is not ours to delete
+TEST_F(DataOfALecture, FilesBehindLinksStay) {
+  manifest();
+  std::filesystem::remove_all(folder_ / "out/data/source");
+  std::filesystem::create_directory_symlink(folder_ / "deck", folder_ / "out/data/source");
+  deck_.images.clear();
+  manifest();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "deck/photo.png"));
+}
+
 // the pictures would not be of the scene that is kept
 TEST_F(DataOfALecture, ASceneThatHasChangedIsRefused) {
   std::string text = test::kSmallScene;

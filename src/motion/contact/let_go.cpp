@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/contact/let_go.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -64,6 +65,27 @@ Touch without(const ContactStepper& stepper,
   return touch;
 }
 
+// What one way of touching lets go and another, `held`, did not.
+struct Freed {
+  bool slips, rolls, bores;
+};
+Freed freed_since(const Touch& held, const Touch& touch) {
+  return {held.sticks && !touch.sticks,
+          held.keeps_from_rolling && !touch.keeps_from_rolling,
+          held.keeps_from_boring && !touch.keeps_from_boring};
+}
+
+// All choices of at least one of so many things, as bits; those of fewer first.
+std::vector<unsigned> choices_of(std::size_t count) {
+  std::vector<unsigned> all;
+  for (unsigned which = 1; which < 1U << count; ++which)
+    all.push_back(which);
+  std::stable_sort(all.begin(), all.end(), [](unsigned a, unsigned b) {
+    return std::popcount(a) < std::popcount(b);
+  });
+  return all;
+}
+
 // What the laws let go, and in which directions, of what they hold while the body is at rest there.
 class LettingGo {
  public:
@@ -94,40 +116,38 @@ class LettingGo {
     return all;
   }
 
-  // Without what needs too much, or the fewest of it that spare the others.
+  // The touch without some of these, in the directions in which its reaction r pushes them.
+  Touch freed(Touch touch,
+              const Reaction& r,
+              const std::vector<ContactEvent>& events,
+              unsigned which) const {
+    for (std::size_t k = 0; k < events.size(); ++k)
+      if ((which >> k) & 1U) touch = without(stepper_, touch, t_, now_, r, events[k]);
+    return touch;
+  }
+
+  // Without the fewest of what needs too much that spare the others, or all of it.
   Touch one_by_one(Touch touch) const {
     for (std::size_t i = 0; i < kHolds.size(); ++i) {
-      const Reaction r = reaction(touch);
-      const std::vector<ContactEvent> too_much = over(touch, r);
+      const Touch held = touch;
+      const Reaction r = reaction(held);
+      const std::vector<ContactEvent> too_much = over(held, r);
       if (too_much.empty()) break;
-      const auto freed = [&](unsigned which) {
-        Touch one = touch;
-        for (std::size_t k = 0; k < too_much.size(); ++k)
-          if ((which >> k) & 1U) one = without(stepper_, one, t_, now_, r, too_much[k]);
-        return one;
-      };
-      const unsigned all = (1U << too_much.size()) - 1U;
-      for (int count = 1; count < static_cast<int>(too_much.size()); ++count) {
-        for (unsigned which = 1; which < all; ++which) {
-          if (std::popcount(which) != count) continue;
-          Touch one = freed(which);
-          if (over(one, reaction(one)).empty()) return one;
-        }
+      for (const unsigned which : choices_of(too_much.size())) {
+        touch = freed(held, r, too_much, which);
+        if (over(touch, reaction(touch)).empty()) return touch;
       }
-      touch = freed(all);
     }
     return touch;
   }
 
   // Whether what is held can be held, and what `touch` lets go and `held` did not grows.
   bool goes_on(const Touch& held, const Touch& touch) const {
-    const BodyModel& model = stepper_.model();
     const Reaction r = reaction(touch);
     if (!over(touch, r).empty()) return false;
-    const Vec3 rate_S = now_.moving.q * Vec3(model.inverse_moments.cwiseProduct(r.momentum_rate_P));
-    const bool slips = held.sticks && !touch.sticks;
-    const bool rolls = held.keeps_from_rolling && !touch.keeps_from_rolling;
-    const bool bores = held.keeps_from_boring && !touch.keeps_from_boring;
+    const Vec3& inverse = stepper_.model().inverse_moments;
+    const Vec3 rate_S = now_.moving.q * Vec3(inverse.cwiseProduct(r.momentum_rate_P));
+    const auto [slips, rolls, bores] = freed_since(held, touch);
     return !(slips && r.slip_rate_S.dot(touch.slip_S) < 0.0) &&
            !(rolls && rate_S.dot(touch.roll_S) < 0.0) && !(bores && rate_S.z() * touch.bore < 0.0);
   }
@@ -138,22 +158,29 @@ class LettingGo {
     std::vector<ContactEvent> holds;
     for (const ContactEvent event : kHolds)
       if (is_held(law_, held, event)) holds.push_back(event);
-    for (int count = 0; count <= static_cast<int>(holds.size()); ++count) {
-      for (unsigned which = 0; which < 1U << holds.size(); ++which) {
-        if (std::popcount(which) != count) continue;
-        for (const double way : {1.0, -1.0}) {
-          try {
-            Touch one = held;
-            for (std::size_t k = 0; k < holds.size(); ++k)
-              if ((which >> k) & 1U) one = without(stepper_, one, t_, now_, r, holds[k]);
-            if (held.keeps_from_boring && !one.keeps_from_boring) one.bore *= way;
-            one = settled(held, one);
-            if (goes_on(held, one)) return one;
-          } catch (const Error& error) {
-            if (error.fault() != Fault::check_failed) throw;  // the body jams
-          }
-        }
-      }
+    for (const unsigned which : choices_of(holds.size())) {
+      if (std::optional<Touch> one = attempt(held, r, holds, which, false)) return one;
+      const bool bores = (which & 1U) != 0 && holds.front() == ContactEvent::boring_begins;
+      if (!bores) continue;
+      if (std::optional<Touch> one = attempt(held, r, holds, which, true)) return one;
+    }
+    return {};
+  }
+
+  // The touch without these, if they grow and the rest is held. other_way: turning about the
+  // vertical begins against its push.
+  std::optional<Touch> attempt(const Touch& held,
+                               const Reaction& r,
+                               const std::vector<ContactEvent>& events,
+                               unsigned which,
+                               bool other_way) const {
+    try {
+      Touch touch = freed(held, r, events, which);
+      if (other_way) touch.bore = -touch.bore;
+      touch = settled(held, touch);
+      if (goes_on(held, touch)) return touch;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::check_failed) throw;  // the body jams
     }
     return {};
   }
@@ -162,13 +189,12 @@ class LettingGo {
   Touch settled(const Touch& held, Touch touch) const {
     constexpr int kMost = 50;
     constexpr double kSettled = 1e-12;
-    const bool slips = held.sticks && !touch.sticks;
-    const bool rolls = held.keeps_from_rolling && !touch.keeps_from_rolling;
+    const Freed begins = freed_since(held, touch);
     for (int i = 0; i < kMost; ++i) {
       const Reaction r = reaction(touch);
       const Touch before = touch;
-      if (slips) touch.slip_S = r.slip_direction_S;
-      if (rolls) touch.roll_S = r.roll_direction_S;
+      if (begins.slips) touch.slip_S = r.slip_direction_S;
+      if (begins.rolls) touch.roll_S = r.roll_direction_S;
       if ((touch.slip_S - before.slip_S).norm() + (touch.roll_S - before.roll_S).norm() < kSettled)
         break;
     }

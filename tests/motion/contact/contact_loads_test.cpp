@@ -189,7 +189,6 @@ TEST(LoadsOnATable, LetGoOnlyWhatGrows) {
   MotionSpec spec = on_table(0.5, coulomb(0.2494));
   spec.friction->rolling = 0.011361;
   spec.friction->boring = 0.000103;
-
   spec.attitude.quaternion = Eigen::Vector4d(0.160468, -0.233184, 0.841355, 2.719275);
   LoadSpec push = load_of("force");
   push.space = Vec3(-0.20186, -0.88961, -0.12897);
