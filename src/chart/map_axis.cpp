@@ -23,12 +23,13 @@ double shown_on(const MapAxis& axis, double value) {
 std::string axis_script(const char* letter, const MapAxis& axis, bool alone) {
   const double first = shown_on(axis, axis.at(0)), last = shown_on(axis, axis.at(axis.cells - 1));
   const double half = 0.5 * (last - first) / std::max(1, axis.cells - 1);
-  std::string text = fmt::format("set {}range [{}:{}]\nset {}label {}\n",
-                                 letter,
-                                 gnuplot_number(first - half),
-                                 gnuplot_number(last + half),
-                                 letter,
-                                 gnuplot_text(alone ? axis.key : ""));
+  std::string text =
+      fmt::format("set {}range [{}:{}]\nset {}label {}\n",
+                  letter,
+                  gnuplot_number(first - half),
+                  gnuplot_number(last + half),
+                  letter,
+                  gnuplot_text(axis.key == "spin" ? "spin / the scene's" : axis.key));
   if (!axis.logarithmic()) return text + fmt::format("set {}tics auto\n", letter);
   // 1, 2, 5 of every power of ten inside; in a small panel the powers alone, if there are two
   const bool crowded = !alone && last - first >= 1.0;

@@ -23,7 +23,7 @@ struct MapAxis {
 
 // Where gnuplot, which is not told of logarithms here, draws a value of the axis.
 double shown_on(const MapAxis& axis, double value);
-// Range, label and tics of the axis "x" or "y"; a map that is not alone has no label and few tics.
+// Range, label and tics of the axis "x" or "y"; a map that is not alone has few tics.
 std::string axis_script(const char* letter, const MapAxis& axis, bool alone);
 // The places of the cells of a matrix, as the first two columns after `using`.
 std::string cells_using(const MapAxis& x, const MapAxis& y);

@@ -3,25 +3,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/csv.h"
+#include "chart/map_axis.h"
 
 namespace polhode {
 
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format) {
   constexpr int kWidth = 1000;
   constexpr int kHeight = 500;
-  constexpr std::array<const char*, 7> kColors = {
-      "#7F7F7F", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#5D3A9B"};
-  constexpr std::array<int, 7> kMarks = {7, 5, 9, 11, 13, 15, 6};
+  constexpr int kFine = 1000;  // so that no margin is left for cells
+  constexpr std::array<const char*, 8> kColors = {
+      "#7F7F7F", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#5D3A9B", "#222222"};
+  constexpr std::array<int, 8> kMarks = {7, 5, 9, 11, 13, 15, 6, 4};
   std::string script = fmt::format(
       "set multiplot layout {},1\n"
-      "set logscale xy\nset grid linecolor rgb '#dddddd' linewidth 0.5\n"
-      "set key outside right top vertical Left reverse noenhanced\n"
-      "set xlabel 'time of a frame, ms'\n"
-      "set ylabel 'root mean square error, levels of 255'\n",
+      "set grid linecolor rgb '#dddddd' linewidth 0.5\n"
+      "set key outside right top vertical Left reverse noenhanced\n",
       panels.size());
   for (const PicturePanel& panel : panels) {
     script += "set title " + gnuplot_text(panel.title) + "\n";
@@ -36,8 +37,8 @@ std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotForm
       slowest = std::max(slowest, p.time_ms);
       script += fmt::format("$setting{} << EOD\n{} {}\nEOD\n",
                             i,
-                            gnuplot_number(p.time_ms),
-                            gnuplot_number(p.rmse_levels));
+                            gnuplot_number(std::log10(p.time_ms)),
+                            gnuplot_number(std::log10(p.rmse_levels)));
       plots += fmt::format(
           "{}$setting{} using 1:2 with points pointtype {} pointsize 1.5 linecolor rgb '{}' title "
           "{}",
@@ -47,11 +48,12 @@ std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotForm
           kColors[i % kColors.size()],
           gnuplot_text(p.setting));
     }
-    script += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
-                          gnuplot_number(0.5 * fastest),
-                          gnuplot_number(2.0 * slowest),
-                          gnuplot_number(std::max(0.5 * least, 1e-3)),
-                          gnuplot_number(std::max(2.0 * most, 2e-3)));
+    const MapAxis time = {"time of a frame, ms", 0.5 * fastest, 2.0 * slowest, kFine};
+    const MapAxis error = {"root mean square error, levels of 255",
+                           std::max(0.5 * least, 1e-3),
+                           std::max(2.0 * most, 2e-3),
+                           kFine};
+    script += axis_script("x", time, true) + axis_script("y", error, true);
     script += plots + "\n";
   }
   script += "unset multiplot\n";

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-constexpr int kSectionWidth = 1400, kSectionHeight = 1000;
+constexpr int kSectionWidth = 1000, kSectionHeight = 700;
 
 // neighbours in the list are told apart; grey and orange have a meaning of their own
 constexpr std::array<const char*, 8> kOrbitColors = {
@@ -96,7 +96,7 @@ std::string plot_section(const SectionChart& chart, PlotFormat format) {
   std::string script = fmt::format(
       "set title {}\n"
       "set xlabel 'tilt, °'\n"
-      "set ylabel 'its momentum, kg m²/s'\n"
+      "set ylabel 'momentum of the tilt, kg m²/s'\n"
       "set key outside right top vertical Left reverse noenhanced\n$border << EOD\n",
       gnuplot_text(chart.title));
   const double degree = 1.0 / kDegree;

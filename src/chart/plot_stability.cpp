@@ -25,9 +25,13 @@ std::string key_entry(int outcome) {
                      gnuplot_text(words));
 }
 
-// one map, with its axes named or not
-std::string map_script(
-    const StabilityMap& map, std::size_t index, const MapAxis& x, const MapAxis& y, bool alone) {
+// a map, alone or in a grid of them, in which the first of a row names the vertical axis
+std::string map_script(const StabilityMap& map,
+                       std::size_t index,
+                       const MapAxis& x,
+                       const MapAxis& y,
+                       bool alone,
+                       bool first) {
   std::string text = fmt::format("$map{} << EOD\n", index);
   const auto columns = static_cast<std::size_t>(x.cells);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -44,6 +48,7 @@ std::string map_script(
     text += "EOD\n";
   }
   text += axis_script("x", x, alone) + axis_script("y", y, alone);
+  if (!first) text += "set ylabel ''\n";
   text += "set title " +
           gnuplot_text(alone ? fmt::format("{}: {}{}{}",
                                            map.title,
@@ -87,26 +92,37 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
                            PlotFormat format) {
   std::string script = palette() + "set key outside right top vertical Left reverse noenhanced\n";
   if (maps.size() == 1) {
-    script += map_script(*maps[0], 0, x, y, true);
+    script += map_script(*maps[0], 0, x, y, true, true);
     return draw_with_gnuplot(script, format, 1000, 700);
   }
-  // a grid; what the colours and axes are stands in a last panel
-  const int columns = 6;
-  const int rows = (static_cast<int>(maps.size()) + 1 + columns - 1) / columns;
-  script += fmt::format("set multiplot layout {},{}\nunset key\n", rows, columns);
+  // a grid; what the colours are stands in a last panel
+  constexpr int kMostColumns = 6;
+  const int panels = static_cast<int>(maps.size()) + 1;
+  const int rows = (panels + kMostColumns - 1) / kMostColumns;
+  const int columns = (panels + rows - 1) / rows;
+  const int width = 290 * columns, height = 260 * rows;
+  script += fmt::format(
+      "set multiplot layout {},{} margins screen {:.4f},{:.4f},{:.4f},{:.4f} spacing screen "
+      "{:.4f},{:.4f}\nunset key\n",
+      rows,
+      columns,
+      60.0 / width,
+      1.0 - 20.0 / width,
+      50.0 / height,
+      1.0 - 36.0 / height,
+      60.0 / width,
+      80.0 / height);
   for (std::size_t i = 0; i < maps.size(); ++i)
-    script += map_script(*maps[i], i, x, y, false);
+    script += map_script(*maps[i], i, x, y, false, i % static_cast<std::size_t>(columns) == 0);
   script += fmt::format(
       "set title {}\nset key inside left top\nunset xtics\nunset ytics\nunset border\n"
-      "set xlabel {}\nset ylabel {}\nplot [0:1][0:1] ",
-      gnuplot_text(maps[0]->title),
-      gnuplot_text("across: " + x.key),
-      gnuplot_text("up: " + y.key));
+      "unset xlabel\nunset ylabel\nplot [0:1][0:1] ",
+      gnuplot_text(maps[0]->title));
   for (int v = 0; v < kRunOutcomes; ++v)
     script += key_entry(v) + ", ";
   script += "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n";
   script += "unset multiplot\n";
-  return draw_with_gnuplot(script, format, 290 * columns, 260 * rows);
+  return draw_with_gnuplot(script, format, width, height);
 }
 
 std::string stability_csv(const std::vector<StabilityMap>& maps,

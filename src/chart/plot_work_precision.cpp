@@ -109,7 +109,7 @@ std::string cheapest_words(const WorkPanel& panel) {
   const std::string line =
       fmt::format("line: {} = {:.2g} rad", panel.accuracy_why, panel.accuracy_rad);
   if (best == nullptr) return line + "; nothing here is known to be below it";
-  return fmt::format("{}; cheapest below it: {} with {} {:.3g}, {:.3g} us",
+  return fmt::format("{}; cheapest below it: {} with {} {:.3g}, {:.3g} µs",
                      line,
                      best->method,
                      find_stepper(best->method).adaptive ? "tolerance" : "step",
@@ -198,7 +198,7 @@ std::string row_script(const WorkPanel& panel, std::size_t row, std::size_t rows
     return text + "unset arrow\nunset key\nset xlabel ''\nplot [1:10][1e-14:1] NaN notitle\n";
   }
   place(0.0, 0.42, panel.title + "; reference: " + panel.reference);
-  text += panel_script(panel, row, 1, "time of the whole motion, us", time_of, false);
+  text += panel_script(panel, row, 1, "time of the whole motion, µs", time_of, false);
   place(0.42, 0.58, cheapest_words(panel));
   text += panel_script(panel,
                        row,

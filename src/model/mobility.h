@@ -2,6 +2,9 @@
 // How the point of a body that touches a table answers to forces and impulses there.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/body_model.h"
 
 namespace polhode {
@@ -24,23 +27,29 @@ inline Mat3 mobility(const BodyModel& m, const Vec3& arm) {
 
 // The direction along which the slip changes if friction acts against it: rate(u) is along u, up or
 // down. `start`: a direction near it; friction: a typical deceleration by friction, m/s^2, with
-// which the iteration goes towards it; where it goes past it, it is held back.
+// which the iteration turns towards it; where it turns past it, it is held back, and where it comes
+// near, the secant of its last two turns leads on.
 template <class Rate>
 Vec3 creep_direction(const Vec3& start, double friction, const Rate& rate) {
   constexpr int kMost = 40;
+  constexpr double kNear = 0.01, kLeap = 30.0;      // rad, and in turns
+  constexpr double kNoTurn = 1e-14, kSame = 1e-11;  // rad
   Vec3 way = start;
-  double last = 2.0;
+  double turn = 2.0, step = 0.0;
+  bool follows = false;  // the last turn, with the same friction
   for (int i = 0; i < kMost; ++i) {
-    Vec3 next = friction * way + rate(way);
-    next.z() = 0.0;
-    const double size = next.norm();
-    if (!(size > 0.0)) break;
-    next /= size;
-    const double apart = (next - way).norm();
-    way = next;
-    if (apart < 1e-14) break;
-    if (apart >= last) friction *= 2.0;
-    last = apart;
+    const Vec3 next = friction * way + rate(way);
+    const double last = turn;
+    turn = std::atan2(way.x() * next.y() - way.y() * next.x(), way.head<2>().dot(next.head<2>()));
+    const double size = std::abs(turn);
+    if (!(size >= kNoTurn)) break;
+    const double slope = follows ? (turn - last) / step : 0.0;
+    const bool leads = slope < 0.0 && size < kNear;
+    step = leads ? std::clamp(-turn / slope, -kLeap * size, kLeap * size) : turn;
+    way = std::cos(step) * way + std::sin(step) * Vec3(-way.y(), way.x(), 0.0);
+    if (leads && std::abs(step) < kSame) break;
+    follows = size < std::abs(last);
+    if (!follows) friction *= 2.0;
   }
   return way;
 }
