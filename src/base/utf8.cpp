@@ -33,6 +33,25 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return length;
 }
 
+std::size_t find_unwritable(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') return i;
+    const std::string_view last = text.substr(i, 3);
+    if (last == "\xef\xbf\xbe" || last == "\xef\xbf\xbf") return i;
+  }
+  return std::string_view::npos;
+}
+
+std::string code_point(std::string_view text, std::size_t i) {
+  const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+  unsigned value = static_cast<unsigned char>(text[i]);
+  if (length > 1) value &= 0x7fU >> length;
+  for (std::size_t k = 1; k < length; ++k)
+    value = value << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+  return fmt::format("U+{:04X}", value);
+}
+
 void refuse_other_encodings(std::string_view text, const std::string& name, const char* kind) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = text[i] == 0 ? 0 : utf8_length(text, i);

@@ -15,6 +15,13 @@ bool is_continuation(std::string_view text, std::size_t i);
 // are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
+// Where the first character stands that no document and no tag of a film can hold (XML 1.0, 2.2): a
+// control character other than tab and ends of lines, U+FFFE or U+FFFF; npos if there is none.
+std::size_t find_unwritable(std::string_view text);
+
+// The character of UTF-8 that begins at byte i, as "U+000B". Requires i < text.size().
+std::string code_point(std::string_view text, std::size_t i);
+
 // Throws Error (input), with the file `name` and the line, at the first byte that is not part of a
 // UTF-8 character, and at NUL, which no text has but one in UTF-16. `kind` says in the message what
 // is to be saved as UTF-8: "scene".

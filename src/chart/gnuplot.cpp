@@ -53,10 +53,8 @@ std::string gnuplot_text(const std::string& text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '\'') {
       safe += "\u2019";  // as printers set it
-    } else if (byte < 0x20 || byte == 0x7f) {
-      safe += ' ';
     } else {
-      safe += std::string_view("`\\\"$%@").find(c) == std::string_view::npos ? c : '.';
+      safe += byte < 0x20 || byte == 0x7f ? ' ' : c;
     }
   }
   return safe + "' noenhanced";

@@ -9,8 +9,8 @@
 namespace polhode {
 
 // Text as a quoted string of a gnuplot script, followed by the keyword `noenhanced`, so that
-// gnuplot does not read _ and ^ as markup. Control characters and characters with a special meaning
-// to gnuplot or its terminals are replaced, so any text is safe.
+// gnuplot does not read _ and ^ as markup: in single quotes nothing else has a meaning. Apostrophes
+// are those of printers, control characters blanks, so any text is safe.
 std::string gnuplot_text(const std::string& text);
 
 // A number for gnuplot, with 17 digits; "NaN" if it is not finite.

@@ -108,8 +108,8 @@ Stamp leader_stamp(const PlacedText& text) {
       std::make_shared<const Sprite>(std::move(line)), left, top, text.opacity * leader.opacity};
 }
 
-// Lines between the parts of a frame with several panels; of one panel, to its plots: a floor may
-// reach there.
+// Lines between the parts of a frame with several panels; of one panel, to its plots and its
+// caption, as a floor may reach there.
 std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels,
                               const FrameAreas& areas,
                               PictureSize size) {
@@ -127,7 +127,7 @@ std::vector<Stamp> make_seams(const std::vector<FilmPanel>& panels,
   const PixelBox& plots = areas.plots;
   const bool several = panels.size() > 1;
   if (several && !title.empty()) line({0, title.bottom() - seam / 2, size.width, seam});
-  if (several && !caption.empty()) line({0, caption.y - seam / 2, size.width, seam});
+  if (!caption.empty()) line({0, caption.y - seam / 2, size.width, seam});
   if (plots.x > 0) line({plots.x - seam / 2, plots.y, seam, plots.height});
   if (!plots.empty() && plots.x == 0) line({0, plots.y - seam / 2, size.width, seam});
   const int top = panels.front().place.y;

@@ -29,6 +29,7 @@ struct IntegrationRecord {
   long evaluations = 0;  // as Work counts them
   Drift drift;           // the largest over the grid times
   std::vector<ContactRecord> events = {};  // on a table, in order
+  double left_out_rad = 0.0;  // of the motion of a body that is laid on a face (ContactChange)
 };
 
 // A trajectory (never null) and its record.

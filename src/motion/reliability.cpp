@@ -41,6 +41,13 @@ Reliability reliability_of(const BodyModel& model,
                            const Integration& found) {
   Reliability result;
   result.doubts = doubts_of_drift(model, found.record.drift);
+  if (found.record.left_out_rad > accuracy_rad) {
+    result.doubts.push_back(fmt::format(
+        "a face comes down on the table, where the body is taken to lie still; it would "
+        "move on by about {:.1g} rad, and the scene allows {:.2g}",
+        found.record.left_out_rad,
+        accuracy_rad));
+  }
   for (const SolutionMethod& row : solution_methods()) {
     if (!row.closed_form || model.with_translation || !row.why_not(model).empty()) continue;
     const std::unique_ptr<Trajectory> truth = row.make(model, start);

@@ -39,14 +39,14 @@ void put_on_table(const BodyModel& model, const MotionSpec& spec, State& start) 
   Touch touch;
   touch.piece = surface.lowest(down_P);
   const double height = surface.height(down_P, touch.piece);
+  constexpr double kAbove = 1e-9;  // of the reach: nearer it is on the table
+  if (spec.position.z() > height + kAbove * surface.reach()) return;
   if (surface.tilt_of_face(down_P, touch.piece) < 1e-9 ||
       surface.clearance(down_P, touch.piece) < 1e-9 * surface.reach()) {
     throw input_error(
         "puts more than one point of the body on the table (a face or an edge); tilt it")
         .at({{}, 0, "motion.attitude"});
   }
-  constexpr double kAbove = 1e-9;  // of the reach: nearer it is on the table
-  if (spec.position.z() > height + kAbove * surface.reach()) return;
   const bool rolls = model.table->friction.kind == Friction::Kind::rolling;
   if (spec.velocity.z() != 0.0 || (rolls && spec.velocity != Vec3::Zero())) {
     throw input_error("{} follows from the spin for a body that is on the table{}; leave it out",

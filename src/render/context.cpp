@@ -71,9 +71,16 @@ void refuse_few_threads() {
 void settle_mesa() {
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
-  // shaders of another version than ours crash Mesa's compiler, or are refused
-  unsetenv("MESA_GLSL_VERSION_OVERRIDE");
-  unsetenv("MESA_GL_VERSION_OVERRIDE");
+  // shaders of another version than ours and extensions that are taken away crash Mesa, or are
+  // refused; what is for those who debug it stops it, or draws less without a word
+  for (const char* name : {"MESA_GLSL_VERSION_OVERRIDE",
+                           "MESA_GL_VERSION_OVERRIDE",
+                           "MESA_EXTENSION_OVERRIDE",
+                           "GALLIUM_TRACE",
+                           "LP_PERF",
+                           "ST_DEBUG",
+                           "DRAW_USE_LLVM"})
+    unsetenv(name);
 }
 
 std::unique_ptr<Context> open_context(const std::string& name) {

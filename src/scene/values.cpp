@@ -8,6 +8,7 @@
 #include "base/at_place.h"
 #include "base/color.h"
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "scene/keys.h"
 #include "scene/other_words.h"
 #include "scene/toml_text.h"
@@ -157,6 +158,8 @@ void read_value(const Found& found, const Doc& doc, std::string& value) {
         found,
         fmt::format("is a text of {} bytes; at most {} are allowed", value.size(), kLongestText));
   }
+  if (const std::size_t i = find_unwritable(value); i != std::string::npos)
+    refuse(found, fmt::format("holds {}, which no document can show", code_point(value, i)));
   if (!doc.choices.empty() &&
       std::find(doc.choices.begin(), doc.choices.end(), value) == doc.choices.end()) {
     const std::string hint = suggestion(value, doc.choices) + instead_hint(value);

@@ -65,6 +65,21 @@ TEST(Utf8Length, RefusesWhatIsCutOff) {
   }
 }
 
+// production 2 of XML 1.0, by its ranges
+TEST(Unwritable, IsWhatXmlLeavesOut) {
+  for (std::uint32_t c = 0; c <= 0x10ffff; ++c) {
+    if (!is_scalar_value(c)) continue;
+    const bool may_stand = c == 0x9 || c == 0xa || c == 0xd || (c >= 0x20 && c <= 0xd7ff) ||
+                           (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
+    const std::string text = "é" + encoded(c);
+    ASSERT_EQ(find_unwritable(text), may_stand ? std::string::npos : 2U) << c;
+  }
+  EXPECT_EQ(code_point("a\x0b", 1), "U+000B");
+  EXPECT_EQ(code_point("\xef\xbf\xbf", 0), "U+FFFF");
+  EXPECT_EQ(code_point("é", 0), "U+00E9");
+  EXPECT_EQ(code_point("\xf0\x9f\x98\x80", 0), "U+1F600");
+}
+
 TEST(IsContinuation, SaysWhetherAByteIsThereAndNotTheFirst) {
   const std::string text = "aé";
   EXPECT_FALSE(is_continuation(text, 0));

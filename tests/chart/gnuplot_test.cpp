@@ -55,6 +55,23 @@ TEST(Gnuplot, TextRunsNoCommands) {
   }
 }
 
+// in titles, names of axes, labels and keys
+TEST(Gnuplot, TextIsAsItIs) {
+  const std::string words = "50 % of E_1^2, a@b, $5, C:\\x, `q`, {r}, ~, %g, \\";
+  const std::string text = gnuplot_text(words);
+  const std::string svg = draw_with_gnuplot(
+      "set title " + text + "\nset xlabel " + text + "\nset ylabel " + text + "\nset label 1 " +
+          text + " at graph 0.5,0.5 front\nset key noenhanced\nplot [0:1] x title " + text + "\n",
+      PlotFormat::svg,
+      600,
+      400);
+  std::size_t found = 0;
+  for (std::size_t i = svg.find("<text>" + words); i != std::string::npos;
+       i = svg.find("<text>" + words, i + 1))
+    ++found;
+  EXPECT_EQ(found, 5u) << svg;
+}
+
 TEST(Gnuplot, TitlesAreEscapedInSvg) {
   const std::string svg = draw_with_gnuplot(
       "plot [0:1] x title " + gnuplot_text("<script>alert(1)</script> & co") + "\n",

@@ -230,13 +230,16 @@ TEST(Environment, WithoutAnyFontTextIsRefused) {
   EXPECT_EQ(run_polhode(still + " --no-text", none).code, 0);
 }
 
-// Mesa crashes when it is told to take our shaders for others
+// Mesa crashes when it is told to take our shaders for others, or extensions away
 TEST(Environment, VersionsOfShadersAreOurs) {
   const TemporaryFolder folder;
   write_text(folder / "scene.toml", test::kSmallScene);
   const std::string still =
       "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
-  for (const std::string wrong : {"MESA_GLSL_VERSION_OVERRIDE=110", "MESA_GL_VERSION_OVERRIDE=2.1"})
+  for (const std::string wrong : {"MESA_GLSL_VERSION_OVERRIDE=110",
+                                  "MESA_GL_VERSION_OVERRIDE=2.1",
+                                  "MESA_EXTENSION_OVERRIDE=-GL_ARB_framebuffer_object",
+                                  "LP_PERF=no_rast"})
     EXPECT_EQ(run_polhode(still, wrong).code, 0) << wrong;
 }
 
@@ -316,6 +319,21 @@ TEST(Environment, InterruptLeavesNothingAndSaysSo) {
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
     EXPECT_EQ(folder.entries(), 1) << signal;
   }
+}
+
+// a pipe that nobody reads, as a terminal that is stopped, would hold the last words for ever
+TEST(Environment, AnInterruptArrivesWhereNobodyReadsWhatIsSaid) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::long_scene());
+  write_text(folder / "full.sh",
+             "cd \"$(dirname \"$0\")\" || exit 1\n"
+             "mkfifo pipe; sleep 30 <pipe & reader=$!; exec 3>pipe\n"
+             "head -c 65536 /dev/zero >&3\n"
+             "timeout --preserve-status -s TERM -k 10 2 \"$@\" 2>&3\n"
+             "echo $? >code; kill $reader\n");
+  run_polhode("render scene.toml -o a.mp4 --progress json", "sh '" + (folder / "full.sh") + "'");
+  EXPECT_EQ(test::read_text(folder / "code"), "130\n");
+  EXPECT_EQ(folder.entries(), 4);
 }
 
 TEST(Environment, AnAnswerThatCannotBeWrittenIsAFailure) {

@@ -85,6 +85,24 @@ TEST(Deck, OtherEncodingsAreRefusedWithTheirLine) {
   }
 }
 
+// slides that hold them are no XML
+TEST(Deck, CharactersThatNoDocumentCanShowAreRefusedWithTheirLine) {
+  for (const auto& [text, start] : std::vector<std::pair<std::string, std::string>>{
+           {"# One\n\nb \x0b c\n", "deck.md:3: holds U+000B"},
+           {"# One\n\nb &#11; c\n", "deck.md:3: holds U+000B"},
+           {"# One\n\n`&#11;` &#xFFFE;\n", "deck.md:3: holds U+FFFE"},
+           {"---\ntitle: \"a \\x01 b\"\n---\n\n# One\n", "deck.md: holds U+0001"}}) {
+    try {
+      deck_of(text);
+      ADD_FAILURE() << "was taken; expected " << start;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::input);
+      EXPECT_TRUE(std::string(error.what()).starts_with(start)) << error.what();
+    }
+  }
+  EXPECT_NO_THROW(deck_of("# One\n\nA tab:\tand `&#11;` and &#233;\n"));
+}
+
 TEST(Deck, TextOfOthersStaysText) {
   for (const char* text : {"<script>alert(1)</script>\n",
                            "a <img src=x onerror=alert(1)> b\n",

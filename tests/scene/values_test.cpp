@@ -91,6 +91,7 @@ TEST(Values, AnotherTypeIsRefusedWithWhatWasFound) {
   expect_refused<std::string>("5", "x", "such as \"a title\"; found the number 5, without quotes");
   expect_refused<double>("\"1\"", "x", "found the text \"1\"");
   expect_refused<std::string>("[]", "x", "found an empty list");
+  expect_refused<std::string>("\"a\\u0001\"", "x", "holds U+0001, which no document can show");
   expect_refused<Vec3>("[1, 2]", "x", "found a list of 2");
   expect_refused<Vec3>("[1, true, 2]", "x[1]", "found true");
   expect_refused<Mat3>("[[1, 2, 3], [4, 5, {}], [7, 8, 9]]", "x[1][2]", "found a table");

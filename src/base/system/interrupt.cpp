@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
-#include <string_view>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -30,8 +29,7 @@ std::int64_t now_ms() {
 constexpr unsigned kPatienceSeconds = 2;
 
 extern "C" void stop_waiting(int /*signal*/) {
-  const std::string_view words = "polhode: interrupted\n";
-  if (!is_silent) static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  if (!is_silent) say_in_passing("polhode: interrupted\n");
   end_at_once(static_cast<int>(Fault::interrupted));
 }
 

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <iterator>
+#include <poll.h>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -81,7 +82,7 @@ extern "C" void end_after_signal(int signal) {
   const bool crashed =
       std::find(std::begin(kCrashes), std::end(kCrashes), signal) != std::end(kCrashes);
   const std::string_view words = crashed ? kCrash : signal == SIGXCPU ? kLimit : kOrder;
-  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  say_in_passing(words);
   remove_unfinished();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -118,6 +119,12 @@ Unfinished::~Unfinished() {
 void end_with_all_it_started(pid_t child) {
   // there is such a group only if the child leads it
   if (kill(-child, SIGKILL) != 0) kill(child, SIGKILL);
+}
+
+void say_in_passing(std::string_view words) {
+  pollfd error{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&error, 1, 0) != 1 || (error.revents & POLLOUT) == 0) return;
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
 }
 
 void end_at_once(int exit_code) {

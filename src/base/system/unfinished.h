@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string_view>
 
 #include <sys/types.h>
 
@@ -29,6 +30,10 @@ class Unfinished {
 // Kills a child and, if it leads a process group, the programs that it has started. May be called
 // in a signal handler.
 void end_with_all_it_started(pid_t child);
+
+// Says this on standard error, unless that would have to wait for a reader or a stopped terminal.
+// May be called in a signal handler.
+void say_in_passing(std::string_view words);
 
 // Removes all that is unfinished and ends the process with that exit code, without destructors.
 // May be called in a signal handler.

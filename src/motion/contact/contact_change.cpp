@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "model/fall_on_table.h"
@@ -18,8 +19,10 @@ constexpr double kLastRebound = 1e-3;
 constexpr double kLeastRebound = 1e-12, kMostLastRebound = 1e-6;
 // Bounces that are lower, in the reach of the surface, are told by their velocity alone.
 constexpr double kLowBounce = 1e-11;
-// what a body may still have when a face comes down, in units of weight times reach
-constexpr double kStillTurns = 0.02;
+// By how much a body on whose face a motion ends may still have risen, turned or slid, rad and in
+// its reach: beyond this there is no answer.
+constexpr double kMostLeftOut = 0.1;
+constexpr double kMostRise = 1e-3;
 
 struct EventWords {
   const char* name;
@@ -123,8 +126,9 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   Touch& touch = change.touch;
   touch.piece = model.table->surface->lowest(-(now.moving.q.conjugate() * Vec3::UnitZ()));
   constexpr double kTogether = 1e-3;  // of the reach: as good as together
-  if (model.table->surface->clearance(-(now.moving.q.conjugate() * Vec3::UnitZ()), touch.piece) <
-      kTogether * scales.length)
+  const Vec3 down_P = -(now.moving.q.conjugate() * Vec3::UnitZ());
+  if (model.table->surface->clearance(down_P, touch.piece) < kTogether * scales.length ||
+      model.table->surface->tilt_of_face(down_P, touch.piece) < kFlat)
     throw two_contacts(t);
   const double restitution = model.table->friction.restitution;
   const double speed = -slip_of(model, touch, now.moving).z();
@@ -167,15 +171,48 @@ std::string what_moves_it_on(const BodyModel& model) {
   return along > 0.0 && !is_held ? "gravity pulls it along" : "";
 }
 
-ContactChange lie_down(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
+// For how long a body with this speed (rad/s, and its reach a second) slides or turns on a face.
+double slides_for(const Friction& law, const BodyModel& model, double rate, double speed) {
+  if (law.kind == Friction::Kind::rolling) return 0.0;
+  if (law.kind == Friction::Kind::coulomb) return speed / (law.mu * rate * rate);
+  if (law.kind == Friction::Kind::viscous) return model.body.mass / law.c;
+  return std::numeric_limits<double>::infinity();
+}
+
+// About how far a body would go on that is laid on a face: by which angle (rad) it could rise from
+// there, turn about the vertical, or slide, in the reach of its surface.
+double left_out(const ContactStepper& stepper, const Touch& touch, double t, const Moving& now) {
+  constexpr double kSlaps = 10.0;  // times kFlat
   const BodyModel& model = stepper.model();
   const TableScales& scales = stepper.scales();
+  const Vec3 w_S = now.q * angular_velocity(model, now.y);
+  const double rocking = 0.5 * (now.q * now.y).head<2>().dot(w_S.head<2>()) +
+                         0.5 * model.body.mass * now.velocity_S.z() * now.velocity_S.z();
+  const double all = scales.weight * scales.length;
+  const double rise = rocking / all;
+  if (rise > kMostRise) return std::numeric_limits<double>::infinity();
+  const double speed =
+      std::max(horizontal(now.velocity_S).norm() / scales.length, std::abs(w_S.z()));
+  if (speed <= scales.stopped * scales.rate) return std::max(kFlat, rise);
+  // a disc that runs round on its edge loses energy as the square of the time that is left
+  const double power = -reaction_of(model, touch, t, now).power;
+  const double rocks_for = rise > kSlaps * kFlat ? std::sqrt(8.0 * rise) / scales.rate
+                                                 : 2.0 * (rocking + kFlat * all) / power;
+  const double lasts = rocks_for + slides_for(model.table->friction, model, scales.rate, speed);
+  return lasts >= 0.0 ? std::max({kFlat, rise, speed * lasts})
+                      : std::numeric_limits<double>::infinity();
+}
+
+ContactChange lie_down(const ContactStepper& stepper, const Touch& before, double t, OnTable& now) {
+  const BodyModel& model = stepper.model();
+  ContactChange change{before};
+  change.left_out_rad = left_out(stepper, before, t, now.moving);
   const double left = kinetic(model, now.moving);
-  if (left > kStillTurns * scales.weight * scales.length) {
+  if (change.left_out_rad > kMostLeftOut) {
     throw Error(Fault::check_failed,
                 fmt::format("at {:.6g} s a flat face comes down on the table while the body still "
-                            "turns ({:.2g} J); how it slides on a face is not computed: end the "
-                            "motion before, or round the body",
+                            "moves ({:.2g} J); how it slides, turns or rises on a face is not "
+                            "computed: end the motion before, or round the body",
                             t,
                             left),
                 {{}, 0, "motion.duration"});
@@ -188,7 +225,6 @@ ContactChange lie_down(const ContactStepper& stepper, const Touch& before, doubl
                             why),
                 {{}, 0, "motion.duration"});
   }
-  ContactChange change{before};
   change.touch.phase = Touch::Phase::lying;
   now.moving.y = now.moving.velocity_S = Vec3::Zero();
   now.work -= left;

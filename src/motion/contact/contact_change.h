@@ -18,6 +18,8 @@ struct ContactChange {
   // After a bounce that is too low for its height to be told from round-off: how long it takes, s.
   double flies_for = 0.0;
   bool bounces_end = false;  // it was the last of bounces without end
+  // By how much a body that is laid on a face would still have moved: rad, and of its reach.
+  double left_out_rad = 0.0;
 };
 
 // An Error (check_failed): at t (s) the body would have to be held to roll on while nothing presses
@@ -25,7 +27,7 @@ struct ContactChange {
 Error held_without_pressure(double t);
 
 // Changes `now` at the event at t (s). Throws Error (check_failed) for a second contact, for a body
-// that still turns when a face comes down on the table, and as reaction_of does.
+// that still moves when a face comes down on the table, and as reaction_of does.
 ContactChange change_at(
     const ContactStepper& stepper, ContactEvent event, const Touch& before, double t, OnTable& now);
 

@@ -54,7 +54,7 @@ inline constexpr double kPowerOfStopped = 2.0 / 3.0;
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance);
 
 // Faces closer to the table than this (rad) lie on it.
-inline constexpr double kFlat = 1e-4;
+inline constexpr double kFlat = 1e-8;
 
 Margins margins_of(const BodyModel& model,
                    const TableScales& scales,

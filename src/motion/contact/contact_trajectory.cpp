@@ -222,6 +222,7 @@ class Walk {
                          change.touch.keeps_from_rolling != touch_.keeps_from_rolling ||
                          change.touch.keeps_from_boring != touch_.keeps_from_boring;
     touch_ = change.touch;
+    record_.left_out_rad = std::max(record_.left_out_rad, change.left_out_rad);
     if (changed && record_.events.size() < kEventsReported)
       record_.events.push_back({t, name_of(crossing.event), words_for(crossing.event)});
     // one after another, too low to be found by their heights

@@ -129,8 +129,8 @@ TEST(EulersDisc, SettlesByItsPowerLaws) {
   const Integration found = integrated(disc_body(), spec, 1e-9);
   ASSERT_FALSE(found.record.events.empty());
   EXPECT_EQ(found.record.events.back().event, "lies_flat");
-  // it lies at 1e-4 rad, a part sqrt(1e-3) before the end
-  const double end = found.record.events.back().t / (1.0 - std::sqrt(1e-4 / 0.1));
+  // it lies at 1e-8 rad, a part sqrt(1e-7) before the end
+  const double end = found.record.events.back().t / (1.0 - std::sqrt(1e-8 / 0.1));
   EXPECT_NEAR(end, predicted, 0.02 * predicted);
   const auto tilt_before = [&](double before) {
     // the disc wobbles about the mean

@@ -765,6 +765,32 @@ TEST(OnTable, AStepThatOverflowsIsShortened) {
   }
 }
 
+// what would slide or turn on its face is refused, and a rest of the motion is told by its size
+TEST(OnTable, ABodyLiesOnAFaceOnlyWhereItsMotionEnds) {
+  const auto start = [](const Vec3& velocity, const Vec3& spin, double mu) {
+    MotionSpec spec = on_table(1.0, coulomb(mu));
+    spec.attitude.zxz = Vec3(0.0, 0.005, 0.0);
+    spec.velocity = velocity;
+    spec.spin.space = spin;
+    return spec;
+  };
+  for (const MotionSpec& spec : {start(Vec3(0.1, 0.0, 0.0), Vec3::Zero(), 0.005),
+                                 start(Vec3::Zero(), Vec3(0.0, 0.0, 3.0), 0.002)}) {
+    expect_error([&] { integrated(disc_body(), spec, 1e-9); },
+                 Fault::check_failed,
+                 "motion.duration",
+                 "a flat face");
+  }
+  MotionSpec settles = on_table(6.0, rolling());
+  settles.friction->rolling = 4e-4;
+  settles.attitude.zxz = Vec3(0.0, 0.35, 0.0);
+  settles.spin.rates = Vec3(55.232227, 0.0, -51.884166);
+  const IntegrationRecord record = integrated(disc_body(), settles, 1e-9).record;
+  EXPECT_EQ(record.events.back().event, "lies_flat");
+  EXPECT_GT(record.left_out_rad, 1e-4);
+  EXPECT_LT(record.left_out_rad, 1e-2);
+}
+
 // where friction would jam, or two points touch, the program says so
 TEST(OnTable, RefusesWhatItCannotFollow) {
   MotionSpec spec = on_table(5.0, rolling());
