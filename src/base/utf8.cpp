@@ -36,7 +36,8 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
 std::size_t find_unwritable(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') return i;
+    const bool is_control = byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r';
+    if (is_control || byte == 0x7f) return i;
     const std::string_view last = text.substr(i, 3);
     if (last == "\xef\xbf\xbe" || last == "\xef\xbf\xbf") return i;
   }

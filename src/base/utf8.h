@@ -15,8 +15,9 @@ bool is_continuation(std::string_view text, std::size_t i);
 // are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
-// Where the first character stands that no document and no tag of a film can hold (XML 1.0, 2.2): a
-// control character other than tab and ends of lines, U+FFFE or U+FFFF; npos if there is none.
+// Where the first character stands that not every document and tag of a film can hold
+// (XML 1.0, 2.2, and TeX): a control character below U+0080 other than tab and ends of lines,
+// U+FFFE or U+FFFF; npos if there is none.
 std::size_t find_unwritable(std::string_view text);
 
 // The character of UTF-8 that begins at byte i, as "U+000B". Requires i < text.size().

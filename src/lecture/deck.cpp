@@ -474,7 +474,7 @@ int line_of_unwritable(const std::string& text) {
     const unsigned long code =
         std::strtoul(text.c_str() + i + (is_hex ? 3 : 2), nullptr, is_hex ? 16 : 10);
     const bool is_control = code < 0x20 && code != '\t' && code != '\n' && code != '\r';
-    if (is_control || code == 0xfffe || code == 0xffff) at = i;
+    if (is_control || code == 0x7f || code == 0xfffe || code == 0xffff) at = i;
   }
   if (at == std::string::npos) return 0;
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);

@@ -102,6 +102,8 @@ Json Media::obtain(const Product& product) {
                               {"hash", content_hash(bytes)}});
     move_file(file, folder_ / file.filename());
   }
+  // a folder that is being removed has not all its files
+  if (is_ending()) throw Error(Fault::interrupted, "interrupted");
   write_file(card, facts.dump(1) + "\n");
   const std::lock_guard guard(lock_);
   ++made_;

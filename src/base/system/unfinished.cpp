@@ -29,6 +29,7 @@ struct Slot {
   std::array<char, kLongestPath + 1> path{};
 };
 std::array<Slot, kSlots> slots;
+std::atomic<bool> ending{false};
 
 // the number of a slot, kSlots if there is none
 std::size_t remember(std::string_view path, pid_t child) {
@@ -56,6 +57,7 @@ void remove(const char* path) {
 }
 
 void remove_unfinished() {
+  ending = true;
   for (const Slot& slot : slots) {
     if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
     if (slot.child > 0) {
@@ -114,6 +116,10 @@ Unfinished::~Unfinished() {
   if (slot_ == kSlots) return;
   slots[slot_].owner.store(0);
   slots[slot_].taken.store(false);
+}
+
+bool is_ending() {
+  return ending;
 }
 
 void end_with_all_it_started(pid_t child) {

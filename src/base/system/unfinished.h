@@ -27,6 +27,10 @@ class Unfinished {
   std::size_t slot_;
 };
 
+// Whether the process ends at once and what is unfinished is being removed. Other threads go on
+// until it is: what they find then may have gaps.
+bool is_ending();
+
 // Kills a child and, if it leads a process group, the programs that it has started. May be called
 // in a signal handler.
 void end_with_all_it_started(pid_t child);

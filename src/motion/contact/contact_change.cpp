@@ -128,7 +128,7 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   constexpr double kTogether = 1e-3;  // of the reach: as good as together
   const Vec3 down_P = -(now.moving.q.conjugate() * Vec3::UnitZ());
   if (model.table->surface->clearance(down_P, touch.piece) < kTogether * scales.length ||
-      model.table->surface->tilt_of_face(down_P, touch.piece) < kFlat)
+      model.table->surface->tilt_of_face(down_P, touch.piece) < scales.flat)
     throw two_contacts(t);
   const double restitution = model.table->friction.restitution;
   const double speed = -slip_of(model, touch, now.moving).z();
@@ -182,7 +182,7 @@ double slides_for(const Friction& law, const BodyModel& model, double rate, doub
 // About how far a body would go on that is laid on a face: by which angle (rad) it could rise from
 // there, turn about the vertical, or slide, in the reach of its surface.
 double left_out(const ContactStepper& stepper, const Touch& touch, double t, const Moving& now) {
-  constexpr double kSlaps = 10.0;  // times kFlat
+  constexpr double kSlaps = 10.0;  // times its tilt
   const BodyModel& model = stepper.model();
   const TableScales& scales = stepper.scales();
   const Vec3 w_S = now.q * angular_velocity(model, now.y);
@@ -190,16 +190,19 @@ double left_out(const ContactStepper& stepper, const Touch& touch, double t, con
                          0.5 * model.body.mass * now.velocity_S.z() * now.velocity_S.z();
   const double all = scales.weight * scales.length;
   const double rise = rocking / all;
+  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const double tilt =
+      std::max(scales.flat, model.table->surface->tilt_of_face(down_P, touch.piece));
   if (rise > kMostRise) return std::numeric_limits<double>::infinity();
   const double speed =
       std::max(horizontal(now.velocity_S).norm() / scales.length, std::abs(w_S.z()));
-  if (speed <= scales.stopped * scales.rate) return std::max(kFlat, rise);
+  if (speed <= scales.stopped * scales.rate) return std::max(tilt, rise);
   // a disc that runs round on its edge loses energy as the square of the time that is left
   const double power = -reaction_of(model, touch, t, now).power;
-  const double rocks_for = rise > kSlaps * kFlat ? std::sqrt(8.0 * rise) / scales.rate
-                                                 : 2.0 * (rocking + kFlat * all) / power;
+  const double rocks_for = rise > kSlaps * tilt ? std::sqrt(8.0 * rise) / scales.rate
+                                                : 2.0 * (rocking + tilt * all) / power;
   const double lasts = rocks_for + slides_for(model.table->friction, model, scales.rate, speed);
-  return lasts >= 0.0 ? std::max({kFlat, rise, speed * lasts})
+  return lasts >= 0.0 ? std::max({tilt, rise, speed * lasts})
                       : std::numeric_limits<double>::infinity();
 }
 

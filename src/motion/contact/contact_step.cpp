@@ -60,6 +60,9 @@ double margin_of_end(double along, double rate, double creep, double scale) {
 
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance) {
   constexpr double kLeastStopped = 1e-8;
+  constexpr double kFlattest = 1e-8, kLeastFlat = 1e-4;  // rad
+  // of the square of `stopped`; a disc of the tilt a turns at 2 sqrt(a g / length)
+  constexpr double kFlatOfStopped = 100.0;
   TableScales scales;
   const double g = model.gravity_S.norm();
   scales.length = model.table->surface->reach();
@@ -69,6 +72,7 @@ TableScales table_scales(const BodyModel& model, const Moving& start, double tol
   scales.momentum = std::max(start.y.norm(), model.moments.maxCoeff() * scales.rate);
   scales.tolerance = tolerance;
   scales.stopped = std::max(std::pow(tolerance, kPowerOfStopped), kLeastStopped);
+  scales.flat = std::clamp(kFlatOfStopped * scales.stopped * scales.stopped, kFlattest, kLeastFlat);
   return scales;
 }
 
@@ -127,7 +131,7 @@ Margins margins_of(const BodyModel& model,
   const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
   if (surface.pieces().size() > 1)
     set(ContactEvent::second_contact, surface.clearance(down_P, touch.piece) / scales.length);
-  set(ContactEvent::lies_flat, surface.tilt_of_face(down_P, touch.piece) - kFlat);
+  set(ContactEvent::lies_flat, surface.tilt_of_face(down_P, touch.piece) - scales.flat);
   return margins;
 }
 

@@ -46,15 +46,15 @@ struct TableScales {
   // Velocities below this part of `speed` and `rate` are zero at an event. So small a slip moves
   // nothing within the error of the steps: what it does is as its power 3/2.
   double stopped = 0.0;
+  // Faces closer to the table than this (rad) lie on it: there a disc that runs round on its edge
+  // still turns faster than what is zero at an event.
+  double flat = 0.0;
   double tolerance = 0.0;  // the local error of a step, relative
 };
 // `stopped` is this power of the tolerance; so the errors of motions with slips fall.
 inline constexpr double kPowerOfStopped = 2.0 / 3.0;
 // tolerance: the local error of a step, relative.
 TableScales table_scales(const BodyModel& model, const Moving& start, double tolerance);
-
-// Faces closer to the table than this (rad) lie on it.
-inline constexpr double kFlat = 1e-8;
 
 Margins margins_of(const BodyModel& model,
                    const TableScales& scales,

@@ -215,19 +215,22 @@ class Walk {
     if (crossing.h > 0.0) now_ = path_->stepper.step(touch_, t_, crossing.h, now_).end;
     at_one_time_ = crossing.h > 1e-13 * std::max(t_, 1e-6) ? 0 : at_one_time_ + 1;
     double t = t_ + crossing.h;
-    ContactChange change = change_at(path_->stepper, crossing.event, touch_, t, now_);
-    const bool changed = crossing.event == ContactEvent::landing ||
-                         change.touch.phase != touch_.phase ||
+    // what goes on without time where a face is as good as down ends there
+    const bool ends = at_one_time_ > kMostAtOneTime && is_almost_flat();
+    const ContactEvent event = ends ? ContactEvent::lies_flat : crossing.event;
+    ContactChange change = change_at(path_->stepper, event, touch_, t, now_);
+    if (ends) at_one_time_ = 0;
+    const bool changed = event == ContactEvent::landing || change.touch.phase != touch_.phase ||
                          change.touch.sticks != touch_.sticks ||
                          change.touch.keeps_from_rolling != touch_.keeps_from_rolling ||
                          change.touch.keeps_from_boring != touch_.keeps_from_boring;
     touch_ = change.touch;
     record_.left_out_rad = std::max(record_.left_out_rad, change.left_out_rad);
     if (changed && record_.events.size() < kEventsReported)
-      record_.events.push_back({t, name_of(crossing.event), words_for(crossing.event)});
+      record_.events.push_back({t, name_of(event), words_for(event)});
     // one after another, too low to be found by their heights
     for (int low = 1; change.flies_for > 0.0 && t + change.flies_for < duration_; ++low) {
-      if (low > kMostLowBounces) refuse_more(crossing.event, t, low);
+      if (low > kMostLowBounces) refuse_more(event, t, low);
       arrive(t, true);
       now_ = path_->stepper.step(touch_, t, change.flies_for, now_).end;
       t += change.flies_for;
@@ -237,8 +240,16 @@ class Walk {
     if (change.bounces_end && record_.events.size() < kEventsReported)
       record_.events.push_back({t, "bounces_end", "the last of the bounces without end"});
     if (++events_ > kMostContactEvents || at_one_time_ > kMostAtOneTime)
-      refuse_more(crossing.event, t, events_);
+      refuse_more(event, t, events_);
     arrive(t, true);
+  }
+
+  bool is_almost_flat() const {
+    constexpr double kAlmost = 1e-3;  // rad
+    const ContactSurface& surface = *path_->stepper.model().table->surface;
+    if (touch_.phase != Touch::Phase::touching || surface.as_sphere() != nullptr) return false;
+    const Vec3 down_P = -(now_.moving.q.conjugate() * Vec3::UnitZ());
+    return surface.tilt_of_face(down_P, touch_.piece) < kAlmost;
   }
 
   [[noreturn]] void refuse_more(ContactEvent event, double t, int events) const {
