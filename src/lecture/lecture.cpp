@@ -15,6 +15,7 @@
 #include "base/system/interrupt.h"
 #include "base/system/output_folder.h"
 #include "base/system/parallel.h"
+#include "base/system/unfinished.h"
 #include "chart/gnuplot.h"
 #include "lecture/data.h"
 #include "lecture/documents.h"
@@ -175,6 +176,7 @@ std::string make_document(const std::string& output,
   if (output == "beamer") return make_beamer(work.deck, figures);
   // the page that is printed stands beside the media for as long as that takes
   const fs::path page = folder / ".handout.html";
+  const Unfinished unfinished(page);
   write_file(page, make_handout_html(work.deck, figures));
   const auto remove = [&] {
     std::error_code ignored;

@@ -284,6 +284,13 @@ TEST_F(Verify, AComparisonThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: compare is ");
   with([](Json& r) { r["compare"][1]["doubts"][0] = "nothing at all"; });
   expect("a.mp4", 1, "was altered: compare[1].doubts[0] is ");
+  with([](Json& r) {
+    std::string words = r["compare"][1]["doubts"][0];
+    const std::size_t digit = words.find_first_of("123456789");
+    words[digit] = words[digit] == '9' ? '1' : '9';
+    r["compare"][1]["doubts"][0] = words;
+  });
+  expect("a.mp4", 1, "was altered: compare[1].doubts[0] is ");
   with([](Json& r) { r["energy_drift"] = 0.5; });
   expect("a.mp4", 1, "was altered: energy_drift is ");
   with([](Json& r) { r["conditioning"]["exceeds_accuracy"] = true; });

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
@@ -182,15 +184,6 @@ DifferenceInWords compare_hashes(const Again& again,
       "the report tells of {} frames, the scene makes {}", reported.size(), made.size());
 }
 
-// doubts name times and sizes, which may differ as far as the numbers beside them
-std::string without_numbers(std::string words) {
-  const auto is_of_number = [](char c) {
-    return std::string("0123456789+-.e").find(c) != std::string::npos;
-  };
-  words.erase(std::remove_if(words.begin(), words.end(), is_of_number), words.end());
-  return words;
-}
-
 // How far a number of a report may be from what it is here: other machines round otherwise. The
 // numbers of steps and evaluations depend on that only where steps are chosen as one goes.
 double allowed_deviation(const std::string& name, double value, bool fixed_step) {
@@ -201,6 +194,31 @@ double allowed_deviation(const std::string& name, double value, bool fixed_step)
   if (fixed_step && name == "steps") return 0.0;
   if (is_one_of({"accuracy_rad", "step_s", "tolerance"})) return 1e-9 * std::abs(value);
   return 0.1 * std::abs(value) + kRoundOff;
+}
+
+// a text and the numbers in it
+struct Told {
+  std::string words;
+  std::vector<double> numbers;
+};
+Told told_by(const std::string& text) {
+  static const std::regex number(R"([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)");
+  Told told{std::regex_replace(text, number, "#"), {}};
+  for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i)
+    told.numbers.push_back(std::strtod(i->str().c_str(), nullptr));
+  return told;
+}
+
+// doubts name times and sizes, which may differ as far as the numbers beside them
+bool tell_the_same(const std::string& says, const std::string& is) {
+  const Told one = told_by(says), other = told_by(is);
+  return one.words == other.words &&
+         std::equal(
+             one.numbers.begin(),
+             one.numbers.end(),
+             other.numbers.begin(),
+             other.numbers.end(),
+             [](double a, double b) { return std::abs(a - b) <= allowed_deviation("", b, false); });
 }
 
 // The first value that differs, with its path. `name` is its key in the object around it, which has
@@ -237,7 +255,7 @@ DifferenceInWords compare_values(const std::string& path,
     }
     return {};
   } else if (says.is_string() && is.is_string() && path.find("doubts[") != std::string::npos) {
-    if (without_numbers(says) == without_numbers(is)) return {};
+    if (tell_the_same(says, is)) return {};
   } else if (says == is) {
     return {};
   }

@@ -58,12 +58,16 @@ void remove(const char* path) {
 
 void remove_unfinished() {
   ending = true;
-  for (const Slot& slot : slots) {
-    if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
-    if (slot.child > 0) {
-      end_with_all_it_started(slot.child);
-    } else {
-      remove(slot.path.data());
+  // first those who still write
+  for (const bool of_children : {true, false}) {
+    for (const Slot& slot : slots) {
+      if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
+      if ((slot.child > 0) != of_children) continue;
+      if (of_children) {
+        end_with_all_it_started(slot.child);
+      } else {
+        remove(slot.path.data());
+      }
     }
   }
 }
