@@ -6,6 +6,19 @@
 #include "base/error.h"
 
 namespace polhode {
+namespace {
+
+// the number of the character that begins at byte i, or that byte
+unsigned long value_at(std::string_view text, std::size_t i) {
+  const std::size_t length = utf8_length(text, i);
+  unsigned long value = static_cast<unsigned char>(text[i]);
+  if (length > 1) value &= 0x7fU >> length;
+  for (std::size_t k = 1; k < length; ++k)
+    value = value << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+  return value;
+}
+
+}  // namespace
 
 bool is_continuation(std::string_view text, std::size_t i) {
   return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
@@ -33,36 +46,34 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return length;
 }
 
+int line_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
+bool is_unwritable(unsigned long code_point) {
+  if (code_point == '\t' || code_point == '\n' || code_point == '\r') return false;
+  return code_point < 0x20 || code_point == 0x7f || code_point == 0xfffe || code_point == 0xffff;
+}
+
 std::size_t find_unwritable(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool is_control = byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r';
-    if (is_control || byte == 0x7f) return i;
-    const std::string_view last = text.substr(i, 3);
-    if (last == "\xef\xbf\xbe" || last == "\xef\xbf\xbf") return i;
-  }
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (!is_continuation(text, i) && is_unwritable(value_at(text, i))) return i;
   return std::string_view::npos;
 }
 
 std::string code_point(std::string_view text, std::size_t i) {
-  const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
-  unsigned value = static_cast<unsigned char>(text[i]);
-  if (length > 1) value &= 0x7fU >> length;
-  for (std::size_t k = 1; k < length; ++k)
-    value = value << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
-  return fmt::format("U+{:04X}", value);
+  return fmt::format("U+{:04X}", value_at(text, i));
 }
 
 void refuse_other_encodings(std::string_view text, const std::string& name, const char* kind) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = text[i] == 0 ? 0 : utf8_length(text, i);
     if (length == 0) {
-      const auto line =
-          1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n');
       throw input_error("byte 0x{:02x} is not UTF-8 text; save the {} as UTF-8",
                         static_cast<unsigned char>(text[i]),
                         kind)
-          .at({name, static_cast<int>(line), {}});
+          .at({name, line_of(text, i), {}});
     }
     i += length;
   }

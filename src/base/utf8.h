@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the boundaries of UTF-8 characters.
+// Finds characters of UTF-8 text, and its lines.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,14 @@ bool is_continuation(std::string_view text, std::size_t i);
 // are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
-// Where the first character stands that not every document and tag of a film can hold
-// (XML 1.0, 2.2, and TeX): a control character below U+0080 other than tab and ends of lines,
-// U+FFFE or U+FFFF; npos if there is none.
+// The line, from 1, of the byte at this offset.
+int line_of(std::string_view text, std::size_t offset);
+
+// Whether not every document and tag of a film can hold a character (XML 1.0, 2.2, and TeX): a
+// control character below U+0080 other than tab and ends of lines, U+FFFE and U+FFFF.
+bool is_unwritable(unsigned long code_point);
+
+// Where the first of them stands; npos if there is none.
 std::size_t find_unwritable(std::string_view text);
 
 // The character of UTF-8 that begins at byte i, as "U+000B". Requires i < text.size().

@@ -23,7 +23,13 @@ struct MapAxis {
 
 // Where gnuplot, which is not told of logarithms here, draws a value of the axis.
 double shown_on(const MapAxis& axis, double value);
-// Range, label and tics of the axis "x" or "y"; a map that is not alone has few tics.
+// Range, label and tics of the axis "x" or "y" whose values are drawn at their logarithms to base
+// 10, from `low` to `high`: 1, 2, 5 of every power of ten inside, or if it is crowded the powers
+// alone.
+std::string logarithmic_axis_script(
+    const char* letter, const std::string& label, double low, double high, bool crowded = false);
+// The same of an axis of a map, which begins and ends with half a cell; a map that is not alone has
+// few tics.
 std::string axis_script(const char* letter, const MapAxis& axis, bool alone);
 // The places of the cells of a matrix, as the first two columns after `using`.
 std::string cells_using(const MapAxis& x, const MapAxis& y);

@@ -15,7 +15,6 @@ namespace polhode {
 std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotFormat format) {
   constexpr int kWidth = 1000;
   constexpr int kHeight = 500;
-  constexpr int kFine = 1000;  // so that no margin is left for cells
   constexpr std::array<const char*, 8> kColors = {
       "#7F7F7F", "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#5D3A9B", "#222222"};
   constexpr std::array<int, 8> kMarks = {7, 5, 9, 11, 13, 15, 6, 4};
@@ -48,12 +47,12 @@ std::string plot_picture_error(const std::vector<PicturePanel>& panels, PlotForm
           kColors[i % kColors.size()],
           gnuplot_text(p.setting));
     }
-    const MapAxis time = {"time of a frame, ms", 0.5 * fastest, 2.0 * slowest, kFine};
-    const MapAxis error = {"root mean square error, levels of 255",
-                           std::max(0.5 * least, 1e-3),
-                           std::max(2.0 * most, 2e-3),
-                           kFine};
-    script += axis_script("x", time, true) + axis_script("y", error, true);
+    script += logarithmic_axis_script(
+        "x", "time of a frame, ms", std::log10(0.5 * fastest), std::log10(2.0 * slowest));
+    script += logarithmic_axis_script("y",
+                                      "root mean square error, levels of 255",
+                                      std::log10(std::max(0.5 * least, 1e-3)),
+                                      std::log10(std::max(2.0 * most, 2e-3)));
     script += plots + "\n";
   }
   script += "unset multiplot\n";

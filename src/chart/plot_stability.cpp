@@ -25,13 +25,9 @@ std::string key_entry(int outcome) {
                      gnuplot_text(words));
 }
 
-// a map, alone or in a grid of them, in which the first of a row names the vertical axis
-std::string map_script(const StabilityMap& map,
-                       std::size_t index,
-                       const MapAxis& x,
-                       const MapAxis& y,
-                       bool alone,
-                       bool first) {
+// one map, alone or in a grid of them
+std::string map_script(
+    const StabilityMap& map, std::size_t index, const MapAxis& x, const MapAxis& y, bool alone) {
   std::string text = fmt::format("$map{} << EOD\n", index);
   const auto columns = static_cast<std::size_t>(x.cells);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -48,7 +44,6 @@ std::string map_script(const StabilityMap& map,
     text += "EOD\n";
   }
   text += axis_script("x", x, alone) + axis_script("y", y, alone);
-  if (!first) text += "set ylabel ''\n";
   text += "set title " +
           gnuplot_text(alone ? fmt::format("{}: {}{}{}",
                                            map.title,
@@ -92,7 +87,7 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
                            PlotFormat format) {
   std::string script = palette() + "set key outside right top vertical Left reverse noenhanced\n";
   if (maps.size() == 1) {
-    script += map_script(*maps[0], 0, x, y, true, true);
+    script += map_script(*maps[0], 0, x, y, true);
     return draw_with_gnuplot(script, format, 1000, 700);
   }
   // a grid; what the colours are stands in a last panel
@@ -112,8 +107,12 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
       1.0 - 36.0 / height,
       60.0 / width,
       80.0 / height);
-  for (std::size_t i = 0; i < maps.size(); ++i)
-    script += map_script(*maps[i], i, x, y, false, i % static_cast<std::size_t>(columns) == 0);
+  MapAxis unnamed = y;
+  unnamed.key.clear();
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const bool begins_row = i % static_cast<std::size_t>(columns) == 0;
+    script += map_script(*maps[i], i, x, begins_row ? y : unnamed, false);
+  }
   script += fmt::format(
       "set title {}\nset key inside left top\nunset xtics\nunset ytics\nunset border\n"
       "unset xlabel\nunset ylabel\nplot [0:1][0:1] ",

@@ -354,6 +354,31 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
   deck.meta.erase("lang");
 }
 
+// the line of the first character, or reference to one, that no document can show; 0 if unknown
+int line_of_unwritable(const std::string& text) {
+  std::size_t at = find_unwritable(text);
+  for (std::size_t i = text.find("&#"); i < at; i = text.find("&#", i + 2)) {
+    const bool is_hex = text.find_first_of("xX", i + 2) == i + 2;
+    const char* digits = text.c_str() + i + (is_hex ? 3 : 2);
+    if (is_unwritable(std::strtoul(digits, nullptr, is_hex ? 16 : 10))) at = i;
+  }
+  return at == std::string::npos ? 0 : line_of(text, at);
+}
+
+// Documents of XML, such as slides, would not open.
+void refuse_unwritable(const Json& tree, const std::string& text, const std::string& name) {
+  if (tree.is_string()) {
+    const std::string& words = tree.get_ref<const std::string&>();
+    const std::size_t i = find_unwritable(words);
+    if (i == std::string::npos) return;
+    throw input_error("holds {}, which no document can show; leave it out", code_point(words, i))
+        .at({name, line_of_unwritable(text), {}});
+  }
+  if (!tree.is_structured()) return;
+  for (const Json& child : tree)
+    refuse_unwritable(child, text, name);
+}
+
 }  // namespace
 
 const std::vector<PictureClass>& picture_classes() {
@@ -450,8 +475,7 @@ int LineFinder::next(const std::string& words) {
   std::size_t at = text_.find(words, from);
   if (at == std::string::npos) return 0;
   from = at + words.size();
-  return 1 + static_cast<int>(
-                 std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return line_of(text_, at);
 }
 
 Json Deck::tree(const Json& with_blocks) const {
@@ -462,40 +486,6 @@ Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot
   refuse_other_encodings(text, name, "deck");
   return deck_of_tree(read_markdown(text), text, name, root);
 }
-
-namespace {
-
-// the line of the first character, or reference to one, that no document can show; 0 if unknown
-int line_of_unwritable(const std::string& text) {
-  std::size_t at = find_unwritable(text);
-  for (std::size_t i = text.find("&#"); i != std::string::npos && i < at;
-       i = text.find("&#", i + 2)) {
-    const bool is_hex = i + 2 < text.size() && (text[i + 2] == 'x' || text[i + 2] == 'X');
-    const unsigned long code =
-        std::strtoul(text.c_str() + i + (is_hex ? 3 : 2), nullptr, is_hex ? 16 : 10);
-    const bool is_control = code < 0x20 && code != '\t' && code != '\n' && code != '\r';
-    if (is_control || code == 0x7f || code == 0xfffe || code == 0xffff) at = i;
-  }
-  if (at == std::string::npos) return 0;
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
-// Documents of XML, such as slides, would not open.
-void refuse_unwritable(const Json& tree, const std::string& text, const std::string& name) {
-  if (tree.is_string()) {
-    const std::string& words = tree.get_ref<const std::string&>();
-    const std::size_t i = find_unwritable(words);
-    if (i == std::string::npos) return;
-    throw input_error("holds {}, which no document can show; leave it out", code_point(words, i))
-        .at({name, line_of_unwritable(text), {}});
-  }
-  if (!tree.is_structured()) return;
-  for (const Json& child : tree)
-    refuse_unwritable(child, text, name);
-}
-
-}  // namespace
 
 Deck deck_of_tree(Json tree,
                   const std::string& text,

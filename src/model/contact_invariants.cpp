@@ -10,7 +10,7 @@ namespace {
 constexpr double kOnAxis = 1e-12;  // of the reach: so far a centre may be beside the axis
 
 Vec3 arm_of(const BodyModel& m, const Moving& now) {
-  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(now.q);
   const ContactSurface& surface = *m.table->surface;
   return surface.at(down_P, Vec3::Zero(), surface.lowest(down_P)).arm_P;
 }

@@ -12,6 +12,11 @@
 
 namespace polhode {
 
+// The direction of down in the axes of a body that q_SP turns into those of space.
+inline Vec3 down_in_body(const Quat& q_SP) {
+  return -(q_SP.conjugate() * Vec3::UnitZ());
+}
+
 // A convex curve in the plane through the axis of a solid of revolution, as its support function h
 // of the angle of a direction above the plane across the axis: how far the curve reaches that way.
 // Between nodes h is the polynomial of degree 5 that has its value and two derivatives there

@@ -202,12 +202,12 @@ Vec3 slip_of(const BodyModel& model, const Touch& touch, const Moving& now) {
 }
 
 double gap_of(const BodyModel& model, const Touch& touch, const Moving& now) {
-  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(now.q);
   return now.place_S.z() - model.table->surface->height(down_P, touch.piece);
 }
 
 double gap_of(const BodyModel& model, const Moving& now) {
-  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(now.q);
   const ContactSurface& surface = *model.table->surface;
   return now.place_S.z() - surface.height(down_P, surface.lowest(down_P));
 }

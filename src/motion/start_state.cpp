@@ -34,7 +34,7 @@ void refuse_flight_on_pivot(const BodyModel& model, const MotionSpec& spec) {
 // On a table, height and velocity follow from attitude and spin, unless the body begins above it.
 void put_on_table(const BodyModel& model, const MotionSpec& spec, State& start) {
   if (!model.table) return;
-  const Vec3 down_P = -(start.q.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(start.q);
   const ContactSurface& surface = *model.table->surface;
   Touch touch;
   touch.piece = surface.lowest(down_P);

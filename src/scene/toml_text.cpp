@@ -9,11 +9,6 @@
 namespace polhode {
 namespace {
 
-int line_of(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-}
-
 // the offset behind the string that starts at i; the end of the text when it is never closed
 std::size_t skip_string(std::string_view text, std::size_t i) {
   const char quote = text[i];

@@ -15,6 +15,17 @@ namespace {
 using test::deck_of;
 using test::problem_of;
 
+// the message begins with `start`: the deck, the line and what is wrong
+void expect_refused(const std::string& text, const std::string& start) {
+  try {
+    deck_of(text);
+    ADD_FAILURE() << "was taken; expected " << start;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_TRUE(std::string(error.what()).starts_with(start)) << error.what();
+  }
+}
+
 TEST(Deck, PicturesOfScenesAreFound) {
   const Deck deck = deck_of(
       "---\ntitle: T\n---\n\n# One\n\n![The *space* cone](a%20b.toml){.film from=0 to=8}\n\n"
@@ -74,15 +85,8 @@ TEST(Deck, OtherEncodingsAreRefusedWithTheirLine) {
   for (const auto& [text, start] : std::vector<std::pair<std::string, std::string>>{
            {"# One\n\nCaf\xE9\n", "deck.md:3: byte 0xe9 is not UTF-8"},
            {std::string("#\0 \0A\0", 6), "deck.md:1: byte 0x00 is not UTF-8"},
-           {"\xFF\xFE#", "deck.md:1: byte 0xff is not UTF-8"}}) {
-    try {
-      deck_of(text);
-      ADD_FAILURE() << "was taken; expected " << start;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.fault(), Fault::input);
-      EXPECT_TRUE(std::string(error.what()).starts_with(start)) << error.what();
-    }
-  }
+           {"\xFF\xFE#", "deck.md:1: byte 0xff is not UTF-8"}})
+    expect_refused(text, start);
 }
 
 // slides that hold them are no XML
@@ -91,15 +95,8 @@ TEST(Deck, CharactersThatNoDocumentCanShowAreRefusedWithTheirLine) {
            {"# One\n\nb \x0b c\n", "deck.md:3: holds U+000B"},
            {"# One\n\nb &#11; c\n", "deck.md:3: holds U+000B"},
            {"# One\n\n`&#11;` &#xFFFE;\n", "deck.md:3: holds U+FFFE"},
-           {"---\ntitle: \"a \\x01 b\"\n---\n\n# One\n", "deck.md: holds U+0001"}}) {
-    try {
-      deck_of(text);
-      ADD_FAILURE() << "was taken; expected " << start;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.fault(), Fault::input);
-      EXPECT_TRUE(std::string(error.what()).starts_with(start)) << error.what();
-    }
-  }
+           {"---\ntitle: \"a \\x01 b\"\n---\n\n# One\n", "deck.md: holds U+0001"}})
+    expect_refused(text, start);
   EXPECT_NO_THROW(deck_of("# One\n\nA tab:\tand `&#11;` and &#233;\n"));
 }
 

@@ -213,12 +213,9 @@ Told told_by(const std::string& text) {
 bool tell_the_same(const std::string& says, const std::string& is) {
   const Told one = told_by(says), other = told_by(is);
   return one.words == other.words &&
-         std::equal(
-             one.numbers.begin(),
-             one.numbers.end(),
-             other.numbers.begin(),
-             other.numbers.end(),
-             [](double a, double b) { return std::abs(a - b) <= allowed_deviation("", b, false); });
+         std::ranges::equal(one.numbers, other.numbers, [](double a, double b) {
+           return std::abs(a - b) <= allowed_deviation("", b, false);
+         });
 }
 
 // The first value that differs, with its path. `name` is its key in the object around it, which has

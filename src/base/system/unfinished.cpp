@@ -58,18 +58,14 @@ void remove(const char* path) {
 
 void remove_unfinished() {
   ending = true;
+  const auto is_ours = [](const Slot& slot) {
+    return slot.owner.load(std::memory_order_acquire) == getpid();
+  };
   // first those who still write
-  for (const bool of_children : {true, false}) {
-    for (const Slot& slot : slots) {
-      if (slot.owner.load(std::memory_order_acquire) != getpid()) continue;
-      if ((slot.child > 0) != of_children) continue;
-      if (of_children) {
-        end_with_all_it_started(slot.child);
-      } else {
-        remove(slot.path.data());
-      }
-    }
-  }
+  for (const Slot& slot : slots)
+    if (is_ours(slot) && slot.child > 0) end_with_all_it_started(slot.child);
+  for (const Slot& slot : slots)
+    if (is_ours(slot) && slot.child == 0) remove(slot.path.data());
 }
 
 // what the program, a library or the machine does wrong; the rest comes from outside

@@ -62,7 +62,7 @@ std::string needs_table(const Scenery& scenery) {
 Vec3 lowest_point(const Motion& motion, const Sample& sample) {
   const BodyModel& model = motion.model();
   const Quat q_SP = sample.q_SB * Quat(model.R_BP);
-  const Vec3 down_P = -(q_SP.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(q_SP);
   const ContactSurface& surface = *model.table->surface;
   return surface.at(down_P, Vec3::Zero(), surface.lowest(down_P)).arm_P;
 }

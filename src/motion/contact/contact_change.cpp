@@ -124,11 +124,12 @@ ContactChange land(const ContactStepper& stepper, const Touch& before, double t,
   const TableScales& scales = stepper.scales();
   ContactChange change{before};
   Touch& touch = change.touch;
-  touch.piece = model.table->surface->lowest(-(now.moving.q.conjugate() * Vec3::UnitZ()));
+  const ContactSurface& surface = *model.table->surface;
+  const Vec3 down_P = down_in_body(now.moving.q);
+  touch.piece = surface.lowest(down_P);
   constexpr double kTogether = 1e-3;  // of the reach: as good as together
-  const Vec3 down_P = -(now.moving.q.conjugate() * Vec3::UnitZ());
-  if (model.table->surface->clearance(down_P, touch.piece) < kTogether * scales.length ||
-      model.table->surface->tilt_of_face(down_P, touch.piece) < scales.flat)
+  if (surface.clearance(down_P, touch.piece) < kTogether * scales.length ||
+      surface.tilt_of_face(down_P, touch.piece) < scales.flat)
     throw two_contacts(t);
   const double restitution = model.table->friction.restitution;
   const double speed = -slip_of(model, touch, now.moving).z();
@@ -190,9 +191,8 @@ double left_out(const ContactStepper& stepper, const Touch& touch, double t, con
                          0.5 * model.body.mass * now.velocity_S.z() * now.velocity_S.z();
   const double all = scales.weight * scales.length;
   const double rise = rocking / all;
-  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
   const double tilt =
-      std::max(scales.flat, model.table->surface->tilt_of_face(down_P, touch.piece));
+      std::max(scales.flat, model.table->surface->tilt_of_face(down_in_body(now.q), touch.piece));
   if (rise > kMostRise) return std::numeric_limits<double>::infinity();
   const double speed =
       std::max(horizontal(now.velocity_S).norm() / scales.length, std::abs(w_S.z()));
@@ -271,7 +271,7 @@ std::string name_of(ContactEvent event) {
 Touch first_touch(const ContactStepper& stepper, double t, OnTable& now) {
   const BodyModel& model = stepper.model();
   Touch touch;
-  touch.piece = model.table->surface->lowest(-(now.moving.q.conjugate() * Vec3::UnitZ()));
+  touch.piece = model.table->surface->lowest(down_in_body(now.moving.q));
   constexpr double kAbove = 1e-9;
   const double gap = gap_of(model, touch, now.moving) / stepper.scales().length;
   if (gap > kAbove || slip_of(model, touch, now.moving).z() > kAbove * stepper.scales().speed) {

@@ -128,7 +128,7 @@ Margins margins_of(const BodyModel& model,
     }
   }
   if (surface.as_sphere() != nullptr) return margins;
-  const Vec3 down_P = -(now.q.conjugate() * Vec3::UnitZ());
+  const Vec3 down_P = down_in_body(now.q);
   if (surface.pieces().size() > 1)
     set(ContactEvent::second_contact, surface.clearance(down_P, touch.piece) / scales.length);
   set(ContactEvent::lies_flat, surface.tilt_of_face(down_P, touch.piece) - scales.flat);

@@ -248,8 +248,7 @@ class Walk {
     constexpr double kAlmost = 1e-3;  // rad
     const ContactSurface& surface = *path_->stepper.model().table->surface;
     if (touch_.phase != Touch::Phase::touching || surface.as_sphere() != nullptr) return false;
-    const Vec3 down_P = -(now_.moving.q.conjugate() * Vec3::UnitZ());
-    return surface.tilt_of_face(down_P, touch_.piece) < kAlmost;
+    return surface.tilt_of_face(down_in_body(now_.moving.q), touch_.piece) < kAlmost;
   }
 
   [[noreturn]] void refuse_more(ContactEvent event, double t, int events) const {

@@ -220,7 +220,7 @@ class SmoothedStep final : public Stepper {
   void step(double t, double h, State& s, Work& work) const override {
     ++work.evaluations;
     Touch touch;
-    const Vec3 down_P = -(s.q.conjugate() * Vec3::UnitZ());
+    const Vec3 down_P = down_in_body(s.q);
     touch.piece = model_.table->surface->lowest(down_P);
     touch.sticks = touch.keeps_from_rolling = touch.keeps_from_boring = false;
     Moving now = moving_of(model_, s);

@@ -69,7 +69,7 @@ class TableRungeKutta final : public Stepper {
     constexpr double kOff = 0.1;  // of the reach: farther off, it flies
     const BodyModel& model = stepper_.model();
     Touch touch;
-    touch.piece = model.table->surface->lowest(-(now.q.conjugate() * Vec3::UnitZ()));
+    touch.piece = model.table->surface->lowest(down_in_body(now.q));
     const double gap = gap_of(model, touch, now);
     if (std::abs(gap) > kOff * stepper_.scales().length) return;
     now.place_S.z() -= gap;
@@ -105,7 +105,7 @@ class TableRungeKutta final : public Stepper {
   void end_flight(Touch touch, Moving& now) const {
     if (touch.phase != Touch::Phase::flying) return;
     const BodyModel& model = stepper_.model();
-    touch.piece = model.table->surface->lowest(-(now.q.conjugate() * Vec3::UnitZ()));
+    touch.piece = model.table->surface->lowest(down_in_body(now.q));
     const double gap = gap_of(model, touch, now);
     if (gap >= 0.0) return;
     now.place_S.z() -= gap;
