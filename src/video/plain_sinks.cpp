@@ -16,7 +16,7 @@ namespace {
 std::string hash_file(const SinkJob& job) {
   if (!job.output.starts_with(kHashPrefix)) return job.output;
   std::string name = job.output.substr(kHashPrefix.size());
-  if (name.empty()) {
+  if (name.empty() || name == kStandardOutput) {
     throw input_error("hash: needs a file name, such as hash:frames.txt").at({job.output, 0, {}});
   }
   return name;

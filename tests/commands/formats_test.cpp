@@ -264,6 +264,19 @@ TEST_F(Formats, AReportCannotShareStandardOutput) {
   EXPECT_NE(ran.err.find("--report"), std::string::npos) << ran.err;
 }
 
+// the name would go from what the shell writes to what the command writes
+TEST_F(Formats, AReportCannotReplaceTheFileOfStandardOutput) {
+  const std::string file = folder_ / "both";
+  for (const auto& [output, report] :
+       {std::pair<std::string, std::string>{"-", file}, {"a.mp4", "-"}}) {
+    const std::string taken = output == "-" ? file : folder_ / output;
+    const Ran ran = run_polhode(render(output, "--report '" + report + "'") + " >'" + taken +
+                                "' 2>'" + (folder_ / "err") + "' #");
+    EXPECT_EQ(ran.code, 2) << output;
+    EXPECT_NE(test::read_text(folder_ / "err").find("/dev/stdout"), std::string::npos) << output;
+  }
+}
+
 TEST_F(Formats, AReaderWhoGoesEndsTheFilm) {
   const std::string line = "('" POLHODE_BINARY "' " + render("-") + " 2>'" + (folder_ / "err") +
                            "'; echo $? >'" + (folder_ / "code") + "') | head -c 1000 >/dev/null";

@@ -56,6 +56,7 @@ TEST(PlainSinks, AHashFileHasAFormWithoutEnding) {
     EXPECT_EQ(test::read_text(folder / name).rfind("0 8x6 ", 0), 0u) << name;
   }
   EXPECT_THROW(make_sink(small_job("hash:")), Error);
+  EXPECT_THROW(make_sink(small_job("hash:-")), Error);
 }
 
 TEST(PlainSinks, NullWritesNothing) {

@@ -75,6 +75,9 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
     throw input_error("the film itself goes to standard output; give a file name")
         .at({{}, 0, "--report"});
   }
+  // "-o - --report FILE > FILE" would leave the film without a name
+  if (output == kStandardOutput) refuse_same_file(job.report, "--report", {"/dev/stdout"});
+  if (job.report == kStandardOutput) refuse_same_file(output, "the output", {"/dev/stdout"});
   refuse_same_file(job.report, "--report", {output, output + ".part"});
   if (plan.resume) refuse_same_file(job.report, "--report", {folder_of_pieces(output)});
   if (!plan.story.empty()) {
