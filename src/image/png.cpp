@@ -100,7 +100,7 @@ void write_png(const AtomicFile& target, const Image& image, bool with_alpha) {
   const std::uint8_t* pixels = with_alpha ? image.pixels.data() : rgb.data();
 
   errno = 0;
-  File file(std::fopen(target.part().c_str(), "wb"));
+  File file(open_existing(target.part(), From::start));
   if (file == nullptr) throw failed("cannot open its temporary file");
   if (png_image_write_to_stdio(&png, file.get(), 0, pixels, 0, nullptr) == 0) {
     throw failed(png.message);

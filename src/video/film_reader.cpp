@@ -240,11 +240,14 @@ class FilmReader::Implementation {
     }
     frame.ground.reset();
     frame.painted.clear();
-    std::uint8_t* rows[] = {frame.pixels.data()};
-    const int strides[] = {4 * from.width};
+    // swscale writes up to 60 bytes behind the last pixel, for which frames of libav have room
+    AVFrame& to = *converted_;
     check_libav(
-        sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, rows, strides),
+        sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, to.data, to.linesize),
         "cannot convert a frame");
+    const int stride = 4 * from.width;
+    av_image_copy_plane(
+        frame.pixels.data(), stride, to.data[0], to.linesize[0], stride, from.height);
   }
 
   void open_converter() {
@@ -267,6 +270,11 @@ class FilmReader::Implementation {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
     }
+    converted_.reset(made(av_frame_alloc()));
+    converted_->format = AV_PIX_FMT_RGBA;
+    converted_->width = from.width;
+    converted_->height = from.height;
+    check_libav(av_frame_get_buffer(converted_.get(), 0), "no memory for a frame");
     const int* weights = sws_getCoefficients(matrix);
     constexpr int kOne = 1 << 16;
     // pixel formats without a matrix refuse this, and need none
@@ -281,6 +289,7 @@ class FilmReader::Implementation {
   Owned<AVPacket> packet_;
   Owned<AVFrame> decoded_;
   Owned<SwsContext> converter_;
+  Owned<AVFrame> converted_;
   int format_ = -1;         // pixel format that the converter takes
   std::int64_t first_ = 0;  // time stamp of the first frame
   std::int64_t end_ = 0;    // and of the end of the last one

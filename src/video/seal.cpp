@@ -70,7 +70,7 @@ std::string element_head(bool matroska, std::size_t bytes) {
 }
 
 void append(const std::filesystem::path& file, std::string_view bytes) {
-  if (const int reason = failure_to_write(file, "ab", bytes); reason != 0)
+  if (const int reason = failure_to_write(file, From::end, bytes); reason != 0)
     throw environment_error("cannot write the film: {}", std::strerror(reason));
 }
 

@@ -28,8 +28,8 @@ void write_film(const std::string& file,
                 FrameRate fps = {25, 1}) {
   SinkJob job;
   job.output = file;
-  job.width = 64;
-  job.height = 48;
+  job.width = frames.at(0).width;
+  job.height = frames.at(0).height;
   job.fps = fps;
   const std::unique_ptr<FrameSink> sink = make_sink(job);
   for (const Image& frame : frames)
@@ -64,6 +64,31 @@ TEST(FilmReader, GivesFramesInOrderWithTheirTimes) {
       EXPECT_LE(compare(image, frames[i], 0).largest, 3) << i;
     }
     EXPECT_FALSE(reader.next(image, time));
+  }
+}
+
+// swscale writes beyond pictures whose width is no multiple of 16; what lay there was lost
+TEST(FilmReader, WritesNothingBehindAPicture) {
+  const TemporaryFolder folder;
+  for (const int width : {24, 72, 74, 76, 78, 426}) {
+    for (const int height : {16, 64}) {
+      const Image gray = test::flat_image(width, height, 90, 90, 90);
+      write_film(folder / "a.mp4", {gray, gray, gray});
+      FilmReader reader(folder / "a.mp4");
+      Image image(width, height);
+      // room behind the pixels shows it
+      constexpr std::size_t kRoom = 64;
+      std::vector<std::uint8_t> bytes(image.pixels.size() + kRoom, 0xA5);
+      bytes.resize(image.pixels.size());
+      image.pixels.swap(bytes);
+      double time = 0.0;
+      while (reader.next(image, time)) {
+        const std::uint8_t* behind = image.pixels.data() + image.pixels.size();
+        for (std::size_t i = 0; i < kRoom; ++i)
+          ASSERT_EQ(behind[i], 0xA5) << width << "x" << height << ", " << i;
+        EXPECT_LE(compare(image, gray, 0).largest, 3);
+      }
+    }
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
@@ -76,6 +75,7 @@ AtomicFile::AtomicFile(fs::path target)
                       is_link ? "a link" : "not a regular file")
         .at(place);
   }
+  const Making making;
   lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0) {
     throw system_error(
@@ -114,6 +114,7 @@ void AtomicFile::commit() {
   std::error_code failed;
   fs::rename(part_, target_, failed);
   if (failed) {
+    wait_if_ending();
     throw environment_error("cannot rename the finished file: {}", failed.message())
         .at({target_.string(), 0, {}});
   }
@@ -127,22 +128,34 @@ void AtomicFile::commit_with(std::string_view content) {
 }
 
 void AtomicFile::write(std::string_view content) {
-  put("wb", content);
+  put(From::start, content);
 }
 
 void AtomicFile::append(std::string_view content) {
-  put("ab", content);
+  put(From::end, content);
 }
 
-void AtomicFile::put(const char* mode, std::string_view content) const {
-  if (const int reason = failure_to_write(part_, mode, content); reason != 0) {
+void AtomicFile::put(From from, std::string_view content) const {
+  if (const int reason = failure_to_write(part_, from, content); reason != 0) {
     throw environment_error("cannot write: {}", std::strerror(reason))
         .at({target_.string(), 0, {}});
   }
 }
 
-int failure_to_write(const fs::path& file, const char* mode, std::string_view bytes) {
-  std::FILE* out = std::fopen(file.c_str(), mode);
+std::FILE* open_existing(const fs::path& file, From from) {
+  const bool whole = from == From::start;
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | (whole ? O_TRUNC : O_APPEND));
+  if (descriptor < 0) {
+    wait_if_ending();  // it has been removed
+    return nullptr;
+  }
+  std::FILE* out = fdopen(descriptor, whole ? "wb" : "ab");
+  if (out == nullptr) close(descriptor);
+  return out;
+}
+
+int failure_to_write(const fs::path& file, From from, std::string_view bytes) {
+  std::FILE* out = open_existing(file, from);
   const bool written = out != nullptr &&
                        std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
                        std::fflush(out) == 0;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@
 #include "base/system/unfinished.h"
 
 namespace polhode {
+
+// Where writing begins: at the start of a file, whose content goes, or behind its end.
+enum class From { start, end };
 
 // Owns NAME.part beside NAME. commit() renames it to NAME; without commit() the destructor removes
 // it. Invariant: NAME itself is either untouched or complete. NAME.part is locked (flock, where the
@@ -48,7 +52,7 @@ class AtomicFile {
   void unlock();
 
  private:
-  void put(const char* mode, std::string_view content) const;
+  void put(From from, std::string_view content) const;
 
   std::filesystem::path target_;
   std::filesystem::path part_;
@@ -57,9 +61,13 @@ class AtomicFile {
   std::optional<Unfinished> unfinished_;
 };
 
-// Opens a file with fopen's `mode` ("wb", "ab"), writes the bytes and closes it. Returns 0 on
-// success, else the errno of the call that failed. Does not throw.
-int failure_to_write(const std::filesystem::path& file, const char* mode, std::string_view bytes);
+// Opens a file that is there, such as AtomicFile::part(), to write to it. Null, with errno, if that
+// fails; what is removed because the process ends is not made again (base/system/unfinished.h).
+std::FILE* open_existing(const std::filesystem::path& file, From from);
+
+// Opens a file as open_existing() does, writes the bytes and closes it. Returns 0 on success, else
+// the errno of the call that failed. Does not throw.
+int failure_to_write(const std::filesystem::path& file, From from, std::string_view bytes);
 
 // Writes a whole file by AtomicFile. Throws Error (input) as its constructor does, and
 // (environment) if writing or renaming fails, for example on a full disk.

@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <iterator>
+#include <memory>
 #include <poll.h>
 #include <string>
 #include <string_view>
@@ -16,33 +18,51 @@
 #include <sys/wait.h>
 
 namespace polhode {
-namespace {
 
-constexpr std::size_t kSlots = 64;
-constexpr std::size_t kLongestPath = 4000;
+// A thing that is remembered. A signal handler may read nothing that needs a lock or memory: slots
+// are never given back, but used again.
+struct Unfinished::Slot {
+  explicit Slot(std::size_t bytes) : room(bytes), path(new char[bytes]) {}
 
-// A signal handler may read nothing that needs a lock or memory.
-struct Slot {
-  std::atomic<bool> taken{false};
+  std::atomic<bool> taken{true};
   std::atomic<pid_t> owner{0};  // 0: not to be read
   pid_t child = 0;              // 0: a path
-  std::array<char, kLongestPath + 1> path{};
+  const std::size_t room;       // bytes
+  const std::unique_ptr<char[]> path;
+  Slot* next = nullptr;
 };
-std::array<Slot, kSlots> slots;
-std::atomic<bool> ending{false};
 
-// the number of a slot, kSlots if there is none
-std::size_t remember(std::string_view path, pid_t child) {
-  if (path.size() > kLongestPath) return kSlots;
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    if (slots[i].taken.exchange(true)) continue;
-    path.copy(slots[i].path.data(), path.size());
-    slots[i].path[path.size()] = '\0';
-    slots[i].child = child;
-    slots[i].owner.store(getpid(), std::memory_order_release);
-    return i;
+namespace {
+
+using Slot = Unfinished::Slot;
+std::atomic<Slot*> slots{nullptr};  // the newest
+std::atomic<int> free_slots{0};     // a film of pictures has thousands, of which none is free
+std::atomic<int> making{0};         // threads that make what they have not remembered yet
+std::atomic<pid_t> ending{0};       // the process that ends; not those forked from it meanwhile
+
+Slot* take_slot(std::size_t bytes) {
+  if (free_slots > 0) {
+    for (Slot* slot = slots; slot != nullptr; slot = slot->next) {
+      if (slot->room < bytes || slot->taken.exchange(true)) continue;
+      --free_slots;
+      return slot;
+    }
   }
-  return kSlots;
+  constexpr std::size_t kGrain = 256;  // bytes; few paths are longer
+  auto* fresh = new Slot((bytes + kGrain - 1) / kGrain * kGrain);
+  fresh->next = slots;
+  while (!slots.compare_exchange_weak(fresh->next, fresh)) {
+  }
+  return fresh;
+}
+
+Slot* remember(std::string_view path, pid_t child) {
+  Slot* slot = take_slot(path.size() + 1);
+  path.copy(slot->path.get(), path.size());
+  slot->path[path.size()] = '\0';
+  slot->child = child;
+  slot->owner = getpid();
+  return slot;
 }
 
 void remove(const char* path) {
@@ -56,16 +76,29 @@ void remove(const char* path) {
   if (child > 0) waitpid(child, nullptr, 0);
 }
 
-void remove_unfinished() {
-  ending = true;
-  const auto is_ours = [](const Slot& slot) {
-    return slot.owner.load(std::memory_order_acquire) == getpid();
+void remove_remembered() {
+  const auto for_each_of_ours = [](const auto& act) {
+    for (const Slot* slot = slots; slot != nullptr; slot = slot->next)
+      if (slot->owner == getpid()) act(*slot);
   };
   // first those who still write
-  for (const Slot& slot : slots)
-    if (is_ours(slot) && slot.child > 0) end_with_all_it_started(slot.child);
-  for (const Slot& slot : slots)
-    if (is_ours(slot) && slot.child == 0) remove(slot.path.data());
+  for_each_of_ours([](const Slot& slot) {
+    if (slot.child > 0) end_with_all_it_started(slot.child);
+  });
+  for_each_of_ours([](const Slot& slot) {
+    if (slot.child == 0) remove(slot.path.get());
+  });
+}
+
+void remove_unfinished() {
+  ending = getpid();
+  remove_remembered();
+  // what other threads have begun meanwhile; they begin nothing else
+  constexpr timespec kMoment{0, 100'000};  // ns
+  constexpr int kMoments = 10'000;
+  for (int i = 0; i < kMoments && making > 0; ++i)
+    nanosleep(&kMoment, nullptr);
+  remove_remembered();
 }
 
 // what the program, a library or the machine does wrong; the rest comes from outside
@@ -84,7 +117,9 @@ extern "C" void end_after_signal(int signal) {
   const bool crashed =
       std::find(std::begin(kCrashes), std::end(kCrashes), signal) != std::end(kCrashes);
   const std::string_view words = crashed ? kCrash : signal == SIGXCPU ? kLimit : kOrder;
-  say_in_passing(words);
+  // another signal may come meanwhile, in another thread: whoever is through first ends the process
+  static std::atomic<bool> is_said{false};
+  if (!is_said.exchange(true)) say_in_passing(words);
   remove_unfinished();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -96,7 +131,10 @@ void tidy_up_after(int signal) {
   if ((now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL) return;
   struct sigaction ours {};
   ours.sa_handler = end_after_signal;
-  ours.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  ours.sa_flags = SA_ONSTACK;
+  sigemptyset(&ours.sa_mask);
+  for (const int order : kOrders)
+    sigaddset(&ours.sa_mask, order);
   sigaction(signal, &ours, nullptr);
 }
 
@@ -113,13 +151,33 @@ Unfinished::Unfinished(const std::filesystem::path& path)
 Unfinished::Unfinished(pid_t child) : slot_(remember({}, child)) {}
 
 Unfinished::~Unfinished() {
-  if (slot_ == kSlots) return;
-  slots[slot_].owner.store(0);
-  slots[slot_].taken.store(false);
+  slot_->owner = 0;
+  slot_->taken = false;
+  ++free_slots;
+}
+
+Making::Making() {
+  sigset_t all_but_crashes;
+  sigfillset(&all_but_crashes);
+  for (const int crash : kCrashes)
+    sigdelset(&all_but_crashes, crash);
+  pthread_sigmask(SIG_SETMASK, &all_but_crashes, &before_);
+  ++making;
+}
+
+Making::~Making() {
+  --making;
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  wait_if_ending();
 }
 
 bool is_ending() {
-  return ending;
+  return ending == getpid();
+}
+
+void wait_if_ending() {
+  while (is_ending())
+    pause();
 }
 
 void end_with_all_it_started(pid_t child) {

@@ -3,7 +3,7 @@
 // aborts, or does not come back after a signal to stop.
 #pragma once
 
-#include <cstddef>
+#include <csignal>
 #include <filesystem>
 #include <string_view>
 
@@ -12,8 +12,7 @@
 namespace polhode {
 
 // Remembers an unfinished file, a folder of temporary files or a child process until it is
-// destroyed; end_at_once() removes or kills what is remembered then. If too much is remembered at
-// once (64 things, or paths of over 4000 bytes), the rest is not. Only the process that made it
+// destroyed; end_at_once() removes or kills what is remembered then. Only the process that made it
 // removes it, not one forked from that. Thread-safe.
 class Unfinished {
  public:
@@ -23,13 +22,32 @@ class Unfinished {
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
+  struct Slot;  // for the implementation
+
  private:
-  std::size_t slot_;
+  Slot* slot_;  // never null
+};
+
+// While a thread has one, no signal interrupts it, and a process that ends waits for it, for a
+// second at most: for making a thing and remembering it, between which nothing would remove it. If
+// the process ends meanwhile, the destructor does not come back. Its time should be short.
+class Making {
+ public:
+  Making();
+  ~Making();
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+ private:
+  sigset_t before_;  // what the thread does not want to hear
 };
 
 // Whether the process ends at once and what is unfinished is being removed. Other threads go on
-// until it is: what they find then may have gaps.
+// until it is, or until they make a file: what they find then may have gaps.
 bool is_ending();
+// Does not come back then. For what would make again what has just been removed, or tell that it is
+// not there.
+void wait_if_ending();
 
 // Kills a child and, if it leads a process group, the programs that it has started. May be called
 // in a signal handler.
