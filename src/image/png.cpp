@@ -160,6 +160,13 @@ Image decode_png(const std::string& bytes, const std::string& name) {
   // wrong with other files
   if (bytes.starts_with("\x89PNG") && !has_chunk(bytes, "IEND"))
     throw input_error("is not a whole PNG picture: it ends before its last chunk").at(place);
+  // depth and order of rows are in the first chunk
+  constexpr std::size_t kDepth = 24, kInterlaced = 28;
+  if (bytes.size() > kInterlaced && bytes[kDepth] == 16 && bytes[kInterlaced] != 0) {
+    // libpng 1.6 mixes the rows of its passes up
+    throw input_error("is an interlaced picture of 16 bits a channel; save it without interlacing")
+        .at(place);
+  }
   Reader png;
   const auto refuse = [&] {
     return input_error("is not a PNG picture: {}", png.message).at(place);

@@ -47,7 +47,7 @@ Media::Media(std::filesystem::path folder, const std::filesystem::path& deck_fol
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
   std::string name = (folder_ / (kWork + "XXXXXX")).string();
-  const Making making;
+  const Unbroken until_remembered;
   if (failed || mkdtemp(name.data()) == nullptr) {
     throw input_error("cannot write into the folder '{}'", folder_.string())
         .at({{}, 0, "--output"});

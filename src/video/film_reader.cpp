@@ -118,6 +118,8 @@ class FilmReader::Implementation {
 
   // WebM has the alpha of a frame beside its colours, which only libvpx puts together
   bool keeps_alpha_beside() const {
+    const AVCodecID codec = stream_->codecpar->codec_id;
+    if (codec != AV_CODEC_ID_VP8 && codec != AV_CODEC_ID_VP9) return false;
     const AVDictionaryEntry* mode = av_dict_get(stream_->metadata, "alpha_mode", nullptr, 0);
     return mode != nullptr && std::string(mode->value) == "1";
   }
@@ -253,13 +255,17 @@ class FilmReader::Implementation {
   void open_converter() {
     const AVFrame& from = *decoded_;
     format_ = from.format;
+    // half the columns of 4:4:0 would lose their colour; swscale itself sees to 4:4:4
+    const auto kind = static_cast<AVPixelFormat>(from.format);
+    const AVPixFmtDescriptor& samples = *av_pix_fmt_desc_get(kind);
+    const bool is_440 = samples.log2_chroma_w == 0 && samples.log2_chroma_h > 0;
     converter_.reset(sws_getContext(from.width,
                                     from.height,
-                                    static_cast<AVPixelFormat>(from.format),
+                                    kind,
                                     from.width,
                                     from.height,
                                     AV_PIX_FMT_RGBA,
-                                    SWS_POINT,
+                                    is_440 ? SWS_POINT | SWS_FULL_CHR_H_INT : SWS_POINT,
                                     nullptr,
                                     nullptr,
                                     nullptr));

@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/system/atomic_file.h"
+#include "base/system/unfinished.h"
 #include "image/png.h"
 
 namespace polhode {
@@ -73,6 +74,7 @@ class PngSequenceSink final : public FrameSink {
   // all frames get their names together, so that older ones stay until the new ones are whole
   void finish() override {
     const StageTimer timer(times_.encode);
+    const Unbroken together;
     for (AtomicFile& file : files_) {
       file.commit();
       ++named_;

@@ -53,6 +53,15 @@ TEST(Png, SixteenBitsAreTheSamePicture) {
   }
 }
 
+// libpng would show other rows
+TEST(Png, SixteenBitsWithInterlacingAreRefused) {
+  std::string bytes = encode_png(noise(20, 10, 3), false);
+  bytes[28] = 1;
+  bytes[24] = 16;
+  test::expect_error(
+      [&] { decode_png(bytes, "a.png"); }, Fault::input, "", "save it without interlacing");
+}
+
 TEST(Png, WithoutAlphaIsOpaqueAndKeepsColour) {
   const TemporaryFolder folder;
   const Image image = noise(20, 10, 2);

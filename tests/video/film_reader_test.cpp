@@ -92,6 +92,38 @@ TEST(FilmReader, WritesNothingBehindAPicture) {
   }
 }
 
+void make_foreign(const std::string& filter, const std::string& file) {
+  const std::string command = "ffmpeg -nostdin -loglevel error -y -f lavfi -i \"" + filter +
+                              "\" -frames:v 2 -c:v ffv1 '" + file + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+TEST(FilmReader, EveryColumnHasItsOwnColour) {
+  const TemporaryFolder folder;
+  for (const std::string format : {"yuv444p", "yuv440p"}) {
+    make_foreign(
+        "color=gray:s=16x16,format=" + format + ",geq=lum=128:cb='if(mod(X,2),128,220)':cr=128",
+        folder / "a.mkv");
+    FilmReader reader(folder / "a.mkv");
+    Image image;
+    double time = 0.0;
+    ASSERT_TRUE(reader.next(image, time));
+    EXPECT_GT(image.at(4, 8)[2], image.at(5, 8)[2] + 100) << format;
+    EXPECT_NEAR(image.at(5, 8)[2], image.at(5, 8)[0], 3) << format;
+  }
+}
+
+// the tag that WebM has for what is kept beside the colours; here it is in the pictures
+TEST(FilmReader, OtherCodecsMayHaveTransparencyToo) {
+  const TemporaryFolder folder;
+  make_foreign("color=red:s=16x16,format=yuva420p", folder / "a.mkv");
+  FilmReader reader(folder / "a.mkv");
+  EXPECT_TRUE(reader.info().alpha);
+  Image image;
+  double time = 0.0;
+  EXPECT_TRUE(reader.next(image, time));
+}
+
 // of a picture that was used for something else before, every pixel is new
 TEST(FilmReader, AReusedPictureKeepsNoGround) {
   const TemporaryFolder folder;

@@ -75,7 +75,7 @@ AtomicFile::AtomicFile(fs::path target)
                       is_link ? "a link" : "not a regular file")
         .at(place);
   }
-  const Making making;
+  const Unbroken until_remembered;
   lock_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0) {
     throw system_error(

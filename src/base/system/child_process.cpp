@@ -82,7 +82,7 @@ class Child {
     posix_spawnattr_setsigmask(&how, &none);
     posix_spawnattr_setflags(
         &how, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-    const Making making;
+    const Unbroken until_remembered;
     const int failure = posix_spawnp(&id_, arguments[0], &files, &how, arguments.data(), environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);

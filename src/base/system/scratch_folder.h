@@ -28,7 +28,7 @@ class ScratchFolder {
   // message. Throws as system_error() (base/system/system_error.h) does if it cannot be created.
   explicit ScratchFolder(const std::filesystem::path& pattern, const std::string& advice = "") {
     std::string name = pattern.string();
-    const Making making;
+    const Unbroken until_remembered;
     if (mkdtemp(name.data()) == nullptr) {
       const int reason = errno;
       throw Error(advice.empty() ? fault_of(reason) : Fault::environment,

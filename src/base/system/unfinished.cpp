@@ -37,7 +37,7 @@ namespace {
 using Slot = Unfinished::Slot;
 std::atomic<Slot*> slots{nullptr};  // the newest
 std::atomic<int> free_slots{0};     // a film of pictures has thousands, of which none is free
-std::atomic<int> making{0};         // threads that make what they have not remembered yet
+std::atomic<int> unbroken{0};       // threads that must not be broken off
 std::atomic<pid_t> ending{0};       // the process that ends; not those forked from it meanwhile
 
 Slot* take_slot(std::size_t bytes) {
@@ -76,7 +76,13 @@ void remove(const char* path) {
   if (child > 0) waitpid(child, nullptr, 0);
 }
 
-void remove_remembered() {
+void remove_unfinished() {
+  ending = getpid();
+  // nobody begins anything else
+  constexpr timespec kMoment{0, 100'000};  // ns
+  constexpr int kMoments = 20'000;
+  for (int i = 0; i < kMoments && unbroken > 0; ++i)
+    nanosleep(&kMoment, nullptr);
   const auto for_each_of_ours = [](const auto& act) {
     for (const Slot* slot = slots; slot != nullptr; slot = slot->next)
       if (slot->owner == getpid()) act(*slot);
@@ -88,17 +94,6 @@ void remove_remembered() {
   for_each_of_ours([](const Slot& slot) {
     if (slot.child == 0) remove(slot.path.get());
   });
-}
-
-void remove_unfinished() {
-  ending = getpid();
-  remove_remembered();
-  // what other threads have begun meanwhile; they begin nothing else
-  constexpr timespec kMoment{0, 100'000};  // ns
-  constexpr int kMoments = 10'000;
-  for (int i = 0; i < kMoments && making > 0; ++i)
-    nanosleep(&kMoment, nullptr);
-  remove_remembered();
 }
 
 // what the program, a library or the machine does wrong; the rest comes from outside
@@ -156,17 +151,20 @@ Unfinished::~Unfinished() {
   ++free_slots;
 }
 
-Making::Making() {
+Unbroken::Unbroken() {
   sigset_t all_but_crashes;
   sigfillset(&all_but_crashes);
   for (const int crash : kCrashes)
     sigdelset(&all_but_crashes, crash);
   pthread_sigmask(SIG_SETMASK, &all_but_crashes, &before_);
-  ++making;
+  ++unbroken;
+  if (!is_ending()) return;
+  --unbroken;
+  wait_if_ending();
 }
 
-Making::~Making() {
-  --making;
+Unbroken::~Unbroken() {
+  --unbroken;
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   wait_if_ending();
 }

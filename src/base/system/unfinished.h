@@ -28,15 +28,16 @@ class Unfinished {
   Slot* slot_;  // never null
 };
 
-// While a thread has one, no signal interrupts it, and a process that ends waits for it, for a
-// second at most: for making a thing and remembering it, between which nothing would remove it. If
-// the process ends meanwhile, the destructor does not come back. Its time should be short.
-class Making {
+// While a thread has one, no signal interrupts it, and a process that ends waits for it, for two
+// seconds at most, before it removes anything: for making a thing and remembering it, or giving
+// several their names. If the process ends already, the constructor does not come back, and if it
+// is to end meanwhile, neither does the destructor.
+class Unbroken {
  public:
-  Making();
-  ~Making();
-  Making(const Making&) = delete;
-  Making& operator=(const Making&) = delete;
+  Unbroken();
+  ~Unbroken();
+  Unbroken(const Unbroken&) = delete;
+  Unbroken& operator=(const Unbroken&) = delete;
 
  private:
   sigset_t before_;  // what the thread does not want to hear
