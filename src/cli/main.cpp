@@ -17,6 +17,7 @@
 #include "base/system/console.h"
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
+#include "base/system/unfinished.h"
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/parse_errors.h"
@@ -26,6 +27,7 @@ namespace polhode {
 namespace {
 
 int fail(const Error& error) {
+  wait_if_ending();  // why has been said
   end_silently();
   print_err(fmt::format("polhode: {}\n", error.what()));
   return static_cast<int>(error.fault());
@@ -127,7 +129,9 @@ int main(int argc, char** argv) {
   polhode::keep_large_blocks_apart();
   polhode::watch_for_interrupt();
   try {
-    return polhode::run(argc, argv);
+    const int code = polhode::run(argc, argv);
+    polhode::wait_if_ending();
+    return code;
   } catch (const Error& error) {
     return polhode::fail(error);
   } catch (const std::bad_alloc&) {

@@ -184,6 +184,24 @@ Json with_lettered_formulas(Json tree) {
   return tree;
 }
 
+// PowerPoint leads to slides by their titles: links to a picture lead to the title before it.
+void lead_to_titles(Json& tree, const Deck& deck) {
+  std::map<std::string, std::string> titles;  // by the places of pictures
+  std::string title;
+  for (const Json& block : deck.blocks) {
+    if (block["t"] == "Header") title = block["c"][1][0];
+    if (block["t"] == kPictureNode)
+      titles[deck.pictures[block["c"].get<std::size_t>()].place] = title;
+  }
+  for_each_node(tree["blocks"], [&](Json& node) {
+    if (node["t"] != "Link") return;
+    const std::string target = node["c"][2][0];
+    if (!target.starts_with("#")) return;
+    const auto found = titles.find(percent_decoded(target.substr(1)));
+    if (found != titles.end() && !found->second.empty()) node["c"][2][0] = "#" + found->second;
+  });
+}
+
 // Words for the speaker are text on the page: the page is what a student reads.
 Json with_notes_as_text(Json blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -292,7 +310,8 @@ std::string make_pptx(const Deck& deck,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
   slides.blocks = as_slides(deck, true);
-  const Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
+  Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
+  lead_to_titles(tree, deck);
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";
   // it reads the posters, which are ours, and copies of the deck's own pictures

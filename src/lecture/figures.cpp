@@ -133,7 +133,7 @@ Json picture_blocks(const DeckPicture& picture,
   if (link.empty()) settings.push_back(Json::array({"height", "62%"}));
   Json image = {{"t", "Image"},
                 {"c",
-                 {Json::array({"", Json::array(), settings}),
+                 {Json::array({picture.place, Json::array(), settings}),
                   picture.caption.empty() ? string_inlines(alt_of(picture)) : picture.caption,
                   {file, title}}}};
   if (link.empty()) return Json::array({paragraph(Json::array({image}))});
@@ -151,10 +151,21 @@ Json still_blocks(const DeckPicture& picture, const std::string& elements) {
   return framed(fmt::format("<figure class=\"still\"{}>{}", id_of(picture), elements), picture);
 }
 
+// blocks to which links to the picture lead
+Json named(const DeckPicture& picture, const Json& blocks) {
+  if (picture.place.empty()) return blocks;
+  return Json::array(
+      {{{"t", "Div"},
+        {"c", {Json::array({picture.place, Json::array(), Json::array()}), blocks}}}});
+}
+
 Json document_blocks(const Figure& figure, bool links) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
-  if (picture.kind == PictureKind::inspect) return figure.facts.at("table");
+  if (picture.kind == PictureKind::inspect) {
+    const Json& table = figure.facts.at("table");
+    return links ? table : named(picture, table);  // in PowerPoint a table stands by itself
+  }
   // pandoc describes pictures by their titles in PowerPoint, and by "fig:" knows those with
   // captions
   const std::string title = links ? alt_of(picture) : "fig:";
@@ -280,7 +291,8 @@ Json handout_blocks(const Figure& figure) {
                        qr_code_svg(figure.address),
                        escaped(figure.address));
   }
-  return framed(fmt::format("<figure class=\"stills\"><div class=\"screens n{}\">{}</div>{}",
+  return framed(fmt::format("<figure class=\"stills\"{}><div class=\"screens n{}\">{}</div>{}",
+                            id_of(picture),
                             std::min(stills.size(), std::size_t{4}),
                             text,
                             code),

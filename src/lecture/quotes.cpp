@@ -119,7 +119,8 @@ Quoted number(double value, const std::string& format) {
 }
 
 std::string tex_unit(const std::string& unit) {
-  return unit == "°" ? "^\\circ" : fmt::format("\\;\\text{{{}}}", unit);
+  // a power of ten has its own raised number
+  return unit == "°" ? "{}^\\circ" : fmt::format("\\;\\text{{{}}}", unit);
 }
 
 // `key`: what is quoted, for messages
@@ -173,8 +174,14 @@ void for_each_text(Deck& deck, const std::function<void(Json& text, bool formula
   };
   for_each_node(deck.meta, visit);
   for_each_node(deck.blocks, visit);
-  for (DeckPicture& picture : deck.pictures)
+  for (DeckPicture& picture : deck.pictures) {
     for_each_node(picture.caption, visit);
+    const auto alt = picture.settings.find("alt");
+    if (alt == picture.settings.end()) continue;
+    Json words = alt->second;
+    work(words, false);
+    alt->second = words.get<std::string>();
+  }
 }
 
 }  // namespace
@@ -265,7 +272,9 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
     throw input_error("'{}' is no number; leave out '|{}'", quote.key, quote.format);
   Quoted out = value_text(quote.key, value, factor, quote.format.empty() ? "%.4g" : quote.format);
   if (unit.empty()) return out;
-  out.text += (unit.starts_with("°") ? "" : "\u00A0") + unit;
+  // a degree stands by its number, but not by the raised one of a power
+  const bool joined = unit.starts_with("°") && out.text.find("× 10") == std::string::npos;
+  out.text += (joined ? "" : "\u00A0") + unit;
   out.tex += tex_unit(unit);
   return out;
 }

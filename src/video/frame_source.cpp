@@ -178,7 +178,7 @@ std::unique_ptr<FrameSource> open_frames(const std::string& name) {
   if (has_film_ending(lower(name))) return std::make_unique<FilmSource>(name);
   throw input_error(
       "is not a picture (.png), numbered sequence (name_%05d.png), folder of pictures, film (.mp4, "
-      ".mkv, .mov, .webm, .gif) or scene (.toml)")
+      ".mkv, .mov, .webm, .gif, .apng, .avi) or scene (.toml)")
       .at({name, 0, {}});
 }
 

@@ -125,6 +125,32 @@ for name in parts.namelist():
   EXPECT_TRUE(has(ran.out, "On Ω") && has(ran.out, "and Θ")) << ran.out;
 }
 
+TEST(Documents, LinksLeadToPicturesInEachOfThem) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "media");
+  write_png(folder / "media/poster.png", test::flat_image(64, 36, 1, 2, 3), false);
+  const Deck deck = deck_of(
+      "## First\n\nSee [it](#mov) and [that](#s).\n\n## Second\n\n![A caption](s.toml){#mov "
+      ".film}\n\n"
+      "## Third\n\n![Another](s.toml){.film}\n");
+  EXPECT_TRUE(has(make_page(deck, figure_of, ""), "id=\"mov\""));
+  EXPECT_TRUE(has(make_slides(deck, figure_of, {"4", "css", "js", ""}), "id=\"mov\""));
+  EXPECT_TRUE(has(make_handout_html(deck, figure_of), "id=\"mov\""));
+  const std::string tex = make_beamer(deck, figure_of);
+  for (const char* place : {"mov", "s"}) {
+    EXPECT_TRUE(has(tex, fmt::format("\\hyperlink{{{}}}", place))) << tex;
+    EXPECT_TRUE(has(tex, fmt::format("\\hypertarget{{{}}}", place))) << tex;
+  }
+  test::write_text(folder / "slides.pptx", make_pptx(deck, figure_of, folder.path()));
+  const char* script = R"py(import re, sys, zipfile
+links = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/_rels/slide1.xml.rels").decode()
+print(*sorted(re.findall(r'Target="(slide[0-9]+.xml)"', links)))
+)py";
+  const ChildResult ran =
+      run_child({"python3", "-c", script, folder / "slides.pptx"}, "", {.seconds = 60.0});
+  EXPECT_EQ(ran.out, "slide2.xml slide3.xml\n") << ran.err;
+}
+
 // what has failed says so in its place
 TEST(Documents, APictureThatCouldNotBeMadeIsWords) {
   const auto failed = [](const DeckPicture& picture) {

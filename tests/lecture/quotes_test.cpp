@@ -28,6 +28,7 @@ TEST(Quotes, NumbersAsReadersWantThem) {
   EXPECT_EQ(told("derived.precession_rate_rad_per_s|%.2f"), "1.26\u00A0rad/s");
   EXPECT_EQ(told("derived.precession_rate|%.2f"), "1.26\u00A0rad/s");
   EXPECT_EQ(told("precession_rate|%.4g,deg_per_s"), "72°/s");
+  EXPECT_EQ(told("precession_rate|%.3e,deg_per_s"), "7.200 × 10¹\u00A0°/s");
   EXPECT_EQ(told("precession_rate|,none"), "1.257");
   EXPECT_EQ(told("flip_time"), "−0.0002442\u00A0s");
   EXPECT_EQ(told("flip_time|%.2e,us"), "−2.44 × 10²\u00A0µs");
@@ -95,13 +96,15 @@ TEST(Quotes, WrongOnesSayWhy) {
 TEST(Quotes, StandInTextFormulasAndCaptions) {
   Deck deck = deck_of(
       "A ({inspect:s.toml#flip_time|%.1e}), $x = {inspect:s.toml#flip_time|%.1e}$\n\n"
-      "![c {inspect:s.toml#stable}](s.toml){.film}\n\n{inspect:s.toml#nothing}\n");
+      "![c {inspect:s.toml#stable}](s.toml){.film alt=\"d {inspect:s.toml#flip_time|%.1e}\"}\n\n"
+      "{inspect:s.toml#nothing}\n");
   fill_quotes(deck, "\n\n\n{inspect:s.toml#nothing}", [](const std::string&) -> const Json& {
     return kAnswer;
   });
   EXPECT_EQ(plain_text(deck.blocks[0]["c"]),
             "A (−2.4 × 10⁻⁴\u00A0s), x = -2.4\\times 10^{-4}\\;\\text{s}");
   EXPECT_EQ(plain_text(deck.pictures[0].caption), "c yes");
+  EXPECT_EQ(deck.pictures[0].settings.at("alt"), "d −2.4 × 10⁻⁴\u00A0s");
   ASSERT_EQ(deck.problems.size(), 1U);
   EXPECT_EQ(deck.problems[0].place().line, 4);
   EXPECT_EQ(quoted_scenes(deck_of("{inspect:s.toml#a} {inspect:t.toml#b}")).size(), 2U);

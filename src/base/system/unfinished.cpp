@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <fcntl.h>
 #include <iterator>
 #include <memory>
 #include <poll.h>
@@ -65,15 +66,34 @@ Slot* remember(std::string_view path, pid_t child) {
   return slot;
 }
 
-void remove(const char* path) {
-  if (unlink(path) == 0 || (errno != EISDIR && errno != EPERM)) return;
+// Whether /bin/rm could remove the folder. It keeps what is blocked here, and has a group of its
+// own, so that signals to us do not end it.
+bool remove_folder(const char* path) {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
   // fork() takes locks that the interrupted code may hold
   const pid_t child = _Fork();
   if (child == 0) {
+    setpgid(0, 0);
+    dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
     execl("/bin/rm", "rm", "-rf", "--", path, static_cast<char*>(nullptr));
     _exit(1);
   }
-  if (child > 0) waitpid(child, nullptr, 0);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  int status = 1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status == 0;
+}
+
+void remove(const char* path) {
+  if (unlink(path) == 0 || (errno != EISDIR && errno != EPERM)) return;
+  // programs that have just been killed may still write to it
+  constexpr timespec kMoment{0, 50'000'000};  // ns
+  constexpr int kTimes = 10;
+  for (int i = 0; i < kTimes && !remove_folder(path); ++i)
+    nanosleep(&kMoment, nullptr);
 }
 
 void remove_unfinished() {
