@@ -7,6 +7,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
 #include "base/utf8.h"
+#include "lecture/office_slides.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -44,9 +45,8 @@ std::string with_brackets(const std::string& html) {
   return out + html.substr(from);
 }
 
-// One slide for programs that place things themselves: where words and one picture share it, they
-// stand side by side.
-void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
+// One slide of LaTeX: where words and one picture share it, they stand side by side.
+void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
   Json words = Json::array(), pictures = Json::array(), notes = Json::array();
   bool several = false;
   for (const Json& block : slide) {
@@ -54,7 +54,7 @@ void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
     if (type == kPictureNode) {
       pictures.push_back(block);
       const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
-      several = several || (!tables && picture.kind == PictureKind::inspect);
+      several = several || picture.kind == PictureKind::inspect;
     } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
       notes.push_back(block);
     } else {
@@ -71,19 +71,18 @@ void add_slide(Json& blocks, const Json& slide, const Deck& deck, bool tables) {
   }
 }
 
-// tables: may they stand beside words, too
-Json as_slides(const Deck& deck, bool tables) {
+Json as_slides(const Deck& deck) {
   Json blocks = Json::array(), slide = Json::array();
   for (const Json& block : deck.blocks) {
     if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
-      add_slide(blocks, slide, deck, tables);
+      add_slide(blocks, slide, deck);
       slide = Json::array();
       blocks.push_back(block);
     } else {
       slide.push_back(block);
     }
   }
-  add_slide(blocks, slide, deck, tables);
+  add_slide(blocks, slide, deck);
   return blocks;
 }
 
@@ -184,21 +183,14 @@ Json with_lettered_formulas(Json tree) {
   return tree;
 }
 
-// PowerPoint leads to slides by their titles: links to a picture lead to the title before it.
-void lead_to_titles(Json& tree, const Deck& deck) {
-  std::map<std::string, std::string> titles;  // by the places of pictures
-  std::string title;
-  for (const Json& block : deck.blocks) {
-    if (block["t"] == "Header") title = block["c"][1][0];
-    if (block["t"] == kPictureNode)
-      titles[deck.pictures[block["c"].get<std::size_t>()].place] = title;
-  }
+// PowerPoint leads to slides by their titles, and to nothing else.
+void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles) {
   for_each_node(tree["blocks"], [&](Json& node) {
     if (node["t"] != "Link") return;
     const std::string target = node["c"][2][0];
     if (!target.starts_with("#")) return;
     const auto found = titles.find(percent_decoded(target.substr(1)));
-    if (found != titles.end() && !found->second.empty()) node["c"][2][0] = "#" + found->second;
+    if (found != titles.end()) node["c"][2][0] = "#" + found->second;
   });
 }
 
@@ -300,7 +292,7 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
-  slides.blocks = as_slides(deck, false);
+  slides.blocks = as_slides(deck);
   const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
   return whole_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"});
 }
@@ -308,10 +300,11 @@ std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
 std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,
                       const std::filesystem::path& folder) {
+  const OfficeSlides layout = office_slides(deck);
   Deck slides = deck;
-  slides.blocks = as_slides(deck, true);
+  slides.blocks = layout.blocks;
   Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
-  lead_to_titles(tree, deck);
+  lead_to_titles(tree, layout.titles);
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";
   // it reads the posters, which are ours, and copies of the deck's own pictures

@@ -125,6 +125,31 @@ for name in parts.namelist():
   EXPECT_TRUE(has(ran.out, "On Ω") && has(ran.out, "and Θ")) << ran.out;
 }
 
+// pandoc leaves out what has no place on a slide
+TEST(Documents, PowerPointHasAllWordsAndPictures) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "media");
+  write_png(folder / "media/poster.png", test::flat_image(64, 36, 1, 2, 3), false);
+  const std::string table = "| ALPHA | b |\n|---|---|\n| BETA | d |\n\n",
+                    film = "![CAPTION](s.toml){.film}\n\n";
+  const Deck deck = deck_of(
+      "## First\n\n" + film + table + "GAMMA\n\n## Second\n\n" + table + "DELTA\n\n" + table +
+      "EPSILON\n\n## Third\n\n:::: columns\n::: column\nZETA\n:::\n::: column\nETA\n:::\n"
+      "::: column\nTHETA\n:::\n::::\n\n## Fourth\n\n- IOTA\n\n  " +
+      film);
+  test::write_text(folder / "slides.pptx", make_pptx(deck, figure_of, folder.path()));
+  const char* script = R"py(import re, sys, zipfile
+parts = zipfile.ZipFile(sys.argv[1])
+slides = "".join(parts.read(n).decode() for n in parts.namelist() if n.startswith("ppt/slides/slide"))
+words = "".join(re.findall("<a:t[^>]*>([^<]*)", slides))
+for word in "ALPHA BETA GAMMA DELTA EPSILON ZETA ETA THETA IOTA CAPTION".split(): assert word in words, (word, words)
+assert words.count("ALPHA") == 3 and slides.count("<p:pic>") == 2, slides.count("<p:pic>")
+)py";
+  const ChildResult ran =
+      run_child({"python3", "-c", script, folder / "slides.pptx"}, "", {.seconds = 60.0});
+  EXPECT_TRUE(ended_well(ran)) << ran.err;
+}
+
 TEST(Documents, LinksLeadToPicturesInEachOfThem) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "media");

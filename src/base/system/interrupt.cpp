@@ -29,7 +29,7 @@ std::int64_t now_ms() {
 constexpr unsigned kPatienceSeconds = 2;
 
 extern "C" void stop_waiting(int /*signal*/) {
-  if (!is_silent) say_in_passing("polhode: interrupted\n");
+  if (!is_silent && !is_ending()) say_in_passing("polhode: interrupted\n");
   end_at_once(static_cast<int>(Fault::interrupted));
 }
 

@@ -100,7 +100,7 @@ void remove_unfinished() {
   ending = getpid();
   // nobody begins anything else
   constexpr timespec kMoment{0, 100'000};  // ns
-  constexpr int kMoments = 20'000;
+  constexpr int kMoments = 12'000;
   for (int i = 0; i < kMoments && unbroken > 0; ++i)
     nanosleep(&kMoment, nullptr);
   const auto for_each_of_ours = [](const auto& act) {

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/office_slides.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace polhode {
+namespace {
+
+bool is_div(const Json& block, const char* name) {
+  return block["t"] == "Div" && block["c"][0][1] == Json::array({name});
+}
+
+bool is_picture(const Json& node) {
+  return node["t"] == kPictureNode || node["t"] == "Image";
+}
+
+// a picture of the deck's own in a paragraph of its own
+bool is_image(const Json& block) {
+  return (block["t"] == "Para" || block["t"] == "Plain") && block["c"].size() == 1 &&
+         block["c"][0]["t"] == "Image";
+}
+
+// Takes the pictures out of what stands around them, where pandoc would drop them.
+Json take_pictures(Json& tree) {
+  Json taken = Json::array();
+  if (tree.is_object()) {
+    if (tree.contains("c")) taken = take_pictures(tree["c"]);
+    return taken;
+  }
+  if (!tree.is_array()) return taken;
+  Json left = Json::array();
+  for (Json& child : tree) {
+    if (child.is_object() && child.contains("t") && is_picture(child)) {
+      taken.push_back(child["t"] == "Image" ? paragraph(Json::array({child})) : child);
+      continue;
+    }
+    for (Json& one : take_pictures(child))
+      taken.push_back(std::move(one));
+    left.push_back(std::move(child));
+  }
+  tree = std::move(left);
+  return taken;
+}
+
+bool is_figure(const Json& block) {
+  return block["t"] == kPictureNode || block["t"] == "Table" || is_image(block);
+}
+
+// a column of words alone, or of one picture or table alone
+bool is_simple(const Json& column) {
+  if (!is_div(column, "column")) return false;
+  Json blocks = column["c"][1];
+  if (blocks.size() == 1 && is_figure(blocks[0])) return true;
+  const bool words = std::none_of(
+      blocks.begin(), blocks.end(), [](const Json& block) { return is_figure(block); });
+  return words && take_pictures(blocks).empty();
+}
+
+class Layout {
+ public:
+  explicit Layout(const Deck& deck) : deck_(deck) {}
+
+  void add(const Json& block) {
+    const std::string type = block["t"];
+    constexpr int kTitles = 2;  // deeper ones are words on a slide
+    if (type == "HorizontalRule" || (type == "Header" && block["c"][0] <= kTitles)) {
+      end_slide();
+      title_ = block;
+      emit_title();
+    } else if (is_div(block, "notes")) {
+      notes_.push_back(block);
+    } else if (is_div(block, "columns")) {
+      add_columns(block);
+    } else if (is_figure(block)) {
+      add_figure(block);
+    } else {
+      Json words = block;
+      const Json pictures = take_pictures(words);
+      add_words(words);
+      for (const Json& picture : pictures)
+        add_figure(picture);
+    }
+  }
+
+  OfficeSlides finished() {
+    end_slide();
+    return std::move(slides_);
+  }
+
+ private:
+  void add_words(const Json& words) {
+    if (is_full_) next_slide();
+    // boxes do not stand in columns
+    if (words["t"] == "Div" && !figure_.is_null()) next_slide();
+    boxed_ = boxed_ || words["t"] == "Div";
+    words_.push_back(words);
+  }
+
+  void add_figure(const Json& figure) {
+    if (is_full_ || !figure_.is_null() || boxed_) next_slide();
+    figure_ = figure;
+    if (figure["t"] != kPictureNode || title_id_.empty()) return;
+    slides_.titles[deck_.pictures[figure["c"].get<std::size_t>()].place] = title_id_;
+  }
+
+  // Two on a slide, without anything else. Where one has more than words or one figure, what is in
+  // them follows one another.
+  void add_columns(const Json& columns) {
+    const Json& all = columns["c"][1];
+    if (!std::all_of(all.begin(), all.end(), is_simple)) {
+      for (const Json& column : all) {
+        for (const Json& block : is_div(column, "column") ? column["c"][1] : Json::array({column}))
+          add(block);
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < all.size(); i += 2) {
+      if (is_full_ || !figure_.is_null() || !words_.empty()) next_slide();
+      Json pair = columns;
+      pair["c"][1] = Json::array({all[i]});
+      if (i + 1 < all.size()) pair["c"][1].push_back(all[i + 1]);
+      const std::string title = title_id_;
+      for_each_node(pair, [&](const Json& node) {
+        if (node["t"] == kPictureNode && !title.empty())
+          slides_.titles[deck_.pictures[node["c"].get<std::size_t>()].place] = title;
+      });
+      words_.push_back(pair);
+      is_full_ = true;
+    }
+  }
+
+  void emit_title() {
+    if (title_.is_null()) return;
+    slides_.blocks.push_back(title_);
+    title_id_ = title_["t"] == "Header" ? title_["c"][1][0].get<std::string>() : "";
+  }
+
+  void end_slide() {
+    if (!figure_.is_null() && !words_.empty()) {
+      slides_.blocks.push_back(div("columns",
+                                   Json::array({div("column", words_, "40%"),
+                                                div("column", Json::array({figure_}), "60%")})));
+    } else {
+      for (const Json& block : words_)
+        slides_.blocks.push_back(block);
+      if (!figure_.is_null()) slides_.blocks.push_back(figure_);
+    }
+    for (const Json& block : notes_)
+      slides_.blocks.push_back(block);
+    words_ = notes_ = Json::array();
+    figure_ = nullptr;
+    is_full_ = boxed_ = false;
+  }
+
+  // with the same title; that of a part of the deck would begin another one
+  void next_slide() {
+    end_slide();
+    const bool of_slide = title_.is_object() && title_["t"] == "Header" && title_["c"][0] == 2;
+    if (of_slide) {
+      title_["c"][1][0] = fmt::format("slide-again-{}", ++again_);
+      emit_title();
+    } else {
+      slides_.blocks.push_back({{"t", "HorizontalRule"}});
+      title_id_.clear();
+    }
+  }
+
+  const Deck& deck_;
+  OfficeSlides slides_;
+  Json title_ = nullptr;  // of the slide; null before the first
+  std::string title_id_;  // what links to it call it; empty: nothing
+  int again_ = 0;         // titles that were repeated
+
+  // what the slide has so far
+  Json words_ = Json::array(), notes_ = Json::array();
+  Json figure_ = nullptr;  // a picture or a table
+  bool boxed_ = false;     // are there words in a box
+  bool is_full_ = false;   // of columns
+};
+
+}  // namespace
+
+OfficeSlides office_slides(const Deck& deck) {
+  Layout layout(deck);
+  for (const Json& block : deck.blocks)
+    layout.add(block);
+  return layout.finished();
+}
+
+}  // namespace polhode

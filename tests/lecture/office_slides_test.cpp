@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/office_slides.h"
+
+#include <gtest/gtest.h>
+
+#include "lecture/decks.h"
+
+namespace polhode {
+namespace {
+
+using test::deck_of;
+
+constexpr const char* kTable = "| a | b |\n|---|---|\n| c | d |\n";
+
+// "2" for a title of that level, "-" for a rule, "w" for words, "f" for a picture or a table, and
+// columns as (wf)
+std::string shape_of(const Json& blocks) {
+  std::string shape;
+  for (const Json& block : blocks) {
+    const std::string type = block["t"];
+    if (type == "Header") {
+      shape += std::to_string(block["c"][0].get<int>());
+    } else if (type == "HorizontalRule") {
+      shape += "-";
+    } else if (type == "Div" && block["c"][0][1] == Json::array({"columns"})) {
+      shape += "(";
+      for (const Json& column : block["c"][1])
+        shape += shape_of(column["c"][1]);
+      shape += ")";
+    } else {
+      shape +=
+          type == kPictureNode || type == "Table" || block.dump().find("Image") < 200 ? "f" : "w";
+    }
+  }
+  return shape;
+}
+
+std::string shape(const std::string& text) {
+  return shape_of(office_slides(deck_of(text)).blocks);
+}
+
+TEST(OfficeSlides, HaveWordsBesideOneFigure) {
+  const std::string picture = "![Cap](s.toml){.still}\n\n", table = kTable + std::string("\n");
+  EXPECT_EQ(shape("# Part\n\n## One\n\nWords.\n\n" + picture), "12(wf)");
+  EXPECT_EQ(shape("## One\n\n" + picture + "Words.\n"), "2(wf)");
+  EXPECT_EQ(shape("## One\n\n" + picture), "2f");
+  EXPECT_EQ(shape("## One\n\n" + picture + table + "Words.\n"), "2f2(wf)");
+  EXPECT_EQ(shape("## One\n\n" + table + "Words.\n\n" + picture + "More.\n"), "2(wf)2(wf)");
+  EXPECT_EQ(shape("## One\n\n### Two\n\nWords.\n"), "23w");
+  EXPECT_EQ(shape("# Part\n\n" + picture + picture), "1f-f");
+  EXPECT_EQ(shape(picture + picture), "f-f");
+}
+
+TEST(OfficeSlides, HaveTwoColumns) {
+  const std::string one = "::: column\nA\n:::\n\n",
+                    mixed = "::: column\nA\n\n![Cap](s.toml){.still}\n:::\n\n";
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + "::::\n"), "2(ww)");
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + one + "::::\n"), "2(ww)2(w)");
+  EXPECT_EQ(shape("## One\n\nB\n\n:::: columns\n" + one + one + "::::\n\nC\n"), "2w2(ww)2w");
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + mixed + one + "::::\n"), "2(wwf)");
+}
+
+// where PowerPoint would have their captions alone
+TEST(OfficeSlides, HavePicturesOutOfListsAndQuotations) {
+  for (const char* around :
+       {"- A\n\n  ![Cap](s.toml){.still}\n", "> A\n>\n> ![Cap](s.toml){.still}\n"})
+    EXPECT_EQ(shape("## One\n\n" + std::string(around)), "2(wf)") << around;
+  EXPECT_EQ(shape("## One\n\n::: box\nA\n\n![Cap](s.toml){.still}\n:::\n"), "2w2f");
+}
+
+TEST(OfficeSlides, AreWhereLinksToTheirPicturesLead) {
+  const OfficeSlides slides =
+      office_slides(deck_of("## One\n\n![A](s.toml){#a .still}\n\n![B](s.toml){#b .still}\n\n"
+                            "## Two\n\n![C](s.toml){#c .still}\n"));
+  EXPECT_EQ(slides.titles.at("a"), "one");
+  EXPECT_EQ(slides.titles.at("b"), "slide-again-1");
+  EXPECT_EQ(slides.titles.at("c"), "two");
+}
+
+}  // namespace
+}  // namespace polhode
