@@ -183,8 +183,16 @@ Json with_lettered_formulas(Json tree) {
   return tree;
 }
 
-// PowerPoint leads to slides by their titles, and to nothing else.
+// PowerPoint leads to slides by their titles, and to nothing else; from tables, pandoc's links lead
+// nowhere.
 void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles) {
+  for_each_node(tree["blocks"], [](Json& table) {
+    if (table["t"] != "Table") return;
+    for_each_node(table["c"], [](Json& node) {
+      if (node["t"] != "Link" || !node["c"][2][0].get<std::string>().starts_with("#")) return;
+      node = {{"t", "Span"}, {"c", {node["c"][0], node["c"][1]}}};
+    });
+  });
   for_each_node(tree["blocks"], [&](Json& node) {
     if (node["t"] != "Link") return;
     const std::string target = node["c"][2][0];

@@ -163,8 +163,12 @@ Json document_blocks(const Figure& figure, bool links) {
   const DeckPicture& picture = *figure.picture;
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) {
-    const Json& table = figure.facts.at("table");
-    return links ? table : named(picture, table);  // in PowerPoint a table stands by itself
+    Json table = figure.facts.at("table");
+    if (!links) return named(picture, table);
+    // in PowerPoint a table stands by itself
+    if (!picture.caption.empty())
+      table[0]["c"][1][1] = Json::array({{{"t", "Plain"}, {"c", picture.caption}}});
+    return table;
   }
   // pandoc describes pictures by their titles in PowerPoint, and by "fig:" knows those with
   // captions

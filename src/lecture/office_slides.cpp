@@ -13,36 +13,49 @@ bool is_div(const Json& block, const char* name) {
   return block["t"] == "Div" && block["c"][0][1] == Json::array({name});
 }
 
-bool is_picture(const Json& node) {
-  return node["t"] == kPictureNode || node["t"] == "Image";
-}
-
 // a picture of the deck's own in a paragraph of its own
 bool is_image(const Json& block) {
   return (block["t"] == "Para" || block["t"] == "Plain") && block["c"].size() == 1 &&
          block["c"][0]["t"] == "Image";
 }
 
-// Takes the pictures out of what stands around them, where pandoc would drop them.
-Json take_pictures(Json& tree) {
+// Takes pictures and tables out of what stands around them, where pandoc would drop them.
+Json take_figures(Json& tree) {
+  if (tree.is_object()) return tree.contains("c") ? take_figures(tree["c"]) : Json::array();
   Json taken = Json::array();
-  if (tree.is_object()) {
-    if (tree.contains("c")) taken = take_pictures(tree["c"]);
-    return taken;
-  }
   if (!tree.is_array()) return taken;
   Json left = Json::array();
   for (Json& child : tree) {
-    if (child.is_object() && child.contains("t") && is_picture(child)) {
-      taken.push_back(child["t"] == "Image" ? paragraph(Json::array({child})) : child);
-      continue;
+    Json inside = take_figures(child);
+    const std::string type = child.is_object() ? child.value("t", "") : "";
+    if (type == "Image") {
+      taken.push_back(paragraph(Json::array({child})));
+    } else if (type == "Table" || type == kPictureNode) {
+      taken.push_back(std::move(child));
+    } else {
+      left.push_back(std::move(child));
     }
-    for (Json& one : take_pictures(child))
+    for (Json& one : inside)
       taken.push_back(std::move(one));
-    left.push_back(std::move(child));
   }
   tree = std::move(left);
   return taken;
+}
+
+// whether there is anything to read
+bool has_words(Json tree) {
+  bool found = false;
+  for_each_node(tree, [&](const Json& node) {
+    const std::string type = node["t"];
+    found = found || type == "Str" || type == "Math" || type == "Code" || type == "CodeBlock";
+  });
+  return found;
+}
+
+bool has_columns(Json tree) {
+  bool found = false;
+  for_each_node(tree, [&](const Json& node) { found = found || is_div(node, "columns"); });
+  return found;
 }
 
 bool is_figure(const Json& block) {
@@ -53,10 +66,8 @@ bool is_figure(const Json& block) {
 bool is_simple(const Json& column) {
   if (!is_div(column, "column")) return false;
   Json blocks = column["c"][1];
-  if (blocks.size() == 1 && is_figure(blocks[0])) return true;
-  const bool words = std::none_of(
-      blocks.begin(), blocks.end(), [](const Json& block) { return is_figure(block); });
-  return words && take_pictures(blocks).empty();
+  if (blocks.size() == 1 && is_figure(blocks[0])) return take_figures(blocks[0]).empty();
+  return !has_columns(blocks) && take_figures(blocks).empty();
 }
 
 class Layout {
@@ -66,10 +77,9 @@ class Layout {
   void add(const Json& block) {
     const std::string type = block["t"];
     constexpr int kTitles = 2;  // deeper ones are words on a slide
-    if (type == "HorizontalRule" || (type == "Header" && block["c"][0] <= kTitles)) {
-      end_slide();
-      title_ = block;
-      emit_title();
+    const bool is_header = type == "Header";
+    if (type == "HorizontalRule" || (is_header && block["c"][0] <= kTitles)) {
+      begin_slide(block);
     } else if (is_div(block, "notes")) {
       notes_.push_back(block);
     } else if (is_div(block, "columns")) {
@@ -77,11 +87,13 @@ class Layout {
     } else if (is_figure(block)) {
       add_figure(block);
     } else {
+      // what stood above it is not what it is about
+      if (is_header && !figure_.is_null()) next_slide();
       Json words = block;
-      const Json pictures = take_pictures(words);
-      add_words(words);
-      for (const Json& picture : pictures)
-        add_figure(picture);
+      const Json figures = take_figures(words);
+      if (figures.empty() || has_words(words)) add_words(words);
+      for (const Json& figure : figures)
+        add_figure(figure);
     }
   }
 
@@ -91,6 +103,18 @@ class Layout {
   }
 
  private:
+  // `title`: a header or a rule
+  void begin_slide(const Json& title) {
+    end_slide();
+    title_ = title;
+    const Json figures = title["t"] == "Header" ? take_figures(title_["c"][2]) : Json::array();
+    // pandoc ends at links to an empty one
+    if (!has_words(title_)) title_ = {{"t", "HorizontalRule"}};
+    emit_title();
+    for (const Json& figure : figures)
+      add_figure(figure);
+  }
+
   void add_words(const Json& words) {
     if (is_full_) next_slide();
     // boxes do not stand in columns
@@ -102,6 +126,10 @@ class Layout {
   void add_figure(const Json& figure) {
     if (is_full_ || !figure_.is_null() || boxed_) next_slide();
     figure_ = figure;
+    if (figure["t"] == "Table") {
+      for (const Json& one : take_figures(figure_["c"]))
+        add_figure(one);
+    }
     if (figure["t"] != kPictureNode || title_id_.empty()) return;
     slides_.titles[deck_.pictures[figure["c"].get<std::size_t>()].place] = title_id_;
   }
@@ -161,6 +189,8 @@ class Layout {
     const bool of_slide = title_.is_object() && title_["t"] == "Header" && title_["c"][0] == 2;
     if (of_slide) {
       title_["c"][1][0] = fmt::format("slide-again-{}", ++again_);
+      std::erase_if(title_["c"][2].get_ref<Json::array_t&>(),
+                    [](const Json& inline_) { return inline_["t"] == "Note"; });
       emit_title();
     } else {
       slides_.blocks.push_back({{"t", "HorizontalRule"}});

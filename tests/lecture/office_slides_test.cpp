@@ -36,7 +36,16 @@ std::string shape_of(const Json& blocks) {
 }
 
 std::string shape(const std::string& text) {
-  return shape_of(office_slides(deck_of(text)).blocks);
+  Deck deck = deck_of(text);
+  // in place of a file
+  for_each_node(deck.blocks, [](Json& node) {
+    if (node["t"] != "Str" || node["c"] != "IMAGE") return;
+    node = {
+        {"t", "Image"},
+        {"c",
+         {Json::array({"", Json::array(), Json::array()}), Json::array(), {"media/a.png", ""}}}};
+  });
+  return shape_of(office_slides(deck).blocks);
 }
 
 TEST(OfficeSlides, HaveWordsBesideOneFigure) {
@@ -66,6 +75,24 @@ TEST(OfficeSlides, HavePicturesOutOfListsAndQuotations) {
        {"- A\n\n  ![Cap](s.toml){.still}\n", "> A\n>\n> ![Cap](s.toml){.still}\n"})
     EXPECT_EQ(shape("## One\n\n" + std::string(around)), "2(wf)") << around;
   EXPECT_EQ(shape("## One\n\n::: box\nA\n\n![Cap](s.toml){.still}\n:::\n"), "2w2f");
+}
+
+TEST(OfficeSlides, HaveTablesAndTitlesOutOfWhatIsAround) {
+  EXPECT_EQ(shape("## One\n\n- A\n\n  | a | b |\n  |---|---|\n  | c | d |\n"), "2(wf)");
+  EXPECT_EQ(shape("## IMAGE\n\nB\n"), "-(wf)");
+  EXPECT_EQ(shape("## A IMAGE\n\nB\n"), "2(wf)");
+  EXPECT_EQ(shape("# {#a}\n\n[B](#a)\n"), "-w");
+  EXPECT_EQ(shape("## One\n\n![Cap](s.toml){.still}\n\n### Two\n\n![Cap](s.toml){.still}\n"),
+            "2f2(3f)");
+  EXPECT_EQ(shape("## One\n\n::: box\n![Cap](s.toml){.still}\n:::\n"), "2f");
+  EXPECT_EQ(shape("## One\n\n| a | b |\n|---|---|\n| IMAGE | d |\n"), "2f2f");
+}
+
+// the inner ones follow the outer
+TEST(OfficeSlides, HaveNoColumnsInColumns) {
+  EXPECT_EQ(shape("## One\n\n:::::: columns\n::::: column\nA\n\n:::: columns\n::: column\nB\n:::\n"
+                  "::: column\nC\n:::\n::::\n\nD\n:::::\n::::: column\nE\n:::::\n::::::\n"),
+            "2w2(ww)2ww");
 }
 
 TEST(OfficeSlides, AreWhereLinksToTheirPicturesLead) {
