@@ -66,7 +66,8 @@ bool is_figure(const Json& block) {
 bool is_simple(const Json& column) {
   if (!is_div(column, "column")) return false;
   Json blocks = column["c"][1];
-  if (blocks.size() == 1 && is_figure(blocks[0])) return take_figures(blocks[0]).empty();
+  if (blocks.size() == 1 && is_figure(blocks[0]))
+    return blocks[0]["t"] != "Table" || take_figures(blocks[0]).empty();
   return !has_columns(blocks) && take_figures(blocks).empty();
 }
 

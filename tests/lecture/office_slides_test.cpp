@@ -65,6 +65,8 @@ TEST(OfficeSlides, HaveTwoColumns) {
                     mixed = "::: column\nA\n\n![Cap](s.toml){.still}\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + "::::\n"), "2(ww)");
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + one + "::::\n"), "2(ww)2(w)");
+  const std::string image = "::: column\nIMAGE\n:::\n\n";
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + image + image + "::::\n"), "2(ff)");
   EXPECT_EQ(shape("## One\n\nB\n\n:::: columns\n" + one + one + "::::\n\nC\n"), "2w2(ww)2w");
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + mixed + one + "::::\n"), "2(wwf)");
 }
