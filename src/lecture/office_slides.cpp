@@ -19,15 +19,19 @@ bool is_image(const Json& block) {
          block["c"][0]["t"] == "Image";
 }
 
-// Takes pictures and tables out of what stands around them, where pandoc would drop them.
+// Takes pictures, tables and notes out of what stands around them, where pandoc would drop them.
 Json take_figures(Json& tree) {
   if (tree.is_object()) return tree.contains("c") ? take_figures(tree["c"]) : Json::array();
   Json taken = Json::array();
   if (!tree.is_array()) return taken;
   Json left = Json::array();
   for (Json& child : tree) {
-    Json inside = take_figures(child);
     const std::string type = child.is_object() ? child.value("t", "") : "";
+    if (type == "Div" && is_div(child, "notes")) {
+      taken.push_back(std::move(child));
+      continue;
+    }
+    Json inside = take_figures(child);
     if (type == "Image") {
       taken.push_back(paragraph(Json::array({child})));
     } else if (type == "Table" || type == kPictureNode) {
@@ -68,7 +72,10 @@ bool is_simple(const Json& column) {
   Json blocks = column["c"][1];
   if (blocks.size() == 1 && is_figure(blocks[0]))
     return blocks[0]["t"] != "Table" || take_figures(blocks[0]).empty();
-  return !has_columns(blocks) && take_figures(blocks).empty();
+  const Json figures = take_figures(blocks);
+  return !has_columns(blocks) && std::all_of(figures.begin(), figures.end(), [](const Json& one) {
+    return is_div(one, "notes");
+  });
 }
 
 class Layout {
@@ -94,7 +101,7 @@ class Layout {
       const Json figures = take_figures(words);
       if (figures.empty() || has_words(words)) add_words(words);
       for (const Json& figure : figures)
-        add_figure(figure);
+        add(figure);
     }
   }
 
@@ -113,7 +120,7 @@ class Layout {
     if (!has_words(title_)) title_ = {{"t", "HorizontalRule"}};
     emit_title();
     for (const Json& figure : figures)
-      add_figure(figure);
+      add(figure);
   }
 
   void add_words(const Json& words) {
@@ -129,7 +136,7 @@ class Layout {
     figure_ = figure;
     if (figure["t"] == "Table") {
       for (const Json& one : take_figures(figure_["c"]))
-        add_figure(one);
+        add(one);
     }
     if (figure["t"] != kPictureNode || title_id_.empty()) return;
     slides_.titles[deck_.pictures[figure["c"].get<std::size_t>()].place] = title_id_;

@@ -90,6 +90,14 @@ TEST(OfficeSlides, HaveTablesAndTitlesOutOfWhatIsAround) {
   EXPECT_EQ(shape("## One\n\n| a | b |\n|---|---|\n| IMAGE | d |\n"), "2f2f");
 }
 
+TEST(OfficeSlides, HaveNotesOutOfLists) {
+  const OfficeSlides slides =
+      office_slides(deck_of("## One\n\n- A\n\n  ::: notes\n  Say this.\n  :::\n"));
+  ASSERT_EQ(slides.blocks.size(), 3U) << slides.blocks.dump();
+  EXPECT_EQ(slides.blocks[2]["c"][0][1], Json::array({"notes"}));
+  EXPECT_EQ(slides.blocks[1].dump().find("Say"), std::string::npos);
+}
+
 // the inner ones follow the outer
 TEST(OfficeSlides, HaveNoColumnsInColumns) {
   EXPECT_EQ(shape("## One\n\n:::::: columns\n::::: column\nA\n\n:::: columns\n::: column\nB\n:::\n"
