@@ -584,4 +584,8 @@ Json div(const std::string& name, const Json& blocks, const std::string& width) 
   return {{"t", "Div"}, {"c", {{"", Json::array({name}), settings}, blocks}}};
 }
 
+bool is_div(const Json& node, const char* name) {
+  return node["t"] == "Div" && node["c"][0][1] == Json::array({name});
+}
+
 }  // namespace polhode

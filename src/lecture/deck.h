@@ -113,4 +113,7 @@ Json raw_html(const std::string& html);
 Json paragraph(const Json& inlines);
 Json div(const std::string& name, const Json& blocks, const std::string& width = "");
 
+// Whether a node of pandoc's tree is a Div with that class, and no other.
+bool is_div(const Json& node, const char* name);
+
 }  // namespace polhode

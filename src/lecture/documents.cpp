@@ -55,7 +55,7 @@ void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
       pictures.push_back(block);
       const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
       several = several || picture.kind == PictureKind::inspect;
-    } else if (type == "Div" && block["c"][0][1] == Json::array({"notes"})) {
+    } else if (is_div(block, "notes")) {
       notes.push_back(block);
     } else {
       several = several || type == "Div";
@@ -183,22 +183,24 @@ Json with_lettered_formulas(Json tree) {
   return tree;
 }
 
+// whether a node is a link to a place in the document
+bool leads_inside(const Json& node) {
+  return node["t"] == "Link" && node["c"][2][0].get<std::string>().starts_with("#");
+}
+
 // PowerPoint leads to slides by their titles, and to nothing else; from tables, pandoc's links lead
 // nowhere.
 void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles) {
-  for_each_node(tree["blocks"], [](Json& table) {
-    if (table["t"] != "Table") return;
-    for_each_node(table["c"], [](Json& node) {
-      if (node["t"] != "Link" || !node["c"][2][0].get<std::string>().starts_with("#")) return;
-      node = {{"t", "Span"}, {"c", {node["c"][0], node["c"][1]}}};
-    });
-  });
   for_each_node(tree["blocks"], [&](Json& node) {
-    if (node["t"] != "Link") return;
-    const std::string target = node["c"][2][0];
-    if (!target.starts_with("#")) return;
-    const auto found = titles.find(percent_decoded(target.substr(1)));
-    if (found != titles.end()) node["c"][2][0] = "#" + found->second;
+    if (node["t"] == "Table") {
+      for_each_node(node["c"], [](Json& inside) {
+        if (leads_inside(inside)) inside = {{"t", "Span"}, {"c", {inside["c"][0], inside["c"][1]}}};
+      });
+    }
+    if (!leads_inside(node)) return;
+    Json& target = node["c"][2][0];
+    const auto found = titles.find(percent_decoded(target.get<std::string>().substr(1)));
+    if (found != titles.end()) target = "#" + found->second;
   });
 }
 

@@ -2,16 +2,13 @@
 #include "lecture/office_slides.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace polhode {
 namespace {
-
-bool is_div(const Json& block, const char* name) {
-  return block["t"] == "Div" && block["c"][0][1] == Json::array({name});
-}
 
 // a picture of the deck's own in a paragraph of its own
 bool is_image(const Json& block) {
@@ -46,20 +43,22 @@ Json take_figures(Json& tree) {
   return taken;
 }
 
-// whether there is anything to read
-bool has_words(Json tree) {
+bool has_node(Json tree, const std::function<bool(const Json&)>& is_it) {
   bool found = false;
-  for_each_node(tree, [&](const Json& node) {
-    const std::string type = node["t"];
-    found = found || type == "Str" || type == "Math" || type == "Code" || type == "CodeBlock";
-  });
+  for_each_node(tree, [&](const Json& node) { found = found || is_it(node); });
   return found;
 }
 
-bool has_columns(Json tree) {
-  bool found = false;
-  for_each_node(tree, [&](const Json& node) { found = found || is_div(node, "columns"); });
-  return found;
+// whether there is anything to read
+bool has_words(const Json& tree) {
+  return has_node(tree, [](const Json& node) {
+    const std::string type = node["t"];
+    return type == "Str" || type == "Math" || type == "Code" || type == "CodeBlock";
+  });
+}
+
+bool has_columns(const Json& tree) {
+  return has_node(tree, [](const Json& node) { return is_div(node, "columns"); });
 }
 
 bool is_figure(const Json& block) {
@@ -78,13 +77,18 @@ bool is_simple(const Json& column) {
   });
 }
 
+Json rule() {
+  return {{"t", "HorizontalRule"}};
+}
+
+constexpr int kTitles = 2;  // deeper ones are words on a slide
+
 class Layout {
  public:
   explicit Layout(const Deck& deck) : deck_(deck) {}
 
   void add(const Json& block) {
     const std::string type = block["t"];
-    constexpr int kTitles = 2;  // deeper ones are words on a slide
     const bool is_header = type == "Header";
     if (type == "HorizontalRule" || (is_header && block["c"][0] <= kTitles)) {
       begin_slide(block);
@@ -111,13 +115,12 @@ class Layout {
   }
 
  private:
-  // `title`: a header or a rule
   void begin_slide(const Json& title) {
     end_slide();
     title_ = title;
     const Json figures = title["t"] == "Header" ? take_figures(title_["c"][2]) : Json::array();
     // pandoc ends at links to an empty one
-    if (!has_words(title_)) title_ = {{"t", "HorizontalRule"}};
+    if (!has_words(title_)) title_ = rule();
     emit_title();
     for (const Json& figure : figures)
       add(figure);
@@ -134,12 +137,19 @@ class Layout {
   void add_figure(const Json& figure) {
     if (is_full_ || !figure_.is_null() || boxed_) next_slide();
     figure_ = figure;
-    if (figure["t"] == "Table") {
-      for (const Json& one : take_figures(figure_["c"]))
-        add(one);
-    }
-    if (figure["t"] != kPictureNode || title_id_.empty()) return;
-    slides_.titles[deck_.pictures[figure["c"].get<std::size_t>()].place] = title_id_;
+    lead_here(figure_);
+    if (figure["t"] != "Table") return;
+    for (const Json& one : take_figures(figure_["c"]))
+      add(one);
+  }
+
+  // links to the pictures in it lead to this slide
+  void lead_here(Json& tree) {
+    if (title_id_.empty()) return;
+    for_each_node(tree, [&](const Json& node) {
+      if (node["t"] == kPictureNode)
+        slides_.titles[deck_.pictures[node["c"].get<std::size_t>()].place] = title_id_;
+    });
   }
 
   // Two on a slide, without anything else. Where one has more than words or one figure, what is in
@@ -158,18 +168,13 @@ class Layout {
       Json pair = columns;
       pair["c"][1] = Json::array({all[i]});
       if (i + 1 < all.size()) pair["c"][1].push_back(all[i + 1]);
-      const std::string title = title_id_;
-      for_each_node(pair, [&](const Json& node) {
-        if (node["t"] == kPictureNode && !title.empty())
-          slides_.titles[deck_.pictures[node["c"].get<std::size_t>()].place] = title;
-      });
+      lead_here(pair);
       words_.push_back(pair);
       is_full_ = true;
     }
   }
 
   void emit_title() {
-    if (title_.is_null()) return;
     slides_.blocks.push_back(title_);
     title_id_ = title_["t"] == "Header" ? title_["c"][1][0].get<std::string>() : "";
   }
@@ -194,21 +199,20 @@ class Layout {
   // with the same title; that of a part of the deck would begin another one
   void next_slide() {
     end_slide();
-    const bool of_slide = title_.is_object() && title_["t"] == "Header" && title_["c"][0] == 2;
-    if (of_slide) {
+    if (title_["t"] == "Header" && title_["c"][0] == kTitles) {
       title_["c"][1][0] = fmt::format("slide-again-{}", ++again_);
       std::erase_if(title_["c"][2].get_ref<Json::array_t&>(),
                     [](const Json& inline_) { return inline_["t"] == "Note"; });
       emit_title();
     } else {
-      slides_.blocks.push_back({{"t", "HorizontalRule"}});
+      slides_.blocks.push_back(rule());
       title_id_.clear();
     }
   }
 
   const Deck& deck_;
   OfficeSlides slides_;
-  Json title_ = nullptr;  // of the slide; null before the first
+  Json title_ = rule();   // of the slide: a header or a rule
   std::string title_id_;  // what links to it call it; empty: nothing
   int again_ = 0;         // titles that were repeated
 

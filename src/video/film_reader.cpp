@@ -276,11 +276,7 @@ class FilmReader::Implementation {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
     }
-    converted_.reset(made(av_frame_alloc()));
-    converted_->format = AV_PIX_FMT_RGBA;
-    converted_->width = from.width;
-    converted_->height = from.height;
-    check_libav(av_frame_get_buffer(converted_.get(), 0), "no memory for a frame");
+    converted_ = new_frame(from.width, from.height, AV_PIX_FMT_RGBA);
     const int* weights = sws_getCoefficients(matrix);
     constexpr int kOne = 1 << 16;
     // pixel formats without a matrix refuse this, and need none

@@ -16,16 +16,12 @@ bool is_rgb(const AVPixFmtDescriptor& format) {
 }
 
 Owned<AVFrame> empty_frame(int width, int height, AVPixelFormat format, bool rgb) {
-  Owned<AVFrame> frame(made(av_frame_alloc()));
-  frame->format = format;
-  frame->width = width;
-  frame->height = height;
+  Owned<AVFrame> frame = new_frame(width, height, format);
   frame->sample_aspect_ratio = {1, 1};
   frame->color_range = rgb ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
   frame->colorspace = rgb ? AVCOL_SPC_RGB : AVCOL_SPC_BT709;
   frame->color_primaries = AVCOL_PRI_BT709;
   frame->color_trc = rgb ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_BT709;
-  check_libav(av_frame_get_buffer(frame.get(), 0), "no memory for a frame");
   return frame;
 }
 

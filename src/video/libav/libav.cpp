@@ -70,6 +70,15 @@ int check_libav(int code, const std::string& what) {
   throw environment_error("{}: {}", what, libav_words(code));
 }
 
+Owned<AVFrame> new_frame(int width, int height, AVPixelFormat format) {
+  Owned<AVFrame> frame(made(av_frame_alloc()));
+  frame->format = format;
+  frame->width = width;
+  frame->height = height;
+  check_libav(av_frame_get_buffer(frame.get(), 0), "no memory for a frame");
+  return frame;
+}
+
 void quieten_libav() {
   av_log_set_callback(log_libav);
 }

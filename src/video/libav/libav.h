@@ -99,6 +99,10 @@ T* made(T* object) {
   return object;
 }
 
+// A frame whose pixels are yet to be written, with the room behind them that swscale needs. Throws
+// Error (environment) if there is no memory.
+Owned<AVFrame> new_frame(int width, int height, AVPixelFormat format);
+
 // Sends libav's warnings and errors to the log, where --verbose shows them, and drops the rest. It
 // holds for the whole process and may be called more than once.
 void quieten_libav();
