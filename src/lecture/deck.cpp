@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
 #include "base/nearest.h"
 #include "base/system/atomic_file.h"
@@ -32,15 +33,6 @@ const PictureClass* find_class(const std::string& name) {
     if (row.name == name) return &row;
   }
   return nullptr;
-}
-
-// where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none
-Json* attributes_of(Json& node) {
-  static const std::set<std::string> first = {
-      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
-  const std::string type = node["t"];
-  if (type == "Header") return &node["c"][1];
-  return first.contains(type) ? &node["c"][0] : nullptr;
 }
 
 // Throws Error (input), without a place, if a browser would find no picture of this kind in a file.
@@ -82,15 +74,21 @@ class Reader {
     }
     if (!node.is_object() || !node.contains("t")) return;
     const std::string type = node["t"];
-    if ((type == "Para" || type == "Plain") && node["c"].size() == 1 &&
-        node["c"][0]["t"] == "Image" && names_scene(node["c"][0])) {
+    if (is_image_alone(node) && names_scene(node["c"][0])) {
       take_out(node);
+      return;
+    }
+    if (is_image_alone(node) && !among_words_) {
+      read_image(node["c"][0]);
       return;
     }
     if (type == "Image") {
       read_image(node);
+      if (node["t"] == "Image") make_words(node);
       return;
     }
+    const bool was_among_words =
+        std::exchange(among_words_, among_words_ || !may_hold_figures(node));
     if (type == "RawBlock" || type == "RawInline") {
       tell(0, input_error("raw {} is not allowed in a deck", node["c"][0].get<std::string>()));
       node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
@@ -103,6 +101,7 @@ class Reader {
       take_place(*attributes);
     }
     if (node.contains("c")) read(node["c"]);
+    among_words_ = was_among_words;
   }
 
   // After all has been read: pictures have places, by the names that the deck gives them or else
@@ -218,7 +217,7 @@ class Reader {
     return free;
   }
 
-  // a picture among words: a file of its own, never a scene
+  // a picture of the deck's own, from a file
   void read_image(Json& image) {
     const std::string target = image["c"][2][0];
     const int line = line_of(target);
@@ -232,13 +231,23 @@ class Reader {
         throw input_error("'{}' is neither a picture (.png, .jpg, .svg, .webp) nor a scene", file);
       require_picture(trusted_file(deck_.root, deck_.root.folder, file), ending);
       read(image["c"][1]);
-      image["c"][0] = Json::array({"", Json::array(), Json::array()});
+      clean_image(image["c"][0], line);
+      take_place(image["c"][0]);
       image["c"][2] = Json::array({file, ""});
       deck_.images.push_back(file);
     } catch (const Error& error) {
       tell(line, error);
       image = string_inlines(fmt::format("[{}]", target))[0];
     }
+  }
+
+  // among words nothing shows a caption, and only what stands around a picture has a name
+  static void make_words(Json& image) {
+    describe(image);
+    const std::string place = image["c"][0][0];
+    if (place.empty()) return;
+    image["c"][0][0] = "";
+    image = named("Span", place, Json::array({image}));
   }
 
   void read_link(Json& link) {
@@ -269,23 +278,48 @@ class Reader {
     }
   }
 
+  static bool is_width(const std::string& key, const std::string& value) {
+    return key == "width" && !value.empty() && value.size() <= 5 && value.back() == '%' &&
+           std::all_of(value.begin(), value.end() - 1, [](char c) {
+             return (c >= '0' && c <= '9') || c == '.';
+           });
+  }
+
   // widths of columns are all that a deck may set on what is no picture
   void clean(Json& attributes) {
     Json kept = Json::array();
     for (const Json& pair : attributes[2]) {
-      const std::string key = pair[0], value = pair[1];
-      const bool width = key == "width" && !value.empty() && value.size() <= 5 &&
-                         value.back() == '%' &&
-                         std::all_of(value.begin(), value.end() - 1, [](char c) {
-                           return (c >= '0' && c <= '9') || c == '.';
-                         });
-      if (width) {
+      const std::string key = pair[0];
+      if (is_width(key, pair[1])) {
         kept.push_back(pair);
       } else {
         tell(lines_.next(key + "="),
              input_error("'{}' cannot be set here; only width=N% of columns can", key));
       }
     }
+    attributes[2] = kept;
+  }
+
+  // and a description of what is a picture
+  void clean_image(Json& attributes, int line) {
+    for (const Json& name : attributes[1]) {
+      tell(line,
+           input_error("a picture of the deck's own has no class '.{}'", name.get<std::string>()));
+    }
+    Json kept = Json::array();
+    for (const Json& pair : attributes[2]) {
+      const std::string key = pair[0];
+      if (key == "alt" || is_width(key, pair[1])) {
+        kept.push_back(pair);
+      } else {
+        tell(line,
+             input_error("a picture of the deck's own may have alt=\"…\" and width=N%, not "
+                         "'{}={}'",
+                         key,
+                         pair[1].get<std::string>()));
+      }
+    }
+    attributes[1] = Json::array();
     attributes[2] = kept;
   }
 
@@ -302,6 +336,7 @@ class Reader {
   std::set<std::string> names_;                     // of the files of pictures
   std::set<std::string> places_;                    // identifiers
   std::vector<std::pair<std::string, int>> links_;  // place, line
+  bool among_words_ = false;                        // where pictures have no captions
 };
 
 std::string words_of_meta(const Json& value) {
@@ -380,94 +415,6 @@ void refuse_unwritable(const Json& tree, const std::string& text, const std::str
 }
 
 }  // namespace
-
-const std::vector<PictureClass>& picture_classes() {
-  static const PictureSetting from = {"from", "time at which it begins, s of the motion (0)"};
-  static const PictureSetting to = {
-      "to", "time at which it ends, s of the motion (the end of the motion)"};
-  static const PictureSetting at = {"at",
-                                    "time of the poster, s of the motion (film: the last of its "
-                                    "stills, else a third of the way; still: 0)"};
-  static const PictureSetting size = {"size",
-                                      "WxH, pixels (that of the command line, else of the scene)"};
-  static const PictureSetting fps = {
-      "fps", "frames per second (that of the command line, else of the scene)"};
-  static const PictureSetting theme = {
-      "theme", "colours, as video.theme (those of the command line, else of the scene)"};
-  static const PictureSetting method = {"method",
-                                        "numerical method, as numerics.method (that of the scene)"};
-  static const PictureSetting step = {"step", "step of the method, s (that of the scene)"};
-  static const PictureSetting alt = {
-      "alt", "description of the picture for people who cannot see it (the caption)"};
-  static const PictureSetting stills = {
-      "stills",
-      "times of the pictures in the handout, s of the motion, separated by spaces (the pauses of "
-      "the story, else the poster)"};
-  static const PictureSetting methods = {
-      "methods", "names of the methods to compare, separated by commas (all)"};
-  static const std::vector<PictureClass> table = {
-      {PictureKind::film,
-       "film",
-       "a film",
-       {from, to, at, stills, size, fps, theme, method, step, alt}},
-      {PictureKind::loop,
-       "loop",
-       "a film that closes and repeats",
-       {at, stills, size, fps, theme, method, step, alt}},
-      {PictureKind::turn,
-       "turn",
-       "a film that becomes a model to turn by hand, in page and slides",
-       {{"clock", "a name: viewers with the same one play together (each by itself)"},
-        {"vary",
-         "numbers of the scene that get a slider: KEY FROM TO WORDS, separated by ; (none)"},
-        from,
-        to,
-        at,
-        stills,
-        size,
-        fps,
-        theme,
-        method,
-        step,
-        alt}},
-      {PictureKind::still, "still", "one picture", {at, size, theme, method, step, alt}},
-      {PictureKind::compare,
-       "compare",
-       "films side by side on one clock",
-       {{"with", "the other scenes, separated by spaces"},
-        from,
-        to,
-        at,
-        stills,
-        size,
-        fps,
-        theme,
-        alt}},
-      {PictureKind::chart,
-       "chart",
-       "speed against accuracy of the methods",
-       {methods,
-        {"accuracy", "the accuracy that the chart marks (default: what the scene needs)"},
-        alt}},
-      {PictureKind::stability,
-       "stability",
-       "where methods fail",
-       {methods,
-        {"x", "key on the horizontal axis (numerics.step)"},
-        {"y", "key on the vertical axis (spin)"},
-        {"x-range", "range of that key, A:B"},
-        {"y-range", "range of that key, A:B"},
-        {"cells", "number of cells across and upwards, NxM"},
-        {"turns", "how far the body turns in each run, in full turns"},
-        alt}},
-      {PictureKind::inspect,
-       "inspect",
-       "a table of the numbers",
-       {{"keys",
-         "keys of inspect, separated by spaces (kind, mass, moments and all derived values)"}}},
-  };
-  return table;
-}
 
 int LineFinder::next(const std::string& words) {
   if (words.empty()) return 0;
@@ -582,6 +529,41 @@ Json div(const std::string& name, const Json& blocks, const std::string& width) 
   Json settings = Json::array();
   if (!width.empty()) settings.push_back(Json::array({"width", width}));
   return {{"t", "Div"}, {"c", {{"", Json::array({name}), settings}, blocks}}};
+}
+
+Json* attributes_of(Json& node) {
+  static const std::set<std::string> first = {
+      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
+  const std::string type = node["t"];
+  if (type == "Header") return &node["c"][1];
+  return first.contains(type) ? &node["c"][0] : nullptr;
+}
+
+Json named(const std::string& type, const std::string& place, const Json& contents) {
+  return {{"t", type}, {"c", {Json::array({place, Json::array(), Json::array()}), contents}}};
+}
+
+bool is_image_alone(const Json& block) {
+  return (block["t"] == "Para" || block["t"] == "Plain") && block["c"].size() == 1 &&
+         block["c"][0]["t"] == "Image";
+}
+
+bool may_hold_figures(const Json& node) {
+  return node["t"] != "Table" && node["t"] != "Note";
+}
+
+std::optional<std::string> alt_of_image(const Json& image) {
+  for (const Json& pair : image["c"][0][2])
+    if (pair[0] == "alt") return pair[1].get<std::string>();
+  return std::nullopt;
+}
+
+void describe(Json& image) {
+  const std::optional<std::string> alt = alt_of_image(image);
+  if (!alt) return;
+  image["c"][1] = alt->empty() ? Json::array() : string_inlines(*alt);
+  std::erase_if(image["c"][0][2].get_ref<Json::array_t&>(),
+                [](const Json& pair) { return pair[0] == "alt"; });
 }
 
 bool is_div(const Json& node, const char* name) {

@@ -5,35 +5,17 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/json.h"
+#include "lecture/picture_classes.h"
 #include "lecture/sandbox.h"
 
 namespace polhode {
-
-// What is made of a scene.
-enum class PictureKind { film, loop, turn, still, compare, chart, stability, inspect };
-
-// A setting that a picture may have in the deck: ![…](a.toml){.film NAME=VALUE}.
-struct PictureSetting {
-  std::string name;
-  std::string doc;  // what it sets, with its unit, and the default in parentheses
-};
-
-// A class of pictures: what it makes of a scene and which settings it accepts. To add one:
-// see ARCHITECTURE.md.
-struct PictureClass {
-  PictureKind kind;
-  std::string name;  // the class in the deck, without its dot: "film"
-  std::string doc;   // what it makes
-  std::vector<PictureSetting> settings;
-};
-// All classes; docs/lecture.md documents them. The table exists until the program ends.
-const std::vector<PictureClass>& picture_classes();
 
 // A picture that names a scene.
 struct DeckPicture {
@@ -113,7 +95,22 @@ Json raw_html(const std::string& html);
 Json paragraph(const Json& inlines);
 Json div(const std::string& name, const Json& blocks, const std::string& width = "");
 
+// Where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none.
+Json* attributes_of(Json& node);
+
+// A node that links to `place` lead to: "Div" around blocks, "Span" around inlines.
+Json named(const std::string& type, const std::string& place, const Json& contents);
+
 // Whether a node of pandoc's tree is a Div with that class, and no other.
 bool is_div(const Json& node, const char* name);
+
+// Whether a block is one picture and nothing else, as a deck's own with a caption are; that is in
+// the inlines of the Image, and a description for those who cannot see it in its attribute "alt".
+bool is_image_alone(const Json& block);
+// Whether such a block in `node` is a picture with a caption: in tables and footnotes it is none.
+bool may_hold_figures(const Json& node);
+std::optional<std::string> alt_of_image(const Json& image);
+// Puts the description, where there is one, in the place of the caption.
+void describe(Json& image);
 
 }  // namespace polhode

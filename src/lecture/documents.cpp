@@ -18,9 +18,50 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
+// A picture alone with its caption below, as this version of pandoc has figures.
+Json figure(Json image, const Json& api_version) {
+  const std::string place = image["c"][0][0];
+  const Json caption = image["c"][1];
+  const bool has_nodes = api_version >= Json::array({1, 23});
+  if (caption.empty() || has_nodes) {
+    image["c"][0][0] = "";
+    describe(image);
+  }
+  const Json alone = Json::array({paragraph(Json::array({image}))});
+  if (caption.empty()) return place.empty() ? alone[0] : named("Div", place, alone);
+  if (has_nodes) {
+    Json node = named("Figure", place, Json::array({nullptr, {paragraph(caption)}}));
+    node["c"].push_back(alone);
+    return node;
+  }
+  image["c"][2][1] = "fig:";
+  return paragraph(Json::array({image}));
+}
+
+// Gives pictures alone their captions, but not inside tables and footnotes, which have no room.
+void make_figures(Json& tree, const Json& api_version) {
+  if (tree.is_array()) {
+    for (Json& child : tree)
+      make_figures(child, api_version);
+  }
+  if (!tree.is_object() || !tree.contains("c") || !may_hold_figures(tree)) return;
+  if (is_image_alone(tree)) {
+    tree = figure(tree["c"][0], api_version);
+  } else {
+    make_figures(tree["c"], api_version);
+  }
+}
+
+// The deck's blocks with those that `blocks` makes of its pictures.
 Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
   return with_pictures(
       deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
+}
+
+Json with_captions(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
+  Json all = filled(deck, figure_of, blocks);
+  make_figures(all, deck.api_version);
+  return all;
 }
 
 // Brackets that need not grow are told so: browsers give those that may grow the width of large
@@ -84,6 +125,17 @@ Json as_slides(const Deck& deck) {
   }
   add_slide(blocks, slide, deck);
   return blocks;
+}
+
+// Pictures alone are no higher than leaves room for captions below them.
+void leave_room(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (!is_image_alone(node)) return;
+    Json& settings = node["c"][0]["c"][0][2];
+    const bool has_width = std::any_of(
+        settings.begin(), settings.end(), [](const Json& pair) { return pair[0] == "width"; });
+    if (!has_width) settings.push_back(Json::array({"height", "62%"}));
+  });
 }
 
 Json formula(const std::string& tex) {
@@ -204,6 +256,14 @@ void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles
   });
 }
 
+// pandoc describes pictures by their titles in PowerPoint
+void describe_by_titles(Json& tree) {
+  for_each_node(tree["blocks"], [](Json& node) {
+    if (node["t"] != "Image") return;
+    if (const std::optional<std::string> alt = alt_of_image(node)) node["c"][2][1] = *alt;
+  });
+}
+
 // Words for the speaker are text on the page: the page is what a student reads.
 Json with_notes_as_text(Json blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -266,7 +326,8 @@ void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
 }
 
 std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers) {
-  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, page_blocks)));
+  const Json tree =
+      without_meta(deck, with_notes_as_text(with_captions(deck, figure_of, page_blocks)));
   const std::string body = sections_html(tree);
   // the contents come from pandoc's own template, which has nothing else here
   const ScratchFolder scratch;
@@ -290,20 +351,24 @@ std::string make_slides(const Deck& deck,
                         const FigureOf& figure_of,
                         const Reveal& reveal,
                         const std::string& viewers) {
-  const Json tree = without_meta(deck, filled(deck, figure_of, slide_blocks));
+  const Json tree = without_meta(deck, with_captions(deck, figure_of, slide_blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
   return slides_page(words_of(deck), with_brackets(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
-  const Json tree = without_meta(deck, with_notes_as_text(filled(deck, figure_of, handout_blocks)));
+  const Json tree =
+      without_meta(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
   return handout_page(words_of(deck), with_brackets(sections_html(tree)));
 }
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
   slides.blocks = as_slides(deck);
-  const Json tree = for_latex(deck.tree(filled(slides, figure_of, beamer_blocks)));
+  Json blocks = filled(slides, figure_of, beamer_blocks);
+  leave_room(blocks);
+  make_figures(blocks, deck.api_version);
+  const Json tree = for_latex(deck.tree(blocks));
   return whole_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"});
 }
 
@@ -314,6 +379,7 @@ std::string make_pptx(const Deck& deck,
   Deck slides = deck;
   slides.blocks = layout.blocks;
   Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
+  describe_by_titles(tree);
   lead_to_titles(tree, layout.titles);
   const ScratchFolder scratch;
   const std::string file = scratch / "slides.pptx";

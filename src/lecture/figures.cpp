@@ -128,12 +128,9 @@ Json picture_blocks(const DeckPicture& picture,
                     const std::string& link,
                     const std::string& title) {
   const Json no_attributes = Json::array({"", Json::array(), Json::array()});
-  // LaTeX has a caption below: a picture without a link is no higher than leaves room for it
-  Json settings = Json::array();
-  if (link.empty()) settings.push_back(Json::array({"height", "62%"}));
   Json image = {{"t", "Image"},
                 {"c",
-                 {Json::array({picture.place, Json::array(), settings}),
+                 {Json::array({picture.place, Json::array(), Json::array()}),
                   picture.caption.empty() ? string_inlines(alt_of(picture)) : picture.caption,
                   {file, title}}}};
   if (link.empty()) return Json::array({paragraph(Json::array({image}))});
@@ -152,11 +149,8 @@ Json still_blocks(const DeckPicture& picture, const std::string& elements) {
 }
 
 // blocks to which links to the picture lead
-Json named(const DeckPicture& picture, const Json& blocks) {
-  if (picture.place.empty()) return blocks;
-  return Json::array(
-      {{{"t", "Div"},
-        {"c", {Json::array({picture.place, Json::array(), Json::array()}), blocks}}}});
+Json with_place(const DeckPicture& picture, const Json& blocks) {
+  return picture.place.empty() ? blocks : Json::array({named("Div", picture.place, blocks)});
 }
 
 Json document_blocks(const Figure& figure, bool links) {
@@ -164,15 +158,14 @@ Json document_blocks(const Figure& figure, bool links) {
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) {
     Json table = figure.facts.at("table");
-    if (!links) return named(picture, table);
+    if (!links) return with_place(picture, table);
     // in PowerPoint a table stands by itself
     if (!picture.caption.empty())
       table[0]["c"][1][1] = Json::array({{{"t", "Plain"}, {"c", picture.caption}}});
     return table;
   }
-  // pandoc describes pictures by their titles in PowerPoint, and by "fig:" knows those with
-  // captions
-  const std::string title = links ? alt_of(picture) : "fig:";
+  // pandoc describes pictures by their titles in PowerPoint
+  const std::string title = links ? alt_of(picture) : "";
   if (is_plot(picture)) return picture_blocks(picture, media(figure.facts, "png"), "", title);
   const Json& facts = figure.facts;
   std::string link = links && facts.contains("film") ? media(facts, "film") : "";

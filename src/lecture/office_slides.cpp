@@ -10,12 +10,6 @@
 namespace polhode {
 namespace {
 
-// a picture of the deck's own in a paragraph of its own
-bool is_image(const Json& block) {
-  return (block["t"] == "Para" || block["t"] == "Plain") && block["c"].size() == 1 &&
-         block["c"][0]["t"] == "Image";
-}
-
 // Takes pictures, tables and notes out of what stands around them, where pandoc would drop them.
 Json take_figures(Json& tree) {
   if (tree.is_object()) return tree.contains("c") ? take_figures(tree["c"]) : Json::array();
@@ -62,7 +56,7 @@ bool has_columns(const Json& tree) {
 }
 
 bool is_figure(const Json& block) {
-  return block["t"] == kPictureNode || block["t"] == "Table" || is_image(block);
+  return block["t"] == kPictureNode || block["t"] == "Table" || is_image_alone(block);
 }
 
 // a column of words alone, or of one picture or table alone
@@ -132,6 +126,7 @@ class Layout {
     if (words["t"] == "Div" && !figure_.is_null()) next_slide();
     boxed_ = boxed_ || words["t"] == "Div";
     words_.push_back(words);
+    lead_here(words_.back());
   }
 
   void add_figure(const Json& figure) {
@@ -143,12 +138,16 @@ class Layout {
       add(one);
   }
 
-  // links to the pictures in it lead to this slide
+  // links to what is in it lead to this slide
   void lead_here(Json& tree) {
     if (title_id_.empty()) return;
-    for_each_node(tree, [&](const Json& node) {
-      if (node["t"] == kPictureNode)
-        slides_.titles[deck_.pictures[node["c"].get<std::size_t>()].place] = title_id_;
+    for_each_node(tree, [&](Json& node) {
+      const Json* attributes = attributes_of(node);
+      const std::string place = node["t"] == kPictureNode
+                                    ? deck_.pictures[node["c"].get<std::size_t>()].place
+                                : attributes != nullptr ? (*attributes)[0].get<std::string>()
+                                                        : "";
+      if (!place.empty()) slides_.titles[place] = title_id_;
     });
   }
 

@@ -14,8 +14,8 @@ struct OfficeSlides {
   // Blocks of pandoc's tree, with a kPictureNode for each picture. A slide that is divided repeats
   // its title; pictures inside lists, quotations and boxes stand behind these.
   Json blocks = Json::array();
-  // The identifier of the title of the slide on which a picture is, by the picture's place; only
-  // that leads to a slide. Pictures before the first title have none.
+  // The identifier of the title of the slide on which a place is, by the place; only that leads to
+  // a slide. Places before the first title have none.
   std::map<std::string, std::string> titles;
 };
 

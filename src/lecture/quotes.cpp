@@ -171,6 +171,9 @@ void for_each_text(Deck& deck, const std::function<void(Json& text, bool formula
   const auto visit = [&](Json& node) {
     if (node["t"] == "Str") work(node["c"], false);
     if (node["t"] == "Math") work(node["c"][1], true);
+    if (node["t"] != "Image") return;
+    for (Json& pair : node["c"][0][2])
+      if (pair[0] == "alt") work(pair[1], false);
   };
   for_each_node(deck.meta, visit);
   for_each_node(deck.blocks, visit);

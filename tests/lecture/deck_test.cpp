@@ -144,5 +144,35 @@ TEST(Deck, PicturesThatNobodyCanOpenGetTheirLine) {
   EXPECT_EQ(problem("right.svg"), "none");
 }
 
+// a picture alone keeps its caption, one among words has what describes it there
+TEST(Deck, ItsOwnPicturesHaveADescriptionAWidthAndAPlace) {
+  const test::TemporaryFolder folder;
+  write_png(folder / "a.png", test::flat_image(2, 2, 1, 2, 3), false);
+  const auto read = [&](const std::string& text) {
+    return parse_deck(text, "deck.md", {folder.path(), false});
+  };
+  const Deck deck = read("![Cap](a.png){#here alt=\"It shows b\" width=40%}\n\n[to](#here)\n");
+  EXPECT_TRUE(deck.problems.empty());
+  const Json& alone = deck.blocks[0]["c"][0];
+  EXPECT_EQ(alone["c"][0][0], "here");
+  EXPECT_EQ(plain_text(alone["c"][1]), "Cap");
+  EXPECT_EQ(alt_of_image(alone), "It shows b");
+  const Deck among = read("A ![b](a.png){#here alt=\"c d\"} e ![f](a.png)\n\n[to](#here)\n");
+  EXPECT_TRUE(among.problems.empty());
+  EXPECT_EQ(plain_text(among.blocks[0]["c"]), "A c d e f");
+  for (const auto& [given, problem] : std::vector<std::pair<std::string, std::string>>{
+           {".big", "deck.md:3: a picture of the deck's own has no class '.big'"},
+           {"height=3",
+            "deck.md:3: a picture of the deck's own may have alt=\"…\" and width=N%, not "
+            "'height=3'"},
+           {"width=3cm",
+            "deck.md:3: a picture of the deck's own may have alt=\"…\" and width=N%, not "
+            "'width=3cm'"}}) {
+    const Deck wrong = read("# A\n\n![x](a.png){" + given + "}\n");
+    ASSERT_EQ(wrong.problems.size(), 1U);
+    EXPECT_STREQ(wrong.problems[0].what(), problem.c_str());
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/documents.h"
 
+#include <regex>
+
 #include <gtest/gtest.h>
 
 #include "base/system/child_process.h"
@@ -37,10 +39,15 @@ Figure figure_of(const DeckPicture& picture) {
   return {&picture, facts, ""};
 }
 
-std::string pptx_of(const Deck& deck) {
-  const test::TemporaryFolder folder;
+// writes the poster of that film
+void write_poster(const test::TemporaryFolder& folder) {
   std::filesystem::create_directory(folder / "media");
   write_png(folder / "media/poster.png", test::flat_image(64, 36, 1, 2, 3), false);
+}
+
+std::string pptx_of(const Deck& deck) {
+  const test::TemporaryFolder folder;
+  write_poster(folder);
   return make_pptx(deck, figure_of, folder.path());
 }
 
@@ -164,13 +171,55 @@ TEST(Documents, LinksLeadToPicturesInEachOfThem) {
   const std::string tex = make_beamer(deck, figure_of);
   for (const char* place : {"mov", "s"}) {
     EXPECT_TRUE(has(tex, fmt::format("\\hyperlink{{{}}}", place))) << tex;
-    EXPECT_TRUE(has(tex, fmt::format("\\hypertarget{{{}}}", place))) << tex;
+    // beamer makes targets of labels, too
+    EXPECT_TRUE(has(tex, fmt::format("\\hypertarget{{{}}}", place)) ||
+                has(tex, fmt::format("\\label{{{}}}", place)))
+        << tex;
   }
   const char* script = R"py(import re, sys, zipfile
 links = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/_rels/slide1.xml.rels").decode()
 print(*sorted(re.findall(r'Target="(slide[0-9]+.xml)"', links)))
 )py";
   EXPECT_EQ(told_of_slides(deck, script), "slide2.xml slide3.xml\n");
+}
+
+// those of scenes and the deck's own, alone, in lists and in quotations
+TEST(Documents, PicturesHaveTheirCaptionsInEachOfThem) {
+  const test::TemporaryFolder folder;
+  write_poster(folder);
+  const Deck deck = parse_deck(
+      "## First\n\n![ALPHA](s.toml){.film}\n\n## Second\n\n![BETA](media/poster.png){#b "
+      "alt=GAMMA width=40%}\n\n- ![DELTA](media/poster.png)\n\n> ![EPSILON](media/poster.png)\n\n"
+      "| a ![ZETA](media/poster.png) | ![ETA](media/poster.png){#e} |\n|---|---|\n\n"
+      "![](media/poster.png){#t alt=THETA}\n\n[b](#b) [e](#e) [t](#t)\n",
+      "deck.md",
+      {folder.path(), false});
+  ASSERT_TRUE(deck.problems.empty()) << deck.problems[0].what();
+  for (const std::string& html : {make_page(deck, figure_of, ""),
+                                  make_slides(deck, figure_of, {"4", "css", "js", ""}, ""),
+                                  make_handout_html(deck, figure_of)}) {
+    for (const char* caption : {"ALPHA", "BETA", "DELTA", "EPSILON"})
+      EXPECT_TRUE(std::regex_search(
+          html, std::regex(fmt::format("<figcaption[^>]*>\\s*(<p>)?{}\\s*</", caption))))
+          << html;
+    for (const char* alt : {"GAMMA", "DELTA", "EPSILON", "ZETA", "ETA", "THETA"})
+      EXPECT_TRUE(has(html, fmt::format("alt=\"{}\"", alt))) << alt;
+    for (const char* place : {"b", "e", "t"})
+      EXPECT_TRUE(has(html, fmt::format("id=\"{}\"", place))) << place;
+  }
+  const std::string tex = make_beamer(deck, figure_of);
+  for (const char* caption : {"ALPHA", "BETA", "DELTA", "EPSILON"})
+    EXPECT_TRUE(has(tex, fmt::format("\\caption{{{}}}", caption))) << tex;
+  EXPECT_TRUE(has(tex, "width=0.4\\textwidth"));
+  const char* script = R"py(import re, sys, zipfile
+parts = zipfile.ZipFile(sys.argv[1])
+slides = "".join(parts.read(n).decode() for n in parts.namelist() if n.startswith("ppt/slides/slide"))
+words = "".join(re.findall("<a:t[^>]*>([^<]*)", slides))
+for word in "ALPHA BETA DELTA EPSILON".split(): assert word in words, (word, words)
+for word in "GAMMA THETA".split(): assert re.search('descr="%s' % word, slides), (word, slides)
+print("all")
+)py";
+  EXPECT_EQ(told_of_slides(deck, script), "all\n");
 }
 
 // what has failed says so in its place

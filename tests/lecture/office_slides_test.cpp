@@ -105,13 +105,14 @@ TEST(OfficeSlides, HaveNoColumnsInColumns) {
             "2w2(ww)2ww");
 }
 
-TEST(OfficeSlides, AreWhereLinksToTheirPicturesLead) {
+TEST(OfficeSlides, AreWhereLinksToTheirPlacesLead) {
   const OfficeSlides slides =
       office_slides(deck_of("## One\n\n![A](s.toml){#a .still}\n\n![B](s.toml){#b .still}\n\n"
-                            "## Two\n\n![C](s.toml){#c .still}\n"));
+                            "## Two\n\n![C](s.toml){#c .still}\n\n- [words]{#d}\n"));
   EXPECT_EQ(slides.titles.at("a"), "one");
   EXPECT_EQ(slides.titles.at("b"), "slide-again-1");
   EXPECT_EQ(slides.titles.at("c"), "two");
+  EXPECT_EQ(slides.titles.at("d"), "two");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(Pandoc, ATreeOfAnUnknownKindIsRefused) {
 TEST(Pandoc, DeepNestingIsRefused) {
   EXPECT_NO_THROW(read_markdown(std::string(50, '>') + " word\n"));
   try {
-    read_markdown(std::string(3000, '>') + " word\n");
+    read_markdown(std::string(1000, '>') + " word\n");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.fault(), Fault::input);
