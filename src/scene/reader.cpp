@@ -69,6 +69,12 @@ std::string units_instead(const std::string& name, const KeyList& keys) {
   return "";
 }
 
+// whether both begin with the same word and an underscore
+bool share_first_word(const std::string& a, const std::string& b) {
+  const std::size_t end = a.find('_');
+  return end != std::string::npos && b.starts_with(a.substr(0, end + 1));
+}
+
 void refuse_unknown(const Place& place,
                     const std::string& name,
                     const KeyList& keys,
@@ -76,7 +82,8 @@ void refuse_unknown(const Place& place,
   const std::string near = nearest_name(name, keys.all_spellings());
   const std::vector<std::string> elsewhere = tables_with(name, root);
   const std::string other_units = units_instead(name, keys);
-  const std::string instead = instead_hint(name);
+  // "time_scal" is no time
+  const std::string instead = share_first_word(name, near) ? "" : instead_hint(name);
   std::string message = "unknown key";
   if (!elsewhere.empty()) {
     message += fmt::format(" here; '{}' is a key of {}", name, fmt::join(elsewhere, " and "));

@@ -86,6 +86,7 @@ std::vector<BadSceneText> unknown_keys() {
        4, "motion.torque[0].kind", "or motion.torque = [{ kind = \"damping\", c = ... }]"},
       {"a word that is near another", kBody + "[motion]\nprecession = 3\n", 4, "motion.precession", "steady = \"slow\""},
       {"another word with a unit", kBody + "[motion]\nangle_deg = 3\n", 4, "motion.angle_deg", "here it is motion.attitude"},
+      {"a key that begins with another word", kBody + "[video]\ntime_scal = 3\n", 4, "video.time_scal", "did you mean 'time_scale'?"},
       {"first by line", kBody + "[video]\nzzz = 1\naaa = 2\n", 4, "video.zzz", "unknown key"},
       {"unit that the key has not", "[body]\nmoments_cm = [1, 2, 3]\n",
        2, "body.moments_cm", "did you mean 'moments' in kg m^2"},
