@@ -242,41 +242,93 @@ class FilmReader::Implementation {
     }
     frame.ground.reset();
     frame.painted.clear();
+    if (whole_ != nullptr) {
+      av_image_copy(whole_->data,
+                    whole_->linesize,
+                    const_cast<const std::uint8_t**>(from.data),  // NOLINT: of libav before 7
+                    from.linesize,
+                    static_cast<AVPixelFormat>(from.format),
+                    from.width,
+                    from.height);
+    }
+    const AVFrame& blocks = whole_ != nullptr ? *whole_ : from;
     // swscale writes up to 60 bytes behind the last pixel, for which frames of libav have room
     AVFrame& to = *converted_;
     check_libav(
-        sws_scale(converter_.get(), from.data, from.linesize, 0, from.height, to.data, to.linesize),
+        sws_scale(
+            converter_.get(), blocks.data, blocks.linesize, 0, to.height, to.data, to.linesize),
         "cannot convert a frame");
-    const int stride = 4 * from.width;
-    av_image_copy_plane(
-        frame.pixels.data(), stride, to.data[0], to.linesize[0], stride, from.height);
+    if (to.format == AV_PIX_FMT_RGBA) {
+      const int stride = 4 * from.width;
+      av_image_copy_plane(
+          frame.pixels.data(), stride, to.data[0], to.linesize[0], stride, from.height);
+    } else {
+      interleave(to, frame);
+    }
   }
+
+  // planes of green, blue, red and opacity into pixels
+  static void interleave(const AVFrame& planes, Image& frame) {
+    const auto width = static_cast<std::size_t>(frame.width);
+    for (int y = 0; y < frame.height; ++y) {
+      const auto row_of = [&](int plane) {
+        return planes.data[plane] + std::ptrdiff_t{y} * planes.linesize[plane];
+      };
+      const std::uint8_t *green = row_of(0), *blue = row_of(1), *red = row_of(2),
+                         *opacity = row_of(3);
+      std::uint8_t* pixel = frame.pixels.data() + 4 * width * static_cast<std::size_t>(y);
+      for (std::size_t x = 0; x < width; ++x, pixel += 4) {
+        pixel[0] = red[x];
+        pixel[1] = green[x];
+        pixel[2] = blue[x];
+        pixel[3] = opacity[x];
+      }
+    }
+  }
+
+  static int rounded_up(int size, int block) { return (size + block - 1) / block * block; }
 
   void open_converter() {
     const AVFrame& from = *decoded_;
     format_ = from.format;
-    // half the columns of 4:4:0 would lose their colour; swscale itself sees to 4:4:4
     const auto kind = static_cast<AVPixelFormat>(from.format);
     const AVPixFmtDescriptor& samples = *av_pix_fmt_desc_get(kind);
-    const bool is_440 = samples.log2_chroma_w == 0 && samples.log2_chroma_h > 0;
-    converter_.reset(sws_getContext(from.width,
-                                    from.height,
+    // Each pixel has the colour of its block. From brightness and colours swscale rounds once, and
+    // fast, only into planes; other pixels it copies only into pixels.
+    const bool is_packed = samples.nb_components <= 2 || (samples.flags & AV_PIX_FMT_FLAG_RGB) != 0;
+    const AVPixelFormat target = is_packed ? AV_PIX_FMT_RGBA : AV_PIX_FMT_GBRAP;
+    // Where blocks of pixels that share a colour reach beyond the picture, swscale would squeeze
+    // them into it: it is given whole blocks.
+    const int width = rounded_up(from.width, 1 << samples.log2_chroma_w),
+              height = rounded_up(from.height, 1 << samples.log2_chroma_h);
+    whole_.reset();
+    if (width != from.width || height != from.height) {
+      whole_ = new_frame(width, height, kind);
+      for (int i = 0; i < AV_NUM_DATA_POINTERS && whole_->buf[i] != nullptr; ++i)
+        std::fill_n(whole_->buf[i]->data, whole_->buf[i]->size, std::uint8_t{0});
+    }
+    converter_.reset(sws_getContext(width,
+                                    height,
                                     kind,
-                                    from.width,
-                                    from.height,
-                                    AV_PIX_FMT_RGBA,
-                                    is_440 ? SWS_POINT | SWS_FULL_CHR_H_INT : SWS_POINT,
+                                    width,
+                                    height,
+                                    target,
+                                    SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
                                     nullptr,
                                     nullptr,
                                     nullptr));
     if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
     int matrix = number_of(from.colorspace);
-    const bool full = number_of(from.color_range) == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB;
+    // gray is full unless it says otherwise, as libav has it for 8 bits
+    const int range = number_of(from.color_range);
+    const bool is_gray = samples.nb_components <= 2;
+    const bool full = range == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB ||
+                      (is_gray && range == AVCOL_RANGE_UNSPECIFIED);
     if (matrix == AVCOL_SPC_UNSPECIFIED || matrix == AVCOL_SPC_RGB) {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
     }
-    converted_ = new_frame(from.width, from.height, AV_PIX_FMT_RGBA);
+    converted_ = new_frame(width, height, target);
     const int* weights = sws_getCoefficients(matrix);
     constexpr int kOne = 1 << 16;
     // pixel formats without a matrix refuse this, and need none
@@ -291,6 +343,7 @@ class FilmReader::Implementation {
   Owned<AVPacket> packet_;
   Owned<AVFrame> decoded_;
   Owned<SwsContext> converter_;
+  Owned<AVFrame> whole_;  // a copy with whole blocks, where the decoded one has none
   Owned<AVFrame> converted_;
   int format_ = -1;         // pixel format that the converter takes
   std::int64_t first_ = 0;  // time stamp of the first frame

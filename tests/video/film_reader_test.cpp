@@ -113,6 +113,64 @@ TEST(FilmReader, EveryColumnHasItsOwnColour) {
   }
 }
 
+// ITU-R BT.601: blocks of pixels share a colour, at the edges with less than they have elsewhere
+TEST(FilmReader, EveryPixelHasTheColourOfItsBlock) {
+  const TemporaryFolder folder;
+  struct Blocks {
+    const char* format;
+    int across, down;  // pixels
+    int scale;         // of values that have more than 8 bits
+  };
+  for (const auto& [format, across, down, scale] : {Blocks{"yuv444p", 1, 1, 1},
+                                                    {"yuv440p", 1, 2, 1},
+                                                    {"yuv422p", 2, 1, 1},
+                                                    {"yuv420p", 2, 2, 1},
+                                                    {"yuv420p10", 2, 2, 4},
+                                                    {"yuv411p", 4, 1, 1},
+                                                    {"yuv410p", 4, 4, 1}}) {
+    for (const char* size : {"40x24", "33x21", "38x23"}) {
+      make_foreign(
+          fmt::format("color=gray:s={0},format={1},geq=lum=128*{2}:cb='{2}*if(mod(X,2),100,180)':"
+                      "cr='{2}*if(mod(Y,2),110,150)'",
+                      size,
+                      format,
+                      scale),
+          folder / "a.mkv");
+      FilmReader reader(folder / "a.mkv");
+      Image image;
+      double time = 0.0;
+      ASSERT_TRUE(reader.next(image, time));
+      for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+          const double light = (128.0 - 16.0) / 219.0,
+                       blue = ((x / across % 2 == 1 ? 100.0 : 180.0) - 128.0) / 224.0,
+                       red = ((y / down % 2 == 1 ? 110.0 : 150.0) - 128.0) / 224.0;
+          const double expected[] = {
+              light + 1.402 * red, light - 0.344136 * blue - 0.714136 * red, light + 1.772 * blue};
+          for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(image.at(x, y)[k], 255.0 * expected[k], 0.6)
+                << format << " " << size << " at " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+// as libav has it for 8 bits
+TEST(FilmReader, GrayIsFullUnlessItSaysOtherwise) {
+  const TemporaryFolder folder;
+  for (const auto& [format, value] : std::vector<std::pair<std::string, int>>{
+           {"gray", 8}, {"gray10le", 8 << 2}, {"gray12le", 8 << 4}, {"gray16le", 8 << 8}}) {
+    make_foreign(fmt::format("nullsrc=s=16x16,format={},geq=lum={}", format, value),
+                 folder / "a.mkv");
+    FilmReader reader(folder / "a.mkv");
+    Image image;
+    double time = 0.0;
+    ASSERT_TRUE(reader.next(image, time));
+    EXPECT_NEAR(image.at(8, 8)[0], 8, 1) << format;
+  }
+}
+
 // the tag that WebM has for what is kept beside the colours; here it is in the pictures
 TEST(FilmReader, OtherCodecsMayHaveTransparencyToo) {
   const TemporaryFolder folder;
