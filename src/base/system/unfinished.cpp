@@ -137,7 +137,14 @@ extern "C" void end_after_signal(int signal) {
   if (!is_said.exchange(true)) say_in_passing(words);
   remove_unfinished();
   std::signal(signal, SIG_DFL);
+  sigset_t this_one;
+  sigemptyset(&this_one);
+  sigaddset(&this_one, signal);
+  pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
   std::raise(signal);
+  // the first process of a container outlives what it sends to itself
+  constexpr int kBySignal = 128;  // as shells have it
+  _exit(kBySignal + signal);
 }
 
 void tidy_up_after(int signal) {

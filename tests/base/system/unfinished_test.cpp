@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 #include <memory>
+#include <sched.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -87,6 +88,25 @@ TEST(Unfinished, IsRemovedAfterACrash) {
     EXPECT_EQ(code, -1) << "by the signal, as others see it";
     EXPECT_TRUE(fs::is_empty(fs::path(folder / "")));
   }
+}
+
+// as in a container: the kernel keeps from it what it sends to itself
+TEST(Unfinished, IsRemovedAlsoByTheFirstProcessOfAll) {
+  constexpr int kNotAllowed = 77;
+  const ScratchFolder folder;
+  const int code = exit_code_in_child([&] {
+    if (unshare(CLONE_NEWPID) != 0 && unshare(CLONE_NEWUSER | CLONE_NEWPID) != 0)
+      return kNotAllowed;
+    return exit_code_in_child([&] {
+      tidy_up_after_crashes();
+      const AtomicFile half(folder / "a.mp4");
+      std::raise(SIGUSR1);
+      return 0;
+    });
+  });
+  if (code == kNotAllowed) GTEST_SKIP() << "namespaces are not allowed here";
+  EXPECT_EQ(code, 128 + SIGUSR1);
+  EXPECT_TRUE(fs::is_empty(fs::path(folder / "")));
 }
 
 // the same signal again finds another thread, while the first removes a folder; one to the whole
