@@ -530,6 +530,10 @@ std::vector<FontFound> examine_fonts() {
       found.found = pango_font_description_get_family(is.get());
     }
     found.there = found.found == found.wanted;
+    const GObjectPtr<PangoLayout> digit(pango_layout_new(context.get()));
+    pango_layout_set_font_description(digit.get(), font_of(style).get());
+    pango_layout_set_text(digit.get(), "0", -1);
+    found.damaged = pango_layout_get_unknown_glyphs_count(digit.get()) > 0;
     list.push_back(found);
   }
   return list;

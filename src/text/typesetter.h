@@ -74,10 +74,11 @@ class Typesetter {
 
 // A font that the program uses, and whether it is installed.
 struct FontFound {
-  std::string wanted;   // family
-  std::string package;  // Debian package that contains it
-  std::string found;    // family that is used; another one if `wanted` is missing, "" if none is
-  bool there = false;   // `wanted` is installed
+  std::string wanted;    // family
+  std::string package;   // Debian package that contains it
+  std::string found;     // family that is used; another one if `wanted` is missing, "" if none is
+  bool there = false;    // `wanted` is installed
+  bool damaged = false;  // what is found has no digits: its file cannot be read
 };
 // All fonts that the program uses, for the command `doctor`. It opens fonts, which starts threads
 // of Pango.

@@ -73,11 +73,15 @@ Diagnosis examine(const std::vector<ExternalNeed>& needs) {
   for (const ExternalNeed& need : needs)
     rows.push_back({need.name, need.state});
   for (const FontFound& font : examine_fonts()) {
-    rows.push_back({"font " + font.wanted,
-                    font.there ? "ok"
-                               : fmt::format("missing: {} serves instead; install {}",
-                                             font.found.empty() ? "nothing" : font.found,
-                                             font.package)});
+    const std::string there = font.there ? "ok"
+                                         : fmt::format("missing: {} serves instead; install {}",
+                                                       font.found.empty() ? "nothing" : font.found,
+                                                       font.package);
+    rows.push_back(
+        {"font " + font.wanted,
+         font.damaged
+             ? fmt::format("damaged: {} cannot be read; install {} again", font.found, font.package)
+             : there});
   }
   for (const FilmEncoder& encoder : film_encoders()) {
     rows.push_back({"encoder " + encoder.name,
