@@ -3,8 +3,13 @@
 
 #include <cmath>
 #include <glib.h>
+#include <sched.h>
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
+
+#include "base/system/child_process.h"
+#include "support/in_child.h"
 
 namespace polhode {
 namespace {
@@ -33,6 +38,25 @@ std::pair<double, double> middle(const Stamp& stamp) {
 TEST(Typesetter, WantedFontsAreInstalled) {
   for (const FontFound& font : examine_fonts())
     EXPECT_TRUE(font.there) << font.wanted << ": " << font.found;
+}
+
+// as after a copy that was cut off: it is listed, but has no letters
+TEST(Typesetter, FontsThatCannotBeReadAreTold) {
+  constexpr int kNotAllowed = 77;
+  const ChildResult found = run_child({"fc-match", "-f", "%{file}", "Inter"}, "");
+  ASSERT_TRUE(ended_well(found)) << found.err;
+  const int damaged = test::exit_code_in_child([&] {
+    const bool alone = unshare(CLONE_NEWNS) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+    if (!alone || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        mount("/dev/null", found.out.c_str(), nullptr, MS_BIND, nullptr) != 0)
+      return kNotAllowed;
+    int count = 0;
+    for (const FontFound& font : examine_fonts())
+      count += font.damaged ? 1 : 0;
+    return count;
+  });
+  if (damaged == kNotAllowed) GTEST_SKIP() << "namespaces are not allowed here";
+  EXPECT_EQ(damaged, 1);
 }
 
 TEST(Typesetter, InkIsWhereMeasureSays) {
