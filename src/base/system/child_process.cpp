@@ -148,12 +148,14 @@ std::string first_line(const std::string& text) {
   return text.substr(start, text.find('\n', start) - start);
 }
 
-// appends what is there to read; false at the end
+// Appends what is there to read; false at the end. Throws Error (environment).
 bool drain(int file, std::string& text) {
   std::array<char, 1 << 16> buffer;
   const ssize_t got = read(file, buffer.data(), buffer.size());
   if (got > 0) text.append(buffer.data(), static_cast<std::size_t>(got));
-  return got > 0 || (got < 0 && (errno == EINTR || errno == EAGAIN));
+  if (got < 0 && errno != EINTR && errno != EAGAIN)
+    throw environment_error("cannot read what another program writes: {}", std::strerror(errno));
+  return got != 0;
 }
 
 }  // namespace

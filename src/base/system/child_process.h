@@ -38,8 +38,8 @@ struct ChildResult {
 // read its input. `meanwhile` is called while it runs, at least ten times a second. A limit of
 // memory is set by prlimit (util-linux), which exits with 127 if it cannot start the program.
 // Thread-safe. Throws Error (environment), "gnuplot is not installed" or "gnuplot cannot be
-// started: Too many open files", and (interrupted) after SIGINT, SIGTERM or SIGHUP; the program is
-// then killed.
+// started: Too many open files", or if what it writes cannot be read, and (interrupted) after
+// SIGINT, SIGTERM or SIGHUP; the program is then killed.
 ChildResult run_child(const std::vector<std::string>& words,
                       std::string_view input,
                       const ChildLimits& limits = {},
