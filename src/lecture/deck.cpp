@@ -11,6 +11,7 @@
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
 #include "image/png.h"
+#include "lecture/formulas.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -272,6 +273,7 @@ class Reader {
     const std::string tex = math["c"][1];
     try {
       check_formula(tex);
+      math["c"][1] = with_tags_as_words(tex);
     } catch (const Error& error) {
       tell(lines_.next(tex), error);
       math["c"][1] = "?";

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
-#include "base/utf8.h"
+#include "lecture/formulas.h"
+#include "lecture/latex.h"
 #include "lecture/office_slides.h"
 #include "lecture/pandoc.h"
 
@@ -16,6 +18,10 @@ namespace {
 std::string without_spaces(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; });
   return text;
+}
+
+bool is_for_pages_only(const std::string& image) {
+  return image.ends_with(".svg") || image.ends_with(".webp");
 }
 
 // A picture alone with its caption below, as this version of pandoc has figures.
@@ -62,145 +68,6 @@ Json with_captions(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(c
   Json all = filled(deck, figure_of, blocks);
   make_figures(all, deck.api_version);
   return all;
-}
-
-// Brackets that need not grow are told so: browsers give those that may grow the width of large
-// ones. Text of the deck is escaped, so that what looks like an element is pandoc's own.
-std::string with_brackets(const std::string& html) {
-  const std::string grows = "stretchy=\"true\"", stays = "stretchy=\"false\"", last = "</math>";
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = html.find("<math"); at != std::string::npos;
-       at = html.find("<math", from)) {
-    out += html.substr(from, at - from);
-    from = std::min(html.find(last, at), html.size() - last.size()) + last.size();
-    std::string formula = html.substr(at, from - at);
-    // its TeX is in it
-    if (formula.find("\\left") == std::string::npos &&
-        formula.find("\\begin") == std::string::npos) {
-      for (std::size_t k = formula.find(grows); k != std::string::npos; k = formula.find(grows, k))
-        formula.replace(k, grows.size(), stays);
-    }
-    out += formula;
-  }
-  return out + html.substr(from);
-}
-
-// One slide of LaTeX: where words and one picture share it, they stand side by side.
-void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
-  Json words = Json::array(), pictures = Json::array(), notes = Json::array();
-  bool several = false;
-  for (const Json& block : slide) {
-    const std::string type = block["t"];
-    if (type == kPictureNode) {
-      pictures.push_back(block);
-      const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
-      several = several || picture.kind == PictureKind::inspect;
-    } else if (is_div(block, "notes")) {
-      notes.push_back(block);
-    } else {
-      several = several || type == "Div";
-      words.push_back(block);
-    }
-  }
-  if (pictures.size() == 1 && !words.empty() && !several) {
-    blocks.push_back(
-        div("columns", Json::array({div("column", words, "40%"), div("column", pictures, "60%")})));
-    blocks.insert(blocks.end(), notes.begin(), notes.end());
-  } else {
-    blocks.insert(blocks.end(), slide.begin(), slide.end());
-  }
-}
-
-Json as_slides(const Deck& deck) {
-  Json blocks = Json::array(), slide = Json::array();
-  for (const Json& block : deck.blocks) {
-    if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
-      add_slide(blocks, slide, deck);
-      slide = Json::array();
-      blocks.push_back(block);
-    } else {
-      slide.push_back(block);
-    }
-  }
-  add_slide(blocks, slide, deck);
-  return blocks;
-}
-
-// Pictures alone are no higher than leaves room for captions below them.
-void leave_room(Json& blocks) {
-  for_each_node(blocks, [](Json& node) {
-    if (!is_image_alone(node)) return;
-    Json& settings = node["c"][0]["c"][0][2];
-    const bool has_width = std::any_of(
-        settings.begin(), settings.end(), [](const Json& pair) { return pair[0] == "width"; });
-    if (!has_width) settings.push_back(Json::array({"height", "62%"}));
-  });
-}
-
-Json formula(const std::string& tex) {
-  return {{"t", "Math"}, {"c", {{{"t", "InlineMath"}}, tex}}};
-}
-
-// Raised digits, the minus sign and Greek letters as TeX has them: its fonts lack these characters.
-Json latex_words(const std::string& text) {
-  const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
-  static const std::map<std::string, std::string> kLetters = {
-      {"−", "-"},       {"Ω", "\\Omega"}, {"Δ", "\\Delta"},   {"α", "\\alpha"},  {"β", "\\beta"},
-      {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\epsilon"}, {"θ", "\\theta"},  {"λ", "\\lambda"},
-      {"π", "\\pi"},    {"σ", "\\sigma"}, {"τ", "\\tau"},     {"φ", "\\varphi"}, {"ψ", "\\psi"},
-      {"ω", "\\omega"}, {"∞", "\\infty"}, {"≈", "\\approx"},  {"≤", "\\le"},     {"≥", "\\ge"}};
-  Json words = Json::array();
-  std::string plain, power;
-  const auto end_plain = [&] {
-    if (!plain.empty()) words.push_back(string_inlines(plain)[0]);
-    plain.clear();
-  };
-  const auto end_power = [&] {
-    if (!power.empty()) words.push_back(formula("{}^{" + power + "}"));
-    power.clear();
-  };
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
-    const std::string one = text.substr(i, length);
-    i += length;
-    const auto digit = std::find(raised.begin(), raised.end(), one);
-    if (digit != raised.end()) {
-      end_plain();
-      power += one == "⁻" ? "-" : std::to_string(digit - raised.begin());
-      continue;
-    }
-    end_power();
-    const auto letter = kLetters.find(one);
-    if (letter != kLetters.end()) {
-      end_plain();
-      words.push_back(formula(letter->second));
-    } else {
-      plain += one;
-    }
-  }
-  end_power();
-  end_plain();
-  return words;
-}
-
-Json for_latex(const Json& tree) {
-  if (!tree.is_structured()) return tree;
-  Json copy = tree.is_array() ? Json::array() : Json::object();
-  if (tree.is_object()) {
-    for (const auto& [key, value] : tree.items())
-      copy[key] = for_latex(value);
-    return copy;
-  }
-  for (const Json& child : tree) {
-    if (child.is_object() && child.value("t", "") == "Str") {
-      for (Json& word : latex_words(child["c"].get<std::string>()))
-        copy.push_back(std::move(word));
-    } else {
-      copy.push_back(for_latex(child));
-    }
-  }
-  return copy;
 }
 
 // Titles, captions and tables with formulas in letters: for PowerPoint pandoc writes formulas there
@@ -253,6 +120,19 @@ void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles
     Json& target = node["c"][2][0];
     const auto found = titles.find(percent_decoded(target.get<std::string>().substr(1)));
     if (found != titles.end()) target = "#" + found->second;
+  });
+}
+
+// Words in place of pictures that only browsers show: their descriptions or else their captions.
+void say_what_pages_show(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] != "Image" || !is_for_pages_only(node["c"][2][0])) return;
+    describe(node);
+    Json words = string_inlines("[");
+    const Json& caption = node["c"][1];
+    words.insert(words.end(), caption.begin(), caption.end());
+    words.push_back(string_inlines(caption.empty() ? "picture]" : "]")[0]);
+    node = named("Span", node["c"][0][0], words);
   });
 }
 
@@ -344,7 +224,7 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::st
                                                "--metadata=title:-"},
                                               false)
                                    .text;
-  return lecture_page(words_of(deck), with_brackets(body), contents, viewers);
+  return lecture_page(words_of(deck), formulas_for_browsers(body), contents, viewers);
 }
 
 std::string make_slides(const Deck& deck,
@@ -353,20 +233,37 @@ std::string make_slides(const Deck& deck,
                         const std::string& viewers) {
   const Json tree = without_meta(deck, with_captions(deck, figure_of, slide_blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
-  return slides_page(words_of(deck), with_brackets(body), reveal, viewers);
+  return slides_page(words_of(deck), formulas_for_browsers(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
   const Json tree =
       without_meta(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
-  return handout_page(words_of(deck), with_brackets(sections_html(tree)));
+  return handout_page(words_of(deck), formulas_for_browsers(sections_html(tree)));
+}
+
+std::vector<std::string> document_warnings(const Deck& deck, const std::string& output) {
+  std::vector<std::string> list;
+  if (output != "beamer" && output != "pptx") return list;
+  for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
+    if (is_for_pages_only(image))
+      list.push_back(
+          fmt::format("{} is shown by its description: only browsers show .svg and .webp", image));
+  }
+  if (output == "pptx") return list;
+  for (const std::string& character : characters_without_latex(deck)) {
+    list.push_back(
+        fmt::format("pdflatex has no {}; lualatex has, with a font that has it", character));
+  }
+  return list;
 }
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
-  slides.blocks = as_slides(deck);
+  slides.blocks = latex_slides(deck);
   Json blocks = filled(slides, figure_of, beamer_blocks);
-  leave_room(blocks);
+  say_what_pages_show(blocks);
+  leave_room_for_captions(blocks);
   make_figures(blocks, deck.api_version);
   const Json tree = for_latex(deck.tree(blocks));
   return whole_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"});
@@ -375,10 +272,13 @@ std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
 std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,
                       const std::filesystem::path& folder) {
-  const OfficeSlides layout = office_slides(deck);
   Deck slides = deck;
+  say_what_pages_show(slides.blocks);
+  const OfficeSlides layout = office_slides(slides);
   slides.blocks = layout.blocks;
-  Json tree = with_lettered_formulas(deck.tree(filled(slides, figure_of, office_blocks)));
+  Json blocks = filled(slides, figure_of, office_blocks);
+  say_what_pages_show(blocks);  // in captions, too
+  Json tree = with_lettered_formulas(deck.tree(blocks));
   describe_by_titles(tree);
   lead_to_titles(tree, layout.titles);
   const ScratchFolder scratch;

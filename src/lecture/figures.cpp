@@ -158,11 +158,10 @@ Json document_blocks(const Figure& figure, bool links) {
   if (figure.facts.empty()) return failed_blocks(figure);
   if (picture.kind == PictureKind::inspect) {
     Json table = figure.facts.at("table");
-    if (!links) return with_place(picture, table);
-    // in PowerPoint a table stands by itself
     if (!picture.caption.empty())
       table[0]["c"][1][1] = Json::array({{{"t", "Plain"}, {"c", picture.caption}}});
-    return table;
+    // in PowerPoint a table stands by itself
+    return links ? table : with_place(picture, table);
   }
   // pandoc describes pictures by their titles in PowerPoint
   const std::string title = links ? alt_of(picture) : "";

@@ -245,6 +245,12 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
   return result;
 }
 
+std::string file_of(const std::string& output) {
+  for (const LectureOutput& row : lecture_outputs())
+    if (row.name == output) return row.file;
+  return output;
+}
+
 // The documents in the folder that are not among these outputs.
 std::vector<std::string> documents_left(const fs::path& folder,
                                         const std::vector<std::string>& outputs) {
@@ -298,8 +304,10 @@ LectureResult lecture(const LectureJob& job) {
   copy_images(work, media);
   std::vector<std::string> contents;
   for (const std::string& output : outputs) {
-    if (output != "data")
-      contents.push_back(make_document(output, work, folder, scripts, planned.printer));
+    if (output == "data") continue;
+    contents.push_back(make_document(output, work, folder, scripts, planned.printer));
+    for (const std::string& warning : document_warnings(work.deck, output))
+      spdlog::warn("{}: {}", file_of(output), warning);
   }
   const bool formula_font = pages && !formula_font_css().empty();
   if (pages) {

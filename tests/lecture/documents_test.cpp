@@ -36,7 +36,10 @@ Figure figure_of(const DeckPicture& picture) {
                       {"width", 64},
                       {"height", 36},
                       {"title", "Top"}};
-  return {&picture, facts, ""};
+  Figure figure{&picture, facts, ""};
+  if (picture.kind == PictureKind::inspect)
+    figure.facts["table"] = deck_of("| a | b |\n|---|---|\n| c | d |\n").blocks;
+  return figure;
 }
 
 // writes the poster of that film
@@ -211,6 +214,8 @@ TEST(Documents, PicturesHaveTheirCaptionsInEachOfThem) {
   for (const char* caption : {"ALPHA", "BETA", "DELTA", "EPSILON"})
     EXPECT_TRUE(has(tex, fmt::format("\\caption{{{}}}", caption))) << tex;
   EXPECT_TRUE(has(tex, "width=0.4\\textwidth"));
+  Deck with_numbers = deck_of("![IOTA](s.toml){.inspect}\n");
+  EXPECT_TRUE(has(make_beamer(with_numbers, figure_of), "\\caption{IOTA}"));
   const char* script = R"py(import re, sys, zipfile
 parts = zipfile.ZipFile(sys.argv[1])
 slides = "".join(parts.read(n).decode() for n in parts.namelist() if n.startswith("ppt/slides/slide"))
@@ -220,6 +225,24 @@ for word in "GAMMA THETA".split(): assert re.search('descr="%s' % word, slides),
 print("all")
 )py";
   EXPECT_EQ(told_of_slides(deck, script), "all\n");
+}
+
+TEST(Documents, PicturesThatOnlyBrowsersShowAreWords) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+  const Deck deck = parse_deck("## First\n\n![ALPHA](a.svg){#a alt=BETA}\n\n[to](#a) ![](a.svg)\n",
+                               "deck.md",
+                               {folder.path(), false});
+  EXPECT_TRUE(has(make_page(deck, figure_of), "src=\"a.svg\" id=\"a\"") ||
+              has(make_page(deck, figure_of), "<figure id=\"a\">"));
+  const std::string tex = make_beamer(deck, figure_of);
+  EXPECT_TRUE(has(tex, "{{[}BETA{]}}") && has(tex, "{{[}picture{]}}")) << tex;
+  EXPECT_FALSE(has(tex, "includegraphics{"));
+  const char* script = R"py(import sys, zipfile
+slide = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/slide1.xml").decode()
+print("[BETA]" in slide.replace("</a:t></a:r><a:r><a:rPr /><a:t>", ""), "<p:pic>" in slide)
+)py";
+  EXPECT_EQ(told_of_slides(deck, script), "True False\n");
 }
 
 // what has failed says so in its place
@@ -240,6 +263,34 @@ TEST(Documents, BracketsGrowOnlyWhereTheyAreAskedTo) {
   EXPECT_FALSE(has(tall, "stretchy=\"false\""));
   const std::string text = make_handout_html(deck_of("`stretchy=\"true\"` and $(a)$\n"), figure_of);
   EXPECT_TRUE(has(text, "<code>stretchy=\"true\"</code>")) << "words about it stay";
+}
+
+// browsers have upright letters only one by one
+TEST(Documents, UprightLettersStandUpright) {
+  const std::string html =
+      make_handout_html(deck_of("$a + \\mathrm{bc} + \\text{d}$\n"), figure_of);
+  EXPECT_TRUE(has(html, "<mi>a</mi>")) << html;
+  EXPECT_TRUE(has(html, "<mi mathvariant=\"normal\">b</mi><mi mathvariant=\"normal\">c</mi>"));
+}
+
+// pandoc leaves them out
+TEST(Documents, NumbersOfFormulasAreWordsBehindThem) {
+  const Deck deck = deck_of("$$a = b \\tag{17}$$\n\nand $c \\tag*{A$_1$}$ \\tag\n");
+  const std::string html = make_handout_html(deck, figure_of);
+  EXPECT_TRUE(has(html, "<mtext mathvariant=\"normal\">(17)</mtext>")) << html;
+  EXPECT_TRUE(has(make_beamer(deck, figure_of), "b \\qquad\\text{(17)}"));
+}
+
+TEST(Documents, WhatTheyLackIsTold) {
+  Deck deck = deck_of("A \u4e2d\n");
+  deck.images = {"a.png", "b.svg", "c.webp", "b.svg"};
+  EXPECT_TRUE(document_warnings(deck, "html").empty());
+  EXPECT_EQ(document_warnings(deck, "pptx").size(), 2U);
+  EXPECT_EQ(document_warnings(deck, "beamer"),
+            (std::vector<std::string>{
+                "b.svg is shown by its description: only browsers show .svg and .webp",
+                "c.webp is shown by its description: only browsers show .svg and .webp",
+                "pdflatex has no \u4e2d (U+4E2D); lualatex has, with a font that has it"}));
 }
 
 TEST(Documents, FormulasThatNobodyCanReadAreTakenOut) {

@@ -1,0 +1,535 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/latex.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/utf8.h"
+
+namespace polhode {
+namespace {
+
+// What TeX writes in mathematics for characters that its fonts of text lack, or have in text only.
+const std::map<std::string, std::string>& math_of_characters() {
+  static const std::map<std::string, std::string> table = [] {
+    std::map<std::string, std::string> all = {{"−", "-"},
+                                              {"±", "\\pm"},
+                                              {"∓", "\\mp"},
+                                              {"×", "\\times"},
+                                              {"÷", "\\div"},
+                                              {"·", "\\cdot"},
+                                              {"⋅", "\\cdot"},
+                                              {"∘", "\\circ"},
+                                              {"°", "{}^\\circ"},
+                                              {"′", "{}'"},
+                                              {"″", "{}''"},
+                                              {"∞", "\\infty"},
+                                              {"≈", "\\approx"},
+                                              {"≃", "\\simeq"},
+                                              {"≅", "\\cong"},
+                                              {"∼", "\\sim"},
+                                              {"≠", "\\neq"},
+                                              {"≡", "\\equiv"},
+                                              {"≤", "\\le"},
+                                              {"≥", "\\ge"},
+                                              {"⩽", "\\leqslant"},
+                                              {"⩾", "\\geqslant"},
+                                              {"≪", "\\ll"},
+                                              {"≫", "\\gg"},
+                                              {"∝", "\\propto"},
+                                              {"∂", "\\partial"},
+                                              {"∇", "\\nabla"},
+                                              {"∆", "\\Delta"},
+                                              {"∑", "\\sum"},
+                                              {"∏", "\\prod"},
+                                              {"∫", "\\int"},
+                                              {"∮", "\\oint"},
+                                              {"√", "\\surd"},
+                                              {"∈", "\\in"},
+                                              {"∉", "\\notin"},
+                                              {"⊂", "\\subset"},
+                                              {"⊆", "\\subseteq"},
+                                              {"∪", "\\cup"},
+                                              {"∩", "\\cap"},
+                                              {"∅", "\\emptyset"},
+                                              {"∀", "\\forall"},
+                                              {"∃", "\\exists"},
+                                              {"∧", "\\wedge"},
+                                              {"∨", "\\vee"},
+                                              {"¬", "\\neg"},
+                                              {"⊥", "\\perp"},
+                                              {"⟂", "\\perp"},
+                                              {"∥", "\\parallel"},
+                                              {"∠", "\\angle"},
+                                              {"⊗", "\\otimes"},
+                                              {"⊕", "\\oplus"},
+                                              {"⊙", "\\odot"},
+                                              {"†", "\\dagger"},
+                                              {"←", "\\leftarrow"},
+                                              {"→", "\\rightarrow"},
+                                              {"↑", "\\uparrow"},
+                                              {"↓", "\\downarrow"},
+                                              {"↔", "\\leftrightarrow"},
+                                              {"⇐", "\\Leftarrow"},
+                                              {"⇒", "\\Rightarrow"},
+                                              {"⇔", "\\Leftrightarrow"},
+                                              {"↦", "\\mapsto"},
+                                              {"⟶", "\\longrightarrow"},
+                                              {"⟨", "\\langle"},
+                                              {"⟩", "\\rangle"},
+                                              {"ℓ", "\\ell"},
+                                              {"ħ", "\\hbar"},
+                                              {"ℏ", "\\hbar"},
+                                              {"ℝ", "\\mathbb{R}"},
+                                              {"✓", "\\checkmark"},
+                                              {"…", "\\ldots"},
+                                              {"⋯", "\\cdots"},
+                                              {"µ", "\\mu"},
+                                              {"ε", "\\epsilon"},
+                                              {"ϵ", "\\epsilon"},
+                                              {"φ", "\\varphi"},
+                                              {"ϕ", "\\phi"},
+                                              {"ϑ", "\\vartheta"},
+                                              {"ς", "\\varsigma"},
+                                              {"ο", "o"}};
+    const auto add = [&](const std::vector<std::string>& characters, const auto& tex_of) {
+      for (std::size_t i = 0; i < characters.size(); ++i)
+        all[characters[i]] = tex_of(i);
+    };
+    const std::vector<std::string> raised = {
+        "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁺", "⁻"};
+    const std::vector<std::string> lowered = {
+        "₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉", "₊", "₋"};
+    const std::string signs = "0123456789+-";
+    add(raised, [&](std::size_t i) { return fmt::format("{{}}^{{{}}}", signs[i]); });
+    add(lowered, [&](std::size_t i) { return fmt::format("{{}}_{{{}}}", signs[i]); });
+    const std::vector<std::string> small = {"alpha", "beta", "gamma", "delta",  "zeta", "eta",
+                                            "theta", "iota", "kappa", "lambda", "mu",   "nu",
+                                            "xi",    "pi",   "rho",   "sigma",  "tau",  "upsilon",
+                                            "chi",   "psi",  "omega"};
+    add({"α", "β", "γ", "δ", "ζ", "η", "θ", "ι", "κ", "λ", "μ",
+         "ν", "ξ", "π", "ρ", "σ", "τ", "υ", "χ", "ψ", "ω"},
+        [&](std::size_t i) { return "\\" + small[i]; });
+    const std::vector<std::string> large = {
+        "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega"};
+    add({"Γ", "Δ", "Θ", "Λ", "Ξ", "Π", "Σ", "Υ", "Φ", "Ψ", "Ω"},
+        [&](std::size_t i) { return "\\" + large[i]; });
+    // those that look like Latin letters
+    const std::string latin = "ABEZHIKMNOPTX";
+    add({"Α", "Β", "Ε", "Ζ", "Η", "Ι", "Κ", "Μ", "Ν", "Ο", "Ρ", "Τ", "Χ"},
+        [&](std::size_t i) { return fmt::format("\\mathrm{{{}}}", latin[i]); });
+    return all;
+  }();
+  return table;
+}
+
+// Whether pdflatex with the encodings T1 and TS1 has it in text.
+bool is_in_fonts(const std::string& character) {
+  struct Range {
+    const char *first, *last;
+  };
+  constexpr Range kRanges[] = {
+      {"\x01", "\x7f"},     {"\u00a0", "\u017e"}, {"\u0192", "\u0192"}, {"\u01c4", "\u01d4"},
+      {"\u0218", "\u021b"}, {"\u02c6", "\u02c7"}, {"\u02d8", "\u02d9"}, {"\u02db", "\u02dd"},
+      {"\u1e9e", "\u1e9e"}, {"\u2010", "\u2016"}, {"\u2018", "\u201a"}, {"\u201c", "\u201e"},
+      {"\u2020", "\u2022"}, {"\u2026", "\u2026"}, {"\u2030", "\u2031"}, {"\u2039", "\u203b"},
+      {"\u20ac", "\u20ac"}, {"\u2103", "\u2103"}, {"\u2116", "\u2117"}, {"\u2122", "\u2122"},
+      {"\u2126", "\u2127"}, {"\u2190", "\u2193"}, {"\u27e8", "\u27e9"}, {"\ufb00", "\ufb06"}};
+  return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+    return character >= range.first && character <= range.last;
+  });
+}
+
+void for_each_character(const std::string& text,
+                        const std::function<void(const std::string&)>& visit) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+    visit(text.substr(i, length));
+    i += length;
+  }
+}
+
+// Calls `visit` with the texts of a tree that are set as they are: words, code, formulas.
+void for_each_set_text(const Json& tree, const std::function<void(const std::string&)>& visit) {
+  Json copy = tree;
+  for_each_node(copy, [&](const Json& node) {
+    const std::string type = node["t"];
+    if (type == "Str") visit(node["c"].get<std::string>());
+    if (type == "Code" || type == "CodeBlock" || type == "Math")
+      visit(node["c"][1].get<std::string>());
+  });
+}
+
+// One slide: where words and one picture share it, they stand side by side.
+void add_slide(Json& blocks, const Json& slide, const Deck& deck) {
+  Json words = Json::array(), pictures = Json::array(), notes = Json::array();
+  bool several = false;
+  for (const Json& block : slide) {
+    const std::string type = block["t"];
+    if (type == kPictureNode) {
+      pictures.push_back(block);
+      const DeckPicture& picture = deck.pictures[block["c"].get<std::size_t>()];
+      several = several || picture.kind == PictureKind::inspect;
+    } else if (is_div(block, "notes")) {
+      notes.push_back(block);
+    } else {
+      several = several || type == "Div";
+      words.push_back(block);
+    }
+  }
+  if (pictures.size() == 1 && !words.empty() && !several) {
+    blocks.push_back(
+        div("columns", Json::array({div("column", words, "40%"), div("column", pictures, "60%")})));
+    blocks.insert(blocks.end(), notes.begin(), notes.end());
+  } else {
+    blocks.insert(blocks.end(), slide.begin(), slide.end());
+  }
+}
+
+Json formula(const std::string& tex) {
+  return {{"t", "Math"}, {"c", {{{"t", "InlineMath"}}, tex}}};
+}
+
+// Words, with what the fonts lack as mathematics; raised digits that follow one another are one.
+Json latex_words(const std::string& text) {
+  Json words = Json::array();
+  std::string plain, tex;
+  const auto end_plain = [&] {
+    if (!plain.empty()) words.push_back(string_inlines(plain)[0]);
+    plain.clear();
+  };
+  const auto end_tex = [&] {
+    if (!tex.empty()) words.push_back(formula(tex));
+    tex.clear();
+  };
+  for_each_character(text, [&](const std::string& one) {
+    const auto found = math_of_characters().find(one);
+    const std::string is = found == math_of_characters().end() ? "" : found->second;
+    const bool is_script = is.starts_with("{}^{") || is.starts_with("{}_{");
+    if (is.empty() || (is_in_fonts(one) && !is_script)) {
+      end_tex();
+      plain += one;
+      return;
+    }
+    end_plain();
+    if (is_script && tex.starts_with(is.substr(0, 4))) {
+      tex.insert(tex.size() - 1, 1, is[4]);
+    } else {
+      end_tex();
+      tex = is;
+    }
+  });
+  end_tex();
+  end_plain();
+  return words;
+}
+
+// Environments that stand in text, and what they are inside a formula.
+constexpr std::pair<const char*, const char*> kEnvironments[] = {{"equation", "aligned"},
+                                                                 {"align", "aligned"},
+                                                                 {"flalign", "aligned"},
+                                                                 {"gather", "gathered"},
+                                                                 {"multline", "gathered"},
+                                                                 {"alignat", "alignedat"}};
+
+std::string with_inner_environments(std::string tex) {
+  for (const auto& [name, inside] : kEnvironments) {
+    const std::regex outer(fmt::format(R"(\\(begin|end)\{{{}\*?\}})", name));
+    tex = std::regex_replace(tex, outer, fmt::format(R"(\$1{{{}}})", inside));
+  }
+  tex = std::regex_replace(tex, std::regex(R"(\\begin\{eqnarray\*?\})"), R"(\begin{array}{rcl})");
+  return std::regex_replace(tex, std::regex(R"(\\end\{eqnarray\*?\})"), R"(\end{array})");
+}
+
+// Pandoc takes these as characters: everywhere in a formula, and in the words inside it.
+std::string with_escapes(const std::string& tex) {
+  constexpr std::string_view kWords[] = {"\\text{",
+                                         "\\mbox{",
+                                         "\\textrm{",
+                                         "\\textbf{",
+                                         "\\textit{",
+                                         "\\textsf{",
+                                         "\\texttt{",
+                                         "\\textnormal{"};
+  std::string out;
+  int depth = 0, words_from = 0;  // braces that are open; those around words, 0: none
+  bool inner_formula = false;     // $…$ in words
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    const char c = tex[i];
+    if (c == '\\' && i + 1 < tex.size()) {
+      const auto opened = std::find_if(std::begin(kWords), std::end(kWords), [&](auto word) {
+        return tex.compare(i, word.size(), word) == 0;
+      });
+      if (opened != std::end(kWords)) {
+        ++depth;
+        if (words_from == 0) words_from = depth;
+        out += *opened;
+        i += opened->size() - 1;
+      } else {
+        out += tex.substr(i++, 2);
+      }
+      continue;
+    }
+    if (c == '{') ++depth;
+    if (c == '}' && depth-- == words_from) words_from = 0;
+    if (c == '$') inner_formula = !inner_formula;
+    const bool in_words = words_from > 0 && !inner_formula;
+    if (in_words && c == '^') {
+      out += "\\^{}";
+      continue;
+    }
+    if (c == '%' || c == '#' || (in_words && (c == '_' || c == '&'))) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+Json code_in_words(const std::string& code) {
+  const Json none = Json::array({"", Json::array(), Json::array()});
+  Json lines = Json::array();
+  for (std::size_t from = 0; from <= code.size();) {
+    const std::size_t end = std::min(code.find('\n', from), code.size());
+    if (!lines.empty()) lines.push_back({{"t", "LineBreak"}});
+    lines.push_back({{"t", "Code"}, {"c", {none, code.substr(from, end - from)}}});
+    from = end + 1;
+  }
+  return paragraph(lines);
+}
+
+// Walks through a tree and makes of it what pdflatex can set.
+class Setter {
+ public:
+  void set(Json& tree) {
+    if (tree.is_array()) {
+      set_list(tree);
+    } else if (tree.is_object()) {
+      set_node(tree);
+    }
+  }
+
+ private:
+  static constexpr int kDeepest = 3;  // lists in lists
+
+  void set_list(Json& list) {
+    Json out = Json::array();
+    for (Json& child : list) {
+      const std::string type = child.is_object() ? child.value("t", "") : "";
+      if (type == "Str") {
+        for (Json& word : latex_words(child["c"].get<std::string>()))
+          out.push_back(std::move(word));
+      } else if (is_list(type) && lists_ >= kDeepest) {
+        add_flattened(out, child);
+      } else {
+        set(child);
+        out.push_back(std::move(child));
+      }
+    }
+    list = std::move(out);
+  }
+
+  void set_node(Json& node) {
+    const std::string type = node.value("t", "");
+    if (type == "Math") {
+      node["c"][1] = with_escapes(with_inner_environments(node["c"][1].get<std::string>()));
+    } else if (type == "Code") {
+      // that of a language cannot stand in titles, captions and notes
+      node["c"][0] = Json::array({"", Json::array(), Json::array()});
+    } else if (type == "CodeBlock") {
+      set_code(node);
+    } else {
+      const bool is_argument = type == "Note" || (type == "Div" && is_div(node, "notes"));
+      arguments_ += is_argument ? 1 : 0;
+      lists_ += is_list(type) ? 1 : 0;
+      if (type == "Note") lists_ += kDeepest;
+      for (auto& [key, value] : node.items()) {
+        if (key != "t") set(value);
+      }
+      if (type == "Note") lists_ -= kDeepest;
+      lists_ -= is_list(type) ? 1 : 0;
+      arguments_ -= is_argument ? 1 : 0;
+      if (type == "Note") join_paragraphs(node["c"]);
+    }
+  }
+
+  // what is an argument of TeX holds no lines as they are; what would end a slide has a language,
+  // for then no character of it is a command
+  void set_code(Json& node) const {
+    const std::string code = node["c"][1];
+    if (arguments_ > 0) {
+      node = code_in_words(code);
+    } else if (code.find("\\end{frame}") != std::string::npos) {
+      node["c"][0][1] = Json::array({"default"});
+    }
+  }
+
+  // footnotes of beamer are one paragraph
+  static void join_paragraphs(Json& blocks) {
+    Json words = Json::array(), rest = Json::array();
+    take_paragraphs(blocks, words, rest);
+    blocks = Json::array({paragraph(words)});
+    blocks.insert(blocks.end(), rest.begin(), rest.end());
+  }
+
+  static void take_paragraphs(const Json& blocks, Json& words, Json& rest) {
+    for (const Json& block : blocks) {
+      if (block["t"] == "Para" || block["t"] == "Plain") {
+        if (!words.empty()) words.push_back({{"t", "LineBreak"}});
+        words.insert(words.end(), block["c"].begin(), block["c"].end());
+      } else if (block["t"] == "BlockQuote") {
+        take_paragraphs(block["c"], words, rest);
+      } else if (block["t"] == "Div") {
+        take_paragraphs(block["c"][1], words, rest);
+      } else {
+        rest.push_back(block);
+      }
+    }
+  }
+
+  static bool is_list(const std::string& type) {
+    return type == "BulletList" || type == "OrderedList" || type == "DefinitionList";
+  }
+
+  // the items of a list as paragraphs
+  void add_flattened(Json& out, Json& list) {
+    const std::string type = list["t"];
+    if (type == "DefinitionList") {
+      for (Json& item : list["c"]) {
+        Json blocks = Json::array({paragraph(item[0])});
+        for (Json& definition : item[1])
+          blocks.insert(blocks.end(), definition.begin(), definition.end());
+        add_blocks(out, blocks);
+      }
+      return;
+    }
+    int number = type == "OrderedList" ? list["c"][0][0].get<int>() : 0;
+    for (Json& item : type == "OrderedList" ? list["c"][1] : list["c"]) {
+      const std::string mark = type == "OrderedList" ? fmt::format("{}.", number++) : "•";
+      Json words = string_inlines(mark);
+      words.push_back({{"t", "Space"}});
+      if (!item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para")) {
+        words.insert(words.end(), item[0]["c"].begin(), item[0]["c"].end());
+        item[0] = paragraph(words);
+      } else {
+        item.insert(item.begin(), paragraph(words));
+      }
+      add_blocks(out, item);
+    }
+  }
+
+  void add_blocks(Json& out, Json& blocks) {
+    set(blocks);
+    out.insert(out.end(), blocks.begin(), blocks.end());
+  }
+
+  int arguments_ = 0;  // of commands of TeX, around what is set
+  int lists_ = 0;      // around it
+};
+
+// What commands need beside amsmath and amssymb, where it is installed.
+constexpr std::pair<const char*, const char*> kNeeds[] = {
+    {"SI", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"si", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"qty", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"unit", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"num", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"ang", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"bm", "\\usepackage{bm}"},
+    {"mathscr", "\\providecommand{\\mathscr}{\\mathcal}"},
+    {"coloneqq", "\\providecommand{\\coloneqq}{\\mathrel{:=}}"}};
+
+bool has_command(const std::string& tex, const std::string& name) {
+  const std::string command = "\\" + name;
+  for (std::size_t at = tex.find(command); at != std::string::npos;
+       at = tex.find(command, at + 1)) {
+    const std::size_t end = at + command.size();
+    if (end == tex.size() || std::isalpha(static_cast<unsigned char>(tex[end])) == 0) return true;
+  }
+  return false;
+}
+
+// what stands in front of the document
+std::string preamble_for(const Json& tree) {
+  std::set<std::string> needs, characters;
+  for_each_set_text(tree, [&](const std::string& text) {
+    for (const auto& [command, line] : kNeeds)
+      if (has_command(text, command)) needs.insert(line);
+    for_each_character(text, [&](const std::string& one) {
+      if (one.size() > 1 && math_of_characters().contains(one)) characters.insert(one);
+    });
+  });
+  std::string lines;
+  for (const std::string& line : needs)
+    lines += line + "\n";
+  if (characters.empty()) return lines;
+  lines += "\\ifPDFTeX\n";
+  for (const std::string& one : characters)
+    lines += fmt::format("\\DeclareUnicodeCharacter{{{}}}{{\\ensuremath{{{}}}}}\n",
+                         code_point(one, 0).substr(2),
+                         math_of_characters().at(one));
+  return lines + "\\fi\n";
+}
+
+}  // namespace
+
+Json latex_slides(const Deck& deck) {
+  Json blocks = Json::array(), slide = Json::array();
+  for (const Json& block : deck.blocks) {
+    if (block["t"] == "Header" || block["t"] == "HorizontalRule") {
+      add_slide(blocks, slide, deck);
+      slide = Json::array();
+      blocks.push_back(block);
+    } else {
+      slide.push_back(block);
+    }
+  }
+  add_slide(blocks, slide, deck);
+  return blocks;
+}
+
+void leave_room_for_captions(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (!is_image_alone(node)) return;
+    Json& settings = node["c"][0]["c"][0][2];
+    const bool has_width = std::any_of(
+        settings.begin(), settings.end(), [](const Json& pair) { return pair[0] == "width"; });
+    if (!has_width) settings.push_back(Json::array({"height", "62%"}));
+  });
+}
+
+Json for_latex(Json tree) {
+  Setter setter;
+  setter.set(tree["meta"]);
+  setter.set(tree["blocks"]);
+  // after words have become formulas
+  const std::string lines = preamble_for(tree);
+  if (!lines.empty()) {
+    tree["meta"]["header-includes"] = {
+        {"t", "MetaBlocks"}, {"c", Json::array({{{"t", "RawBlock"}, {"c", {"latex", lines}}}})}};
+  }
+  return tree;
+}
+
+std::vector<std::string> characters_without_latex(const Deck& deck) {
+  std::vector<std::string> list;
+  std::set<std::string> seen;
+  const auto look = [&](const std::string& text) {
+    for_each_character(text, [&](const std::string& one) {
+      if (is_in_fonts(one) || math_of_characters().contains(one) || !seen.insert(one).second)
+        return;
+      list.push_back(fmt::format("{} ({})", one, code_point(one, 0)));
+    });
+  };
+  for_each_set_text(deck.meta, look);
+  for_each_set_text(deck.blocks, look);
+  for (const DeckPicture& picture : deck.pictures)
+    for_each_set_text(picture.caption, look);
+  return list;
+}
+
+}  // namespace polhode

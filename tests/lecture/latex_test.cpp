@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/latex.h"
+
+#include <gtest/gtest.h>
+
+#include "lecture/decks.h"
+#include "lecture/pandoc.h"
+#include "support/words.h"
+
+namespace polhode {
+namespace {
+
+using test::count_of;
+using test::deck_of;
+using test::has;
+
+// a deck as LaTeX, with its preamble
+std::string tex_of(const std::string& text) {
+  const Deck deck = deck_of(text);
+  return write_document(for_latex(deck.tree(deck.blocks)), {"-t", "beamer", "-s"}).text;
+}
+
+TEST(Latex, HasCharactersThatItsFontsLackAsMathematics) {
+  const std::string tex = tex_of("A ω₁₂ ≠ 10⁻² ± 3 °C, x³\n\n`Ω ≤ 1` and $θ²$\n");
+  EXPECT_TRUE(has(tex, "A \\(\\omega\\)\\({}_{12}\\) \\(\\neq\\) 10\\({}^{-2}\\) ± 3 °C,"))
+      << tex.substr(tex.find("begin{document}"));
+  for (const char* declared : {"{03A9}{\\ensuremath{\\Omega}}",
+                               "{2264}{\\ensuremath{\\le}}",
+                               "{03B8}{\\ensuremath{\\theta}}",
+                               "{00B2}{\\ensuremath{{}^{2}}}"})
+    EXPECT_TRUE(has(tex, std::string("\\DeclareUnicodeCharacter") + declared)) << declared;
+}
+
+TEST(Latex, TellsCharactersThatItDoesNotHave) {
+  EXPECT_EQ(characters_without_latex(deck_of("# é ω中\n\n`中` $x$ “a” – ½ 😀\n")),
+            (std::vector<std::string>{"中 (U+4E2D)", "😀 (U+1F600)"}));
+}
+
+// what pandoc takes as characters are commands of TeX
+TEST(Latex, HasFormulasThatItCanSet) {
+  const std::string tex = tex_of(
+      "$\\text{50 % of a_b & c^d # $e_1$} f_1 \\%$ and $g % h$\n\n"
+      "$$\\begin{align*} a &= b \\tag{2}\\\\ c &= d\\end{align*}$$\n\n"
+      "$$\\begin{eqnarray} a &=& b\\end{eqnarray}$$\n\n$\\bm{a} = \\mathscr{L}$\n");
+  EXPECT_TRUE(has(tex, "\\(\\text{50 \\% of a\\_b \\& c\\^{}d \\# $e_1$} f_1 \\%\\)"));
+  EXPECT_TRUE(has(tex, "\\(g \\% h\\)"));
+  EXPECT_TRUE(
+      has(tex, "\\[\\begin{aligned} a &= b \\qquad\\text{(2)}\\\\ c &= d\\end{aligned}\\]"));
+  EXPECT_TRUE(has(tex, "\\[\\begin{array}{rcl} a &=& b\\end{array}\\]"));
+  EXPECT_TRUE(has(tex, "\\usepackage{bm}"));
+  EXPECT_TRUE(has(tex, "\\providecommand{\\mathscr}{\\mathcal}"));
+}
+
+// the first line that is the end of a frame ends it, also among lines of code
+TEST(Latex, HasCodeThatEndsNoSlide) {
+  const std::string tex = tex_of("## A\n\n```\n\\end{frame}\n\\input{a}\n```\n");
+  EXPECT_EQ(count_of(tex, "\\end{frame}"), 1U);
+  EXPECT_FALSE(has(tex, "\\input{a}"));
+  EXPECT_TRUE(has(tex, "\\textbackslash{}end\\{frame\\}"));
+}
+
+// arguments of commands hold neither lines as they are nor, in footnotes, paragraphs
+TEST(Latex, HasCodeInNotesAndFootnotesAsWords) {
+  const std::string tex = tex_of(
+      "## A\n\na[^1]\n\n[^1]: b\n\n    > c\n\n        d e\n\n::: notes\n```c\nf\n g\n```\n:::\n");
+  EXPECT_TRUE(has(tex, "{b\\\\\n  c\\\\\n  \\texttt{d\\ e}}")) << tex.substr(tex.find("{A}"));
+  EXPECT_TRUE(has(tex, "\\note{\\texttt{f}\\strut \\\\\n\\texttt{\\ g}}"));
+  EXPECT_FALSE(has(tex, "erbatim}"));
+}
+
+TEST(Latex, HasListsThatAreNoDeeperThanThree) {
+  const std::string tex = tex_of("## A\n\n- a\n  - b\n    - c\n      - d\n        1. e\n");
+  EXPECT_EQ(count_of(tex, "\\begin{itemize}"), 3U);
+  EXPECT_EQ(count_of(tex, "\\begin{enumerate}"), 0U);
+  EXPECT_TRUE(has(tex, "• d\n") && has(tex, "1. e\n")) << tex.substr(tex.find("{A}"));
+}
+
+}  // namespace
+}  // namespace polhode
