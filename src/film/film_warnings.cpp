@@ -392,9 +392,10 @@ std::vector<Error> warnings_of_all(const std::vector<std::shared_ptr<const Compo
 void warn_of_missing_fonts() {
   for (const FontFound& font : examine_fonts()) {
     if (font.found.empty()) throw environment_error("no font is there; install {}", font.package);
-    if (font.damaged)
+    if (font.damaged) {
       throw environment_error(
           "the font {} cannot be read; install {} again", font.found, font.package);
+    }
     if (font.there) continue;
     spdlog::warn("the font {} is missing, so {} is used instead; install {}",
                  font.wanted,

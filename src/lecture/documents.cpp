@@ -246,9 +246,10 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
   std::vector<std::string> list;
   if (output != "beamer" && output != "pptx") return list;
   for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
-    if (is_for_pages_only(image))
+    if (is_for_pages_only(image)) {
       list.push_back(
           fmt::format("{} is shown by its description: only browsers show .svg and .webp", image));
+    }
   }
   if (output == "pptx") return list;
   for (const std::string& character : characters_without_latex(deck)) {

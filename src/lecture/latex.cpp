@@ -468,10 +468,11 @@ std::string preamble_for(const Json& tree) {
     lines += line + "\n";
   if (characters.empty()) return lines;
   lines += "\\ifPDFTeX\n";
-  for (const std::string& one : characters)
+  for (const std::string& one : characters) {
     lines += fmt::format("\\DeclareUnicodeCharacter{{{}}}{{\\ensuremath{{{}}}}}\n",
                          code_point(one, 0).substr(2),
                          math_of_characters().at(one));
+  }
   return lines + "\\fi\n";
 }
 
