@@ -15,6 +15,7 @@ namespace polhode {
 namespace {
 
 constexpr double kSmallestSize = 1e-300;   // what divides must not be zero
+constexpr double kTubeStep = 0.1;          // of the logarithm of a tube in its ring
 constexpr std::size_t kMostKept = 50'000;  // times; more are computed again
 
 // an affine map as turn and factors along the axes of the mesh
@@ -193,9 +194,15 @@ void Observer::add_cones(const std::string& element,
     thing.mesh = shell_;
     thing.both_sides = true;
     put(index_of(fmt::format("{} shell {}", element, i), thing), pose_of(places.shell), poses);
-    const std::string key = fmt::format("{} rim {}", element, i);
-    if (indices_.count(key) == 0)
-      thing.mesh = std::make_shared<const Mesh>(torus(1.0, places.tube, segments_));
+    // A ring grows with its cone and its tube does not: rings of other tubes take turns.
+    const std::string name = fmt::format("{} rim {}", element, i);
+    const double first = tubes_.emplace(name, places.tube).first->second;
+    const auto step = std::lround(std::log(places.tube / first) / kTubeStep);
+    const std::string key = fmt::format("{} {}", name, step);
+    if (indices_.count(key) == 0) {
+      const double tube = first * std::exp(kTubeStep * static_cast<double>(step));
+      thing.mesh = std::make_shared<const Mesh>(torus(1.0, tube, segments_));
+    }
     thing.material.alpha = 1.0f;
     thing.both_sides = false;
     put(index_of(key, thing), pose_of(places.rim), poses);

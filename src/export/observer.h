@@ -96,6 +96,7 @@ class Observer {
   std::vector<Thing> things_;
   std::vector<ObservedTrail> trails_;
   std::map<std::string, std::size_t> indices_;
+  std::map<std::string, double> tubes_;  // of rims, in their rings, as when they were first seen
   std::map<double, Sample> samples_;
   std::map<double, std::vector<Pose>> moments_;  // of all things
   // the things of one element, and where they were seen without the others

@@ -224,6 +224,8 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   }
   with([](Json& r) { r["width"] = r["width"].get<int>() + 1; });
   expect("a.mp4", 1, "was altered: width is ");
+  with([](Json& r) { r["captions"][1] = "It falls"; });
+  expect("a.mp4", 1, "was altered: captions[1] is not that of its scene");
   with([](Json& r) { r["still"] = true; });
   expect("a.mp4", 1, "was altered: one picture (--still) is written as .png");
   with([](Json& r) { r["trusted"] = !r["trusted"]; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "export/gltf_scene.h"
 
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -139,6 +140,35 @@ TEST(GltfScene, WhatIsNotThereYetHasNoSize) {
     EXPECT_EQ(node.scaled.values->front(), 0.0f);
     EXPECT_GT(node.scaled.values->back(), 0.0f);
   }
+}
+
+// a ring that grows with its cone would have a tube that grows, too
+TEST(GltfScene, TheRimOfAConeKeepsItsThickness) {
+  const GltfDocument document = export_scene(solve(small_scene("nutation_loops")), {}).document;
+  double thinnest = 1e9, thickest = 0.0, smallest = 1e9, largest = 0.0;
+  for (const GltfNode& node : document.nodes) {
+    if (!node.name.starts_with("precession_cone.mesh") || node.mesh < 0) continue;
+    double low = 0.0, high = 0.0, tube = 0.0;
+    for (const Vertex& vertex :
+         document.meshes[static_cast<std::size_t>(node.mesh)].mesh->vertices) {
+      low = std::min<double>(low, vertex.position.z);
+      high = std::max<double>(high, vertex.position.z);
+      tube = std::max<double>(tube, std::hypot(vertex.position.x, vertex.position.y) - 1.0);
+    }
+    const bool is_ring = low == -high;
+    if (!is_ring || node.scaled.values == nullptr) continue;
+    for (std::size_t i = 2; i < node.scaled.values->size(); i += 3) {
+      const double across = (*node.scaled.values)[i];
+      if (across == 0.0) continue;  // another one takes its turn
+      thinnest = std::min(thinnest, across * tube);
+      thickest = std::max(thickest, across * tube);
+      smallest = std::min(smallest, across);
+      largest = std::max(largest, across);
+    }
+  }
+  EXPECT_GT(largest, 1.5 * smallest) << "the cone opens and closes";
+  // steps of a tenth, and what polygons lack of circles
+  EXPECT_LT(thickest, 1.15 * thinnest);
 }
 
 TEST(GltfScene, TheCameraOfAViewFromTheBodyTurnsWithIt) {

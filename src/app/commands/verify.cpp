@@ -43,6 +43,12 @@ struct Again {
 
 constexpr double kRoundOff = 1e-9;  // rad; below it, errors are not compared
 
+// whether times in units of their containers are the same, s
+bool is_same_time(double a, double b) {
+  constexpr double kSame = 1e-9;
+  return std::abs(a - b) <= kSame;
+}
+
 // empty: there is none
 using DifferenceInWords = std::string;
 
@@ -57,10 +63,10 @@ bool same_pixels(const Image& a, const Image& b) {
 
 // when the last frame ends, by itself and by what the container says
 DifferenceInWords compare_ends(const FilmReader& judged, const FilmReader& made) {
-  if (judged.end() != made.end())
+  if (!is_same_time(judged.end(), made.end()))
     return fmt::format("the film ends at {} s, and not {}", judged.end(), made.end());
   const double says = judged.info().length, is = made.info().length;
-  return says == is ? "" : fmt::format("the film is {} s long, and not {}", says, is);
+  return is_same_time(says, is) ? "" : fmt::format("the film is {} s long, and not {}", says, is);
 }
 
 DifferenceInWords compare_films(const Again& again) {
@@ -84,7 +90,7 @@ DifferenceInWords compare_films(const Again& again) {
       }
       if (!more) return compare_ends(judged, made);
       if (!same_pixels(expected, found)) return fmt::format("{} differs", again.frame(number));
-      if (expected_time != found_time)
+      if (!is_same_time(expected_time, found_time))
         return fmt::format("{} has another time", again.frame(number));
     }
   } catch (const Error& error) {

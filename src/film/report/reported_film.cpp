@@ -118,6 +118,12 @@ std::optional<std::string> contradiction(const FilmReport& record, const Reporte
   if (record.frames != static_cast<int>(film.hashes.size())) {
     return fmt::format("it has {} hashes of {} frames", film.hashes.size(), record.frames);
   }
+  // a scene whose film shows no text does not say which it has
+  const std::vector<StoryStep>& story = film.plan.scene.story;
+  for (std::size_t i = 0; record.text && i < story.size(); ++i) {
+    if (story[i].caption != record.captions[i])
+      return fmt::format("captions[{}] is not that of its scene", i);
+  }
   return std::nullopt;
 }
 
