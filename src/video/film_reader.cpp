@@ -135,14 +135,21 @@ class FilmReader::Implementation {
     };
     // the container's word goes before that of the stream
     const std::string of_stream = ratio(track.sample_aspect_ratio);
+    std::string unusual;
+    if (track.chroma_location != AVCHROMA_LOC_UNSPECIFIED &&
+        track.chroma_location != AVCHROMA_LOC_LEFT)
+      unusual += fmt::format(", colours at {}", av_chroma_location_name(track.chroma_location));
+    if (track.field_order != AV_FIELD_UNKNOWN && track.field_order != AV_FIELD_PROGRESSIVE)
+      unusual += ", interlaced";
     return fmt::format(
-        "{}{} {} {} {} {}",
+        "{}{} {} {} {} {}{}",
         ratio(pixel),
         of_stream == ratio(pixel) ? "" : fmt::format(" ({} in the stream)", of_stream),
         word(track.color_range, AVCOL_RANGE_NB, av_color_range_name),
         word(track.color_primaries, AVCOL_PRI_NB, av_color_primaries_name),
         word(track.color_trc, AVCOL_TRC_NB, av_color_transfer_name),
-        word(track.color_space, AVCOL_SPC_NB, av_color_space_name));
+        word(track.color_space, AVCOL_SPC_NB, av_color_space_name),
+        unusual);
   }
 
   // libav's name for a tag, which is below `end`, or its number where it has none

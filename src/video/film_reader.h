@@ -20,7 +20,8 @@ struct FilmInfo {
   bool alpha = false;   // whether it has transparency
   std::string codec;    // FFmpeg's name of the decoder, "h264"
   // What it asks of players: shape of the pixels, and range, primaries, transfer and matrix of the
-  // colours; "1:1 tv bt709 bt709 bt709". If the container tells others, these too.
+  // colours; "1:1 tv bt709 bt709 bt709". Then where else than at the left of their blocks the
+  // colours are, and whether it is interlaced. If the container tells others, these too.
   std::string shown;
 };
 

@@ -171,6 +171,21 @@ TEST(FilmReader, GrayIsFullUnlessItSaysOtherwise) {
   }
 }
 
+TEST(FilmReader, TellsWhereColoursAreIfNotAtTheLeft) {
+  const TemporaryFolder folder;
+  const std::string command =
+      "ffmpeg -nostdin -loglevel error -y -f lavfi -i color=gray:s=32x32 -frames:v 2 -pix_fmt "
+      "yuv420p -c:v libx264 ";
+  ASSERT_EQ(std::system((command + "'" + (folder / "a.mp4") + "'").c_str()), 0);
+  ASSERT_EQ(std::system((command + "-bsf:v h264_metadata=chroma_sample_loc_type=2 '" +
+                         (folder / "b.mp4") + "'")
+                            .c_str()),
+            0);
+  EXPECT_EQ(FilmReader(folder / "a.mp4").info().shown.find("colours at"), std::string::npos);
+  EXPECT_NE(FilmReader(folder / "b.mp4").info().shown.find(", colours at topleft"),
+            std::string::npos);
+}
+
 // the tag that WebM has for what is kept beside the colours; here it is in the pictures
 TEST(FilmReader, OtherCodecsMayHaveTransparencyToo) {
   const TemporaryFolder folder;
