@@ -69,6 +69,11 @@ void apply(const Overrides& overrides, Scene& scene) {
 
 }  // namespace
 
+void check_overrides(const Overrides& overrides) {
+  Scene scene;
+  apply(overrides, scene);
+}
+
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides) {
   Scene scene = load_scene(file, overrides.settings);
   for_each_scene(scene, [&](Scene& one) { apply(overrides, one); });

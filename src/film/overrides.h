@@ -29,6 +29,9 @@ struct Overrides {
   bool loop = false;                    // true: end the film where the motion is back at its start
 };
 
+// Throws Error (input), with the option as key, for values that no scene can take.
+void check_overrides(const Overrides& overrides);
+
 // Loads a scene and applies the overrides. A method also removes numerics.compare and, if it is not
 // the scene's own, the scene's step and tolerance. Scene::options records which options have
 // replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option

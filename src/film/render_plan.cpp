@@ -13,24 +13,15 @@
 #include "video/frame_sink.h"
 #include "video/gif_sink.h"
 #include "video/plain_sinks.h"
+#include "video/png_sink.h"
 #include "video/sink_kinds.h"
 
 namespace polhode {
 namespace {
 
-const Quality& find_quality(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Quality& row : qualities()) {
-    if (row.name == name) return row;
-    names.push_back(row.name);
-  }
-  throw input_error("unknown quality '{}'{}", name, suggestion(name, names))
-      .at({{}, 0, "--quality"});
-}
-
 // a .png without a number in its name is one picture, and only that takes --still
 bool is_still(const RenderJob& job, const std::string& output) {
-  const bool numbered = output.find('%') != std::string::npos;
+  const bool numbered = has_percent(output);
   const bool picture = output.ends_with(".png") && !numbered && !output.starts_with(kHashPrefix);
   if (job.still && output.ends_with(".png") && numbered) {
     throw input_error("makes one picture, but '{}' is a numbered sequence; leave out the %", output)
@@ -113,6 +104,16 @@ std::optional<FrameRate> slow_down_for_gif(Scene& scene) {
 }
 
 }  // namespace
+
+const Quality& find_quality(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Quality& row : qualities()) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
+  }
+  throw input_error("unknown quality '{}'{}", name, suggestion(name, names))
+      .at({{}, 0, "--quality"});
+}
 
 const std::vector<Quality>& qualities() {
   static const std::vector<Quality> table = {

@@ -26,6 +26,8 @@ struct Quality {
 };
 // All values of --quality.
 const std::vector<Quality>& qualities();
+// Throws Error (input), with --quality as key, if there is none of that name.
+const Quality& find_quality(const std::string& name);
 
 // The options of `render` as the user gave them, not yet checked. Values: sink_kinds() in
 // video/sink_kinds.h, encoder_presets() in video/video_spec.h, film_formats() in video/encoders.h,

@@ -11,7 +11,7 @@
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
 #include "image/png.h"
-#include "lecture/formulas.h"
+#include "lecture/inlines.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -273,7 +273,6 @@ class Reader {
     const std::string tex = math["c"][1];
     try {
       check_formula(tex);
-      math["c"][1] = with_tags_as_words(tex);
     } catch (const Error& error) {
       tell(lines_.next(tex), error);
       math["c"][1] = "?";
@@ -341,6 +340,17 @@ class Reader {
   bool among_words_ = false;                        // where pictures have no captions
 };
 
+// of a field, or of a list of them
+Json one_paragraph(const Json& value) {
+  if (value["t"] == "MetaBlocks")
+    return {{"t", "MetaInlines"}, {"c", inlines_of(value["c"], {{"t", "Space"}})}};
+  if (value["t"] != "MetaList") return value;
+  Json list = value;
+  for (Json& one : list["c"])
+    one = one_paragraph(one);
+  return list;
+}
+
 std::string words_of_meta(const Json& value) {
   if (value["t"] == "MetaInlines") return plain_text(value["c"]);
   return value["t"] == "MetaString" ? value["c"].get<std::string>() : "";
@@ -371,7 +381,7 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
       "title", "subtitle", "author", "date", "lang", "description", "licence", "address"};
   for (const auto& [key, value] : meta.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) {
-      deck.meta[key] = value;
+      deck.meta[key] = one_paragraph(value);
       continue;
     }
     const int line = lines.next(key);

@@ -8,6 +8,7 @@
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
 #include "lecture/formulas.h"
+#include "lecture/inlines.h"
 #include "lecture/latex.h"
 #include "lecture/office_slides.h"
 #include "lecture/pandoc.h"
@@ -60,8 +61,12 @@ void make_figures(Json& tree, const Json& api_version) {
 
 // The deck's blocks with those that `blocks` makes of its pictures.
 Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
-  return with_pictures(
+  Json all = with_pictures(
       deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
+  for_each_node(all, [](Json& node) {
+    if (node["t"] == "Math") node["c"][1] = with_tags_as_words(node["c"][1].get<std::string>());
+  });
+  return all;
 }
 
 Json with_captions(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
@@ -127,12 +132,33 @@ void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles
 void say_what_pages_show(Json& blocks) {
   for_each_node(blocks, [](Json& node) {
     if (node["t"] != "Image" || !is_for_pages_only(node["c"][2][0])) return;
+    const Json caption = node["c"][1];
+    const bool has_alt = alt_of_image(node).has_value();
     describe(node);
     Json words = string_inlines("[");
-    const Json& caption = node["c"][1];
-    words.insert(words.end(), caption.begin(), caption.end());
-    words.push_back(string_inlines(caption.empty() ? "picture]" : "]")[0]);
+    const Json& description = node["c"][1];
+    words.insert(words.end(), description.begin(), description.end());
+    words.push_back(string_inlines(description.empty() ? "picture]" : "]")[0]);
+    if (has_alt) {
+      words.push_back({{"t", "Space"}});
+      words.insert(words.end(), caption.begin(), caption.end());
+    }
     node = named("Span", node["c"][0][0], words);
+  });
+}
+
+// pandoc leaves footnotes out of speaker's notes in PowerPoint
+void say_footnotes_of_notes(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] != "Div" || !is_div(node, "notes")) return;
+    for_each_node(node["c"], [](Json& inside) {
+      if (inside["t"] != "Note") return;
+      Json words = string_inlines(" (");
+      const Json note = inlines_of(inside["c"], {{"t", "Space"}});
+      words.insert(words.end(), note.begin(), note.end());
+      words.push_back(string_inlines(")")[0]);
+      inside = named("Span", "", words);
+    });
   });
 }
 
@@ -267,7 +293,15 @@ std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   leave_room_for_captions(blocks);
   make_figures(blocks, deck.api_version);
   const Json tree = for_latex(deck.tree(blocks));
-  return whole_document(tree, {"-t", "beamer", "-s", "--slide-level=2", "-V", "aspectratio=169"});
+  return whole_document(tree,
+                        {"-t",
+                         "beamer",
+                         "-s",
+                         "--slide-level=2",
+                         "-V",
+                         "aspectratio=169",
+                         "-V",
+                         "fonttheme=professionalfonts"});
 }
 
 std::string make_pptx(const Deck& deck,
@@ -275,6 +309,7 @@ std::string make_pptx(const Deck& deck,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
   say_what_pages_show(slides.blocks);
+  say_footnotes_of_notes(slides.blocks);
   const OfficeSlides layout = office_slides(slides);
   slides.blocks = layout.blocks;
   Json blocks = filled(slides, figure_of, office_blocks);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <fmt/format.h>
-
 namespace polhode {
 namespace {
 
@@ -42,33 +40,58 @@ void settle_letters(std::string& formula) {
   }
 }
 
+// where the brace is that closes the one at `open`; npos: nowhere
+std::size_t end_of_group(const std::string& tex, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < tex.size(); ++i) {
+    if (tex[i] == '\\') {
+      ++i;
+    } else {
+      depth += tex[i] == '{' ? 1 : tex[i] == '}' ? -1 : 0;
+      if (depth == 0) return i;
+    }
+  }
+  return std::string::npos;
+}
+
+// where the row of a formula ends in which `at` is
+std::size_t end_of_row(const std::string& tex, std::size_t at) {
+  int braces = 0, environments = 0;
+  for (std::size_t i = at; i < tex.size(); ++i) {
+    if (tex[i] == '{') ++braces;
+    if (tex[i] == '}' && --braces < 0) return i;
+    if (tex[i] != '\\') continue;
+    const bool ends = tex.compare(i, 5, "\\end{") == 0;
+    if (braces == 0 && environments == 0 && (ends || tex.compare(i, 2, "\\\\") == 0)) return i;
+    environments += ends ? -1 : tex.compare(i, 7, "\\begin{") == 0 ? 1 : 0;
+    ++i;
+  }
+  return tex.size();
+}
+
 }  // namespace
 
 std::string with_tags_as_words(const std::string& tex) {
-  const std::string tag = "\\tag";
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = tex.find(tag); at != std::string::npos; at = tex.find(tag, at + 1)) {
-    const std::size_t open = tex.find('{', at);
-    const bool plain = open == at + tag.size() + 1 && tex[open - 1] == '*';
-    if (open == std::string::npos || (open != at + tag.size() && !plain)) continue;
-    std::size_t close = open + 1;
-    for (int depth = 1; close < tex.size(); ++close) {
-      if (tex[close] == '\\') {
-        ++close;
-      } else {
-        depth += tex[close] == '{' ? 1 : tex[close] == '}' ? -1 : 0;
-        if (depth == 0) break;
-      }
+  std::string out = tex;
+  for (std::size_t at = out.find("\\tag"); at != std::string::npos; at = out.find("\\tag", at)) {
+    const std::size_t open = out.find('{', at), behind = at + 4;
+    const bool is_plain = open == behind + 1 && out[behind] == '*';
+    const std::size_t close = open == behind || is_plain ? end_of_group(out, open) : open;
+    if (open == std::string::npos || close == std::string::npos || close == open) {
+      at = behind;
+      continue;
     }
-    if (close >= tex.size()) continue;
-    const std::string words = tex.substr(open + 1, close - open - 1);
-    out += tex.substr(from, at - from);
-    out +=
-        fmt::format(fmt::runtime(plain ? "\\qquad\\text{{{}}}" : "\\qquad\\text{{({})}}"), words);
-    from = close + 1;
+    std::string words = out.substr(open + 1, close - open - 1);
+    // what is words already
+    if (words.starts_with("\\text{") && end_of_group(words, 5) == words.size() - 1)
+      words = words.substr(6, words.size() - 7);
+    if (!is_plain) words = "(" + words + ")";
+    const bool is_text = words.find('\\') == std::string::npos;
+    out.erase(at, close + 1 - at);
+    out.insert(end_of_row(out, at),
+               is_text ? "\\qquad\\text{" + words + "}" : "\\qquad " + words + " ");
   }
-  return out + tex.substr(from);
+  return out;
 }
 
 // Text of the deck is escaped, so that what looks like an element is pandoc's own.

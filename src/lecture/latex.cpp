@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
+#include "lecture/inlines.h"
 
 namespace polhode {
 namespace {
@@ -290,17 +291,7 @@ std::string with_escapes(const std::string& tex) {
   return out;
 }
 
-Json code_in_words(const std::string& code) {
-  const Json none = Json::array({"", Json::array(), Json::array()});
-  Json lines = Json::array();
-  for (std::size_t from = 0; from <= code.size();) {
-    const std::size_t end = std::min(code.find('\n', from), code.size());
-    if (!lines.empty()) lines.push_back({{"t", "LineBreak"}});
-    lines.push_back({{"t", "Code"}, {"c", {none, code.substr(from, end - from)}}});
-    from = end + 1;
-  }
-  return paragraph(lines);
-}
+constexpr const char* kLineBreak = "LineBreak";
 
 // Walks through a tree and makes of it what pdflatex can set.
 class Setter {
@@ -314,7 +305,7 @@ class Setter {
   }
 
  private:
-  static constexpr int kDeepest = 3;  // lists in lists
+  static constexpr int kDeepest = 3;  // lists in lists, and quotations in quotations
 
   void set_list(Json& list) {
     Json out = Json::array();
@@ -325,6 +316,8 @@ class Setter {
           out.push_back(std::move(word));
       } else if (is_list(type) && lists_ >= kDeepest) {
         add_flattened(out, child);
+      } else if (type == "BlockQuote" && quotations_ >= kDeepest) {
+        add_blocks(out, child["c"]);
       } else {
         set(child);
         out.push_back(std::move(child));
@@ -336,24 +329,31 @@ class Setter {
   void set_node(Json& node) {
     const std::string type = node.value("t", "");
     if (type == "Math") {
-      node["c"][1] = with_escapes(with_inner_environments(node["c"][1].get<std::string>()));
+      std::string tex = with_escapes(with_inner_environments(node["c"][1].get<std::string>()));
+      // titles of parts are written to files, where rules of tables do not survive
+      if (titles_ > 0) tex = std::regex_replace(tex, std::regex(R"(\\hline)"), "");
+      node["c"][1] = tex;
     } else if (type == "Code") {
       // that of a language cannot stand in titles, captions and notes
       node["c"][0] = Json::array({"", Json::array(), Json::array()});
     } else if (type == "CodeBlock") {
       set_code(node);
     } else {
-      const bool is_argument = type == "Note" || (type == "Div" && is_div(node, "notes"));
+      // footnotes of beamer are one paragraph
+      if (type == "Note")
+        node["c"] = Json::array({paragraph(inlines_of(node["c"], {{"t", kLineBreak}}))});
+      const bool is_argument = type == "Div" && is_div(node, "notes");
       arguments_ += is_argument ? 1 : 0;
       lists_ += is_list(type) ? 1 : 0;
-      if (type == "Note") lists_ += kDeepest;
+      titles_ += type == "Header" ? 1 : 0;
+      quotations_ += type == "BlockQuote" ? 1 : 0;
       for (auto& [key, value] : node.items()) {
         if (key != "t") set(value);
       }
-      if (type == "Note") lists_ -= kDeepest;
+      titles_ -= type == "Header" ? 1 : 0;
+      quotations_ -= type == "BlockQuote" ? 1 : 0;
       lists_ -= is_list(type) ? 1 : 0;
       arguments_ -= is_argument ? 1 : 0;
-      if (type == "Note") join_paragraphs(node["c"]);
     }
   }
 
@@ -362,32 +362,9 @@ class Setter {
   void set_code(Json& node) const {
     const std::string code = node["c"][1];
     if (arguments_ > 0) {
-      node = code_in_words(code);
+      node = paragraph(inlines_of(Json::array({node}), {{"t", kLineBreak}}));
     } else if (code.find("\\end{frame}") != std::string::npos) {
       node["c"][0][1] = Json::array({"default"});
-    }
-  }
-
-  // footnotes of beamer are one paragraph
-  static void join_paragraphs(Json& blocks) {
-    Json words = Json::array(), rest = Json::array();
-    take_paragraphs(blocks, words, rest);
-    blocks = Json::array({paragraph(words)});
-    blocks.insert(blocks.end(), rest.begin(), rest.end());
-  }
-
-  static void take_paragraphs(const Json& blocks, Json& words, Json& rest) {
-    for (const Json& block : blocks) {
-      if (block["t"] == "Para" || block["t"] == "Plain") {
-        if (!words.empty()) words.push_back({{"t", "LineBreak"}});
-        words.insert(words.end(), block["c"].begin(), block["c"].end());
-      } else if (block["t"] == "BlockQuote") {
-        take_paragraphs(block["c"], words, rest);
-      } else if (block["t"] == "Div") {
-        take_paragraphs(block["c"][1], words, rest);
-      } else {
-        rest.push_back(block);
-      }
     }
   }
 
@@ -427,8 +404,8 @@ class Setter {
     out.insert(out.end(), blocks.begin(), blocks.end());
   }
 
-  int arguments_ = 0;  // of commands of TeX, around what is set
-  int lists_ = 0;      // around it
+  int arguments_ = 0;                            // of commands of TeX, around what is set
+  int lists_ = 0, quotations_ = 0, titles_ = 0;  // around it
 };
 
 // What commands need beside amsmath and amssymb, where it is installed.
@@ -440,6 +417,8 @@ constexpr std::pair<const char*, const char*> kNeeds[] = {
     {"num", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
     {"ang", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
     {"bm", "\\usepackage{bm}"},
+    // titles of parts are written to files
+    {"underline", "\\AtBeginDocument{\\robustify{\\underline}}"},
     {"mathscr", "\\providecommand{\\mathscr}{\\mathcal}"},
     {"coloneqq", "\\providecommand{\\coloneqq}{\\mathrel{:=}}"}};
 

@@ -323,8 +323,12 @@ LectureResult lecture(const LectureJob& job) {
   documents.commit();
   // what documents of an earlier run show must stay with them
   const std::vector<std::string> older = documents_left(folder, outputs);
+  const bool failed = std::any_of(work.failures.begin(),
+                                  work.failures.end(),
+                                  [](const std::string& failure) { return !failure.empty(); });
   if (older.empty()) {
-    media.forget_the_rest();
+    // nor is anything lost to a mistake that will be mended
+    if (!failed) media.forget_the_rest();
   } else {
     spdlog::warn(
         "{} {} from an earlier run, so that pictures and films of that are kept; make {} again "

@@ -11,6 +11,8 @@
 #include "base/system/output_folder.h"
 #include "base/system/overwriting.h"
 #include "base/system/scratch_folder.h"
+#include "film/overrides.h"
+#include "film/render_plan.h"
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
 #include "lecture/quotes.h"
@@ -160,6 +162,16 @@ std::vector<std::string> settle_outputs(const std::string& to,
   return possible;
 }
 
+// what no picture could be made with
+void check_settings(const LectureSettings& settings) {
+  Overrides overrides;
+  overrides.size = settings.size;
+  overrides.fps = settings.fps;
+  overrides.theme = settings.theme;
+  check_overrides(overrides);
+  find_quality(settings.quality);
+}
+
 void refuse_scene(const fs::path& deck) {
   if (deck.extension() != ".toml") return;
   throw input_error(
@@ -209,6 +221,7 @@ std::vector<LectureTask*> tasks_of(LectureWork& work, const std::optional<Shard>
 PlannedLecture::PlannedLecture(const LectureJob& job)
     : folder(folder_or_default(job.output, job.deck, "lecture")) {
   refuse_scene(job.deck);
+  check_settings(job.settings);
   require_pandoc();
   const auto may_want = [&](const char* name) {
     return job.to.empty() || job.to.find(name) != std::string::npos;

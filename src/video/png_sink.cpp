@@ -105,14 +105,24 @@ std::optional<Number> number_at(const std::string& pattern, std::size_t percent)
   return Number{4, rest[1] - '0'};
 }
 
+// folders may have any name
+std::size_t start_of_name(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? 0 : slash + 1;
+}
+
 }  // namespace
 
 std::string NumberedName::of(int index) const {
   return fmt::format("{}{:0{}d}{}", before, index, width, after);
 }
 
+bool has_percent(const std::string& output) {
+  return output.find('%', start_of_name(output)) != std::string::npos;
+}
+
 bool has_frame_number(const std::string& pattern) {
-  std::size_t at = pattern.find('%');
+  std::size_t at = pattern.find('%', start_of_name(pattern));
   for (; at != std::string::npos; at = pattern.find('%', at + 1)) {
     if (number_at(pattern, at)) return true;
   }
@@ -124,7 +134,7 @@ NumberedName parse_numbered_name(const std::string& pattern) {
   const Error wrong =
       input_error("a numbered name has exactly one %d or %05d, such as name_%05d.png")
           .at({pattern, 0, {}});
-  const std::size_t percent = pattern.find('%');
+  const std::size_t percent = pattern.find('%', start_of_name(pattern));
   if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos)
     throw wrong;
 

@@ -29,11 +29,14 @@ struct NumberedName {
   std::string of(int index) const;
 };
 
-// Whether the name contains a %d or %0Nd (N from 1 to 9).
+// Whether the name of the file, without its folders, has a % in it, as those of sequences do.
+bool has_percent(const std::string& output);
+
+// Whether that name contains a %d or %0Nd (N from 1 to 9).
 bool has_frame_number(const std::string& pattern);
 
-// Parses a pattern. Throws Error (input), with the pattern as place, unless it has exactly one %d
-// or %0Nd (N from 1 to 9) and no other %.
+// Parses a pattern. Throws Error (input), with the pattern as place, unless the name of the file
+// has exactly one %d or %0Nd (N from 1 to 9) and no other %.
 NumberedName parse_numbered_name(const std::string& pattern);
 
 }  // namespace polhode

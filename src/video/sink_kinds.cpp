@@ -110,8 +110,7 @@ const std::vector<SinkKind>& sink_kinds() {
        true,
        false,
        [](const std::string& output) {
-         return output.ends_with(".png") && output.find('%') != std::string::npos &&
-                !has_hash_prefix(output);
+         return output.ends_with(".png") && has_percent(output) && !has_hash_prefix(output);
        },
        make_png_sequence_sink},
       {"png", ".png", "one picture, NAME.png", true, false, nullptr, make_png_sink},

@@ -183,6 +183,30 @@ TEST_F(Lecture, OneBadSceneLeavesTheRest) {
   EXPECT_TRUE(has("could not be made"));
 }
 
+// a mistake that will be mended costs no film
+TEST_F(Lecture, MistakesLoseNothing) {
+  ASSERT_EQ(lecture().code, 0);
+  const std::string before = page();
+  const auto films = [&] {
+    return std::count_if(fs::directory_iterator(folder_ / "out/media"), {}, [](const auto& entry) {
+      return entry.path().extension() == ".mp4";
+    });
+  };
+  ASSERT_EQ(films(), 1);
+  for (const char* wrong : {"--theme ligth", "--fps 0", "--quality x"}) {
+    const Ran ran = lecture(std::string("--to html ") + wrong);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(ran.err.starts_with("polhode: --")) << ran.err;
+    EXPECT_EQ(page(), before);
+  }
+  write_text(folder_ / "deck/scene.toml", std::string(test::kSmallScene) + "\n[vdieo]\n");
+  EXPECT_EQ(lecture().code, 2);
+  EXPECT_EQ(films(), 1);
+  write_text(folder_ / "deck/scene.toml", test::kSmallScene);
+  EXPECT_EQ(lecture().code, 0);
+  EXPECT_EQ(page(), before);
+}
+
 TEST_F(Lecture, NothingLeavesTheFolder) {
   write_text(folder_ / "scene.toml", test::kSmallScene);
   write_text(folder_ / "deck/deck.md",

@@ -144,6 +144,13 @@ TEST(Deck, PicturesThatNobodyCanOpenGetTheirLine) {
   EXPECT_EQ(problem("right.svg"), "none");
 }
 
+TEST(Deck, FieldsOfSeveralParagraphsAreOne) {
+  const Deck deck = deck_of("---\ntitle: |\n  a\n\n  b\nauthor:\n- |\n  c\n\n  d\n---\n\nText\n");
+  EXPECT_EQ(deck.meta["title"]["t"], "MetaInlines");
+  EXPECT_EQ(plain_text(deck.meta["title"]["c"]), "a b");
+  EXPECT_EQ(plain_text(deck.meta["author"]["c"][0]["c"]), "c d");
+}
+
 // a picture alone keeps its caption, one among words has what describes it there
 TEST(Deck, ItsOwnPicturesHaveADescriptionAWidthAndAPlace) {
   const test::TemporaryFolder folder;

@@ -236,11 +236,11 @@ TEST(Documents, PicturesThatOnlyBrowsersShowAreWords) {
   EXPECT_TRUE(has(make_page(deck, figure_of), "src=\"a.svg\" id=\"a\"") ||
               has(make_page(deck, figure_of), "<figure id=\"a\">"));
   const std::string tex = make_beamer(deck, figure_of);
-  EXPECT_TRUE(has(tex, "{{[}BETA{]}}") && has(tex, "{{[}picture{]}}")) << tex;
+  EXPECT_TRUE(has(tex, "{{[}BETA{]} ALPHA}") && has(tex, "{{[}picture{]}}")) << tex;
   EXPECT_FALSE(has(tex, "includegraphics{"));
   const char* script = R"py(import sys, zipfile
 slide = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/slide1.xml").decode()
-print("[BETA]" in slide.replace("</a:t></a:r><a:r><a:rPr /><a:t>", ""), "<p:pic>" in slide)
+print("[BETA] ALPHA" in slide.replace("</a:t></a:r><a:r><a:rPr /><a:t>", ""), "<p:pic>" in slide)
 )py";
   EXPECT_EQ(told_of_slides(deck, script), "True False\n");
 }
@@ -275,10 +275,19 @@ TEST(Documents, UprightLettersStandUpright) {
 
 // pandoc leaves them out
 TEST(Documents, NumbersOfFormulasAreWordsBehindThem) {
-  const Deck deck = deck_of("$$a = b \\tag{17}$$\n\nand $c \\tag*{A$_1$}$ \\tag\n");
+  const Deck deck = deck_of("$$\\tag{17} a = b$$\n\nand $c \\tag*{A$_1$}$ \\tag\n");
   const std::string html = make_handout_html(deck, figure_of);
   EXPECT_TRUE(has(html, "<mtext mathvariant=\"normal\">(17)</mtext>")) << html;
-  EXPECT_TRUE(has(make_beamer(deck, figure_of), "b \\qquad\\text{(17)}"));
+  EXPECT_TRUE(has(make_beamer(deck, figure_of), "b\\qquad\\text{(17)}"));
+}
+
+TEST(Documents, NotesOfSlidesHaveTheirFootnotes) {
+  const Deck deck = deck_of("## A\n\nB\n\n::: notes\nC[^1]\n:::\n\n[^1]: D\n\n    E\n");
+  const char* script = R"py(import re, sys, zipfile
+notes = zipfile.ZipFile(sys.argv[1]).read("ppt/notesSlides/notesSlide1.xml").decode()
+print("".join(re.findall("<a:t[^>]*>([^<]*)", notes)))
+)py";
+  EXPECT_TRUE(has(told_of_slides(deck, script), "C (D E)"));
 }
 
 TEST(Documents, WhatTheyLackIsTold) {

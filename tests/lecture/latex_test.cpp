@@ -40,12 +40,11 @@ TEST(Latex, TellsCharactersThatItDoesNotHave) {
 TEST(Latex, HasFormulasThatItCanSet) {
   const std::string tex = tex_of(
       "$\\text{50 % of a_b & c^d # $e_1$} f_1 \\%$ and $g % h$\n\n"
-      "$$\\begin{align*} a &= b \\tag{2}\\\\ c &= d\\end{align*}$$\n\n"
+      "$$\\begin{align*} a &= b\\\\ c &= d\\end{align*}$$\n\n"
       "$$\\begin{eqnarray} a &=& b\\end{eqnarray}$$\n\n$\\bm{a} = \\mathscr{L}$\n");
   EXPECT_TRUE(has(tex, "\\(\\text{50 \\% of a\\_b \\& c\\^{}d \\# $e_1$} f_1 \\%\\)"));
   EXPECT_TRUE(has(tex, "\\(g \\% h\\)"));
-  EXPECT_TRUE(
-      has(tex, "\\[\\begin{aligned} a &= b \\qquad\\text{(2)}\\\\ c &= d\\end{aligned}\\]"));
+  EXPECT_TRUE(has(tex, "\\[\\begin{aligned} a &= b\\\\ c &= d\\end{aligned}\\]"));
   EXPECT_TRUE(has(tex, "\\[\\begin{array}{rcl} a &=& b\\end{array}\\]"));
   EXPECT_TRUE(has(tex, "\\usepackage{bm}"));
   EXPECT_TRUE(has(tex, "\\providecommand{\\mathscr}{\\mathcal}"));
@@ -66,6 +65,28 @@ TEST(Latex, HasCodeInNotesAndFootnotesAsWords) {
   EXPECT_TRUE(has(tex, "{b\\\\\n  c\\\\\n  \\texttt{d\\ e}}")) << tex.substr(tex.find("{A}"));
   EXPECT_TRUE(has(tex, "\\note{\\texttt{f}\\strut \\\\\n\\texttt{\\ g}}"));
   EXPECT_FALSE(has(tex, "erbatim}"));
+}
+
+// they are written to files
+TEST(Latex, HasTitlesThatCanBeCopied) {
+  const std::string tex =
+      tex_of("# A $\\begin{array}{c}a\\\\\\hline b\\end{array}$ $\\underline{c}$\n");
+  EXPECT_TRUE(has(tex, "\\(\\begin{array}{c}a\\\\ b\\end{array}\\)")) << tex;
+  EXPECT_TRUE(has(tex, "\\robustify{\\underline}"));
+}
+
+TEST(Latex, HasTablesAndListsOfFootnotesAsWords) {
+  const std::string tex = tex_of(
+      "## A\n\na[^1]\n\n[^1]: b\n\n    | c | d |\n    |---|---|\n    | e | f |\n\n    1. g\n\n    "
+      "# h\n");
+  EXPECT_TRUE(has(tex, "{b\\\\\n  c \\textbar{} d\\\\\n  e \\textbar{} f\\\\\n  1. g\\\\\n  h}"))
+      << tex.substr(tex.find("{A}"));
+}
+
+TEST(Latex, HasQuotationsThatAreNoDeeperThanThree) {
+  const std::string tex = tex_of("## A\n\n> > > > > > > > a\n");
+  EXPECT_EQ(count_of(tex, "\\begin{quote}"), 3U);
+  EXPECT_TRUE(has(tex, "a\n"));
 }
 
 TEST(Latex, HasListsThatAreNoDeeperThanThree) {

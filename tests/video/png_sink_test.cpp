@@ -19,6 +19,9 @@ using test::TemporaryFolder;
 TEST(PngSink, ANumberedNameHasOneNumber) {
   EXPECT_EQ(parse_numbered_name("a_%05d.png").of(42), "a_00042.png");
   EXPECT_EQ(parse_numbered_name("%d.png").of(42), "42.png");
+  EXPECT_EQ(parse_numbered_name("50%/%d/a_%d.png").of(42), "50%/%d/a_42.png");
+  EXPECT_TRUE(has_percent("a/%.png"));
+  EXPECT_FALSE(has_percent("a%d/b.png"));
   EXPECT_EQ(parse_numbered_name("a_%01d.png").of(1234567), "a_1234567.png");
   for (const char* pattern : {"a.png",
                               "%s.png",
