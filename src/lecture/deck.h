@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "base/json.h"
 #include "lecture/picture_classes.h"
 #include "lecture/sandbox.h"
+#include "lecture/tree.h"
 
 namespace polhode {
 
@@ -74,43 +74,10 @@ Deck deck_of_tree(Json tree,
                   const std::string& name,
                   const DeckRoot& root);
 
-// Calls `visit`, which may change the node, for every node of the tree that has a type, parents
-// before children.
-void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
-
 // A copy of the blocks of `deck` (or of some of them) in which each picture is replaced by the
 // array of blocks that `make` returns.
 Json with_pictures(const Json& blocks,
                    const std::function<Json(const DeckPicture&)>& make,
                    const Deck& deck);
-
-// The text of inlines without formatting; formulas as TeX.
-std::string plain_text(const Json& inlines);
-
-// Nodes of pandoc's tree. string_inlines() returns an array with one inline, the others return
-// one block. div: a Div with the class `name`; width, such as "40%": its attribute of that name,
-// if not empty.
-Json string_inlines(const std::string& text);
-Json raw_html(const std::string& html);
-Json paragraph(const Json& inlines);
-Json div(const std::string& name, const Json& blocks, const std::string& width = "");
-
-// Where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none.
-Json* attributes_of(Json& node);
-
-// A node that links to `place` lead to: "Div" around blocks, "Span" around inlines.
-Json named(const std::string& type, const std::string& place, const Json& contents);
-
-// Whether a node of pandoc's tree is a Div with that class, and no other.
-bool is_div(const Json& node, const char* name);
-
-// Whether a block is one picture and nothing else, as a deck's own with a caption are; that is in
-// the inlines of the Image, and a description for those who cannot see it in its attribute "alt".
-bool is_image_alone(const Json& block);
-// Whether such a block in `node` is a picture with a caption: in tables and footnotes it is none.
-bool may_hold_figures(const Json& node);
-std::optional<std::string> alt_of_image(const Json& image);
-// Puts the description, where there is one, in the place of the caption.
-void describe(Json& image);
 
 }  // namespace polhode

@@ -8,7 +8,6 @@
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
 #include "lecture/formulas.h"
-#include "lecture/inlines.h"
 #include "lecture/latex.h"
 #include "lecture/office_slides.h"
 #include "lecture/pandoc.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace polhode {
 namespace {
 
@@ -85,11 +87,12 @@ std::string with_tags_as_words(const std::string& tex) {
     // what is words already
     if (words.starts_with("\\text{") && end_of_group(words, 5) == words.size() - 1)
       words = words.substr(6, words.size() - 7);
-    if (!is_plain) words = "(" + words + ")";
     const bool is_text = words.find('\\') == std::string::npos;
+    std::string number = is_text ? "\\qquad\\text{" : "\\qquad ";
+    number += is_plain ? words : fmt::format("({})", words);
+    number += is_text ? "}" : " ";
     out.erase(at, close + 1 - at);
-    out.insert(end_of_row(out, at),
-               is_text ? "\\qquad\\text{" + words + "}" : "\\qquad " + words + " ");
+    out.insert(end_of_row(out, at), number);
   }
   return out;
 }

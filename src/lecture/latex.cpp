@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
-#include "lecture/inlines.h"
 
 namespace polhode {
 namespace {

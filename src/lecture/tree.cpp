@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/inlines.h"
+#include "lecture/tree.h"
 
-#include <string>
+#include <algorithm>
+#include <set>
+#include <utility>
 
-#include "lecture/deck.h"
+#include <fmt/format.h>
 
 namespace polhode {
 namespace {
@@ -105,6 +107,86 @@ class Collector {
 };
 
 }  // namespace
+
+void for_each_node(Json& tree, const std::function<void(Json&)>& visit) {
+  if (tree.is_object() && tree.contains("t")) {
+    visit(tree);
+    if (tree.contains("c")) for_each_node(tree["c"], visit);
+    return;
+  }
+  if (!tree.is_array() && !tree.is_object()) return;
+  for (Json& child : tree)
+    for_each_node(child, visit);
+}
+
+std::string plain_text(const Json& inlines) {
+  std::string text;
+  Json copy = inlines;
+  for_each_node(copy, [&](const Json& node) {
+    const std::string type = node["t"];
+    if (type == "Str") text += node["c"].get<std::string>();
+    if (type == "Space" || type == "SoftBreak" || type == "LineBreak") text += ' ';
+    if (type == "Math" || type == "Code") text += node["c"][1].get<std::string>();
+  });
+  return text;
+}
+
+Json string_inlines(const std::string& text) {
+  return Json::array({{{"t", "Str"}, {"c", text}}});
+}
+
+Json raw_html(const std::string& html) {
+  return {{"t", "RawBlock"}, {"c", {"html", html}}};
+}
+
+Json paragraph(const Json& inlines) {
+  return {{"t", "Para"}, {"c", inlines}};
+}
+
+Json div(const std::string& name, const Json& blocks, const std::string& width) {
+  Json settings = Json::array();
+  if (!width.empty()) settings.push_back(Json::array({"width", width}));
+  return {{"t", "Div"}, {"c", {{"", Json::array({name}), settings}, blocks}}};
+}
+
+Json* attributes_of(Json& node) {
+  static const std::set<std::string> first = {
+      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
+  const std::string type = node["t"];
+  if (type == "Header") return &node["c"][1];
+  return first.contains(type) ? &node["c"][0] : nullptr;
+}
+
+Json named(const std::string& type, const std::string& place, const Json& contents) {
+  return {{"t", type}, {"c", {Json::array({place, Json::array(), Json::array()}), contents}}};
+}
+
+bool is_image_alone(const Json& block) {
+  return (block["t"] == "Para" || block["t"] == "Plain") && block["c"].size() == 1 &&
+         block["c"][0]["t"] == "Image";
+}
+
+bool may_hold_figures(const Json& node) {
+  return node["t"] != "Table" && node["t"] != "Note";
+}
+
+std::optional<std::string> alt_of_image(const Json& image) {
+  for (const Json& pair : image["c"][0][2])
+    if (pair[0] == "alt") return pair[1].get<std::string>();
+  return std::nullopt;
+}
+
+void describe(Json& image) {
+  const std::optional<std::string> alt = alt_of_image(image);
+  if (!alt) return;
+  image["c"][1] = alt->empty() ? Json::array() : string_inlines(*alt);
+  std::erase_if(image["c"][0][2].get_ref<Json::array_t&>(),
+                [](const Json& pair) { return pair[0] == "alt"; });
+}
+
+bool is_div(const Json& node, const char* name) {
+  return node["t"] == "Div" && node["c"][0][1] == Json::array({name});
+}
 
 Json inlines_of(const Json& blocks, const Json& between) {
   Collector collector(between);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Nodes of pandoc's tree: objects with a type "t" and contents "c".
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/json.h"
+
+namespace polhode {
+
+// Calls `visit`, which may change the node, for every node of the tree that has a type, parents
+// before children.
+void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
+
+// The text of inlines without formatting; formulas as TeX.
+std::string plain_text(const Json& inlines);
+
+// Nodes of pandoc's tree. string_inlines() returns an array with one inline, the others return
+// one block. div: a Div with the class `name`; width, such as "40%": its attribute of that name,
+// if not empty.
+Json string_inlines(const std::string& text);
+Json raw_html(const std::string& html);
+Json paragraph(const Json& inlines);
+Json div(const std::string& name, const Json& blocks, const std::string& width = "");
+
+// Where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none.
+Json* attributes_of(Json& node);
+
+// A node that links to `place` lead to: "Div" around blocks, "Span" around inlines.
+Json named(const std::string& type, const std::string& place, const Json& contents);
+
+// Whether a node of pandoc's tree is a Div with that class, and no other.
+bool is_div(const Json& node, const char* name);
+
+// Whether a block is one picture and nothing else, as a deck's own with a caption are; that is in
+// the inlines of the Image, and a description for those who cannot see it in its attribute "alt".
+bool is_image_alone(const Json& block);
+// Whether such a block in `node` is a picture with a caption: in tables and footnotes it is none.
+bool may_hold_figures(const Json& node);
+std::optional<std::string> alt_of_image(const Json& image);
+// Puts the description, where there is one, in the place of the caption.
+void describe(Json& image);
+
+// Blocks as one paragraph, where a document has no room for more: the inlines of all, with
+// `between` (an inline) between paragraphs, lines, items and rows; cells of tables have " | "
+// between them. Rules and pictures without words are left out.
+Json inlines_of(const Json& blocks, const Json& between);
+
+}  // namespace polhode
