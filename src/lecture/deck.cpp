@@ -104,6 +104,13 @@ class Reader {
     among_words_ = was_among_words;
   }
 
+  // a field of the header
+  void read_field(Json& value) {
+    in_header_ = true;
+    read(value);
+    in_header_ = false;
+  }
+
   // After all has been read: pictures have places, by the names that the deck gives them or else
   // by those of their files, where these are free.
   void place_pictures() {
@@ -222,6 +229,7 @@ class Reader {
     const std::string target = image["c"][2][0];
     const int line = line_of(target);
     try {
+      if (in_header_) throw input_error("a field of the header has no picture");
       if (names_scene(image))
         throw input_error("a picture of a scene needs a paragraph of its own");
       const std::string file = percent_decoded(target);
@@ -336,6 +344,7 @@ class Reader {
   std::set<std::string> names_;                     // of the files of pictures
   std::set<std::string> places_;                    // identifiers
   std::vector<std::pair<std::string, int>> links_;  // place, line
+  bool in_header_ = false;                          // of the deck
   bool among_words_ = false;                        // where pictures have no captions
 };
 
@@ -458,10 +467,9 @@ Deck deck_of_tree(Json tree,
   LineFinder lines(text);
   keep_known_meta(deck, tree["meta"], lines);
   Reader reader(deck, text);
-  reader.read(deck.meta);
   for (auto& [key, value] : deck.meta.items()) {
     static_cast<void>(key);
-    reader.read(value);
+    reader.read_field(value);
   }
   reader.read(tree["blocks"]);
   reader.place_pictures();

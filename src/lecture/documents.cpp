@@ -2,6 +2,7 @@
 #include "lecture/documents.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -19,6 +20,8 @@ std::string without_spaces(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; });
   return text;
 }
+
+constexpr const char* kNoFormula = "[a formula that cannot be read]";
 
 bool is_for_pages_only(const std::string& image) {
   return image.ends_with(".svg") || image.ends_with(".webp");
@@ -60,12 +63,8 @@ void make_figures(Json& tree, const Json& api_version) {
 
 // The deck's blocks with those that `blocks` makes of its pictures.
 Json filled(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
-  Json all = with_pictures(
+  return with_pictures(
       deck.blocks, [&](const DeckPicture& picture) { return blocks(figure_of(picture)); }, deck);
-  for_each_node(all, [](Json& node) {
-    if (node["t"] == "Math") node["c"][1] = with_tags_as_words(node["c"][1].get<std::string>());
-  });
-  return all;
 }
 
 Json with_captions(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(const Figure&)) {
@@ -201,7 +200,31 @@ std::string sections_html(const Json& tree) {
 
 }  // namespace
 
-void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
+void settle_formulas(Deck& deck, const std::string& deck_text) {
+  LineFinder lines(deck_text);
+  const auto tell = [&](const std::string& tex, const Error& error) {
+    deck.problems.push_back(error.at({deck.file, lines.next(tex), {}}));
+  };
+  const auto for_each_formula = [&](const std::function<void(Json&)>& work) {
+    const auto visit = [&](Json& node) {
+      if (node["t"] == "Math") work(node);
+    };
+    for_each_node(deck.blocks, visit);
+    for_each_node(deck.meta, visit);
+    for (DeckPicture& picture : deck.pictures)
+      for_each_node(picture.caption, visit);
+  };
+  std::map<std::string, std::string> written;  // as the deck has them
+  for_each_formula([&](Json& node) {
+    const std::string tex = node["c"][1];
+    try {
+      node["c"][1] = whole_formula(tex);
+      written[node["c"][1]] = tex;
+    } catch (const Error& error) {
+      tell(tex, error);
+      node = string_inlines(kNoFormula)[0];
+    }
+  });
   // captions too
   Json all = deck.blocks;
   for (const DeckPicture& picture : deck.pictures)
@@ -215,19 +238,13 @@ void drop_bad_formulas(Deck& deck, const std::string& deck_text) {
   if (bad.empty()) return;
   for (std::string& formula : bad)
     formula = without_spaces(formula);
-  LineFinder lines(deck_text);
-  const auto drop = [&](Json& node) {
-    if (node["t"] != "Math") return;
+  for_each_formula([&](Json& node) {
     const std::string tex = node["c"][1];
     if (std::find(bad.begin(), bad.end(), without_spaces(tex)) == bad.end()) return;
-    deck.problems.push_back(input_error("pandoc cannot read the formula '{}'", tex.substr(0, 80))
-                                .at({deck.file, lines.next(tex), {}}));
-    node = string_inlines("[a formula that cannot be read]")[0];
-  };
-  for_each_node(deck.blocks, drop);
-  for_each_node(deck.meta, drop);
-  for (DeckPicture& picture : deck.pictures)
-    for_each_node(picture.caption, drop);
+    const std::string& its = written.at(tex);
+    tell(its, input_error("pandoc cannot read the formula '{}'", its.substr(0, 80)));
+    node = string_inlines(kNoFormula)[0];
+  });
 }
 
 std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers) {

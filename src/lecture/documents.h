@@ -11,10 +11,11 @@
 
 namespace polhode {
 
-// Replaces formulas that pandoc cannot read by a note and reports them in deck.problems, so that no
-// output contains TeX that is not mathematics. `deck_text` is the text of the deck, for line
+// Makes formulas whole (whole_formula() in lecture/formulas.h), replaces those that pandoc cannot
+// read by a note and reports them in deck.problems, so that no output contains TeX that is not
+// mathematics. `deck_text` is the text of the deck, for line
 // numbers. Throws Error as write_document (lecture/pandoc.h) does.
-void drop_bad_formulas(Deck& deck, const std::string& deck_text);
+void settle_formulas(Deck& deck, const std::string& deck_text);
 
 // Returns the Figure of a picture of the deck; called only while a document is made.
 using FigureOf = std::function<Figure(const DeckPicture&)>;

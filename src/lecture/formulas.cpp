@@ -2,9 +2,12 @@
 #include "lecture/formulas.h"
 
 #include <algorithm>
-#include <vector>
+#include <regex>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "base/error.h"
 
 namespace polhode {
 namespace {
@@ -56,6 +59,33 @@ std::size_t end_of_group(const std::string& tex, std::size_t open) {
   return std::string::npos;
 }
 
+std::string without_group(std::string tex, const std::string& head) {
+  for (std::size_t at = tex.find(head); at != std::string::npos; at = tex.find(head, at)) {
+    const std::size_t close = end_of_group(tex, at + head.size() - 1);
+    if (close == std::string::npos) break;
+    tex.erase(at, close + 1 - at);
+  }
+  return tex;
+}
+
+// in words a % is a character
+std::string without_comments(const std::string& tex) {
+  const std::vector<bool> words = words_in(tex);
+  std::string out;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    if (tex[i] == '\\' && i + 1 < tex.size()) {
+      out += tex.substr(i++, 2);
+    } else if (tex[i] != '%') {
+      out += tex[i];
+    } else if (words[i]) {
+      out += "\\%";
+    } else {
+      i = std::min(tex.find('\n', i), tex.size()) - 1;
+    }
+  }
+  return out;
+}
+
 // where the row of a formula ends in which `at` is
 std::size_t end_of_row(const std::string& tex, std::size_t at) {
   int braces = 0, environments = 0;
@@ -73,8 +103,46 @@ std::size_t end_of_row(const std::string& tex, std::size_t at) {
 
 }  // namespace
 
-std::string with_tags_as_words(const std::string& tex) {
-  std::string out = tex;
+std::vector<bool> words_in(const std::string& tex) {
+  constexpr std::string_view kWords[] = {"\\text{",
+                                         "\\mbox{",
+                                         "\\textrm{",
+                                         "\\textbf{",
+                                         "\\textit{",
+                                         "\\textsf{",
+                                         "\\texttt{",
+                                         "\\textnormal{"};
+  std::vector<bool> list(tex.size(), false);
+  int depth = 0, words_from = 0;  // braces that are open; those around words, 0: none
+  bool inner_formula = false;     // $…$ in words
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    const char c = tex[i];
+    const bool in_words = words_from > 0 && !inner_formula;
+    list[i] = in_words;
+    if (c == '%' && !in_words) {
+      i = std::min(tex.find('\n', i), tex.size()) - 1;
+    } else if (c == '\\' && i + 1 < tex.size()) {
+      const auto opened = std::find_if(std::begin(kWords), std::end(kWords), [&](auto word) {
+        return tex.compare(i, word.size(), word) == 0;
+      });
+      list[i + 1] = in_words;
+      i += opened == std::end(kWords) ? 1 : opened->size() - 1;
+      if (opened == std::end(kWords)) continue;
+      ++depth;
+      if (words_from == 0) words_from = depth;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}') {
+      if (depth-- == words_from) words_from = 0;
+    } else if (c == '$') {
+      inner_formula = !inner_formula;
+    }
+  }
+  return list;
+}
+
+std::string whole_formula(const std::string& tex) {
+  std::string out = without_group(without_comments(tex), "\\label{");
   for (std::size_t at = out.find("\\tag"); at != std::string::npos; at = out.find("\\tag", at)) {
     const std::size_t open = out.find('{', at), behind = at + 4;
     const bool is_plain = open == behind + 1 && out[behind] == '*';
@@ -87,12 +155,22 @@ std::string with_tags_as_words(const std::string& tex) {
     // what is words already
     if (words.starts_with("\\text{") && end_of_group(words, 5) == words.size() - 1)
       words = words.substr(6, words.size() - 7);
-    const bool is_text = words.find('\\') == std::string::npos;
+    const bool is_text =
+        words.find('\\') == std::string::npos || words.find('$') != std::string::npos;
     std::string number = is_text ? "\\qquad\\text{" : "\\qquad ";
     number += is_plain ? words : fmt::format("({})", words);
     number += is_text ? "}" : " ";
     out.erase(at, close + 1 - at);
     out.insert(end_of_row(out, at), number);
+  }
+  if (std::regex_search(out, std::regex(R"(\\(tag|label)(?![a-zA-Z]))")))
+    throw input_error("\\tag and \\label need what belongs to them in braces");
+  const std::vector<bool> words = words_in(out);
+  for (std::size_t i = 0; i + 1 < out.size(); ++i) {
+    if (out[i] != '\\') continue;
+    if (!words[i] && std::string_view("[]()").find(out[i + 1]) != std::string_view::npos)
+      throw input_error("'{}' is no part of a formula", out.substr(i, 2));
+    ++i;
   }
   return out;
 }

@@ -3,12 +3,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace polhode {
 
-// TeX in which the number of a formula, which pandoc leaves out of all documents but LaTeX, is
-// words behind it: \tag{1} becomes (1), \tag*{a} becomes a.
-std::string with_tags_as_words(const std::string& tex);
+// For each byte of TeX, whether it belongs to words in a formula, as in \text{…}, but not to a
+// formula $…$ in these.
+std::vector<bool> words_in(const std::string& tex);
+
+// A formula of which pandoc reads all, so that it refuses what is no mathematics: without what it
+// skips. Comments and labels are left out, and numbers, which it leaves out of all documents but
+// LaTeX, are words at the end of their rows: \tag{1} becomes (1), \tag*{a} becomes a. Throws Error
+// (input), without a place, for numbers and labels that are not in braces, and for ends of
+// formulas.
+std::string whole_formula(const std::string& tex);
 
 // A page of pandoc's whose MathML looks in browsers as it does in TeX: brackets that need not grow
 // keep their width, upright letters stand upright.

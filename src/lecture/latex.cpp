@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
+#include "lecture/formulas.h"
 
 namespace polhode {
 namespace {
@@ -249,43 +250,18 @@ std::string with_inner_environments(std::string tex) {
 
 // Pandoc takes these as characters: everywhere in a formula, and in the words inside it.
 std::string with_escapes(const std::string& tex) {
-  constexpr std::string_view kWords[] = {"\\text{",
-                                         "\\mbox{",
-                                         "\\textrm{",
-                                         "\\textbf{",
-                                         "\\textit{",
-                                         "\\textsf{",
-                                         "\\texttt{",
-                                         "\\textnormal{"};
+  const std::vector<bool> words = words_in(tex);
   std::string out;
-  int depth = 0, words_from = 0;  // braces that are open; those around words, 0: none
-  bool inner_formula = false;     // $…$ in words
   for (std::size_t i = 0; i < tex.size(); ++i) {
     const char c = tex[i];
     if (c == '\\' && i + 1 < tex.size()) {
-      const auto opened = std::find_if(std::begin(kWords), std::end(kWords), [&](auto word) {
-        return tex.compare(i, word.size(), word) == 0;
-      });
-      if (opened != std::end(kWords)) {
-        ++depth;
-        if (words_from == 0) words_from = depth;
-        out += *opened;
-        i += opened->size() - 1;
-      } else {
-        out += tex.substr(i++, 2);
-      }
-      continue;
-    }
-    if (c == '{') ++depth;
-    if (c == '}' && depth-- == words_from) words_from = 0;
-    if (c == '$') inner_formula = !inner_formula;
-    const bool in_words = words_from > 0 && !inner_formula;
-    if (in_words && c == '^') {
+      out += tex.substr(i++, 2);
+    } else if (words[i] && c == '^') {
       out += "\\^{}";
-      continue;
+    } else {
+      if (c == '#' || (words[i] && (c == '_' || c == '&'))) out += '\\';
+      out += c;
     }
-    if (c == '%' || c == '#' || (in_words && (c == '_' || c == '&'))) out += '\\';
-    out += c;
   }
   return out;
 }

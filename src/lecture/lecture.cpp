@@ -299,7 +299,7 @@ LectureResult lecture(const LectureJob& job) {
   fill_quotes(work.deck, work.deck_text, [&](const std::string& name) -> const Json& {
     return inspection_of(work, name);
   });
-  drop_bad_formulas(work.deck, work.deck_text);
+  settle_formulas(work.deck, work.deck_text);
   const int made = media.made();
   copy_images(work, media);
   std::vector<std::string> contents;

@@ -7,7 +7,7 @@ namespace polhode {
 namespace {
 
 TEST(Formulas, HaveTheirNumbersAtTheEndOfTheirRows) {
-  const auto words = with_tags_as_words;
+  const auto words = whole_formula;
   EXPECT_EQ(words("a \\tag{1}"), "a \\qquad\\text{(1)}");
   EXPECT_EQ(words("\\tag{1} a"), " a\\qquad\\text{(1)}");
   EXPECT_EQ(words("a \\tag*{b}"), "a \\qquad\\text{b}");
@@ -17,9 +17,21 @@ TEST(Formulas, HaveTheirNumbersAtTheEndOfTheirRows) {
             "\\begin{align}  a &= b\\qquad\\text{(1)}\\\\ c \\qquad\\text{(2)}\\end{align}");
   EXPECT_EQ(words("\\tag{1} \\begin{matrix}a\\\\b\\end{matrix}"),
             " \\begin{matrix}a\\\\b\\end{matrix}\\qquad\\text{(1)}");
-  // none at all
-  for (const char* same : {"\\tag", "\\tag 1", "\\tag{1", "\\tagged{1}", "a_{\\tag"})
-    EXPECT_EQ(words(same), same);
+  EXPECT_EQ(words("a \\tag{$b$\\%}"), "a \\qquad\\text{($b$\\%)}");
+  EXPECT_EQ(words("\\tagged{1}"), "\\tagged{1}");
+  for (const char* open : {"\\tag", "\\tag 1", "\\tag{1", "a_{\\tag", "\\label 1"})
+    EXPECT_THROW(words(open), Error) << open;
+}
+
+// what it does not read it cannot refuse
+TEST(Formulas, HaveNothingThatPandocSkips) {
+  EXPECT_EQ(whole_formula("a % } \\] \\input{b}\n+ c % d"), "a \n+ c ");
+  EXPECT_EQ(whole_formula("a \\% b \\text{5 % c \\% $d % e\n$}"),
+            "a \\% b \\text{5 \\% c \\% $d \n$}");
+  EXPECT_EQ(whole_formula("a \\label{ \\] \\evil }b"), "a b");
+  for (const char* end : {"a \\] b", "\\( a", "\\begin{x}\\)", "\\mathrm{\\[}"})
+    EXPECT_THROW(whole_formula(end), Error) << end;
+  EXPECT_NO_THROW(whole_formula("a \\\\[2pt] \\text{b \\(c\\)} \\left[ d \\right)"));
 }
 
 TEST(Formulas, HaveUprightLettersOneByOne) {
