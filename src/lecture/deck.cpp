@@ -359,16 +359,11 @@ Json one_paragraph(const Json& value) {
   return list;
 }
 
-std::string words_of_meta(const Json& value) {
-  if (value["t"] == "MetaInlines") return plain_text(value["c"]);
-  return value["t"] == "MetaString" ? value["c"].get<std::string>() : "";
-}
-
 // where the lecture is on the web; a QR code leads there
 void check_address(Deck& deck, LineFinder& lines) {
   constexpr std::size_t kLongest = 300;
   if (!deck.meta.contains("address")) return;
-  const std::string address = words_of_meta(deck.meta["address"]);
+  const std::string address = words_of_field(deck.meta["address"]);
   const bool good = (address.starts_with("https://") || address.starts_with("http://")) &&
                     address.size() <= kLongest &&
                     std::all_of(address.begin(), address.end(), [](char c) {
@@ -398,7 +393,7 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
   }
   check_address(deck, lines);
   if (!deck.meta.contains("lang")) return;
-  const std::string name = words_of_meta(deck.meta["lang"]);
+  const std::string name = words_of_field(deck.meta["lang"]);
   const bool good =
       name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';

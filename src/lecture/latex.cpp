@@ -407,6 +407,20 @@ bool has_command(const std::string& tex, const std::string& name) {
   return false;
 }
 
+// Babel ends at the languages that it has no file of. "": none.
+std::string language_of(const std::string& tag) {
+  constexpr std::string_view kLanguages[] = {
+      "en", "de", "fr", "es", "it", "pt", "nl", "sv", "da", "nb", "nn", "no", "fi",
+      "is", "pl", "cs", "sk", "sl", "hr", "hu", "ro", "tr", "et", "lv", "lt", "ca",
+      "eu", "gl", "ga", "cy", "la", "eo", "id", "vi", "ja", "ko", "hi", "af", "sq"};
+  constexpr std::string_view kVariants[] = {"en-GB", "en-US", "de-AT", "de-CH", "pt-BR"};
+  const std::string language = tag.substr(0, tag.find('-'));
+  if (std::find(std::begin(kVariants), std::end(kVariants), tag) != std::end(kVariants)) return tag;
+  return std::find(std::begin(kLanguages), std::end(kLanguages), language) != std::end(kLanguages)
+             ? language
+             : "";
+}
+
 // what stands in front of the document
 std::string preamble_for(const Json& tree) {
   std::set<std::string> needs, characters;
@@ -461,6 +475,14 @@ Json for_latex(Json tree) {
   Setter setter;
   setter.set(tree["meta"]);
   setter.set(tree["blocks"]);
+  if (Json& meta = tree["meta"]; meta.contains("lang")) {
+    const std::string language = language_of(words_of_field(meta["lang"]));
+    if (language.empty()) {
+      meta.erase("lang");
+    } else {
+      meta["lang"] = {{"t", "MetaString"}, {"c", language}};
+    }
+  }
   // after words have become formulas
   const std::string lines = preamble_for(tree);
   if (!lines.empty()) {

@@ -131,6 +131,11 @@ std::string plain_text(const Json& inlines) {
   return text;
 }
 
+std::string words_of_field(const Json& value) {
+  if (value["t"] == "MetaInlines") return plain_text(value["c"]);
+  return value["t"] == "MetaString" ? value["c"].get<std::string>() : "";
+}
+
 Json string_inlines(const std::string& text) {
   return Json::array({{{"t", "Str"}, {"c", text}}});
 }

@@ -17,6 +17,9 @@ void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
 // The text of inlines without formatting; formulas as TeX.
 std::string plain_text(const Json& inlines);
 
+// The text of a field of the header; "" of lists.
+std::string words_of_field(const Json& value);
+
 // Nodes of pandoc's tree. string_inlines() returns an array with one inline, the others return
 // one block. div: a Div with the class `name`; width, such as "40%": its attribute of that name,
 // if not empty.

@@ -23,6 +23,7 @@
 #include <CGAL/intersections.h>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "base/system/interrupt.h"
 #include "base/units.h"
 #include "model/triangle_mesh.h"
@@ -82,12 +83,31 @@ std::string plain_lines(const std::string& bytes) {
   return lines;
 }
 
+// Throws Error (input) for a vertex with a word that is no number, of which CGAL reads what it can.
+// words: of its line, behind the first; number: which vertex it is, from 1
+void check_vertex(std::istringstream& words, const std::string& name, long number) {
+  for (std::string word; words >> word;) {
+    const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
+    double value = 0.0;
+    const auto [end, failed] = std::from_chars(first, word.data() + word.size(), value);
+    if (failed != std::errc::invalid_argument && end == word.data() + word.size()) continue;
+    throw input_error(
+        "'{}': vertex {} has '{}', which is no number", name, number, one_line(word.substr(0, 40)));
+  }
+}
+
 // Faces name corners that were given, from 1 on or from the last one backwards.
 class ObjCorners {
  public:
   explicit ObjCorners(const std::string& name) : name_(name) {}
 
-  void add_corner() { ++corners_; }
+  // that of a line "v 1 2 3"; what follows are a weight or a colour
+  void add_corner(const std::string& line) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    check_vertex(words, name_, ++corners_);
+  }
 
   // those of a line "f 1 2/5 3//7"
   void add_face(const std::string& line) {
@@ -146,7 +166,7 @@ std::string surface_of_obj(const std::string& bytes, const std::string& name) {
     if (word != "v" && word != "f") continue;
     // a file that ends within a line ends early
     const bool whole = !in.eof();
-    if (word == "v") corners.add_corner();
+    if (word == "v") corners.add_corner(line);
     if (word == "f" && whole) corners.add_face(line);
     kept += line;
     if (whole) kept += '\n';
@@ -156,8 +176,16 @@ std::string surface_of_obj(const std::string& bytes, const std::string& name) {
 }
 
 // An STL file in words, as the standard writes them; a binary one, which has zeros, as it is.
-std::string surface_of_stl(const std::string& bytes) {
-  return bytes.find('\0') == std::string::npos ? lower(plain_lines(bytes)) : bytes;
+std::string surface_of_stl(const std::string& bytes, const std::string& name) {
+  if (bytes.find('\0') != std::string::npos) return bytes;
+  std::string text = lower(plain_lines(bytes));
+  std::istringstream in(text);
+  long vertices = 0;
+  for (std::string line, word; std::getline(in, line);) {
+    std::istringstream words(line);
+    if (words >> word && word == "vertex") check_vertex(words, name, ++vertices);
+  }
+  return text;
 }
 
 // the points and faces as they stand in the file
@@ -171,7 +199,7 @@ void read_soup(const std::string& bytes,
     std::istringstream in(surface_of_obj(bytes, name));
     good = CGAL::IO::read_OBJ(in, points, faces);
   } else if (ending == ".stl") {
-    std::istringstream in(surface_of_stl(bytes));
+    std::istringstream in(surface_of_stl(bytes, name));
     good = CGAL::IO::read_STL(in, points, faces);
   } else {
     throw input_error("'{}' is not a mesh file; give one that ends in .obj or .stl", name);

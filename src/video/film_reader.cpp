@@ -293,6 +293,22 @@ class FilmReader::Implementation {
     }
   }
 
+  // swscale takes others for BT.601
+  void refuse_unknown(AVColorSpace matrix) const {
+    constexpr AVColorSpace kKnown[] = {AVCOL_SPC_RGB,
+                                       AVCOL_SPC_BT709,
+                                       AVCOL_SPC_UNSPECIFIED,
+                                       AVCOL_SPC_FCC,
+                                       AVCOL_SPC_BT470BG,
+                                       AVCOL_SPC_SMPTE170M,
+                                       AVCOL_SPC_SMPTE240M,
+                                       AVCOL_SPC_BT2020_NCL,
+                                       AVCOL_SPC_BT2020_CL};
+    if (std::find(std::begin(kKnown), std::end(kKnown), matrix) != std::end(kKnown)) return;
+    throw input_error("has the matrix of colours '{}', which is not known here",
+                      word(matrix, AVCOL_SPC_NB, av_color_space_name));
+  }
+
   static int rounded_up(int size, int block) { return (size + block - 1) / block * block; }
 
   void open_converter() {
@@ -302,7 +318,7 @@ class FilmReader::Implementation {
     const AVPixFmtDescriptor& samples = *av_pix_fmt_desc_get(kind);
     // Each pixel has the colour of its block. From brightness and colours swscale rounds once, and
     // fast, only into planes; other pixels it copies only into pixels.
-    const bool is_packed = samples.nb_components <= 2 || (samples.flags & AV_PIX_FMT_FLAG_RGB) != 0;
+    const bool is_packed = (samples.flags & (AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_PAL)) != 0;
     const AVPixelFormat target = is_packed ? AV_PIX_FMT_RGBA : AV_PIX_FMT_GBRAP;
     // Where blocks of pixels that share a colour reach beyond the picture, swscale would squeeze
     // them into it: it is given whole blocks.
@@ -326,6 +342,7 @@ class FilmReader::Implementation {
                                     nullptr));
     if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
     int matrix = number_of(from.colorspace);
+    refuse_unknown(from.colorspace);
     // gray is full unless it says otherwise, as libav has it for 8 bits
     const int range = number_of(from.color_range);
     const bool is_gray = samples.nb_components <= 2;

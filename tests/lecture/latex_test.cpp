@@ -70,6 +70,12 @@ TEST(Latex, HasCodeInNotesAndFootnotesAsWords) {
   EXPECT_FALSE(has(tex, "erbatim}"));
 }
 
+TEST(Latex, HasOnlyLanguagesThatBabelHas) {
+  EXPECT_TRUE(has(tex_of("---\nlang: de-CH\n---\n\nA\n"), "german"));
+  EXPECT_TRUE(has(tex_of("---\nlang: fr-CA\n---\n\nA\n"), "french"));
+  EXPECT_FALSE(has(tex_of("---\nlang: zh\n---\n\nA\n"), "babel"));
+}
+
 // they are written to files
 TEST(Latex, HasTitlesThatCanBeCopied) {
   const std::string tex =

@@ -140,6 +140,18 @@ TEST(MeshFile, RefusesFacesThatWouldTakeMinutes) {
   expect_input_error([&] { obj(disc + face + "\n"); }, "", "which has 30000 corners");
 }
 
+// CGAL would read what it can
+TEST(MeshFile, RefusesVerticesThatAreNoNumbers) {
+  const auto with = [](const std::string& last) {
+    return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 " + last + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  };
+  for (const std::string& last :
+       {std::string("1,5"), std::string("1x5"), std::string("1\0", 2), std::string("1 junk")})
+    expect_input_error([&] { obj(with(last)); }, "", "vertex 4 has '");
+  for (const char* last : {"1.5", "+1.5e0", "1. 1", "1.5 0.1 0.2 0.3"})
+    EXPECT_NO_THROW(obj(with(last))) << last;
+}
+
 TEST(MeshFile, NamesTheCornerThatIsNotThere) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   expect_input_error(

@@ -92,9 +92,11 @@ TEST(FilmReader, WritesNothingBehindAPicture) {
   }
 }
 
-void make_foreign(const std::string& filter, const std::string& file) {
+void make_foreign(const std::string& filter,
+                  const std::string& file,
+                  const std::string& options = "") {
   const std::string command = "ffmpeg -nostdin -loglevel error -y -f lavfi -i \"" + filter +
-                              "\" -frames:v 2 -c:v ffv1 '" + file + "'";
+                              "\" -frames:v 2 -c:v ffv1 " + options + " '" + file + "'";
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
@@ -153,6 +155,35 @@ TEST(FilmReader, EveryPixelHasTheColourOfItsBlock) {
         }
       }
     }
+  }
+}
+
+TEST(FilmReader, GrayOfLimitedRangeIsReadSo) {
+  const TemporaryFolder folder;
+  for (const auto& [format, value] : std::vector<std::pair<std::string, int>>{
+           {"gray", 16}, {"gray10le", 16 << 2}, {"gray16le", 16 << 8}}) {
+    make_foreign(fmt::format("nullsrc=s=16x16,format={},geq=lum={}", format, value),
+                 folder / "a.mkv",
+                 "-color_range tv");
+    FilmReader reader(folder / "a.mkv");
+    Image image;
+    double time = 0.0;
+    ASSERT_TRUE(reader.next(image, time));
+    EXPECT_EQ(image.at(8, 8)[0], 0) << format;
+  }
+}
+
+TEST(FilmReader, UnknownMatricesAreRefused) {
+  const TemporaryFolder folder;
+  make_foreign("color=gray:s=16x16,format=yuv444p", folder / "a.mkv", "-colorspace ycgco");
+  FilmReader reader(folder / "a.mkv");
+  Image image;
+  double time = 0.0;
+  try {
+    reader.next(image, time);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("'ycgco'"), std::string::npos) << error.message();
   }
 }
 
