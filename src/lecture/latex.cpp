@@ -158,8 +158,7 @@ void for_each_character(const std::string& text,
 
 // Calls `visit` with the texts of a tree that are set as they are: words, code, formulas.
 void for_each_set_text(const Json& tree, const std::function<void(const std::string&)>& visit) {
-  Json copy = tree;
-  for_each_node(copy, [&](const Json& node) {
+  for_each_node(tree, [&](const Json& node) {
     const std::string type = node["t"];
     if (type == "Str") visit(node["c"].get<std::string>());
     if (type == "Code" || type == "CodeBlock" || type == "Math")
@@ -349,8 +348,7 @@ class Setter {
 
   // the items of a list as paragraphs
   void add_flattened(Json& out, Json& list) {
-    const std::string type = list["t"];
-    if (type == "DefinitionList") {
+    if (list["t"] == "DefinitionList") {
       for (Json& item : list["c"]) {
         Json blocks = Json::array({paragraph(item[0])});
         for (Json& definition : item[1])
@@ -359,11 +357,10 @@ class Setter {
       }
       return;
     }
-    int number = type == "OrderedList" ? list["c"][0][0].get<int>() : 0;
-    for (Json& item : type == "OrderedList" ? list["c"][1] : list["c"]) {
-      const std::string mark = type == "OrderedList" ? fmt::format("{}.", number++) : "•";
-      Json words = string_inlines(mark);
-      words.push_back({{"t", "Space"}});
+    Json items = items_of(list);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      Json& item = items[i];
+      Json words = mark_of(list, i);
       if (!item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para")) {
         words.insert(words.end(), item[0]["c"].begin(), item[0]["c"].end());
         item[0] = paragraph(words);
@@ -383,14 +380,15 @@ class Setter {
   int lists_ = 0, quotations_ = 0, titles_ = 0;  // around it
 };
 
-// What commands need beside amsmath and amssymb, where it is installed.
+// What commands need in the preamble, beside amsmath and amssymb.
+constexpr const char* kSiunitx = "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}";
 constexpr std::pair<const char*, const char*> kNeeds[] = {
-    {"SI", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
-    {"si", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
-    {"qty", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
-    {"unit", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
-    {"num", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
-    {"ang", "\\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{}"},
+    {"SI", kSiunitx},
+    {"si", kSiunitx},
+    {"qty", kSiunitx},
+    {"unit", kSiunitx},
+    {"num", kSiunitx},
+    {"ang", kSiunitx},
     {"bm", "\\usepackage{bm}"},
     // titles of parts are written to files
     {"underline", "\\AtBeginDocument{\\robustify{\\underline}}"},

@@ -37,7 +37,7 @@ Json take_figures(Json& tree) {
   return taken;
 }
 
-bool has_node(Json tree, const std::function<bool(const Json&)>& is_it) {
+bool has_node(const Json& tree, const std::function<bool(const Json&)>& is_it) {
   bool found = false;
   for_each_node(tree, [&](const Json& node) { found = found || is_it(node); });
   return found;

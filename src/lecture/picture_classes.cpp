@@ -2,6 +2,16 @@
 #include "lecture/picture_classes.h"
 
 namespace polhode {
+namespace {
+
+using Settings = std::vector<PictureSetting>;
+
+Settings joined(Settings first, const Settings& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
+}  // namespace
 
 const std::vector<PictureClass>& picture_classes() {
   static const PictureSetting from = {"from", "time at which it begins, s of the motion (0)"};
@@ -27,31 +37,19 @@ const std::vector<PictureClass>& picture_classes() {
       "the story, else the poster)"};
   static const PictureSetting methods = {
       "methods", "names of the methods to compare, separated by commas (all)"};
+  static const Settings of_loop = {at, stills, size, fps, theme, method, step, alt};
+  static const Settings of_film = joined({from, to}, of_loop);
   static const std::vector<PictureClass> table = {
-      {PictureKind::film,
-       "film",
-       "a film",
-       {from, to, at, stills, size, fps, theme, method, step, alt}},
-      {PictureKind::loop,
-       "loop",
-       "a film that closes and repeats",
-       {at, stills, size, fps, theme, method, step, alt}},
+      {PictureKind::film, "film", "a film", of_film},
+      {PictureKind::loop, "loop", "a film that closes and repeats", of_loop},
       {PictureKind::turn,
        "turn",
        "a film that becomes a model to turn by hand, in page and slides",
-       {{"clock", "a name: viewers with the same one play together (each by itself)"},
-        {"vary",
-         "numbers of the scene that get a slider: KEY FROM TO WORDS, separated by ; (none)"},
-        from,
-        to,
-        at,
-        stills,
-        size,
-        fps,
-        theme,
-        method,
-        step,
-        alt}},
+       joined(
+           {{"clock", "a name: viewers with the same one play together (each by itself)"},
+            {"vary",
+             "numbers of the scene that get a slider: KEY FROM TO WORDS, separated by ; (none)"}},
+           of_film)},
       {PictureKind::still, "still", "one picture", {at, size, theme, method, step, alt}},
       {PictureKind::compare,
        "compare",

@@ -10,6 +10,18 @@
 namespace polhode {
 namespace {
 
+template <class Node, class Visit>
+void walk(Node& tree, const Visit& visit) {
+  if (tree.is_object() && tree.contains("t")) {
+    visit(tree);
+    if (tree.contains("c")) walk(tree["c"], visit);
+    return;
+  }
+  if (!tree.is_array() && !tree.is_object()) return;
+  for (Node& child : tree)
+    walk(child, visit);
+}
+
 class Collector {
  public:
   explicit Collector(const Json& between) : between_(between) {}
@@ -66,12 +78,10 @@ class Collector {
   }
 
   void add_list(const Json& list) {
-    const bool ordered = list["t"] == "OrderedList";
-    int number = ordered ? list["c"][0][0].get<int>() : 0;
-    for (const Json& item : ordered ? list["c"][1] : list["c"]) {
-      Json line = string_inlines(ordered ? fmt::format("{}.", number++) : "•");
-      line.push_back({{"t", "Space"}});
-      const Json words = inlines_of(item, between_);
+    const Json& items = items_of(list);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      Json line = mark_of(list, i);
+      const Json words = inlines_of(items[i], between_);
       line.insert(line.end(), words.begin(), words.end());
       add_line(line);
     }
@@ -109,20 +119,16 @@ class Collector {
 }  // namespace
 
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit) {
-  if (tree.is_object() && tree.contains("t")) {
-    visit(tree);
-    if (tree.contains("c")) for_each_node(tree["c"], visit);
-    return;
-  }
-  if (!tree.is_array() && !tree.is_object()) return;
-  for (Json& child : tree)
-    for_each_node(child, visit);
+  walk(tree, visit);
+}
+
+void for_each_node(const Json& tree, const std::function<void(const Json&)>& visit) {
+  walk(tree, visit);
 }
 
 std::string plain_text(const Json& inlines) {
   std::string text;
-  Json copy = inlines;
-  for_each_node(copy, [&](const Json& node) {
+  for_each_node(inlines, [&](const Json& node) {
     const std::string type = node["t"];
     if (type == "Str") text += node["c"].get<std::string>();
     if (type == "Space" || type == "SoftBreak" || type == "LineBreak") text += ' ';
@@ -191,6 +197,19 @@ void describe(Json& image) {
 
 bool is_div(const Json& node, const char* name) {
   return node["t"] == "Div" && node["c"][0][1] == Json::array({name});
+}
+
+const Json& items_of(const Json& list) {
+  return list["t"] == "OrderedList" ? list["c"][1] : list["c"];
+}
+
+Json mark_of(const Json& list, std::size_t item) {
+  // where its numbers begin
+  const bool ordered = list["t"] == "OrderedList";
+  Json mark =
+      string_inlines(ordered ? fmt::format("{}.", list["c"][0][0].get<std::size_t>() + item) : "•");
+  mark.push_back({{"t", "Space"}});
+  return mark;
 }
 
 Json inlines_of(const Json& blocks, const Json& between) {

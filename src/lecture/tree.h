@@ -13,6 +13,7 @@ namespace polhode {
 // Calls `visit`, which may change the node, for every node of the tree that has a type, parents
 // before children.
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
+void for_each_node(const Json& tree, const std::function<void(const Json&)>& visit);
 
 // The text of inlines without formatting; formulas as TeX.
 std::string plain_text(const Json& inlines);
@@ -45,6 +46,11 @@ bool may_hold_figures(const Json& node);
 std::optional<std::string> alt_of_image(const Json& image);
 // Puts the description, where there is one, in the place of the caption.
 void describe(Json& image);
+
+// The items of a list with or without numbers, each an array of blocks, and the mark before one of
+// them, an array of inlines: "2. " or "• ".
+const Json& items_of(const Json& list);
+Json mark_of(const Json& list, std::size_t item);
 
 // Blocks as one paragraph, where a document has no room for more: the inlines of all, with
 // `between` (an inline) between paragraphs, lines, items and rows; cells of tables have " | "
