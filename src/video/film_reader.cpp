@@ -294,17 +294,18 @@ class FilmReader::Implementation {
   }
 
   // swscale takes others for BT.601
-  void refuse_unknown(AVColorSpace matrix) const {
-    constexpr AVColorSpace kKnown[] = {AVCOL_SPC_RGB,
-                                       AVCOL_SPC_BT709,
-                                       AVCOL_SPC_UNSPECIFIED,
-                                       AVCOL_SPC_FCC,
-                                       AVCOL_SPC_BT470BG,
-                                       AVCOL_SPC_SMPTE170M,
-                                       AVCOL_SPC_SMPTE240M,
-                                       AVCOL_SPC_BT2020_NCL,
-                                       AVCOL_SPC_BT2020_CL};
-    if (std::find(std::begin(kKnown), std::end(kKnown), matrix) != std::end(kKnown)) return;
+  void refuse_unknown(const AVColorSpace& matrix) const {
+    constexpr int kKnown[] = {AVCOL_SPC_RGB,
+                              AVCOL_SPC_BT709,
+                              AVCOL_SPC_UNSPECIFIED,
+                              AVCOL_SPC_FCC,
+                              AVCOL_SPC_BT470BG,
+                              AVCOL_SPC_SMPTE170M,
+                              AVCOL_SPC_SMPTE240M,
+                              AVCOL_SPC_BT2020_NCL,
+                              AVCOL_SPC_BT2020_CL};
+    if (std::find(std::begin(kKnown), std::end(kKnown), number_of(matrix)) != std::end(kKnown))
+      return;
     throw input_error("has the matrix of colours '{}', which is not known here",
                       word(matrix, AVCOL_SPC_NB, av_color_space_name));
   }
