@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 #include "base/nearest.h"
+#include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
 #include "image/png.h"
@@ -64,7 +66,8 @@ std::string name_from(const std::string& file) {
 
 class Reader {
  public:
-  Reader(Deck& deck, const std::string& text) : deck_(deck), lines_(text) {}
+  Reader(Deck& deck, const std::string& text, const Json& blocks)
+      : deck_(deck), lines_(text, blocks) {}
 
   void read(Json& node) {
     if (node.is_array()) {
@@ -97,7 +100,7 @@ class Reader {
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
-      clean(*attributes);
+      clean(*attributes, type == "Code" || type == "CodeBlock");
       take_place(*attributes);
     }
     if (node.contains("c")) read(node["c"]);
@@ -286,15 +289,31 @@ class Reader {
     }
   }
 
+  // "N%" of more than nothing and at most the whole
   static bool is_width(const std::string& key, const std::string& value) {
-    return key == "width" && !value.empty() && value.size() <= 5 && value.back() == '%' &&
-           std::all_of(value.begin(), value.end() - 1, [](char c) {
-             return (c >= '0' && c <= '9') || c == '.';
-           });
+    if (key != "width" || !value.ends_with('%')) return false;
+    const std::string number = value.substr(0, value.size() - 1);
+    if (number.find_first_not_of("0123456789.") != std::string::npos) return false;
+    const std::optional<double> percent = parse_number(number);
+    return percent && *percent > 0.0 && *percent <= 100.0;
   }
 
-  // widths of columns are all that a deck may set on what is no picture
-  void clean(Json& attributes) {
+  // widths of columns are all that a deck may set on what is no picture; classes that mean nothing
+  // to a document could be those of its own parts, which styles hide or move
+  void clean(Json& attributes, bool is_code) {
+    static const std::set<std::string> known = {"notes",
+                                                "columns",
+                                                "column",
+                                                "incremental",
+                                                "nonincremental",
+                                                "fragment",
+                                                "mark",
+                                                "unnumbered",
+                                                "unlisted"};
+    if (!is_code) {
+      std::erase_if(attributes[1].get_ref<Json::array_t&>(),
+                    [](const Json& name) { return !known.contains(name.get<std::string>()); });
+    }
     Json kept = Json::array();
     for (const Json& pair : attributes[2]) {
       const std::string key = pair[0];
@@ -348,15 +367,43 @@ class Reader {
   bool among_words_ = false;                        // where pictures have no captions
 };
 
-// of a field, or of a list of them
-Json one_paragraph(const Json& value) {
-  if (value["t"] == "MetaBlocks")
+// A field as one paragraph, or as a list of them for several authors. Throws Error (input), without
+// a place, for what is neither.
+Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) {
+  const std::string type = value["t"];
+  if (type == "MetaString" || type == "MetaInlines") return value;
+  if (type == "MetaBlocks")
     return {{"t", "MetaInlines"}, {"c", inlines_of(value["c"], {{"t", "Space"}})}};
-  if (value["t"] != "MetaList") return value;
+  if (type == "MetaBool")
+    throw input_error("{} is no text; in quotes, as in {}: \"yes\", it is one", key, key);
+  if (type != "MetaList" || !may_be_list)
+    throw input_error("{} must be a text{}", key, key == "author" ? " or a list of texts" : "");
   Json list = value;
   for (Json& one : list["c"])
-    one = one_paragraph(one);
+    one = one_paragraph(key, one, false);
   return list;
+}
+
+// YAML writes numbers in its own way: 1.50 as 1.5, 007 as 7. Throws Error (input), without a place,
+// where a field would be shown otherwise than it stands in the header.
+void refuse_rewritten(const std::string& key, const Json& field, const std::string& text) {
+  const std::string shown = words_of_field(field);
+  const std::size_t at = text.find("\n" + key + ":");
+  if (!parse_number(shown) || at == std::string::npos) return;
+  const std::size_t from = at + key.size() + 2;
+  std::string written = text.substr(from, text.find('\n', from + 1) - from);
+  written = written.substr(0, written.find(" #"));
+  const std::size_t first = written.find_first_not_of(" \t\r\n"),
+                    last = written.find_last_not_of(" \t\r\n");
+  if (first == std::string::npos) return;
+  written = written.substr(first, last + 1 - first);
+  if (written == shown || std::isdigit(static_cast<unsigned char>(written.back())) == 0) return;
+  throw input_error("{} {} is a number, which would be shown as {}; put it in quotes, {}: \"{}\"",
+                    key,
+                    written,
+                    shown,
+                    key,
+                    written);
 }
 
 // where the lecture is on the web; a QR code leads there
@@ -379,17 +426,19 @@ void check_address(Deck& deck, LineFinder& lines) {
 }
 
 // of what a deck may say of itself
-void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
+void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
+  LineFinder lines(text);
   static const std::vector<std::string> known = {
       "title", "subtitle", "author", "date", "lang", "description", "licence", "address"};
   for (const auto& [key, value] : meta.items()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) {
-      deck.meta[key] = one_paragraph(value);
-      continue;
+    try {
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        throw input_error("a deck has no '{}'{}", key, suggestion(key, known));
+      deck.meta[key] = one_paragraph(key, value, key == "author");
+      refuse_rewritten(key, deck.meta[key], text);
+    } catch (const Error& error) {
+      deck.problems.push_back(error.at({deck.file, lines.next(key), {}}));
     }
-    const int line = lines.next(key);
-    deck.problems.push_back(
-        input_error("a deck has no '{}'{}", key, suggestion(key, known)).at({deck.file, line, {}}));
   }
   check_address(deck, lines);
   if (!deck.meta.contains("lang")) return;
@@ -402,6 +451,39 @@ void keep_known_meta(Deck& deck, const Json& meta, LineFinder& lines) {
   deck.problems.push_back(
       input_error("lang is a tag such as en or de-CH").at({deck.file, lines.next("lang"), {}}));
   deck.meta.erase("lang");
+}
+
+void blank(std::string& text, std::size_t at, std::size_t length) {
+  std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), length, ' ');
+}
+
+// Puts blanks in the place of the first such code among words behind `from`, which becomes its end.
+void blank_code(std::string& text, const std::string& code, std::size_t& from) {
+  for (const std::string mark : {"`", "` "}) {
+    const std::size_t at = text.find(mark + code, from);
+    if (code.empty() || at == std::string::npos) continue;
+    blank(text, at + mark.size(), code.size());
+    from = at + mark.size() + code.size();
+    return;
+  }
+}
+
+// Does so with the lines of a block of code, which may be indented or quoted.
+void blank_lines(std::string& text, const std::string& code, std::size_t& from) {
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    for (std::size_t at = text.find(line, from); at != std::string::npos && !line.empty();
+         at = text.find(line, at + 1)) {
+      const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+      const std::size_t end = at + line.size();
+      const bool is_whole = text.find_first_not_of(" \t>", start) >= at &&
+                            (end == text.size() || text[end] == '\n' || text[end] == '\r');
+      if (!is_whole) continue;
+      blank(text, at, line.size());
+      from = end;
+      break;
+    }
+  }
 }
 
 // the line of the first character, or reference to one, that no document can show; 0 if unknown
@@ -431,6 +513,15 @@ void refuse_unwritable(const Json& tree, const std::string& text, const std::str
 
 }  // namespace
 
+LineFinder::LineFinder(std::string text, const Json& blocks) : text_(std::move(text)) {
+  std::size_t from = 0;
+  for_each_node(blocks, [&](const Json& node) {
+    const std::string type = node["t"];
+    if (type == "Code") blank_code(text_, node["c"][1], from);
+    if (type == "CodeBlock") blank_lines(text_, node["c"][1], from);
+  });
+}
+
 int LineFinder::next(const std::string& words) {
   if (words.empty()) return 0;
   std::size_t& from = seen_[words];
@@ -459,9 +550,8 @@ Deck deck_of_tree(Json tree,
   deck.file = name;
   deck.root = root;
   deck.api_version = tree["pandoc-api-version"];
-  LineFinder lines(text);
-  keep_known_meta(deck, tree["meta"], lines);
-  Reader reader(deck, text);
+  keep_known_meta(deck, tree["meta"], text);
+  Reader reader(deck, text, tree["blocks"]);
   for (auto& [key, value] : deck.meta.items()) {
     static_cast<void>(key);
     reader.read_field(value);

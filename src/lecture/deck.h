@@ -51,7 +51,8 @@ struct Deck {
 // Finds the line numbers of texts, which pandoc's tree does not contain.
 class LineFinder {
  public:
-  explicit LineFinder(std::string text) : text_(std::move(text)) {}
+  // blocks: of pandoc's tree of the text; what stands in their code is not found.
+  explicit LineFinder(std::string text, const Json& blocks = Json::array());
   // The line (from 1) of the first occurrence of `words` after the one that the previous call with
   // the same words found; 0 if there is none and for empty `words`.
   int next(const std::string& words);

@@ -179,8 +179,23 @@ Json with_notes_as_text(Json blocks) {
   return blocks;
 }
 
-// The deck for pages that write its title themselves.
-Json without_meta(const Deck& deck, const Json& blocks) {
+// What titles contain has no names in the contents, where it stands a second time.
+Json with_plain_titles(Json tree) {
+  for_each_node(tree["blocks"], [](Json& node) {
+    if (node["t"] != "Header") return;
+    for_each_node(node["c"][2], [](Json& inside) {
+      if (Json* attributes = attributes_of(inside)) (*attributes)[0] = "";
+    });
+  });
+  return tree;
+}
+
+// The deck for pages, which write its title themselves and do not colour code: names of languages
+// could be those of parts of the page.
+Json for_page(const Deck& deck, Json blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] == "Code" || node["t"] == "CodeBlock") (*attributes_of(node))[1] = Json::array();
+  });
   Deck plain = deck;
   plain.meta = Json::object();
   return plain.tree(blocks);
@@ -201,7 +216,7 @@ std::string sections_html(const Json& tree) {
 }  // namespace
 
 void settle_formulas(Deck& deck, const std::string& deck_text) {
-  LineFinder lines(deck_text);
+  LineFinder lines(deck_text, deck.blocks);
   const auto tell = [&](const std::string& tex, const Error& error) {
     deck.problems.push_back(error.at({deck.file, lines.next(tex), {}}));
   };
@@ -248,14 +263,13 @@ void settle_formulas(Deck& deck, const std::string& deck_text) {
 }
 
 std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers) {
-  const Json tree =
-      without_meta(deck, with_notes_as_text(with_captions(deck, figure_of, page_blocks)));
+  const Json tree = for_page(deck, with_notes_as_text(with_captions(deck, figure_of, page_blocks)));
   const std::string body = sections_html(tree);
   // the contents come from pandoc's own template, which has nothing else here
   const ScratchFolder scratch;
   const std::string only_contents = scratch / "contents.html";
   write_file(only_contents, "$table-of-contents$\n");
-  const std::string contents = write_document(tree,
+  const std::string contents = write_document(with_plain_titles(tree),
                                               {"-t",
                                                "html5",
                                                "--toc",
@@ -273,14 +287,14 @@ std::string make_slides(const Deck& deck,
                         const FigureOf& figure_of,
                         const Reveal& reveal,
                         const std::string& viewers) {
-  const Json tree = without_meta(deck, with_captions(deck, figure_of, slide_blocks));
+  const Json tree = for_page(deck, with_captions(deck, figure_of, slide_blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
   return slides_page(words_of(deck), formulas_for_browsers(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
   const Json tree =
-      without_meta(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
+      for_page(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
   return handout_page(words_of(deck), formulas_for_browsers(sections_html(tree)));
 }
 

@@ -292,6 +292,12 @@ class Setter {
         add_flattened(out, child);
       } else if (type == "BlockQuote" && quotations_ >= kDeepest) {
         add_blocks(out, child["c"]);
+      } else if (titles_ > 0 && type == "Span" && child["c"][0][0] != "") {
+        // running heads leave out words that have a name
+        set(child["c"][1]);
+        const Json words = std::exchange(child["c"][1], Json::array());
+        out.push_back(std::move(child));
+        out.insert(out.end(), words.begin(), words.end());
       } else {
         set(child);
         out.push_back(std::move(child));

@@ -134,15 +134,15 @@ std::string lecture_page(const DeckWords& words,
                          const std::string& contents,
                          const std::string& viewers) {
   std::string inside =
-      "<a class=\"skip\" href=\"#main\">To the text</a>\n<header class=\"top\">\n" +
+      "<a class=\"skip\" href=\"#polhode-text\">To the text</a>\n<header class=\"top\">\n" +
       title_block(words) +
-      "<div class=\"tools\"><button type=\"button\" id=\"look\" "
+      "<div class=\"tools\"><button type=\"button\" id=\"polhode-look\" "
       "hidden>Look</button></div>\n</header>\n";
   inside +=
       "<nav class=\"contents\" aria-label=\"Contents\"><details "
       "open><summary>Contents</summary>\n" +
       contents + "</details></nav>\n";
-  inside += "<main id=\"main\">\n" + body + "</main>\n<footer>";
+  inside += "<main id=\"polhode-text\">\n" + body + "</main>\n<footer>";
   if (!words.licence.empty()) inside += fmt::format("{} · ", escaped(words.licence));
   inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;
   const std::string nonce = content_hash(inside);

@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "base/units.h"
+#include "lecture/formulas.h"
 
 namespace polhode {
 namespace {
@@ -152,18 +153,35 @@ Quoted value_text(const std::string& key,
   return {"(" + list.text + ")", "(" + list.tex + ")"};
 }
 
+// A quote and the text around it, in which earlier quotes have been replaced.
+struct QuoteInText {
+  std::string before, words, behind;
+};
+
 // Replaces all quotes of a text by what `answer` says. One that does not end in this text, because
 // something in it is no text for pandoc, is given as far as it goes.
 std::string replaced(const std::string& text,
-                     const std::function<std::string(const std::string&)>& answer) {
+                     const std::function<std::string(const QuoteInText&)>& answer) {
   std::string out;
   std::size_t from = 0;
   for (std::size_t at = text.find(kHead); at != std::string::npos; at = text.find(kHead, from)) {
-    const std::size_t end = std::min(text.find('}', at), text.size() - 1);
-    out += text.substr(from, at - from) + answer(text.substr(at, end + 1 - at));
-    from = end + 1;
+    const std::size_t end = std::min(text.find('}', at), text.size() - 1) + 1;
+    out += text.substr(from, at - from);
+    out += answer({out, text.substr(at, end - at), text.substr(end)});
+    from = end;
   }
   return out + text.substr(from);
+}
+
+// A number as a part of a formula: what is done to it is done to all of it.
+std::string in_formula(const std::string& tex, const QuoteInText& place) {
+  // among words it is a formula of its own
+  if (words_in(place.before + "{").back()) return "$" + tex + "$";
+  const std::size_t next = place.behind.find_first_not_of(" \n");
+  const bool is_raised = next != std::string::npos && place.behind[next] == '^';
+  const bool is_simple = tex.find_first_not_of("0123456789.") == std::string::npos;
+  return is_raised && !is_simple && tex.front() != '(' ? "{\\left(" + tex + "\\right)}"
+                                                       : "{" + tex + "}";
 }
 
 // Calls `work` on every text that may hold quotes, with whether it is a formula.
@@ -285,12 +303,15 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
 void fill_quotes(Deck& deck,
                  const std::string& deck_text,
                  const std::function<const Json&(const std::string& scene)>& inspect) {
-  LineFinder lines(deck_text);
+  LineFinder lines(deck_text, deck.blocks);
   for_each_text(deck, [&](Json& text, bool formula) {
-    text = replaced(text.get<std::string>(), [&](const std::string& words) -> std::string {
-      const int line = lines.next(words);
+    text = replaced(text.get<std::string>(), [&](const QuoteInText& place) -> std::string {
+      const std::string& words = place.words;
+      const bool is_whole = words.ends_with('}');
+      int line = lines.next(is_whole ? words : words + " ");
+      if (line == 0) line = lines.next(words);
       try {
-        if (!words.ends_with('}')) {
+        if (!is_whole) {
           throw input_error(
               "'{}' does not end in }}, or has a space or markup in it, which a quote cannot have; "
               "in a table write \\| for |",
@@ -298,13 +319,13 @@ void fill_quotes(Deck& deck,
         }
         const Quote quote = parse_quote(words);
         const Quoted value = quoted(inspect(quote.scene), quote);
-        return formula ? value.tex : value.text;
+        return formula ? in_formula(value.tex, place) : value.text;
       } catch (const Error& error) {
         if (error.fault() == Fault::interrupted) throw;
         deck.problems.push_back(error.fault() == Fault::input
                                     ? input_error("{}", error.what()).at({deck.file, line, {}})
                                     : error.at({deck.file, line, {}}));
-        return formula ? "\\text{[?]}" : "[?]";
+        return formula ? in_formula("\\text{[?]}", place) : "[?]";
       }
     });
   });
@@ -314,7 +335,8 @@ std::set<std::string> quoted_scenes(const Deck& deck) {
   std::set<std::string> scenes;
   Deck copy = deck;
   for_each_text(copy, [&](const Json& text, bool) {
-    replaced(text.get<std::string>(), [&](const std::string& words) {
+    replaced(text.get<std::string>(), [&](const QuoteInText& place) {
+      const std::string& words = place.words;
       const std::size_t start = std::string_view(kHead).size(), hash = words.rfind('#');
       if (hash != std::string::npos && hash > start && words.ends_with('}'))
         scenes.insert(words.substr(start, hash - start));

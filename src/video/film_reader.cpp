@@ -6,6 +6,7 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
@@ -43,6 +44,16 @@ class FilmReader::Implementation {
   }
 
   const FilmInfo& info() const { return info_; }
+  std::string frame_shown() const {
+    const AVFrame& frame = *decoded_;
+    return fmt::format("{} {}",
+                       ratio(frame.sample_aspect_ratio),
+                       colours(frame.color_range,
+                               frame.color_primaries,
+                               frame.color_trc,
+                               frame.colorspace,
+                               frame.chroma_location));
+  }
   double end() const { return static_cast<double>(end_ - first_) * av_q2d(stream_->time_base); }
 
   bool next(Image& frame, double& time) {
@@ -96,8 +107,10 @@ class FilmReader::Implementation {
     check_libav(avcodec_parameters_to_context(decoder_.get(), &track),
                 "cannot read the film's header");
     decoder_->thread_count = 0;
-    // a damaged frame is an error, not something to be guessed at
-    decoder_->err_recognition = AV_EF_EXPLODE | AV_EF_CRCCHECK;
+    // a damaged frame is an error, not something to be guessed at; that of some decoders would end
+    // the program by an assertion, and is flagged as well
+    const bool may_explode = !is_of_mpeg4(track.codec_id);
+    decoder_->err_recognition = AV_EF_CRCCHECK | (may_explode ? AV_EF_EXPLODE : 0);
     decoder_->max_pixels = static_cast<std::int64_t>(kMostPngPixels);
     const int opened = avcodec_open2(decoder_.get(), codec, nullptr);
     if (opened < 0) throw film_error(opened, "cannot be decoded");
@@ -116,6 +129,21 @@ class FilmReader::Implementation {
     info_.alpha = beside || (format != nullptr && (format->flags & AV_PIX_FMT_FLAG_ALPHA) != 0);
   }
 
+  // the decoder of MPEG-4 part 2 and its kin, which are no H.264
+  static bool is_of_mpeg4(AVCodecID codec) {
+    constexpr AVCodecID kFamily[] = {AV_CODEC_ID_MPEG4,
+                                     AV_CODEC_ID_MSMPEG4V1,
+                                     AV_CODEC_ID_MSMPEG4V2,
+                                     AV_CODEC_ID_MSMPEG4V3,
+                                     AV_CODEC_ID_WMV1,
+                                     AV_CODEC_ID_WMV2,
+                                     AV_CODEC_ID_H263,
+                                     AV_CODEC_ID_H263P,
+                                     AV_CODEC_ID_H263I,
+                                     AV_CODEC_ID_FLV1};
+    return std::find(std::begin(kFamily), std::end(kFamily), codec) != std::end(kFamily);
+  }
+
   // WebM has the alpha of a frame beside its colours, which only libvpx puts together
   bool keeps_alpha_beside() const {
     const AVCodecID codec = stream_->codecpar->codec_id;
@@ -130,26 +158,40 @@ class FilmReader::Implementation {
   std::string shown(AVStream* stream) const {
     const AVCodecParameters& track = *stream->codecpar;
     const AVRational pixel = av_guess_sample_aspect_ratio(input_.get(), stream, nullptr);
-    const auto ratio = [](const AVRational& shape) {
-      return shape.num > 0 ? fmt::format("{}:{}", shape.num, shape.den) : std::string("1:1");
-    };
     // the container's word goes before that of the stream
     const std::string of_stream = ratio(track.sample_aspect_ratio);
-    std::string unusual;
-    if (track.chroma_location != AVCHROMA_LOC_UNSPECIFIED &&
-        track.chroma_location != AVCHROMA_LOC_LEFT)
-      unusual += fmt::format(", colours at {}", av_chroma_location_name(track.chroma_location));
-    if (track.field_order != AV_FIELD_UNKNOWN && track.field_order != AV_FIELD_PROGRESSIVE)
-      unusual += ", interlaced";
+    const bool is_interlaced =
+        track.field_order != AV_FIELD_UNKNOWN && track.field_order != AV_FIELD_PROGRESSIVE;
     return fmt::format(
-        "{}{} {} {} {} {}{}",
+        "{}{} {}{}",
         ratio(pixel),
         of_stream == ratio(pixel) ? "" : fmt::format(" ({} in the stream)", of_stream),
-        word(track.color_range, AVCOL_RANGE_NB, av_color_range_name),
-        word(track.color_primaries, AVCOL_PRI_NB, av_color_primaries_name),
-        word(track.color_trc, AVCOL_TRC_NB, av_color_transfer_name),
-        word(track.color_space, AVCOL_SPC_NB, av_color_space_name),
-        unusual);
+        colours(track.color_range,
+                track.color_primaries,
+                track.color_trc,
+                track.color_space,
+                track.chroma_location),
+        is_interlaced ? ", interlaced" : "");
+  }
+
+  static std::string ratio(const AVRational& shape) {
+    return shape.num > 0 ? fmt::format("{}:{}", shape.num, shape.den) : "1:1";
+  }
+
+  static std::string colours(const AVColorRange& range,
+                             const AVColorPrimaries& primaries,
+                             const AVColorTransferCharacteristic& transfer,
+                             const AVColorSpace& matrix,
+                             const AVChromaLocation& place) {
+    const int at = number_of(place);
+    const bool is_usual = at == AVCHROMA_LOC_UNSPECIFIED || at == AVCHROMA_LOC_LEFT;
+    return fmt::format(
+        "{} {} {} {}{}",
+        word(range, AVCOL_RANGE_NB, av_color_range_name),
+        word(primaries, AVCOL_PRI_NB, av_color_primaries_name),
+        word(transfer, AVCOL_TRC_NB, av_color_transfer_name),
+        word(matrix, AVCOL_SPC_NB, av_color_space_name),
+        is_usual ? "" : ", colours at " + word(place, AVCHROMA_LOC_NB, av_chroma_location_name));
   }
 
   // libav's name for a tag, which is below `end`, or its number where it has none
@@ -243,7 +285,10 @@ class FilmReader::Implementation {
                         from.width,
                         from.height);
     }
-    if (converter_ == nullptr || from.format != format_) open_converter();
+    const std::array<int, 3> kind = {
+        from.format, number_of(from.colorspace), number_of(from.color_range)};
+    if (converter_ == nullptr || kind != kind_) open_converter();
+    kind_ = kind;
     if (frame.width != from.width || frame.height != from.height) {
       frame = Image(from.width, from.height);
     }
@@ -269,28 +314,37 @@ class FilmReader::Implementation {
       const int stride = 4 * from.width;
       av_image_copy_plane(
           frame.pixels.data(), stride, to.data[0], to.linesize[0], stride, from.height);
+    } else if (to.format == AV_PIX_FMT_GBRAP) {
+      interleave<std::uint8_t, 0, 0>(to, frame);
     } else {
-      interleave(to, frame);
+      interleave<std::uint16_t, 7, 8>(to, frame);  // halves
     }
   }
 
-  // planes of green, blue, red and opacity into pixels
+  // planes of green, blue, red and opacity into pixels; they have some bits more than these
+  template <class Sample, int kBitsOfColours, int kBitsOfOpacity>
   static void interleave(const AVFrame& planes, Image& frame) {
     const auto width = static_cast<std::size_t>(frame.width);
     for (int y = 0; y < frame.height; ++y) {
       const auto row_of = [&](int plane) {
-        return planes.data[plane] + std::ptrdiff_t{y} * planes.linesize[plane];
+        return reinterpret_cast<const Sample*>(planes.data[plane] +
+                                               std::ptrdiff_t{y} * planes.linesize[plane]);
       };
-      const std::uint8_t *green = row_of(0), *blue = row_of(1), *red = row_of(2),
-                         *opacity = row_of(3);
+      const Sample *green = row_of(0), *blue = row_of(1), *red = row_of(2), *opacity = row_of(3);
       std::uint8_t* pixel = frame.pixels.data() + 4 * width * static_cast<std::size_t>(y);
       for (std::size_t x = 0; x < width; ++x, pixel += 4) {
-        pixel[0] = red[x];
-        pixel[1] = green[x];
-        pixel[2] = blue[x];
-        pixel[3] = opacity[x];
+        pixel[0] = rounded<kBitsOfColours>(red[x]);
+        pixel[1] = rounded<kBitsOfColours>(green[x]);
+        pixel[2] = rounded<kBitsOfColours>(blue[x]);
+        pixel[3] = rounded<kBitsOfOpacity>(opacity[x]);
       }
     }
+  }
+
+  template <int kBits>
+  static std::uint8_t rounded(unsigned value) {
+    constexpr unsigned kHalf = (1U << kBits) / 2;
+    return static_cast<std::uint8_t>(std::min((value + kHalf) >> kBits, 255U));
   }
 
   // swscale takes others for BT.601
@@ -312,15 +366,27 @@ class FilmReader::Implementation {
 
   static int rounded_up(int size, int block) { return (size + block - 1) / block * block; }
 
+  // gray is full unless it says otherwise, as libav has it for 8 bits
+  static bool is_full(const AVFrame& from) {
+    const int range = number_of(from.color_range), matrix = number_of(from.colorspace);
+    const bool is_gray =
+        av_pix_fmt_desc_get(static_cast<AVPixelFormat>(from.format))->nb_components <= 2;
+    return range == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB ||
+           (is_gray && range == AVCOL_RANGE_UNSPECIFIED);
+  }
+
   void open_converter() {
     const AVFrame& from = *decoded_;
-    format_ = from.format;
     const auto kind = static_cast<AVPixelFormat>(from.format);
     const AVPixFmtDescriptor& samples = *av_pix_fmt_desc_get(kind);
     // Each pixel has the colour of its block. From brightness and colours swscale rounds once, and
-    // fast, only into planes; other pixels it copies only into pixels.
+    // fast, only into planes; other pixels it copies only into pixels. Of values of twice the
+    // brightest, which a limited range allows, it makes black: it makes halves of these films.
     const bool is_packed = (samples.flags & (AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_PAL)) != 0;
-    const AVPixelFormat target = is_packed ? AV_PIX_FMT_RGBA : AV_PIX_FMT_GBRAP;
+    const bool is_halved = !is_packed && samples.nb_components > 2 && !is_full(from);
+    const AVPixelFormat target = is_packed   ? AV_PIX_FMT_RGBA
+                                 : is_halved ? AV_PIX_FMT_GBRAP16
+                                             : AV_PIX_FMT_GBRAP;
     // Where blocks of pixels that share a colour reach beyond the picture, swscale would squeeze
     // them into it: it is given whole blocks.
     const int width = rounded_up(from.width, 1 << samples.log2_chroma_w),
@@ -344,11 +410,7 @@ class FilmReader::Implementation {
     if (converter_ == nullptr) throw environment_error("swscale cannot convert this film");
     int matrix = number_of(from.colorspace);
     refuse_unknown(from.colorspace);
-    // gray is full unless it says otherwise, as libav has it for 8 bits
-    const int range = number_of(from.color_range);
-    const bool is_gray = samples.nb_components <= 2;
-    const bool full = range == AVCOL_RANGE_JPEG || matrix == AVCOL_SPC_RGB ||
-                      (is_gray && range == AVCOL_RANGE_UNSPECIFIED);
+    const bool full = is_full(from);
     if (matrix == AVCOL_SPC_UNSPECIFIED || matrix == AVCOL_SPC_RGB) {
       constexpr int kHighDefinition = 720;  // rows
       matrix = from.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601;
@@ -358,7 +420,7 @@ class FilmReader::Implementation {
     constexpr int kOne = 1 << 16;
     // pixel formats without a matrix refuse this, and need none
     static_cast<void>(sws_setColorspaceDetails(
-        converter_.get(), weights, full ? 1 : 0, weights, 1, 0, kOne, kOne));
+        converter_.get(), weights, full ? 1 : 0, weights, 1, 0, is_halved ? kOne / 2 : kOne, kOne));
   }
 
   std::string file_;
@@ -370,11 +432,11 @@ class FilmReader::Implementation {
   Owned<SwsContext> converter_;
   Owned<AVFrame> whole_;  // a copy with whole blocks, where the decoded one has none
   Owned<AVFrame> converted_;
-  int format_ = -1;         // pixel format that the converter takes
-  std::int64_t first_ = 0;  // time stamp of the first frame
-  std::int64_t end_ = 0;    // and of the end of the last one
-  int frames_ = 0;          // how many have been decoded
-  int packets_ = 0;         // and how many were read for them
+  std::array<int, 3> kind_ = {};  // pixel format, matrix and range that the converter takes
+  std::int64_t first_ = 0;        // time stamp of the first frame
+  std::int64_t end_ = 0;          // and of the end of the last one
+  int frames_ = 0;                // how many have been decoded
+  int packets_ = 0;               // and how many were read for them
   FilmInfo info_;
 };
 
@@ -388,6 +450,10 @@ const FilmInfo& FilmReader::info() const {
 
 bool FilmReader::next(Image& frame, double& time) {
   return implementation_->next(frame, time);
+}
+
+std::string FilmReader::frame_shown() const {
+  return implementation_->frame_shown();
 }
 
 double FilmReader::end() const {

@@ -26,7 +26,7 @@ struct FilmInfo {
 };
 
 // Decodes frames in display order, with one decoder thread per processor. Frames are converted to
-// 8-bit sRGB with the matrix and range that the film is tagged with. Untagged films count as BT.709
+// 8-bit sRGB with the matrix and range that each is tagged with. Untagged ones count as BT.709
 // from 720 rows on and as BT.601 below, as in players. Subsampled colour is not interpolated: each
 // sample is used for all pixels that it covers. Not thread-safe.
 class FilmReader {
@@ -47,6 +47,9 @@ class FilmReader {
   // place: (input) if the file is damaged or truncated or if the picture size changes,
   // (environment) if FFmpeg cannot convert the frame.
   bool next(Image& frame, double& time);
+  // What the frame that was read last asks of players, as FilmInfo::shown: shape of the pixels,
+  // range, primaries, transfer and matrix of the colours, and where these are.
+  std::string frame_shown() const;
   // When the last frame that was read ends, s after the first begins, as the file says.
   double end() const;
 

@@ -8,6 +8,7 @@
 #include "lecture/decks.h"
 #include "support/flat_image.h"
 #include "support/run.h"
+#include "support/words.h"
 
 namespace polhode {
 namespace {
@@ -151,6 +152,68 @@ TEST(Deck, FieldsOfSeveralParagraphsAreOne) {
   EXPECT_EQ(plain_text(deck.meta["author"]["c"][0]["c"]), "c d");
 }
 
+TEST(Deck, FieldsAreTexts) {
+  const auto problem = [](const std::string& field) {
+    return problem_of("---\nlang: en\n" + field + "\n---\n\nText\n");
+  };
+  for (const char* field : {"author: A",
+                            "author: [A, B]",
+                            "author:\n- A\n- B",
+                            "date: 2026 # or later",
+                            "date: 2026-11-29",
+                            "date: \"11.10\"",
+                            "title: '1.50'",
+                            "title: 12 tops"}) {
+    EXPECT_EQ(problem(field), "none") << field;
+  }
+  for (const auto& [field, words] : std::vector<std::pair<std::string, std::string>>{
+           {"author: [{name: A, affiliation: B}, C]", "author must be a text"},
+           {"author: [[A, B], C]", "author must be a text"},
+           {"author: {name: A}", "author must be a text or a list of texts"},
+           {"title: [a, b]", "title must be a text"},
+           {"date: {day: 3}", "date must be a text"},
+           {"title: yes", "title is no text; in quotes, as in title: \"yes\", it is one"},
+           {"date: 11.10",
+            "date 11.10 is a number, which would be shown as 11.1; put it in quotes"},
+           {"title: 007", "title 007 is a number, which would be shown as 7"},
+           {"title: 12345678901234567890", "shown as 1."}}) {
+    EXPECT_TRUE(problem(field).starts_with("deck.md:3: ")) << problem(field);
+    EXPECT_TRUE(test::has(problem(field), words)) << problem(field);
+  }
+}
+
+// those of a page and of reveal.js hide what has them
+TEST(Deck, ClassesThatMeanNothingAreLeftOut) {
+  const Deck deck = deck_of(
+      "## A {.progress}\n\n::: {.notes .controls}\na [b]{.skip} `c`{.python}\n:::\n\n"
+      ":::: columns\n::: column\nd\n:::\n::::\n");
+  EXPECT_TRUE(deck.problems.empty());
+  EXPECT_EQ(deck.blocks[0]["c"][1][1], Json::array());
+  EXPECT_TRUE(is_div(deck.blocks[1], "notes"));
+  const Json& words = deck.blocks[1]["c"][1][0]["c"];
+  EXPECT_EQ(words[2]["c"][0][1], Json::array());
+  EXPECT_EQ(words[4]["c"][0][1], Json::array({"python"}));
+  EXPECT_TRUE(is_div(deck.blocks[2], "columns"));
+}
+
+// which may show what elsewhere is a mistake
+TEST(Deck, LinesAreNotThoseOfCode) {
+  const char* mistake = "[a](#nowhere)";
+  for (const std::string code : {"`[a](#nowhere)`",
+                                 "``[a](#nowhere)``",
+                                 "`` [a](#nowhere) ``",
+                                 "```\n\n[a](#nowhere)\n```",
+                                 "- a\n\n  ~~~\n  [a](#nowhere)\n  ~~~",
+                                 "> ```\n> [a](#nowhere)\n> ```",
+                                 "    [a](#nowhere)"}) {
+    const std::string text = code + "\n\nb\n\n";
+    const auto line = 1 + std::count(text.begin(), text.end(), '\n');
+    EXPECT_EQ(problem_of(text + mistake + "\n"),
+              fmt::format("deck.md:{}: no place is called '#nowhere' (there are none)", line))
+        << code;
+  }
+}
+
 // a picture alone keeps its caption, one among words has what describes it there
 TEST(Deck, ItsOwnPicturesHaveADescriptionAWidthAndAPlace) {
   const test::TemporaryFolder folder;
@@ -167,6 +230,12 @@ TEST(Deck, ItsOwnPicturesHaveADescriptionAWidthAndAPlace) {
   const Deck among = read("A ![b](a.png){#here alt=\"c d\"} e ![f](a.png)\n\n[to](#here)\n");
   EXPECT_TRUE(among.problems.empty());
   EXPECT_EQ(plain_text(among.blocks[0]["c"]), "A c d e f");
+  for (const std::string width : {"100%", "0.5%", "33.3333%"}) {
+    EXPECT_TRUE(read("![b](a.png){width=" + width + "}\n").problems.empty()) << width;
+  }
+  for (const std::string width : {"0%", "0.0%", "..%", "%", "101%", "1e1%", "-5%"}) {
+    EXPECT_EQ(read("![b](a.png){width=" + width + "}\n").problems.size(), 1U) << width;
+  }
   for (const auto& [given, problem] : std::vector<std::pair<std::string, std::string>>{
            {".big", "deck.md:3: a picture of the deck's own has no class '.big'"},
            {"height=3",

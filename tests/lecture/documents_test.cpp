@@ -2,6 +2,7 @@
 #include "lecture/documents.h"
 
 #include <regex>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,22 @@ TEST(Documents, ThePageHasTextFilmsNotesAndContents) {
       page.substr(page.find("<nav class=\"contents\""), page.find("<main") - page.find("<nav"));
   for (const char* link : {"href=\"#part\"", "href=\"#one\"", "href=\"#two\""})
     EXPECT_TRUE(has(contents, link)) << contents;
+}
+
+// nor has it names twice, for links lead to the first
+TEST(Documents, NothingOfADeckIsTakenForAPartOfThePage) {
+  const Deck deck =
+      deck_of("# Main\n\n## B [c]{#here}\n\n[d](#here)\n\n## Look\n\n~~~ controls\ne\n~~~\n");
+  const std::string page = make_page(deck, figure_of);
+  const std::regex name("id=\"([^\"]*)\"");
+  std::multiset<std::string> names;
+  for (auto i = std::sregex_iterator(page.begin(), page.end(), name); i != std::sregex_iterator();
+       ++i)
+    names.insert((*i)[1]);
+  for (const char* place : {"main", "here", "look"})
+    EXPECT_EQ(names.count(place), 1U) << place;
+  EXPECT_FALSE(has(page, "<pre class"));
+  EXPECT_FALSE(has(make_slides(deck, figure_of, {"4", "css", "js", ""}), "<pre class"));
 }
 
 TEST(Documents, SlidesHaveTheNotesForTheSpeaker) {

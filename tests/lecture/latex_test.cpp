@@ -84,6 +84,16 @@ TEST(Latex, HasTitlesThatCanBeCopied) {
   EXPECT_TRUE(has(tex, "\\robustify{\\underline}"));
 }
 
+// pandoc leaves words that have a name out of running heads
+TEST(Latex, HasTitlesWithAllTheirWords) {
+  const std::string tex = tex_of("# [alpha]{#a} beta\n\n## [gamma]{#b}\n\n[c](#a)\n");
+  const std::size_t part = tex.find("\\section[");
+  ASSERT_NE(part, std::string::npos);
+  const std::string short_title = tex.substr(part, tex.find("]{", part) - part);
+  EXPECT_TRUE(has(short_title, "alpha") && has(short_title, "beta")) << short_title;
+  EXPECT_TRUE(has(tex, "{a}"));
+}
+
 TEST(Latex, HasTablesAndListsOfFootnotesAsWords) {
   const std::string tex = tex_of(
       "## A\n\na[^1]\n\n[^1]: b\n\n    | c | d |\n    |---|---|\n    | e | f |\n\n    1. g\n\n    "

@@ -102,12 +102,33 @@ TEST(Quotes, StandInTextFormulasAndCaptions) {
     return kAnswer;
   });
   EXPECT_EQ(plain_text(deck.blocks[0]["c"]),
-            "A (−2.4 × 10⁻⁴\u00A0s), x = -2.4\\times 10^{-4}\\;\\text{s}");
+            "A (−2.4 × 10⁻⁴\u00A0s), x = {-2.4\\times 10^{-4}\\;\\text{s}}");
   EXPECT_EQ(plain_text(deck.pictures[0].caption), "c yes");
   EXPECT_EQ(deck.pictures[0].settings.at("alt"), "d −2.4 × 10⁻⁴\u00A0s");
   ASSERT_EQ(deck.problems.size(), 1U);
   EXPECT_EQ(deck.problems[0].place().line, 4);
   EXPECT_EQ(quoted_scenes(deck_of("{inspect:s.toml#a} {inspect:t.toml#b}")).size(), 2U);
+}
+
+// what is done to a number is done to all of it, and not to its first digit
+TEST(Quotes, AreWholeInFormulas) {
+  const std::string quote = "{inspect:s.toml#flip_time|%.1e,none}";
+  const auto tex_of = [&](const std::string& formula, const std::string& asked) {
+    std::string text = formula;
+    for (std::size_t at = text.find('Q'); at != std::string::npos; at = text.find('Q'))
+      text.replace(at, 1, asked);
+    Deck deck = deck_of("$" + text + "$\n");
+    fill_quotes(deck, "", [](const std::string&) -> const Json& { return kAnswer; });
+    EXPECT_TRUE(deck.problems.empty());
+    return plain_text(deck.blocks[0]["c"]);
+  };
+  const std::string value = "-2.4\\times 10^{-4}";
+  EXPECT_EQ(tex_of("\\frac QQ", quote), "\\frac {" + value + "}{" + value + "}");
+  EXPECT_EQ(tex_of("\\sqrt Q+Q", quote), "\\sqrt {" + value + "}+{" + value + "}");
+  EXPECT_EQ(tex_of("Q^2", quote), "{\\left(" + value + "\\right)}^2");
+  EXPECT_EQ(tex_of("Q ^2", "{inspect:s.toml#principal_moments.2|%.2f,none}"), "{3.00} ^2");
+  EXPECT_EQ(tex_of("\\text{a Q b}", quote), "\\text{a $" + value + "$ b}");
+  EXPECT_EQ(tex_of("\\text{a $c=Q$}", quote), "\\text{a $c={" + value + "}$}");
 }
 
 // what pandoc takes apart is told, not left in the text

@@ -158,6 +158,64 @@ TEST(FilmReader, EveryPixelHasTheColourOfItsBlock) {
   }
 }
 
+// a limited range has room for twice the brightest blue, of which swscale makes black
+TEST(FilmReader, ColoursBeyondTheBrightestAreCutOff) {
+  const TemporaryFolder folder;
+  for (const auto& [format, scale] :
+       std::vector<std::pair<std::string, int>>{{"yuv444p", 1}, {"yuv420p10le", 4}}) {
+    make_foreign(fmt::format("nullsrc=s=16x16,format={},geq=lum='255*{}':cb='255*{}':cr='128*{}'",
+                             format,
+                             scale,
+                             scale,
+                             scale),
+                 folder / "a.mkv",
+                 "-colorspace bt709 -color_range tv");
+    FilmReader reader(folder / "a.mkv");
+    Image image;
+    double time = 0.0;
+    ASSERT_TRUE(reader.next(image, time));
+    // ITU-R BT.709
+    const double green = 255.0 * (239.0 / 219.0 - 0.187324 * 127.0 / 224.0);
+    EXPECT_EQ(image.at(8, 8)[0], 255) << format;
+    EXPECT_NEAR(image.at(8, 8)[1], green, 0.6) << format;
+    EXPECT_EQ(image.at(8, 8)[2], 255) << format;
+  }
+}
+
+// what each frame says counts, not what the first one does
+TEST(FilmReader, TagsMayChangeWithinAFilm) {
+  const TemporaryFolder folder;
+  const std::string ffmpeg = "ffmpeg -nostdin -loglevel error -y ";
+  std::string bytes;
+  for (const char* tags : {"matrix_coefficients=1", "matrix_coefficients=6"}) {
+    ASSERT_EQ(std::system((ffmpeg +
+                           "-f lavfi -i color=0x20c040:s=32x32 -frames:v 2 -pix_fmt yuv420p "
+                           "-c:v libx264 -qp 0 -bsf:v h264_metadata=" +
+                           tags + " '" + (folder / "part.h264") + "'")
+                              .c_str()),
+              0);
+    bytes += test::read_text(folder / "part.h264");
+  }
+  test::write_text(folder / "both.h264", bytes);
+  ASSERT_EQ(std::system((ffmpeg + "-r 10 -i '" + (folder / "both.h264") + "' -c copy '" +
+                         (folder / "both.mkv") + "'")
+                            .c_str()),
+            0);
+  FilmReader reader(folder / "both.mkv");
+  std::vector<Image> frames(4);
+  std::vector<std::string> shown;
+  double time = 0.0;
+  for (Image& frame : frames) {
+    ASSERT_TRUE(reader.next(frame, time));
+    shown.push_back(reader.frame_shown());
+  }
+  EXPECT_EQ(shown[0], shown[1]);
+  EXPECT_TRUE(shown[1].ends_with(" bt709")) << shown[1];
+  EXPECT_TRUE(shown[2].ends_with(" smpte170m")) << shown[2];
+  EXPECT_EQ(compare(frames[0], frames[1], 0).largest, 0);
+  EXPECT_GT(compare(frames[1], frames[2], 0).largest, 10);
+}
+
 TEST(FilmReader, GrayOfLimitedRangeIsReadSo) {
   const TemporaryFolder folder;
   for (const auto& [format, value] : std::vector<std::pair<std::string, int>>{
@@ -352,6 +410,39 @@ TEST(FilmReader, AFrameOfWhichAPartIsLostIsDamaged) {
     }
   }
   EXPECT_EQ(damaged, 20);
+}
+
+// libav's decoder of MPEG-4 part 2 ends the program where it is to refuse damage
+TEST(FilmReader, DamagedMpeg4IsRefused) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      std::system(("ffmpeg -nostdin -loglevel error -y -f lavfi -i testsrc=s=64x48:r=10:d=1.2 "
+                   "-c:v mpeg4 -g 6 '" +
+                   (folder / "whole.mp4") + "'")
+                      .c_str()),
+      0);
+  EXPECT_NO_THROW(read_whole(folder / "whole.mp4"));
+  const std::string bytes = test::read_text(folder / "whole.mp4");
+  const std::size_t pictures = bytes.find("mdat") + 4, end = bytes.find("moov");
+  constexpr std::size_t kDamage = 100;
+  for (std::size_t at = pictures; at + kDamage < end; at += kDamage) {
+    std::string altered = bytes;
+    altered.replace(at, kDamage, kDamage, '\0');
+    test::write_text(folder / "damaged.mp4", altered);
+    SCOPED_TRACE(at);
+    test::expect_input_error([&] { read_whole(folder / "damaged.mp4"); }, "", "is damaged");
+  }
+}
+
+TEST(FilmReader, MatroskaThatEndsInItsHeaderIsNoFilm) {
+  const TemporaryFolder folder;
+  make_foreign("color=gray:s=16x16", folder / "whole.mkv");
+  const std::string bytes = test::read_text(folder / "whole.mkv");
+  for (std::size_t length = 40; length < 400; length += 9) {
+    test::write_text(folder / "cut.mkv", bytes.substr(0, length));
+    SCOPED_TRACE(length);
+    test::expect_input_error([&] { read_whole(folder / "cut.mkv"); }, "", "");
+  }
 }
 
 TEST(FilmReader, PicturesOfAnUnknownKindAreToldOfTheFilm) {

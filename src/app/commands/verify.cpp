@@ -90,6 +90,12 @@ DifferenceInWords compare_films(const Again& again) {
       }
       if (!more) return compare_ends(judged, made);
       if (!same_pixels(expected, found)) return fmt::format("{} differs", again.frame(number));
+      if (judged.frame_shown() != made.frame_shown()) {
+        return fmt::format("{} is shown as '{}', and not '{}'",
+                           again.frame(number),
+                           judged.frame_shown(),
+                           made.frame_shown());
+      }
       if (!is_same_time(expected_time, found_time))
         return fmt::format("{} has another time", again.frame(number));
     }

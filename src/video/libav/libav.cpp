@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <vector>
 
 #include "base/system/interrupt.h"
 #include "base/system/log.h"
@@ -22,6 +24,14 @@ void log_libav(void*, int level, const char* format, va_list arguments) {
     line.pop_back();
   }
   if (!line.empty()) spdlog::info("ffmpeg: {}", line);
+}
+
+bool can_be_read(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> block(1U << 20U);
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size()))) {
+  }
+  return in.eof() && !in.bad();
 }
 
 }  // namespace
@@ -42,12 +52,15 @@ LibavInput open_film(const std::string& file) {
   AVFormatContext* input = nullptr;
   // the protocol is named, or libav would find one in a name such as "take:1.mp4"
   const int opened = avformat_open_input(&input, ("file:" + file).c_str(), nullptr, options.pass());
-  // so it says that a format is not on the list
+  // so libav says that a format is not on the list
   if (opened == AVERROR(EINVAL)) {
     throw input_error(
         "is not a readable film: it is no MP4, MOV, Matroska, WebM, GIF, AVI or APNG file");
   }
-  if (opened < 0) throw film_error(opened, "is not a readable film");
+  // and so that a file ends in its header
+  const bool is_short = opened == AVERROR(EIO) && can_be_read(file);
+  if (opened < 0)
+    throw film_error(is_short ? AVERROR_INVALIDDATA : opened, "is not a readable film");
   return LibavInput(input);
 }
 
