@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program: options to a job, a job to an exit code, every error to one line.
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <malloc.h>
 #include <new>
@@ -119,24 +120,38 @@ int run(int argc, char** argv) {
   return 0;
 }
 
+// Exit codes are ours: a library that ends the process, as Mesa does after tests of its own, may
+// call that a success.
+bool has_come_back = false;
+void tell_of_other_ends() {
+  if (has_come_back) return;
+  say_in_passing("polhode: a library has ended the program\n");
+  end_at_once(static_cast<int>(Fault::environment));
+}
+
+int run_to_exit_code(int argc, char** argv) {
+  try {
+    const int code = run(argc, argv);
+    wait_if_ending();
+    return code;
+  } catch (const Error& error) {
+    return fail(error);
+  } catch (const std::bad_alloc&) {
+    return fail(Error(Fault::environment, "out of memory"));
+  } catch (const std::exception& error) {
+    return fail(Error(Fault::environment, std::string("unexpected: ") + error.what()));
+  }
+}
+
 }  // namespace
 }  // namespace polhode
 
 int main(int argc, char** argv) {
-  using polhode::Error;
-  using polhode::Fault;
   polhode::guard_standard_streams();
   polhode::keep_large_blocks_apart();
   polhode::watch_for_interrupt();
-  try {
-    const int code = polhode::run(argc, argv);
-    polhode::wait_if_ending();
-    return code;
-  } catch (const Error& error) {
-    return polhode::fail(error);
-  } catch (const std::bad_alloc&) {
-    return polhode::fail(Error(Fault::environment, "out of memory"));
-  } catch (const std::exception& error) {
-    return polhode::fail(Error(Fault::environment, std::string("unexpected: ") + error.what()));
-  }
+  static_cast<void>(std::atexit(polhode::tell_of_other_ends));
+  const int code = polhode::run_to_exit_code(argc, argv);
+  polhode::has_come_back = true;
+  return code;
 }

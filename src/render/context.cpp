@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/context.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <latch>
+#include <string_view>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 
 #include <sys/resource.h>
 
@@ -66,26 +69,76 @@ void refuse_few_threads() {
       wanted);
 }
 
+// Variables that are set for those who debug Mesa: with them it stops, crashes, writes files, draws
+// less or otherwise, and mostly without a word. Those that choose drivers, processors and caches
+// are none.
+std::vector<std::string> debugging_variables() {
+  constexpr std::string_view kHeads[] = {"DRAW_",
+                                         "GALLIUM_",
+                                         "GALLIVM_",
+                                         "LP_",
+                                         "MESA_",
+                                         "NIR_",
+                                         "SOFTPIPE_",
+                                         "ST_",
+                                         "TGSI_",
+                                         "allow_glsl_",
+                                         "disable_",
+                                         "force_gl",
+                                         "glsl_",
+                                         "pp_"};
+  constexpr std::string_view kKept[] = {"GALLIUM_DRIVER",
+                                        "GALLIUM_NOSSE",
+                                        "GALLIUM_OVERRIDE_CPU_CAPS",
+                                        "LP_NATIVE_VECTOR_WIDTH",
+                                        "LP_NUM_THREADS",
+                                        "MESA_DISK_CACHE_",
+                                        "MESA_GLSL_CACHE_",
+                                        "MESA_LOADER_DRIVER_OVERRIDE",
+                                        "MESA_SHADER_CACHE_"};
+  const auto begins = [](std::string_view name, const auto& heads) {
+    return std::any_of(std::begin(heads), std::end(heads), [&](std::string_view head) {
+      return name.starts_with(head);
+    });
+  };
+  std::vector<std::string> names;
+  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+    const std::string_view setting = *entry;
+    const std::string_view name = setting.substr(0, setting.find('='));
+    if (begins(name, kHeads) && !begins(name, kKept)) names.emplace_back(name);
+  }
+  return names;
+}
+
+// Mesa crashes at vectors that the processor lacks, and at longer ones on some that have them
+void refuse_other_vectors() {
+  const char* asked = std::getenv("LP_NATIVE_VECTOR_WIDTH");
+  if (asked == nullptr) return;
+  const std::string_view width = asked;
+  bool is_safe = width == "128";
+#ifdef __x86_64__
+  is_safe = is_safe || (width == "256" && __builtin_cpu_supports("avx") != 0);
+#endif
+  if (is_safe) return;
+  throw environment_error(
+      "LP_NATIVE_VECTOR_WIDTH is '{}'; Mesa draws with 128, and with 256 where the processor has "
+      "AVX; unset it",
+      width);
+}
+
 }  // namespace
 
 void settle_mesa() {
   // what is wrong is told in our own words
   setenv("EGL_LOG_LEVEL", "fatal", 0);
-  // shaders of another version than ours and extensions that are taken away crash Mesa, or are
-  // refused; what is for those who debug it stops it, or draws less without a word
-  for (const char* name : {"MESA_GLSL_VERSION_OVERRIDE",
-                           "MESA_GL_VERSION_OVERRIDE",
-                           "MESA_EXTENSION_OVERRIDE",
-                           "GALLIUM_TRACE",
-                           "LP_PERF",
-                           "ST_DEBUG",
-                           "DRAW_USE_LLVM"})
-    unsetenv(name);
+  for (const std::string& name : debugging_variables())
+    unsetenv(name.c_str());
 }
 
 std::unique_ptr<Context> open_context(const std::string& name) {
   refuse_little_memory();
   refuse_few_threads();
+  refuse_other_vectors();
   leave_full_shader_cache();
   settle_mesa();
   std::string reasons;

@@ -34,15 +34,15 @@ const std::vector<Backend>& backends();
 // "auto" and the names of all back ends.
 std::vector<std::string> backend_names();
 
-// Takes from the environment what would make Mesa pretend to be another version, and keeps EGL
-// silent unless EGL_LOG_LEVEL is set: call it before Backend::open, while no other thread uses the
-// environment.
+// Takes from the environment what is for those who debug Mesa and would make it stop, or draw
+// something else, and keeps EGL silent unless EGL_LOG_LEVEL is set: call it before Backend::open,
+// while no other thread uses the environment.
 void settle_mesa();
 
 // Opens the named back end, one of backend_names(), on the calling thread. Throws Error (input),
-// naming --backend, for an unknown name; (environment) if there is no context or the limit of
-// memory (ulimit -v) is below 768 MiB. With "auto" the message has the reason of each back end.
-// Calls settle_mesa().
+// naming --backend, for an unknown name; (environment) if there is no context, the limit of memory
+// (ulimit -v) is below 768 MiB or LP_NATIVE_VECTOR_WIDTH asks for vectors that make Mesa crash.
+// With "auto" the message has the reason of each back end. Calls settle_mesa().
 std::unique_ptr<Context> open_context(const std::string& backend);
 
 // Open one back end on the calling thread, for the table. Throw Error (environment) that says what

@@ -27,6 +27,7 @@ std::vector<PathPart> parts_of(const std::string& path) {
       const std::size_t end = path.find(']', i);
       const std::string inside = path.substr(i + 1, end == std::string::npos ? end : end - i - 1);
       const bool digits = !inside.empty() && inside.size() < 6 &&
+                          (inside == "0" || inside.front() != '0') &&
                           inside.find_first_not_of("0123456789") == std::string::npos;
       if (end == std::string::npos || !digits)
         throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);

@@ -94,6 +94,8 @@ class FilmReader::Implementation {
   void open_decoder() {
     const AVCodecParameters& track = *stream_->codecpar;
     if (track.codec_id == AV_CODEC_ID_NONE) throw input_error("has pictures of an unknown kind");
+    if (track.codec_id == AV_CODEC_ID_TIFF)
+      throw input_error("has TIFF pictures, whose damage libav does not tell; make them FFV1");
     const bool beside = keeps_alpha_beside();
     const AVCodec* codec =
         beside ? alpha_decoder(track.codec_id) : avcodec_find_decoder(track.codec_id);

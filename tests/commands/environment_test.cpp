@@ -230,17 +230,48 @@ TEST(Environment, WithoutAnyFontTextIsRefused) {
   EXPECT_EQ(run_polhode(still + " --no-text", none).code, 0);
 }
 
-// Mesa crashes when it is told to take our shaders for others, or extensions away
-TEST(Environment, VersionsOfShadersAreOurs) {
+// Variables for those who debug Mesa: it crashes, draws nothing, or runs tests of its own and ends
+// the process with 0, which a check would say.
+TEST(Environment, DebuggingOfMesaChangesNothing) {
   const TemporaryFolder folder;
   write_text(folder / "scene.toml", test::kSmallScene);
   const std::string still =
       "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  ASSERT_EQ(run_polhode(still).code, 0);
+  const std::string right = read_text(folder / "a.png");
   for (const std::string wrong : {"MESA_GLSL_VERSION_OVERRIDE=110",
                                   "MESA_GL_VERSION_OVERRIDE=2.1",
                                   "MESA_EXTENSION_OVERRIDE=-GL_ARB_framebuffer_object",
-                                  "LP_PERF=no_rast"})
-    EXPECT_EQ(run_polhode(still, wrong).code, 0) << wrong;
+                                  "LP_PERF=no_rast",
+                                  "LP_NO_RAST=1",
+                                  "GALLIUM_NOOP=1",
+                                  "GALLIUM_TESTS=1",
+                                  "GALLIUM_DDEBUG=true",
+                                  "GALLIUM_DUMP_VS=1"}) {
+    std::filesystem::remove(folder / "a.png");
+    const Ran ran = run_polhode(still, wrong);
+    EXPECT_EQ(ran.code, 0) << wrong << ran.err;
+    EXPECT_EQ(read_text(folder / "a.png"), right) << wrong;
+  }
+  EXPECT_EQ(run_polhode(still, "LP_NATIVE_VECTOR_WIDTH=128").code, 0);
+  const Ran wide = run_polhode(still, "LP_NATIVE_VECTOR_WIDTH=1024");
+  EXPECT_EQ(wide.code, 3);
+  EXPECT_NE(wide.err.find("LP_NATIVE_VECTOR_WIDTH is '1024'"), std::string::npos) << wide.err;
+}
+
+// whatever it calls that
+TEST(Environment, ALibraryThatEndsTheProgramIsAFault) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer wants to be loaded before all else";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const Ran ran =
+      run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
+                  "POLHODE_LACKS=patience LD_PRELOAD='" POLHODE_LACKING "'");
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_EQ(ran.err, "polhode: a library has ended the program\n");
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 // Mesa maps the index of its cache: on a full disk that is a bus error

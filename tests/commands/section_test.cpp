@@ -162,6 +162,7 @@ TEST_F(Section, WhatIsWrongIsTold) {
                {"--x motion.duration", "--y: a map needs two keys"},
                {"--x-range 1:2", "--x-range: is for maps"},
                {"--x motion.spin.body[0] --y motion.spin.body[0]", "--y: is the key of --x"},
+               {"--x motion.spin.body[0] --y motion.spin.body[00]", "is not a key"},
                {"--x motion.spin.body[0] --y motion.spin.body[1] --cells 1x1", "--cells: '1x1'"},
                {"--x motion.spin.body[0] --y motion.spn --y-range 1:2", "motion.spn"},
                {"--x numerics.step --x-range 1:2 --y motion.spin.body[1]",

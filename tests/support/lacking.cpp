@@ -43,8 +43,9 @@ int av_dynarray_add_nofree(void* array, int* count, void* element) {
   return next<int(void*, int*, void*)>(__func__)(array, count, element);
 }
 
-// an exception that nobody expected, in the first call of FFmpeg
+// an exception that nobody expected, or an end, in the first call of FFmpeg
 void av_log_set_callback(void (*callback)(void*, int, const char*, va_list)) {
+  if (lacks("patience")) std::exit(0);
   if (lacks("reason")) throw std::runtime_error("no reason");
   next<void(decltype(callback))>(__func__)(callback);
 }

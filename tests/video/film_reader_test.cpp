@@ -445,6 +445,12 @@ TEST(FilmReader, MatroskaThatEndsInItsHeaderIsNoFilm) {
   }
 }
 
+TEST(FilmReader, TiffIsRefusedWithItsReason) {
+  const TemporaryFolder folder;
+  make_foreign("color=gray:s=16x16", folder / "a.mov", "-c:v tiff");
+  test::expect_input_error([&] { FilmReader{folder / "a.mov"}; }, "", "has TIFF pictures");
+}
+
 TEST(FilmReader, PicturesOfAnUnknownKindAreToldOfTheFilm) {
   const TemporaryFolder folder;
   write_film(folder / "a.mp4", ramp(2));

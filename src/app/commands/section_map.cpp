@@ -16,6 +16,7 @@
 #include "film/overrides.h"
 #include "motion/convoy.h"
 #include "scene/canonical.h"
+#include "scene/key_path.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -165,7 +166,8 @@ struct PlannedExponents {
   explicit PlannedExponents(const SectionJob& job)
       : work{folder_or_default(job.output, job.scene, "section"), kMapFiles, kKeptCells, {}, {}} {
     const SectionMapAxes& asked = job.map.value();
-    if (asked.x == asked.y) throw input_error("is the key of --x; give another").at({{}, 0, "--y"});
+    if (without_suffixes(asked.x) == without_suffixes(asked.y))
+      throw input_error("is the key of --x; give another").at({{}, 0, "--y"});
     Overrides overrides;
     overrides.settings = job.settings;
     const Scene scene = load_single(job.scene, overrides);

@@ -17,6 +17,7 @@
 #include "base/version.h"
 #include "chart/plot_stability.h"
 #include "scene/canonical.h"
+#include "scene/key_path.h"
 
 namespace polhode {
 namespace {
@@ -35,7 +36,7 @@ using RowOfMap = std::pair<long, long>;
 
 std::vector<MappedScene> make_places(const StabilityJob& job) {
   const std::vector<const StepperInfo*> methods = parse_methods(job.methods);
-  if (job.x == job.y) {
+  if (without_suffixes(job.x) == without_suffixes(job.y)) {
     throw input_error("both directions are '{}'; take two different keys", job.x)
         .at({{}, 0, "--y"});
   }
