@@ -100,7 +100,7 @@ class Reader {
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
-      clean(*attributes, type == "Code" || type == "CodeBlock");
+      clean(*attributes, type);
       take_place(*attributes);
     }
     if (node.contains("c")) read(node["c"]);
@@ -300,19 +300,16 @@ class Reader {
 
   // widths of columns are all that a deck may set on what is no picture; classes that mean nothing
   // to a document could be those of its own parts, which styles hide or move
-  void clean(Json& attributes, bool is_code) {
-    static const std::set<std::string> known = {"notes",
-                                                "columns",
-                                                "column",
-                                                "incremental",
-                                                "nonincremental",
-                                                "fragment",
-                                                "mark",
-                                                "unnumbered",
-                                                "unlisted"};
-    if (!is_code) {
-      std::erase_if(attributes[1].get_ref<Json::array_t&>(),
-                    [](const Json& name) { return !known.contains(name.get<std::string>()); });
+  void clean(Json& attributes, const std::string& type) {
+    static const std::map<std::string, std::set<std::string>> known = {
+        {"Div", {"notes", "columns", "column", "incremental", "nonincremental", "fragment"}},
+        {"Span", {"mark", "fragment"}},
+        {"Header", {"unnumbered", "unlisted"}}};
+    if (type != "Code" && type != "CodeBlock") {
+      const auto its = known.find(type);
+      std::erase_if(attributes[1].get_ref<Json::array_t&>(), [&](const Json& name) {
+        return its == known.end() || !its->second.contains(name.get<std::string>());
+      });
     }
     Json kept = Json::array();
     for (const Json& pair : attributes[2]) {
@@ -378,32 +375,49 @@ Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) 
     throw input_error("{} is no text; in quotes, as in {}: \"yes\", it is one", key, key);
   if (type != "MetaList" || !may_be_list)
     throw input_error("{} must be a text{}", key, key == "author" ? " or a list of texts" : "");
-  Json list = value;
-  for (Json& one : list["c"])
-    one = one_paragraph(key, one, false);
+  Json list = {{"t", "MetaList"}, {"c", Json::array()}};
+  for (const Json& one : value["c"]) {
+    Json text = one_paragraph(key, one, false);
+    if (!words_of_field(text).empty()) list["c"].push_back(std::move(text));
+  }
   return list;
 }
 
+// The blocks of a deck's text that may have fields: between lines "---" and "---" or "...".
+std::string headers_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string headers;
+  bool is_inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    const bool is_mark = line == "---" || (is_inside && line == "...") || line == "\xEF\xBB\xBF---";
+    if (is_mark) is_inside = !is_inside;
+    if (is_inside && !is_mark) headers += line + "\n";
+  }
+  return headers;
+}
+
 // YAML writes numbers in its own way: 1.50 as 1.5, 007 as 7. Throws Error (input), without a place,
-// where a field would be shown otherwise than it stands in the header.
-void refuse_rewritten(const std::string& key, const Json& field, const std::string& text) {
+// for a field that is a number and does not stand so in the headers.
+void refuse_rewritten(const std::string& key, const Json& field, const std::string& headers) {
+  if (field["t"] == "MetaList") {
+    for (const Json& one : field["c"])
+      refuse_rewritten(key, one, headers);
+    return;
+  }
   const std::string shown = words_of_field(field);
-  const std::size_t at = text.find("\n" + key + ":");
-  if (!parse_number(shown) || at == std::string::npos) return;
-  const std::size_t from = at + key.size() + 2;
-  std::string written = text.substr(from, text.find('\n', from + 1) - from);
-  written = written.substr(0, written.find(" #"));
-  const std::size_t first = written.find_first_not_of(" \t\r\n"),
-                    last = written.find_last_not_of(" \t\r\n");
-  if (first == std::string::npos) return;
-  written = written.substr(first, last + 1 - first);
-  if (written == shown || std::isdigit(static_cast<unsigned char>(written.back())) == 0) return;
-  throw input_error("{} {} is a number, which would be shown as {}; put it in quotes, {}: \"{}\"",
-                    key,
-                    written,
-                    shown,
-                    key,
-                    written);
+  if (!parse_number(shown)) return;
+  const auto is_part = [&](std::size_t at) {
+    return at < headers.size() &&
+           (std::isalnum(static_cast<unsigned char>(headers[at])) != 0 ||
+            std::string_view("+-._").find(headers[at]) != std::string_view::npos);
+  };
+  for (std::size_t at = headers.find(shown); at != std::string::npos;
+       at = headers.find(shown, at + 1)) {
+    const bool is_alone = (at == 0 || !is_part(at - 1)) && !is_part(at + shown.size());
+    if (is_alone) return;
+  }
+  throw input_error("{} is a number, which would be shown as {}; put it in quotes", key, shown);
 }
 
 // where the lecture is on the web; a QR code leads there
@@ -428,6 +442,7 @@ void check_address(Deck& deck, LineFinder& lines) {
 // of what a deck may say of itself
 void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
   LineFinder lines(text);
+  const std::string headers = headers_of(text);
   static const std::vector<std::string> known = {
       "title", "subtitle", "author", "date", "lang", "description", "licence", "address"};
   for (const auto& [key, value] : meta.items()) {
@@ -435,7 +450,7 @@ void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
       if (std::find(known.begin(), known.end(), key) == known.end())
         throw input_error("a deck has no '{}'{}", key, suggestion(key, known));
       deck.meta[key] = one_paragraph(key, value, key == "author");
-      refuse_rewritten(key, deck.meta[key], text);
+      refuse_rewritten(key, deck.meta[key], headers);
     } catch (const Error& error) {
       deck.problems.push_back(error.at({deck.file, lines.next(key), {}}));
     }
@@ -454,13 +469,17 @@ void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
 }
 
 void blank(std::string& text, std::size_t at, std::size_t length) {
-  std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), length, ' ');
+  const auto begin = text.begin() + static_cast<std::ptrdiff_t>(at);
+  std::replace_if(
+      begin, begin + static_cast<std::ptrdiff_t>(length), [](char c) { return c != '\n'; }, ' ');
 }
 
 // Puts blanks in the place of the first such code among words behind `from`, which becomes its end.
 void blank_code(std::string& text, const std::string& code, std::size_t& from) {
+  std::string line = text;  // code among words may go on in the next one
+  std::replace(line.begin(), line.end(), '\n', ' ');
   for (const std::string mark : {"`", "` "}) {
-    const std::size_t at = text.find(mark + code, from);
+    const std::size_t at = line.find(mark + code, from);
     if (code.empty() || at == std::string::npos) continue;
     blank(text, at + mark.size(), code.size());
     from = at + mark.size() + code.size();

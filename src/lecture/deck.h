@@ -43,6 +43,8 @@ struct Deck {
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder
   std::vector<Error> problems;      // what was left out; place: the deck and the line, if known
+  // formulas with quotes: as they are with numbers -> as the deck has them
+  std::map<std::string, std::string> with_numbers;
 
   // A complete document for pandoc: these blocks with the deck's metadata.
   Json tree(const Json& with_blocks) const;

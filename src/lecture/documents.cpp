@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "base/system/atomic_file.h"
@@ -73,9 +74,28 @@ Json with_captions(const Deck& deck, const FigureOf& figure_of, Json (*blocks)(c
   return all;
 }
 
+// Whether something in letters is raised or lowered twice: they have one height.
+bool is_raised_twice(const Json& tree, bool inside = false) {
+  if (tree.is_object() && tree.contains("c")) {
+    const std::string type = tree.value("t", "");
+    const bool is_raised = type == "Superscript" || type == "Subscript";
+    return (is_raised && inside) || is_raised_twice(tree["c"], inside || is_raised);
+  }
+  return tree.is_array() && std::any_of(tree.begin(), tree.end(), [&](const Json& child) {
+           return is_raised_twice(child, inside);
+         });
+}
+
+// Whether a formula raises or lowers braces that end with such a thing, which letters run together:
+// {x^2}^3 is no x^{23}.
+bool raises_braces(const std::string& tex) {
+  static const std::regex braces(R"(([\^_])\s*(\w|\{[^{}]*\})\s*\}\s*\1)");
+  return std::regex_search(tex, braces);
+}
+
 // Titles, captions and tables with formulas in letters: for PowerPoint pandoc writes formulas there
-// that are no XML, because their namespace is not declared. What letters cannot say, as fractions
-// and roots, stays TeX.
+// that are no XML, because their namespace is not declared. What letters cannot say, as fractions,
+// roots and powers of powers, stays TeX.
 Json with_lettered_formulas(Json tree) {
   std::vector<Json*> formulas;
   const auto collect = [&](Json& node) {
@@ -100,6 +120,8 @@ Json with_lettered_formulas(Json tree) {
   for (std::size_t i = 0; i < formulas.size(); ++i) {
     Json inlines = letters[i]["c"];
     inlines.erase(0);
+    const std::string tex = (*formulas[i])["c"][1];
+    if (is_raised_twice(inlines) || raises_braces(tex)) inlines = string_inlines(tex);
     *formulas[i] = {{"t", "Span"}, {"c", {none, inlines}}};
   }
   return tree;
@@ -218,7 +240,9 @@ std::string sections_html(const Json& tree) {
 void settle_formulas(Deck& deck, const std::string& deck_text) {
   LineFinder lines(deck_text, deck.blocks);
   const auto tell = [&](const std::string& tex, const Error& error) {
-    deck.problems.push_back(error.at({deck.file, lines.next(tex), {}}));
+    const auto quoting = deck.with_numbers.find(tex);
+    const std::string& written = quoting == deck.with_numbers.end() ? tex : quoting->second;
+    deck.problems.push_back(error.at({deck.file, lines.next(written), {}}));
   };
   const auto for_each_formula = [&](const std::function<void(Json&)>& work) {
     const auto visit = [&](Json& node) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <regex>
 
 #include "base/nearest.h"
 #include "base/units.h"
@@ -173,15 +174,35 @@ std::string replaced(const std::string& text,
   return out + text.substr(from);
 }
 
+// whether what stands behind a part of a formula is an exponent of it, or a prime
+bool begins_with_exponent(const std::string& behind) {
+  static const std::regex exponent(
+      R"(^(\s|\{\s*\}|\\[,;:!> ]|_\s*(\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\]))*['^])");
+  constexpr std::size_t kFar = 200;  // bytes
+  return std::regex_search(behind.substr(0, kFar), exponent);
+}
+
+// whether what comes next is an index or an exponent of this
+bool ends_with_mark(const std::string& before) {
+  const std::size_t last = before.find_last_not_of(" \n");
+  return last != std::string::npos && (before[last] == '_' || before[last] == '^');
+}
+
 // A number as a part of a formula: what is done to it is done to all of it.
-std::string in_formula(const std::string& tex, const QuoteInText& place) {
-  // among words it is a formula of its own
+std::string in_formula(const std::string& tex, QuoteInText place) {
+  // among words it is a formula of its own; its braces may be those around the words
   if (words_in(place.before + "{").back()) return "$" + tex + "$";
-  const std::size_t next = place.behind.find_first_not_of(" \n");
-  const bool is_raised = next != std::string::npos && place.behind[next] == '^';
-  const bool is_simple = tex.find_first_not_of("0123456789.") == std::string::npos;
-  return is_raised && !is_simple && tex.front() != '(' ? "{\\left(" + tex + "\\right)}"
-                                                       : "{" + tex + "}";
+  if (words_in(place.before + "{a").back()) return "{$" + tex + "$}";
+  // braces around nothing else change nothing
+  while (place.before.ends_with('{') && place.behind.starts_with('}')) {
+    place.before.pop_back();
+    place.behind.erase(0, 1);
+  }
+  const bool is_simple =
+      tex.find_first_not_of("0123456789.") == std::string::npos || tex.front() == '(';
+  return !is_simple && begins_with_exponent(place.behind) && !ends_with_mark(place.before)
+             ? "{\\left(" + tex + "\\right)}"
+             : "{" + tex + "}";
 }
 
 // Calls `work` on every text that may hold quotes, with whether it is a formula.
@@ -218,8 +239,11 @@ std::pair<std::string, std::string> split_unit(const std::string& key) {
 }
 
 Quote parse_quote(const std::string& words) {
-  const std::string inside = words.substr(std::string_view(kHead).size(),
-                                          words.size() - std::string_view(kHead).size() - 1);
+  std::string inside = words.substr(std::string_view(kHead).size(),
+                                    words.size() - std::string_view(kHead).size() - 1);
+  // formulas in tables keep the stroke before a bar
+  const std::size_t stroke = inside.find("\\|");
+  if (stroke != std::string::npos) inside.erase(stroke, 1);
   const std::size_t hash = inside.rfind('#');
   if (hash == std::string::npos || hash == 0)
     throw input_error("'{}' does not name a number; write {{inspect:scene.toml#key}}", words);
@@ -305,7 +329,8 @@ void fill_quotes(Deck& deck,
                  const std::function<const Json&(const std::string& scene)>& inspect) {
   LineFinder lines(deck_text, deck.blocks);
   for_each_text(deck, [&](Json& text, bool formula) {
-    text = replaced(text.get<std::string>(), [&](const QuoteInText& place) -> std::string {
+    const std::string written = text;
+    text = replaced(written, [&](const QuoteInText& place) -> std::string {
       const std::string& words = place.words;
       const bool is_whole = words.ends_with('}');
       int line = lines.next(is_whole ? words : words + " ");
@@ -328,6 +353,7 @@ void fill_quotes(Deck& deck,
         return formula ? in_formula("\\text{[?]}", place) : "[?]";
       }
     });
+    if (formula && text != written) deck.with_numbers[text] = written;
   });
 }
 

@@ -196,7 +196,9 @@ void describe(Json& image) {
 }
 
 bool is_div(const Json& node, const char* name) {
-  return node["t"] == "Div" && node["c"][0][1] == Json::array({name});
+  if (node["t"] != "Div") return false;
+  const Json& names = node["c"][0][1];
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 const Json& items_of(const Json& list) {

@@ -35,7 +35,7 @@ Json* attributes_of(Json& node);
 // A node that links to `place` lead to: "Div" around blocks, "Span" around inlines.
 Json named(const std::string& type, const std::string& place, const Json& contents);
 
-// Whether a node of pandoc's tree is a Div with that class, and no other.
+// Whether a node of pandoc's tree is a Div with that class.
 bool is_div(const Json& node, const char* name);
 
 // Whether a block is one picture and nothing else, as a deck's own with a caption are; that is in

@@ -163,6 +163,9 @@ TEST(Deck, FieldsAreTexts) {
                             "date: 2026-11-29",
                             "date: \"11.10\"",
                             "title: '1.50'",
+                            "title: !!str 2024",
+                            "author: [A, ~, B]",
+                            "\"date\": 2024",
                             "title: 12 tops"}) {
     EXPECT_EQ(problem(field), "none") << field;
   }
@@ -173,9 +176,8 @@ TEST(Deck, FieldsAreTexts) {
            {"title: [a, b]", "title must be a text"},
            {"date: {day: 3}", "date must be a text"},
            {"title: yes", "title is no text; in quotes, as in title: \"yes\", it is one"},
-           {"date: 11.10",
-            "date 11.10 is a number, which would be shown as 11.1; put it in quotes"},
-           {"title: 007", "title 007 is a number, which would be shown as 7"},
+           {"date: 11.10", "date is a number, which would be shown as 11.1; put it in quotes"},
+           {"title: 007", "title is a number, which would be shown as 7"},
            {"title: 12345678901234567890", "shown as 1."}}) {
     EXPECT_TRUE(problem(field).starts_with("deck.md:3: ")) << problem(field);
     EXPECT_TRUE(test::has(problem(field), words)) << problem(field);
@@ -185,7 +187,7 @@ TEST(Deck, FieldsAreTexts) {
 // those of a page and of reveal.js hide what has them
 TEST(Deck, ClassesThatMeanNothingAreLeftOut) {
   const Deck deck = deck_of(
-      "## A {.progress}\n\n::: {.notes .controls}\na [b]{.skip} `c`{.python}\n:::\n\n"
+      "## A {.progress .columns}\n\n::: {.notes .controls}\na [b]{.skip} `c`{.python}\n:::\n\n"
       ":::: columns\n::: column\nd\n:::\n::::\n");
   EXPECT_TRUE(deck.problems.empty());
   EXPECT_EQ(deck.blocks[0]["c"][1][1], Json::array());
@@ -202,6 +204,7 @@ TEST(Deck, LinesAreNotThoseOfCode) {
   for (const std::string code : {"`[a](#nowhere)`",
                                  "``[a](#nowhere)``",
                                  "`` [a](#nowhere) ``",
+                                 "a `b [a](#nowhere)\nc`",
                                  "```\n\n[a](#nowhere)\n```",
                                  "- a\n\n  ~~~\n  [a](#nowhere)\n  ~~~",
                                  "> ```\n> [a](#nowhere)\n> ```",

@@ -9,6 +9,7 @@
 #include "base/system/child_process.h"
 #include "image/png.h"
 #include "lecture/decks.h"
+#include "lecture/quotes.h"
 #include "support/flat_image.h"
 #include "support/run.h"
 #include "support/words.h"
@@ -298,6 +299,28 @@ TEST(Documents, NumbersOfFormulasAreWordsBehindThem) {
   const std::string html = make_handout_html(deck, figure_of);
   EXPECT_TRUE(has(html, "<mtext mathvariant=\"normal\">(17)</mtext>")) << html;
   EXPECT_TRUE(has(make_beamer(deck, figure_of), "b\\qquad\\text{(17)}"));
+}
+
+// letters are raised once
+TEST(Documents, PowersOfPowersInTitlesOfPowerPointAreTex) {
+  const Deck deck = deck_of("## $a^{b^c}$ $d^{e}f$ ${g^2}^3$ $h_{i^2}$\n\nA\n");
+  const char* script = R"py(import re, sys, zipfile
+slide = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/slide1.xml").decode()
+print("".join(re.findall("<a:t[^>]*>([^<]*)", slide)))
+)py";
+  const std::string told = told_of_slides(deck, script);
+  for (const char* formula : {"a^{b^c}", "def", "{g^2}^3", "h_{i^2}"})
+    EXPECT_TRUE(has(told, formula)) << told;
+}
+
+TEST(Documents, FormulasWithQuotesHaveTheLineOfTheDeck) {
+  const std::string text = "A\n\n$\\frac{inspect:s.toml#kind}$\n";
+  Deck deck = deck_of(text);
+  const Json answer = {{"kind", "symmetric"}};
+  fill_quotes(deck, text, [&](const std::string&) -> const Json& { return answer; });
+  settle_formulas(deck, text);
+  ASSERT_EQ(deck.problems.size(), 1U);
+  EXPECT_EQ(deck.problems[0].place().line, 3);
 }
 
 TEST(Documents, NotesOfSlidesHaveTheirFootnotes) {

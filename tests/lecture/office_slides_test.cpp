@@ -22,7 +22,7 @@ std::string shape_of(const Json& blocks) {
       shape += std::to_string(block["c"][0].get<int>());
     } else if (type == "HorizontalRule") {
       shape += "-";
-    } else if (type == "Div" && block["c"][0][1] == Json::array({"columns"})) {
+    } else if (is_div(block, "columns")) {
       shape += "(";
       for (const Json& column : block["c"][1])
         shape += shape_of(column["c"][1]);
@@ -65,6 +65,9 @@ TEST(OfficeSlides, HaveTwoColumns) {
                     mixed = "::: column\nA\n\n![Cap](s.toml){.still}\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + "::::\n"), "2(ww)");
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + one + "::::\n"), "2(ww)2(w)");
+  EXPECT_EQ(shape("## One\n\n:::: {.columns .fragment}\n" + one +
+                  "::: {.column .incremental}\nB\n:::\n\n" + one + "::::\n"),
+            "2(ww)2(w)");
   const std::string image = "::: column\nIMAGE\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + image + image + "::::\n"), "2(ff)");
   EXPECT_EQ(shape("## One\n\nB\n\n:::: columns\n" + one + one + "::::\n\nC\n"), "2w2(ww)2w");

@@ -91,6 +91,7 @@ TEST(Quotes, WrongOnesSayWhy) {
   EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
   EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
   EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);
+  EXPECT_EQ(parse_quote("{inspect:s.toml#mass\\|%.1f}").format, "%.1f") << "in a table";
 }
 
 TEST(Quotes, StandInTextFormulasAndCaptions) {
@@ -127,6 +128,12 @@ TEST(Quotes, AreWholeInFormulas) {
   EXPECT_EQ(tex_of("\\sqrt Q+Q", quote), "\\sqrt {" + value + "}+{" + value + "}");
   EXPECT_EQ(tex_of("Q^2", quote), "{\\left(" + value + "\\right)}^2");
   EXPECT_EQ(tex_of("Q ^2", "{inspect:s.toml#principal_moments.2|%.2f,none}"), "{3.00} ^2");
+  const std::string in_brackets = "{\\left(" + value + "\\right)}";
+  for (const std::string behind : {"^2", " ^2", "_1^2", "_{a}^2", "{}^2", "\\,^2", "'"})
+    EXPECT_EQ(tex_of("Q" + behind, quote), in_brackets + behind);
+  EXPECT_EQ(tex_of("{Q}^2", quote), "{" + in_brackets + "}^2");
+  EXPECT_EQ(tex_of("\\int_Q^3", quote), "\\int_{" + value + "}^3");
+  EXPECT_EQ(tex_of("\\textQ", quote), "\\text{$" + value + "$}");
   EXPECT_EQ(tex_of("\\text{a Q b}", quote), "\\text{a $" + value + "$ b}");
   EXPECT_EQ(tex_of("\\text{a $c=Q$}", quote), "\\text{a $c={" + value + "}$}");
 }
