@@ -3,12 +3,13 @@
 
 #include <cmath>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/system/atomic_file.h"
+#include "base/system/scratch_folder.h"
 
 namespace polhode {
 namespace {
@@ -75,20 +76,27 @@ void require_gnuplot() {
 }
 
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height) {
+  // to a file: libraries may say something on standard output
+  const ScratchFolder scratch;
+  const std::string file = scratch / "chart";
+  std::string quoted;
+  for (const char c : file)
+    quoted += c == '\'' ? "''" : std::string(1, c);
   const std::string whole = "set encoding utf8\nset terminal " + terminal(format, width, height) +
-                            "\n" + script + "\nunset output\n";
+                            "\nset output '" + quoted + "'\n" + script + "\nunset output\n";
   // GNUTERM is the terminal that it would open first, a window perhaps
   const std::vector<std::string> words = {
       "env", "-u", "GNUTERM", "gnuplot", "--default-settings", "-"};
-  ChildResult result = run_child(words, whole);
+  const ChildResult result = run_child(words, whole);
   // a script of ours has no errors: what is said is a missing terminal or font
   if (!ended_well(result)) {
     throw environment_error("the chart cannot be drawn: gnuplot {}", how_it_ended(result));
   }
-  if (!is_picture(result.out, format)) {
+  std::error_code missing;
+  std::string picture = std::filesystem::exists(file, missing) ? read_file(file) : "";
+  if (!is_picture(picture, format))
     throw environment_error("the chart cannot be drawn: gnuplot wrote no picture");
-  }
-  return std::move(result.out);
+  return picture;
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -15,9 +16,52 @@ namespace {
 
 constexpr int kSheetWidth = 720, kSheetHeight = 480;
 
-std::string range_of(const SheetAxis& axis) {
-  if (axis.low == axis.high) return "[*:*]";
-  return fmt::format("[{}:{}]", gnuplot_number(axis.low), gnuplot_number(axis.high));
+// An axis from the least to the greatest value of what it shows; `coordinate` of the points.
+SheetAxis with_ends(SheetAxis axis, const PlotSheet& sheet, int coordinate) {
+  if (axis.low != axis.high) return axis;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto see = [&](const Vec2& point) {
+    if (!point.allFinite()) return;
+    low = std::min(low, point[coordinate]);
+    high = std::max(high, point[coordinate]);
+  };
+  for (const SheetCurve& curve : sheet.curves)
+    std::for_each(curve.points.begin(), curve.points.end(), see);
+  for (const SheetMark& mark : sheet.marks)
+    see(mark.at);
+  if (low <= high) {
+    axis.low = low;
+    axis.high = high;
+  }
+  return axis;
+}
+
+// How gnuplot sets an axis, `name`: its range, and its numbers with as many digits as tell them
+// apart. What is constant but for round-off gets a range of a thousandth of it.
+std::string axis_of(const char* name, const SheetAxis& given, SheetAxis axis) {
+  constexpr double kRoundOff = 1e-9, kOfConstants = 1e-3, kSmall = 1e-3;
+  constexpr int kUsualDigits = 6, kMostDigits = 15, kBetweenTicks = 3;
+  const double size = std::max(std::abs(axis.low), std::abs(axis.high));
+  const bool is_free = given.low == given.high;
+  const bool is_constant = is_free && size > 0.0 && axis.high - axis.low <= kRoundOff * size;
+  if (is_constant) {
+    axis.low -= kOfConstants * size;
+    axis.high += kOfConstants * size;
+  }
+  std::string text =
+      is_free && !is_constant
+          ? fmt::format("set {}range [*:*]\n", name)
+          : fmt::format(
+                "set {}range [{}:{}]\n", name, gnuplot_number(axis.low), gnuplot_number(axis.high));
+  if (axis.low == axis.high) return text;
+  const int needed =
+      static_cast<int>(std::ceil(std::log10(size / (axis.high - axis.low)))) + kBetweenTicks;
+  // small numbers have fewer of its own
+  if (needed > kUsualDigits || size < kSmall) {
+    text +=
+        fmt::format("set format {} '%.{}h'\n", name, std::clamp(needed, kUsualDigits, kMostDigits));
+  }
+  return text;
 }
 
 }  // namespace
@@ -26,12 +70,12 @@ std::string draw_sheet(const PlotSheet& sheet, PlotFormat format) {
   std::string script = fmt::format(
       "set grid linecolor rgb '#dddddd' linewidth 0.5\n"
       "set key outside right top vertical Left reverse noenhanced\n"
-      "set title {}\nset xlabel {}\nset ylabel {}\nset xrange {}\nset yrange {}\n",
+      "set title {}\nset xlabel {}\nset ylabel {}\n{}{}",
       gnuplot_text(sheet.title),
       gnuplot_text(sheet.across.label),
       gnuplot_text(sheet.up.label),
-      range_of(sheet.across),
-      range_of(sheet.up));
+      axis_of("x", sheet.across, with_ends(sheet.across, sheet, 0)),
+      axis_of("y", sheet.up, with_ends(sheet.up, sheet, 1)));
   std::string plots;
   const auto add = [&](const std::string& what) {
     plots += (plots.empty() ? "plot " : ", ") + what;

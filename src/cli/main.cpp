@@ -78,7 +78,16 @@ void be_told_of_the_end_of_time() {
   static_cast<void>(setrlimit(RLIMIT_CPU, &limit));
 }
 
+// What makes libraries talk on standard output, or draw otherwise. Pixman has obeyed before main().
+void settle_environment() {
+  for (const char* name : {"FC_DEBUG", "PANGOCAIRO_BACKEND"})
+    unsetenv(name);
+  if (std::getenv("PIXMAN_DISABLE") != nullptr)
+    throw environment_error("PIXMAN_DISABLE is set, with which pictures differ; unset it");
+}
+
 int run(int argc, char** argv) {
+  settle_environment();
   refuse_small_stack();
   be_told_of_the_end_of_time();
   allow_open_files();

@@ -375,6 +375,8 @@ Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) 
     throw input_error("{} is no text; in quotes, as in {}: \"yes\", it is one", key, key);
   if (type != "MetaList" || !may_be_list)
     throw input_error("{} must be a text{}", key, key == "author" ? " or a list of texts" : "");
+  constexpr std::size_t kMost = 200;
+  if (value["c"].size() > kMost) throw input_error("{} has more than {} texts", key, kMost);
   Json list = {{"t", "MetaList"}, {"c", Json::array()}};
   for (const Json& one : value["c"]) {
     Json text = one_paragraph(key, one, false);
@@ -468,42 +470,64 @@ void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
   deck.meta.erase("lang");
 }
 
-void blank(std::string& text, std::size_t at, std::size_t length) {
-  const auto begin = text.begin() + static_cast<std::ptrdiff_t>(at);
-  std::replace_if(
-      begin, begin + static_cast<std::ptrdiff_t>(length), [](char c) { return c != '\n'; }, ' ');
-}
-
-// Puts blanks in the place of the first such code among words behind `from`, which becomes its end.
-void blank_code(std::string& text, const std::string& code, std::size_t& from) {
-  std::string line = text;  // code among words may go on in the next one
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  for (const std::string mark : {"`", "` "}) {
-    const std::size_t at = line.find(mark + code, from);
-    if (code.empty() || at == std::string::npos) continue;
-    blank(text, at + mark.size(), code.size());
-    from = at + mark.size() + code.size();
-    return;
+// Puts blanks in the place of code, which names nothing. Code is found in the order of the text.
+class CodeBlanker {
+ public:
+  explicit CodeBlanker(std::string& text) : text_(text), line_(text) {
+    std::replace(line_.begin(), line_.end(), '\n', ' ');
   }
-}
 
-// Does so with the lines of a block of code, which may be indented or quoted.
-void blank_lines(std::string& text, const std::string& code, std::size_t& from) {
-  std::istringstream lines(code);
-  for (std::string line; std::getline(lines, line);) {
-    for (std::size_t at = text.find(line, from); at != std::string::npos && !line.empty();
-         at = text.find(line, at + 1)) {
-      const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
-      const std::size_t end = at + line.size();
-      const bool is_whole = text.find_first_not_of(" \t>", start) >= at &&
-                            (end == text.size() || text[end] == '\n' || text[end] == '\r');
-      if (!is_whole) continue;
-      blank(text, at, line.size());
-      from = end;
-      break;
+  // code among words, which may go on in the next line
+  void blank_words(const std::string& code) {
+    if (code.empty() || misses_ > kMostMisses) return;
+    for (const std::string mark : {"`", "` "}) {
+      const std::size_t at = line_.find(mark + code, from_);
+      if (at == std::string::npos) continue;
+      blank(at + mark.size(), code.size());
+      return;
+    }
+    ++misses_;
+  }
+
+  // a block of code, which may be indented or quoted
+  void blank_lines(const std::string& code) {
+    std::istringstream lines(code);
+    for (std::string line; std::getline(lines, line) && misses_ <= kMostMisses;) {
+      line.erase(0, line.find_first_not_of(" \t>"));
+      if (!line.empty()) blank_line(line);
     }
   }
-}
+
+ private:
+  static constexpr int kMostMisses = 100;  // each is a search in all that follows
+
+  void blank_line(const std::string& code) {
+    std::size_t start = from_ == 0 ? 0 : text_.find('\n', from_ - 1);
+    while (start < text_.size()) {
+      const std::size_t at = text_.find_first_not_of(" \t>\n\r", start);
+      if (at == std::string::npos) break;
+      const std::size_t end = std::min(text_.find('\n', at), text_.size());
+      if (text_.compare(at, code.size(), code) == 0 &&
+          text_.find_first_not_of(" \t\r", at + code.size()) >= end) {
+        blank(at, code.size());
+        return;
+      }
+      start = end;
+    }
+    ++misses_;
+  }
+
+  void blank(std::size_t at, std::size_t length) {
+    from_ = at + length;
+    for (std::size_t i = at; i < from_; ++i)
+      text_[i] = text_[i] == '\n' ? '\n' : ' ';
+  }
+
+  std::string& text_;
+  std::string line_;  // all of it in one
+  std::size_t from_ = 0;
+  int misses_ = 0;
+};
 
 // the line of the first character, or reference to one, that no document can show; 0 if unknown
 int line_of_unwritable(const std::string& text) {
@@ -533,11 +557,11 @@ void refuse_unwritable(const Json& tree, const std::string& text, const std::str
 }  // namespace
 
 LineFinder::LineFinder(std::string text, const Json& blocks) : text_(std::move(text)) {
-  std::size_t from = 0;
+  CodeBlanker blanker(text_);
   for_each_node(blocks, [&](const Json& node) {
     const std::string type = node["t"];
-    if (type == "Code") blank_code(text_, node["c"][1], from);
-    if (type == "CodeBlock") blank_lines(text_, node["c"][1], from);
+    if (type == "Code") blanker.blank_words(node["c"][1]);
+    if (type == "CodeBlock") blanker.blank_lines(node["c"][1]);
   });
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "base/system/atomic_file.h"
@@ -89,8 +88,21 @@ bool is_raised_twice(const Json& tree, bool inside = false) {
 // Whether a formula raises or lowers braces that end with such a thing, which letters run together:
 // {x^2}^3 is no x^{23}.
 bool raises_braces(const std::string& tex) {
-  static const std::regex braces(R"(([\^_])\s*(\w|\{[^{}]*\})\s*\}\s*\1)");
-  return std::regex_search(tex, braces);
+  const auto last_before = [&](std::size_t at) {
+    return at == 0 ? std::string::npos : tex.find_last_not_of(" \n", at - 1);
+  };
+  for (const char mark : {'^', '_'}) {
+    for (std::size_t at = tex.find(mark); at != std::string::npos; at = tex.find(mark, at + 1)) {
+      const std::size_t close = last_before(at);
+      if (close == std::string::npos || tex[close] != '}') continue;
+      const std::size_t end = last_before(close);
+      if (end == std::string::npos) continue;
+      const std::size_t open = tex[end] == '}' ? tex.rfind('{', end) : end;
+      const std::size_t before = open == std::string::npos ? open : last_before(open);
+      if (before != std::string::npos && tex[before] == mark) return true;
+    }
+  }
+  return false;
 }
 
 // Titles, captions and tables with formulas in letters: for PowerPoint pandoc writes formulas there

@@ -154,53 +154,55 @@ Quoted value_text(const std::string& key,
   return {"(" + list.text + ")", "(" + list.tex + ")"};
 }
 
-// A quote and the text around it, in which earlier quotes have been replaced.
-struct QuoteInText {
-  std::string before, words, behind;
-};
-
-// Replaces all quotes of a text by what `answer` says. One that does not end in this text, because
-// something in it is no text for pandoc, is given as far as it goes.
-std::string replaced(const std::string& text,
-                     const std::function<std::string(const QuoteInText&)>& answer) {
+// Replaces all quotes of a text by what `answer` says of one and its place. One that does not end
+// in this text, because something in it is no text for pandoc, is given as far as it goes.
+std::string replaced(
+    const std::string& text,
+    const std::function<std::string(const std::string& words, std::size_t at)>& answer) {
   std::string out;
   std::size_t from = 0;
   for (std::size_t at = text.find(kHead); at != std::string::npos; at = text.find(kHead, from)) {
     const std::size_t end = std::min(text.find('}', at), text.size() - 1) + 1;
-    out += text.substr(from, at - from);
-    out += answer({out, text.substr(at, end - at), text.substr(end)});
+    out += text.substr(from, at - from) + answer(text.substr(at, end - at), at);
     from = end;
   }
   return out + text.substr(from);
 }
 
+// words_in() of a formula, whose quotes are letters
+std::vector<bool> words_around_quotes(const std::string& formula) {
+  return words_in(replaced(formula, [](const std::string& words, std::size_t) {
+    const bool is_whole = words.ends_with('}');
+    return "{" + std::string(words.size() - (is_whole ? 2 : 1), 'a') + (is_whole ? "}" : "");
+  }));
+}
+
 // whether what stands behind a part of a formula is an exponent of it, or a prime
-bool begins_with_exponent(const std::string& behind) {
+bool begins_with_exponent(std::string_view behind) {
   static const std::regex exponent(
       R"(^(\s|\{\s*\}|\\[,;:!> ]|_\s*(\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\]))*['^])");
   constexpr std::size_t kFar = 200;  // bytes
-  return std::regex_search(behind.substr(0, kFar), exponent);
+  return std::regex_search(std::string(behind.substr(0, kFar)), exponent);
 }
 
 // whether what comes next is an index or an exponent of this
-bool ends_with_mark(const std::string& before) {
+bool ends_with_mark(std::string_view before) {
   const std::size_t last = before.find_last_not_of(" \n");
-  return last != std::string::npos && (before[last] == '_' || before[last] == '^');
+  return last != std::string_view::npos && (before[last] == '_' || before[last] == '^');
 }
 
 // A number as a part of a formula: what is done to it is done to all of it.
-std::string in_formula(const std::string& tex, QuoteInText place) {
-  // among words it is a formula of its own; its braces may be those around the words
-  if (words_in(place.before + "{").back()) return "$" + tex + "$";
-  if (words_in(place.before + "{a").back()) return "{$" + tex + "$}";
+std::string part_of_formula(const std::string& tex,
+                            std::string_view before,
+                            std::string_view behind) {
   // braces around nothing else change nothing
-  while (place.before.ends_with('{') && place.behind.starts_with('}')) {
-    place.before.pop_back();
-    place.behind.erase(0, 1);
+  while (before.ends_with('{') && behind.starts_with('}')) {
+    before.remove_suffix(1);
+    behind.remove_prefix(1);
   }
   const bool is_simple =
       tex.find_first_not_of("0123456789.") == std::string::npos || tex.front() == '(';
-  return !is_simple && begins_with_exponent(place.behind) && !ends_with_mark(place.before)
+  return !is_simple && begins_with_exponent(behind) && !ends_with_mark(before)
              ? "{\\left(" + tex + "\\right)}"
              : "{" + tex + "}";
 }
@@ -330,8 +332,15 @@ void fill_quotes(Deck& deck,
   LineFinder lines(deck_text, deck.blocks);
   for_each_text(deck, [&](Json& text, bool formula) {
     const std::string written = text;
-    text = replaced(written, [&](const QuoteInText& place) -> std::string {
-      const std::string& words = place.words;
+    const std::vector<bool> is_word = formula ? words_around_quotes(written) : std::vector<bool>();
+    // among words a number is a formula of its own; its braces may be those around the words
+    const auto in_place = [&](const std::string& tex, const std::string& words, std::size_t at) {
+      const std::string_view all = written;
+      if (is_word[at]) return "$" + tex + "$";
+      if (is_word[at + 1]) return "{$" + tex + "$}";
+      return part_of_formula(tex, all.substr(0, at), all.substr(at + words.size()));
+    };
+    text = replaced(written, [&](const std::string& words, std::size_t at) -> std::string {
       const bool is_whole = words.ends_with('}');
       int line = lines.next(is_whole ? words : words + " ");
       if (line == 0) line = lines.next(words);
@@ -344,13 +353,13 @@ void fill_quotes(Deck& deck,
         }
         const Quote quote = parse_quote(words);
         const Quoted value = quoted(inspect(quote.scene), quote);
-        return formula ? in_formula(value.tex, place) : value.text;
+        return formula ? in_place(value.tex, words, at) : value.text;
       } catch (const Error& error) {
         if (error.fault() == Fault::interrupted) throw;
         deck.problems.push_back(error.fault() == Fault::input
                                     ? input_error("{}", error.what()).at({deck.file, line, {}})
                                     : error.at({deck.file, line, {}}));
-        return formula ? in_formula("\\text{[?]}", place) : "[?]";
+        return formula ? in_place("\\text{[?]}", words, at) : "[?]";
       }
     });
     if (formula && text != written) deck.with_numbers[text] = written;
@@ -361,8 +370,7 @@ std::set<std::string> quoted_scenes(const Deck& deck) {
   std::set<std::string> scenes;
   Deck copy = deck;
   for_each_text(copy, [&](const Json& text, bool) {
-    replaced(text.get<std::string>(), [&](const QuoteInText& place) {
-      const std::string& words = place.words;
+    replaced(text.get<std::string>(), [&](const std::string& words, std::size_t) {
       const std::size_t start = std::string_view(kHead).size(), hash = words.rfind('#');
       if (hash != std::string::npos && hash > start && words.ends_with('}'))
         scenes.insert(words.substr(start, hash - start));

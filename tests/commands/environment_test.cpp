@@ -259,6 +259,24 @@ TEST(Environment, DebuggingOfMesaChangesNothing) {
   EXPECT_NE(wide.err.find("LP_NATIVE_VECTOR_WIDTH is '1024'"), std::string::npos) << wide.err;
 }
 
+// what libraries say on standard output would stand in files that go there
+TEST(Environment, StandardOutputIsOurs) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string inspect = "inspect '" + (folder / "scene.toml") + "' --json";
+  const std::string plot =
+      "plot '" + (folder / "scene.toml") + "' tilt -o '" + (folder / "a.svg") + "'";
+  EXPECT_EQ(run_polhode(inspect, "FC_DEBUG=1").out, run_polhode(inspect).out);
+  // Pixman obeys before we can say no
+  EXPECT_EQ(run_polhode(inspect, "PIXMAN_DISABLE=wholeops").code, 3);
+  // a gnuplot that talks
+  write_text(folder / "gnuplot", "#!/bin/sh\necho hello\nexec /usr/bin/gnuplot \"$@\"\n");
+  std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
+  const Ran ran = run_polhode(plot, "PATH='" + folder.path().string() + "':\"$PATH\"");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(read_text(folder / "a.svg").starts_with("<?xml")) << read_text(folder / "a.svg");
+}
+
 // whatever it calls that
 TEST(Environment, ALibraryThatEndsTheProgramIsAFault) {
 #ifdef __SANITIZE_ADDRESS__
