@@ -120,8 +120,16 @@ class Reader {
     const auto take = [&](DeckPicture& picture, const std::string& place) {
       picture.place = places_.insert(place).second ? place : "";
     };
-    for (DeckPicture& picture : deck_.pictures)
-      if (!picture.place.empty()) take(picture, picture.place);
+    const std::set<std::string> of_words = places_;
+    for (DeckPicture& picture : deck_.pictures) {
+      if (picture.place.empty()) continue;
+      if (of_words.contains(picture.place)) {
+        tell(picture.line,
+             input_error("'#{}' is a heading or other words; give the picture another name",
+                         picture.place));
+      }
+      take(picture, picture.place);
+    }
     for (DeckPicture& picture : deck_.pictures)
       if (picture.place.empty()) take(picture, picture.name);
   }
@@ -492,29 +500,42 @@ class CodeBlanker {
   // a block of code, which may be indented or quoted
   void blank_lines(const std::string& code) {
     std::istringstream lines(code);
+    bool is_first = true;
     for (std::string line; std::getline(lines, line) && misses_ <= kMostMisses;) {
       line.erase(0, line.find_first_not_of(" \t>"));
-      if (!line.empty()) blank_line(line);
+      if (line.empty()) continue;
+      blank_line(line, is_first);
+      is_first = false;
     }
   }
 
  private:
   static constexpr int kMostMisses = 100;  // each is a search in all that follows
 
-  void blank_line(const std::string& code) {
+  // is_first: behind a fence or indented, for other words may say the same
+  void blank_line(const std::string& code, bool is_first) {
     std::size_t start = from_ == 0 ? 0 : text_.find('\n', from_ - 1);
+    bool is_fenced = false;
     while (start < text_.size()) {
       const std::size_t at = text_.find_first_not_of(" \t>\n\r", start);
       if (at == std::string::npos) break;
       const std::size_t end = std::min(text_.find('\n', at), text_.size());
-      if (text_.compare(at, code.size(), code) == 0 &&
+      const bool may_begin = is_fenced || is_indented(at);
+      if ((may_begin || !is_first) && text_.compare(at, code.size(), code) == 0 &&
           text_.find_first_not_of(" \t\r", at + code.size()) >= end) {
         blank(at, code.size());
         return;
       }
+      is_fenced = text_.compare(at, 3, "```") == 0 || text_.compare(at, 3, "~~~") == 0;
       start = end;
     }
     ++misses_;
+  }
+
+  bool is_indented(std::size_t at) const {
+    constexpr std::size_t kDeep = 4;
+    const std::size_t before = at == 0 ? 0 : text_.find_last_not_of(' ', at - 1) + 1;
+    return at - before >= kDeep || (before > 0 && text_[before - 1] == '\t');
   }
 
   void blank(std::size_t at, std::size_t length) {

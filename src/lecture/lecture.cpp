@@ -311,8 +311,12 @@ LectureResult lecture(const LectureJob& job) {
   }
   const bool formula_font = pages && !formula_font_css().empty();
   if (pages) {
-    contents.push_back(
-        notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value()));
+    std::string told =
+        notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value());
+    const fs::path before = folder / kNoticesFile;
+    if (!documents_left(folder, outputs).empty() && fs::is_regular_file(before))
+      told = with_earlier_notices(std::move(told), read_file(before));
+    contents.push_back(std::move(told));
   }
   stop_if_interrupted();
   // all is written before the first file has its name

@@ -2,6 +2,7 @@
 #include "lecture/notices.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "base/version.h"
 
@@ -78,6 +79,27 @@ std::string notices(const std::vector<std::string>& outputs,
             "users groups.\nGUST Font License: "
             "http://tug.org/fonts/licenses/GUST-FONT-LICENSE.txt\n";
   }
+  return text;
+}
+
+std::string with_earlier_notices(std::string text, const std::string& before) {
+  // the lines that begin a notice are underlined
+  std::istringstream lines(before);
+  std::string title, notice;
+  const auto add = [&] {
+    if (!title.empty() && text.find("\n" + title + "\n--") == std::string::npos) text += notice;
+  };
+  std::string last;
+  for (std::string line; std::getline(lines, line); last = line) {
+    if (line.size() > 2 && line.find_first_not_of('-') == std::string::npos && !last.empty()) {
+      if (!title.empty()) notice.resize(notice.size() - last.size() - 2);
+      add();
+      title = last;
+      notice = "\n" + title + "\n";
+    }
+    if (!title.empty()) notice += line + "\n";
+  }
+  add();
   return text;
 }
 

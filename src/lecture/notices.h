@@ -29,4 +29,8 @@ std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Three>& three = {},
                     bool computes = false);
 
+// The same with those of an earlier file, `before`, that it lacks: documents of an earlier run
+// contain what is told there.
+std::string with_earlier_notices(std::string text, const std::string& before);
+
 }  // namespace polhode

@@ -214,7 +214,21 @@ TEST(Deck, LinesAreNotThoseOfCode) {
     EXPECT_EQ(problem_of(text + mistake + "\n"),
               fmt::format("deck.md:{}: no place is called '#nowhere' (there are none)", line))
         << code;
+    // nor where it stands behind
+    EXPECT_EQ(problem_of(std::string(mistake) + "\n\nb\n\n" + code + "\n"),
+              "deck.md:1: no place is called '#nowhere' (there are none)")
+        << code;
   }
+}
+
+TEST(Deck, NamesOfPicturesAreTheirsAlone) {
+  for (const std::string text :
+       {"## Spin\n\n![t](s.toml){#spin .film}\n", "![t](s.toml){#spin .film}\n\n## Spin\n"}) {
+    const std::string problem = problem_of(text);
+    EXPECT_TRUE(test::has(problem, "'#spin' is a heading or other words")) << problem;
+    EXPECT_FALSE(test::has(problem, "deck.md:0")) << problem;
+  }
+  EXPECT_EQ(problem_of("## Spin\n\n![t](s.toml){#film .film}\n\n[l](#film)\n"), "none");
 }
 
 // a picture alone keeps its caption, one among words has what describes it there

@@ -52,5 +52,19 @@ TEST(Notices, TheFontOfFormulasIsNamedWhereItIsInside) {
   EXPECT_TRUE(has(notices({"html"}, {}, true), "GUST Font License"));
 }
 
+// documents of an earlier run contain them still
+TEST(Notices, OfAnEarlierRunStay) {
+  const Reveal reveal{"5.1.0", "css", "js", "Licence of reveal\n"};
+  const std::string slides = notices({"slides"}, reveal, true), page = notices({"html"}, {}, false);
+  const std::string both = with_earlier_notices(page, slides);
+  EXPECT_TRUE(both.starts_with(page));
+  for (const char* words :
+       {"reveal.js 5.1.0, inside slides.html\n---", "Licence of reveal\n", "GUST Font License"})
+    EXPECT_NE(both.find(words), std::string::npos) << words;
+  EXPECT_EQ(with_earlier_notices(both, slides), both);
+  EXPECT_EQ(with_earlier_notices(page, both), both);
+  EXPECT_EQ(with_earlier_notices(page, page), page);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -123,19 +123,28 @@ TEST(Quotes, AreWholeInFormulas) {
     EXPECT_TRUE(deck.problems.empty());
     return plain_text(deck.blocks[0]["c"]);
   };
-  const std::string value = "-2.4\\times 10^{-4}";
-  EXPECT_EQ(tex_of("\\frac QQ", quote), "\\frac {" + value + "}{" + value + "}");
-  EXPECT_EQ(tex_of("\\sqrt Q+Q", quote), "\\sqrt {" + value + "}+{" + value + "}");
-  EXPECT_EQ(tex_of("Q^2", quote), "{\\left(" + value + "\\right)}^2");
+  const std::string value = "{-2.4\\times 10^{-4}}", apart = "{\\left(-2.4\\times 10^{-4}\\right)}";
+  for (const std::string before :
+       {"", "a=", "\\sqrt ", "\\approx ", "a = \\, ", "\\left(", "a^", "a &= "})
+    EXPECT_EQ(tex_of(before + "Q", quote), before + value) << before;
+  // it would be taken from what stands there
+  for (const std::string before : {"a", "2\\,", "a-", "\\Omega ", "\\cdot ", "\\frac{1}{2} "})
+    EXPECT_EQ(tex_of(before + "Q", quote), before + apart) << before;
+  EXPECT_EQ(tex_of("\\frac Q2", quote), "\\frac " + value + "2");
+  for (const std::string behind :
+       {"^2", " ^2", "_1^2", "_{a}^2", "{}^2", "\\,^2", "'", "~^2", "\\quad^2", "\\right.^2", "²"})
+    EXPECT_EQ(tex_of("Q" + behind, quote), apart + behind) << behind;
+  for (const std::string around : {"{%}^2", "{ % }^2", "{{%}\\,}^2", "\\mathrm{ %}^2"}) {
+    const std::size_t at = around.find('%');
+    const std::string before = around.substr(0, at), behind = around.substr(at + 1);
+    EXPECT_EQ(tex_of(before + "Q" + behind, quote), before + apart + behind) << around;
+  }
   EXPECT_EQ(tex_of("Q ^2", "{inspect:s.toml#principal_moments.2|%.2f,none}"), "{3.00} ^2");
-  const std::string in_brackets = "{\\left(" + value + "\\right)}";
-  for (const std::string behind : {"^2", " ^2", "_1^2", "_{a}^2", "{}^2", "\\,^2", "'"})
-    EXPECT_EQ(tex_of("Q" + behind, quote), in_brackets + behind);
-  EXPECT_EQ(tex_of("{Q}^2", quote), "{" + in_brackets + "}^2");
-  EXPECT_EQ(tex_of("\\int_Q^3", quote), "\\int_{" + value + "}^3");
-  EXPECT_EQ(tex_of("\\textQ", quote), "\\text{$" + value + "$}");
+  EXPECT_EQ(tex_of("\\int_Q^3", quote), "\\int_" + value + "^3");
+  // among words a number is a formula of its own
   EXPECT_EQ(tex_of("\\text{a Q b}", quote), "\\text{a $" + value + "$ b}");
-  EXPECT_EQ(tex_of("\\text{a $c=Q$}", quote), "\\text{a $c={" + value + "}$}");
+  EXPECT_EQ(tex_of("\\textQ", quote), "\\text{$" + value + "$}");
+  EXPECT_EQ(tex_of("\\text{a $c=Q$}", quote), "\\text{a $c=" + value + "$}");
 }
 
 // what pandoc takes apart is told, not left in the text
