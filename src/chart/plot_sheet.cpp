@@ -53,7 +53,7 @@ std::string axis_of(const char* name, const SheetAxis& given, SheetAxis axis) {
           ? fmt::format("set {}range [*:*]\n", name)
           : fmt::format(
                 "set {}range [{}:{}]\n", name, gnuplot_number(axis.low), gnuplot_number(axis.high));
-  if (axis.low == axis.high) return text;
+  if (axis.low == axis.high || !std::isfinite(axis.high - axis.low)) return text;
   const int needed =
       static_cast<int>(std::ceil(std::log10(size / (axis.high - axis.low)))) + kBetweenTicks;
   // small numbers have fewer of its own

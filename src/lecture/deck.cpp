@@ -393,12 +393,15 @@ Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) 
   return list;
 }
 
-// The blocks of a deck's text that may have fields: between lines "---" and "---" or "...".
+// The parts of a deck's text that may have fields: between lines "---" and "---" or "...", and
+// title, authors and date behind "%" at its beginning.
 std::string headers_of(const std::string& text) {
   std::istringstream lines(text);
   std::string headers;
-  bool is_inside = false;
+  bool is_inside = false, is_beginning = text.starts_with('%');
   for (std::string line; std::getline(lines, line);) {
+    is_beginning = is_beginning && (line.starts_with('%') || line.starts_with(' '));
+    if (is_beginning) headers += line + "\n";
     line.erase(line.find_last_not_of(" \t\r") + 1);
     const bool is_mark = line == "---" || (is_inside && line == "...") || line == "\xEF\xBB\xBF---";
     if (is_mark) is_inside = !is_inside;
@@ -415,8 +418,11 @@ void refuse_rewritten(const std::string& key, const Json& field, const std::stri
       refuse_rewritten(key, one, headers);
     return;
   }
+  const bool is_word =
+      field["t"] == "MetaString" ||
+      (field["t"] == "MetaInlines" && field["c"].size() == 1 && field["c"][0]["t"] == "Str");
   const std::string shown = words_of_field(field);
-  if (!parse_number(shown)) return;
+  if (!is_word || !parse_number(shown)) return;
   const auto is_part = [&](std::size_t at) {
     return at < headers.size() &&
            (std::isalnum(static_cast<unsigned char>(headers[at])) != 0 ||
@@ -485,13 +491,45 @@ class CodeBlanker {
     std::replace(line_.begin(), line_.end(), '\n', ' ');
   }
 
+  // All code in blocks of pandoc's tree, whose footnotes stand where they are named and not where
+  // they are written.
+  void blank_all(const Json& blocks) {
+    blank_code(blocks, false, false);
+    from_ = 0;
+    blank_code(blocks, true, false);
+  }
+
+ private:
+  static constexpr int kMostMisses = 100;  // each is a search in all that follows
+
+  void blank_code(const Json& tree, bool of_notes, bool in_note) {
+    if (tree.is_object() && tree.contains("t")) {
+      const std::string type = tree["t"];
+      in_note = in_note || type == "Note";
+      if (in_note == of_notes && type == "Code") blank_words(tree["c"][1]);
+      if (in_note == of_notes && type == "CodeBlock") blank_lines(tree["c"][1]);
+    }
+    if (!tree.is_structured()) return;
+    for (const Json& child : tree)
+      blank_code(child, of_notes, in_note);
+  }
+
   // code among words, which may go on in the next line
   void blank_words(const std::string& code) {
     if (code.empty() || misses_ > kMostMisses) return;
-    for (const std::string mark : {"`", "` "}) {
-      const std::size_t at = line_.find(mark + code, from_);
-      if (at == std::string::npos) continue;
-      blank(at + mark.size(), code.size());
+    const auto is_mark = [&](std::size_t at) {
+      return at < line_.size() && line_[at] == '`';
+    };
+    const auto is_blank = [&](std::size_t at) {
+      return at < line_.size() && line_[at] == ' ';
+    };
+    for (std::size_t at = line_.find(code, from_); at != std::string::npos;
+         at = line_.find(code, at + 1)) {
+      const std::size_t end = at + code.size();
+      const bool begins = is_mark(at - 1) || (is_blank(at - 1) && is_mark(at - 2));
+      const bool ends = is_mark(end) || (is_blank(end) && is_mark(end + 1));
+      if (!begins || !ends) continue;
+      blank(at, code.size());
       return;
     }
     ++misses_;
@@ -508,9 +546,6 @@ class CodeBlanker {
       is_first = false;
     }
   }
-
- private:
-  static constexpr int kMostMisses = 100;  // each is a search in all that follows
 
   // is_first: behind a fence or indented, for other words may say the same
   void blank_line(const std::string& code, bool is_first) {
@@ -578,21 +613,19 @@ void refuse_unwritable(const Json& tree, const std::string& text, const std::str
 }  // namespace
 
 LineFinder::LineFinder(std::string text, const Json& blocks) : text_(std::move(text)) {
-  CodeBlanker blanker(text_);
-  for_each_node(blocks, [&](const Json& node) {
-    const std::string type = node["t"];
-    if (type == "Code") blanker.blank_words(node["c"][1]);
-    if (type == "CodeBlock") blanker.blank_lines(node["c"][1]);
-  });
+  for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
+    line_ends_.push_back(at);
+  CodeBlanker(text_).blank_all(blocks);
 }
 
 int LineFinder::next(const std::string& words) {
   if (words.empty()) return 0;
   std::size_t& from = seen_[words];
-  std::size_t at = text_.find(words, from);
+  const std::size_t at = text_.find(words, from);
+  from = at == std::string::npos ? text_.size() : at + words.size();
   if (at == std::string::npos) return 0;
-  from = at + words.size();
-  return line_of(text_, at);
+  const auto end = std::lower_bound(line_ends_.begin(), line_ends_.end(), at);
+  return static_cast<int>(end - line_ends_.begin()) + 1;
 }
 
 Json Deck::tree(const Json& with_blocks) const {

@@ -61,6 +61,7 @@ class LineFinder {
 
  private:
   std::string text_;
+  std::vector<std::size_t> line_ends_;       // offsets in bytes
   std::map<std::string, std::size_t> seen_;  // words -> offset in bytes behind the last place
 };
 

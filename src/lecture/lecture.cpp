@@ -314,7 +314,8 @@ LectureResult lecture(const LectureJob& job) {
     std::string told =
         notices(outputs, scripts.reveal, formula_font, scripts.three, scripts.core.has_value());
     const fs::path before = folder / kNoticesFile;
-    if (!documents_left(folder, outputs).empty() && fs::is_regular_file(before))
+    std::error_code missing;
+    if (!documents_left(folder, outputs).empty() && fs::is_regular_file(before, missing))
       told = with_earlier_notices(std::move(told), read_file(before));
     contents.push_back(std::move(told));
   }

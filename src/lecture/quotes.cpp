@@ -236,11 +236,17 @@ bool has_operand_at_end(std::string_view before) {
       R"(\\(approx|sim|simeq|cong|equiv|propto|leq?|geq?|neq?|ll|gg|to|in|left|[bB]igg?l?)"
       R"(|sqrt|[dtc]?frac|binom|hat|vec|bar|d?dot|tilde|overline|underline|boxed|boldsymbol)"
       R"(|math[a-z]+|text[a-z]*|mbox|text\{[^{}]*\}|begin\{[^{}]*\})\s*[\[(|.]?$)");
+  static const std::regex row(R"(\\\\\s*(\[[^\]]*\])?\s*$)");
+  static const std::regex numerator(R"(\\[dtc]?frac\s*\{[^{}]*\}\s*$)");
+  const auto end_is = [](std::string_view text, const std::regex& pattern) {
+    const std::string end(text.substr(text.size() > kFar ? text.size() - kFar : 0));
+    return std::regex_search(end, pattern);
+  };
+  if (end_is(before, row) || end_is(before, numerator)) return false;
   before = without_room_at_end(before);
   if (before.empty() || ends_with_mark(before)) return false;
   if (std::string_view("=<>([{|,;:&$").find(before.back()) != std::string_view::npos) return false;
-  const std::string end(before.substr(before.size() > kFar ? before.size() - kFar : 0));
-  return !end.ends_with("\\\\") && !std::regex_search(end, others);
+  return !end_is(before, others);
 }
 
 // A number as a part of a formula: what is done to it is done to all of it. among_words: as a

@@ -92,10 +92,12 @@ std::vector<std::string> debugging_variables() {
                                         "GALLIUM_OVERRIDE_CPU_CAPS",
                                         "LP_NATIVE_VECTOR_WIDTH",
                                         "LP_NUM_THREADS",
+                                        "MESA_D3D12_",
                                         "MESA_DISK_CACHE_",
                                         "MESA_GLSL_CACHE_",
                                         "MESA_LOADER_DRIVER_OVERRIDE",
-                                        "MESA_SHADER_CACHE_"};
+                                        "MESA_SHADER_CACHE_",
+                                        "MESA_VK_"};
   const auto begins = [](std::string_view name, const auto& heads) {
     return std::any_of(std::begin(heads), std::end(heads), [&](std::string_view head) {
       return name.starts_with(head);

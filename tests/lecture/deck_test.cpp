@@ -166,6 +166,7 @@ TEST(Deck, FieldsAreTexts) {
                             "title: !!str 2024",
                             "author: [A, ~, B]",
                             "\"date\": 2024",
+                            "title: 10^3^",
                             "title: 12 tops"}) {
     EXPECT_EQ(problem(field), "none") << field;
   }
@@ -205,6 +206,8 @@ TEST(Deck, LinesAreNotThoseOfCode) {
                                  "``[a](#nowhere)``",
                                  "`` [a](#nowhere) ``",
                                  "a `b [a](#nowhere)\nc`",
+                                 "` [a](#nowhere) ` `[a](#nowhere)`",
+                                 "a[^1]\n\n[^1]: b `[a](#nowhere)`",
                                  "```\n\n[a](#nowhere)\n```",
                                  "- a\n\n  ~~~\n  [a](#nowhere)\n  ~~~",
                                  "> ```\n> [a](#nowhere)\n> ```",
@@ -219,6 +222,10 @@ TEST(Deck, LinesAreNotThoseOfCode) {
               "deck.md:1: no place is called '#nowhere' (there are none)")
         << code;
   }
+}
+
+TEST(Deck, FieldsMayStandBehindPercentSigns) {
+  EXPECT_EQ(problem_of("% Lecture\n% A. Author\n% 2024\n\nText\n"), "none");
 }
 
 TEST(Deck, NamesOfPicturesAreTheirsAlone) {

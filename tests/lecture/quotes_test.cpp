@@ -124,8 +124,17 @@ TEST(Quotes, AreWholeInFormulas) {
     return plain_text(deck.blocks[0]["c"]);
   };
   const std::string value = "{-2.4\\times 10^{-4}}", apart = "{\\left(-2.4\\times 10^{-4}\\right)}";
-  for (const std::string before :
-       {"", "a=", "\\sqrt ", "\\approx ", "a = \\, ", "\\left(", "a^", "a &= "})
+  for (const std::string before : {"",
+                                   "a=",
+                                   "\\sqrt ",
+                                   "\\approx ",
+                                   "a = \\, ",
+                                   "\\left(",
+                                   "a^",
+                                   "a &= ",
+                                   "\\frac{1}",
+                                   "a \\\\ ",
+                                   "a \\\\[2pt] "})
     EXPECT_EQ(tex_of(before + "Q", quote), before + value) << before;
   // it would be taken from what stands there
   for (const std::string before : {"a", "2\\,", "a-", "\\Omega ", "\\cdot ", "\\frac{1}{2} "})
