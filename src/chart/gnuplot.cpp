@@ -84,9 +84,10 @@ std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int 
     quoted += c == '\'' ? "''" : std::string(1, c);
   const std::string whole = "set encoding utf8\nset terminal " + terminal(format, width, height) +
                             "\nset output '" + quoted + "'\n" + script + "\nunset output\n";
-  // GNUTERM is the terminal that it would open first, a window perhaps
+  // GNUTERM is the terminal that it would open first, a window perhaps; PANGOCAIRO_BACKEND may ask
+  // for one that has no letters
   const std::vector<std::string> words = {
-      "env", "-u", "GNUTERM", "gnuplot", "--default-settings", "-"};
+      "env", "-u", "GNUTERM", "-u", "PANGOCAIRO_BACKEND", "gnuplot", "--default-settings", "-"};
   const ChildResult result = run_child(words, whole);
   // a script of ours has no errors: what is said is a missing terminal or font
   if (!ended_well(result)) {

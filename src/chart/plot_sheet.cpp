@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,9 +17,8 @@ namespace {
 
 constexpr int kSheetWidth = 720, kSheetHeight = 480;
 
-// An axis from the least to the greatest value of what it shows; `coordinate` of the points.
-SheetAxis with_ends(SheetAxis axis, const PlotSheet& sheet, int coordinate) {
-  if (axis.low != axis.high) return axis;
+// the least and the greatest coordinate of all that is shown; 0 and 0 of nothing
+std::pair<double, double> ends_of(const PlotSheet& sheet, int coordinate) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   const auto see = [&](const Vec2& point) {
     if (!point.allFinite()) return;
@@ -29,33 +29,30 @@ SheetAxis with_ends(SheetAxis axis, const PlotSheet& sheet, int coordinate) {
     std::for_each(curve.points.begin(), curve.points.end(), see);
   for (const SheetMark& mark : sheet.marks)
     see(mark.at);
-  if (low <= high) {
-    axis.low = low;
-    axis.high = high;
-  }
-  return axis;
+  return low <= high ? std::pair{low, high} : std::pair{0.0, 0.0};
 }
 
-// How gnuplot sets an axis, `name`: its range, and its numbers with as many digits as tell them
+// How gnuplot sets an axis, "x" or "y": its range, and its numbers with as many digits as tell them
 // apart. What is constant but for round-off gets a range of a thousandth of it.
-std::string axis_of(const char* name, const SheetAxis& given, SheetAxis axis) {
+std::string axis_of(const PlotSheet& sheet, const char* name) {
   constexpr double kRoundOff = 1e-9, kOfConstants = 1e-3, kSmall = 1e-3;
   constexpr int kUsualDigits = 6, kMostDigits = 15, kBetweenTicks = 3;
-  const double size = std::max(std::abs(axis.low), std::abs(axis.high));
-  const bool is_free = given.low == given.high;
-  const bool is_constant = is_free && size > 0.0 && axis.high - axis.low <= kRoundOff * size;
+  const bool is_across = *name == 'x';
+  const SheetAxis& axis = is_across ? sheet.across : sheet.up;
+  const bool is_free = axis.low == axis.high;
+  auto [low, high] = is_free ? ends_of(sheet, is_across ? 0 : 1) : std::pair(axis.low, axis.high);
+  const double size = std::max(std::abs(low), std::abs(high));
+  const bool is_constant = is_free && size > 0.0 && high - low <= kRoundOff * size;
   if (is_constant) {
-    axis.low -= kOfConstants * size;
-    axis.high += kOfConstants * size;
+    low -= kOfConstants * size;
+    high += kOfConstants * size;
   }
   std::string text =
       is_free && !is_constant
           ? fmt::format("set {}range [*:*]\n", name)
-          : fmt::format(
-                "set {}range [{}:{}]\n", name, gnuplot_number(axis.low), gnuplot_number(axis.high));
-  if (axis.low == axis.high || !std::isfinite(axis.high - axis.low)) return text;
-  const int needed =
-      static_cast<int>(std::ceil(std::log10(size / (axis.high - axis.low)))) + kBetweenTicks;
+          : fmt::format("set {}range [{}:{}]\n", name, gnuplot_number(low), gnuplot_number(high));
+  if (!(low < high) || !std::isfinite(high - low)) return text;
+  const int needed = static_cast<int>(std::ceil(std::log10(size / (high - low)))) + kBetweenTicks;
   // small numbers have fewer of its own
   if (needed > kUsualDigits || size < kSmall) {
     text +=
@@ -74,8 +71,8 @@ std::string draw_sheet(const PlotSheet& sheet, PlotFormat format) {
       gnuplot_text(sheet.title),
       gnuplot_text(sheet.across.label),
       gnuplot_text(sheet.up.label),
-      axis_of("x", sheet.across, with_ends(sheet.across, sheet, 0)),
-      axis_of("y", sheet.up, with_ends(sheet.up, sheet, 1)));
+      axis_of(sheet, "x"),
+      axis_of(sheet, "y"));
   std::string plots;
   const auto add = [&](const std::string& what) {
     plots += (plots.empty() ? "plot " : ", ") + what;

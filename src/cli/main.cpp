@@ -78,10 +78,9 @@ void be_told_of_the_end_of_time() {
   static_cast<void>(setrlimit(RLIMIT_CPU, &limit));
 }
 
-// What makes libraries talk on standard output, or draw otherwise. Pixman has obeyed before main().
+// What makes libraries talk on standard output. Pixman has obeyed before main().
 void settle_environment() {
-  for (const char* name : {"FC_DEBUG", "PANGOCAIRO_BACKEND"})
-    unsetenv(name);
+  unsetenv("FC_DEBUG");
   if (std::getenv("PIXMAN_DISABLE") != nullptr)
     throw environment_error("PIXMAN_DISABLE is set, with which pictures differ; unset it");
 }

@@ -10,6 +10,7 @@
 #include "base/system/scratch_folder.h"
 #include "lecture/formulas.h"
 #include "lecture/latex.h"
+#include "lecture/line_finder.h"
 #include "lecture/office_slides.h"
 #include "lecture/pandoc.h"
 

@@ -101,6 +101,78 @@ std::size_t end_of_row(const std::string& tex, std::size_t at) {
   return tex.size();
 }
 
+// what takes room in a formula and means nothing
+constexpr const char* kRoom =
+    R"((\s|~|\{\s*\}|\\[,;:!> ]|\\(q?quad|displaystyle|textstyle|limits|nolimits)(?![A-Za-z])|\\hspace\{[^{}]*\}|\\text\{\s*\}|\\([bB]igg?[lr]?|left|right)\.))";
+constexpr std::size_t kFar = 200;  // bytes in which it is looked for
+
+std::string_view without_room_at_begin(std::string_view text) {
+  static const std::regex room(fmt::format("^{}*", kRoom));
+  std::cmatch found;
+  const char* end = text.data() + std::min(text.size(), kFar);
+  if (std::regex_search(text.data(), end, found, room))
+    text.remove_prefix(static_cast<std::size_t>(found.length(0)));
+  return text;
+}
+
+std::string_view without_room_at_end(std::string_view text) {
+  static const std::regex room(fmt::format("{}*$", kRoom));
+  std::cmatch found;
+  const char* begin = text.data() + (text.size() > kFar ? text.size() - kFar : 0);
+  if (std::regex_search(begin, text.data() + text.size(), found, room))
+    text.remove_suffix(static_cast<std::size_t>(found.length(0)));
+  return text;
+}
+
+// whether this is an exponent or a prime, perhaps with an index before it
+bool is_exponent(std::string_view text) {
+  static const std::regex exponent(R"(^(_\s*(\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)?['^])");
+  if (text.starts_with("²") || text.starts_with("³")) return true;
+  return std::regex_search(text.data(), text.data() + std::min(text.size(), kFar), exponent);
+}
+
+// whether what comes next is an index or an exponent of this
+bool ends_with_mark(std::string_view text) {
+  return text.ends_with('_') || text.ends_with('^');
+}
+
+// Whether a part of a formula is raised, also with braces and fonts around it and nothing else.
+bool is_raised(std::string_view before, std::string_view behind) {
+  while (true) {
+    before = without_room_at_end(before);
+    behind = without_room_at_begin(behind);
+    if (ends_with_mark(before)) return false;
+    if (is_exponent(behind)) return true;
+    if (!before.ends_with('{') || !behind.starts_with('}')) return false;
+    before.remove_suffix(1);
+    behind.remove_prefix(1);
+    const std::size_t name =
+        before.find_last_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+    if (name != std::string_view::npos && before[name] == '\\')
+      before.remove_suffix(before.size() - name);
+  }
+}
+
+// Whether a number that follows this would be taken from it if it were negative: the end of this is
+// no relation, bracket or command of which the number is an argument.
+bool has_operand_at_end(std::string_view before) {
+  static const std::regex others(
+      R"(\\(approx|sim|simeq|cong|equiv|propto|leq?|geq?|neq?|ll|gg|to|in|left|[bB]igg?l?)"
+      R"(|sqrt|[dtc]?frac|binom|hat|vec|bar|d?dot|tilde|overline|underline|boxed|boldsymbol)"
+      R"(|math[a-z]+|text[a-z]*|mbox|text\{[^{}]*\}|begin\{[^{}]*\})\s*[\[(|.]?$)");
+  static const std::regex row(R"(\\\\\s*(\[[^\]]*\])?\s*$)");
+  static const std::regex numerator(R"(\\[dtc]?frac\s*\{[^{}]*\}\s*$)");
+  const auto end_is = [](std::string_view text, const std::regex& pattern) {
+    const std::string end(text.substr(text.size() > kFar ? text.size() - kFar : 0));
+    return std::regex_search(end, pattern);
+  };
+  if (end_is(before, row) || end_is(before, numerator)) return false;
+  before = without_room_at_end(before);
+  if (before.empty() || ends_with_mark(before)) return false;
+  if (std::string_view("=<>([{|,;:&$").find(before.back()) != std::string_view::npos) return false;
+  return !end_is(before, others);
+}
+
 }  // namespace
 
 std::vector<bool> words_in(const std::string& tex) {
@@ -190,6 +262,17 @@ std::string formulas_for_browsers(const std::string& html) {
     out += formula;
   }
   return out + html.substr(from);
+}
+
+std::string part_of_formula(const std::string& tex,
+                            std::string_view before,
+                            std::string_view behind,
+                            bool among_words) {
+  const bool is_simple =
+      tex.find_first_not_of("0123456789.") == std::string::npos || tex.front() == '(';
+  const bool is_subtracted = tex.front() == '-' && !among_words && has_operand_at_end(before);
+  return is_subtracted || (!is_simple && is_raised(before, behind)) ? "{\\left(" + tex + "\\right)}"
+                                                                    : "{" + tex + "}";
 }
 
 }  // namespace polhode

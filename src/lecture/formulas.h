@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -17,6 +18,15 @@ std::vector<bool> words_in(const std::string& tex);
 // (input), without a place, for numbers and labels that are not in braces, and for ends of
 // formulas.
 std::string whole_formula(const std::string& tex);
+
+// A number, as TeX, as a part of a formula: in braces, so that what is done to it is done to all of
+// it, and in brackets where it is raised or, if it is negative, would be taken from what stands
+// before. before, behind: the formula around it. among_words: it is a formula of its own between
+// these.
+std::string part_of_formula(const std::string& tex,
+                            std::string_view before,
+                            std::string_view behind,
+                            bool among_words);
 
 // A page of pandoc's whose MathML looks in browsers as it does in TeX: brackets that need not grow
 // keep their width, upright letters stand upright.

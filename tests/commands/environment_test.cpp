@@ -26,6 +26,12 @@ long lines_of_polhode(const std::string& text) {
   return count;
 }
 
+// a scene in the folder, and the command for a picture of it
+std::string still_in(const TemporaryFolder& folder) {
+  write_text(folder / "scene.toml", test::kSmallScene);
+  return "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+}
+
 // the real loader against a machine without the libraries: files of their names that are no
 // libraries
 TEST(Environment, WithoutAnyOpenGlTheRunSaysWhatIsMissing) {
@@ -128,9 +134,7 @@ TEST(Environment, AFewOpenFilesAreToldBeforeTheyLack) {
   GTEST_SKIP() << "the sanitizer needs descriptors of its own to look at memory";
 #endif
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string still =
-      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string still = still_in(folder);
   const auto run = [&](int files) {
     return run_polhode(still, "sh -c 'ulimit -n " + std::to_string(files) + "; exec \"$@\"' sh");
   };
@@ -204,9 +208,7 @@ TEST(Environment, LibrariesThatAreOpenedLateAreNamed) {
 // Mesa and Pango crash when the environment asks for what they do not have
 TEST(Environment, DriversThatAreNotThereAreRefused) {
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string still =
-      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string still = still_in(folder);
   // "auto" goes on to EGL, which leaks when it fails
   const Ran ran = run_polhode(still + " --backend osmesa", "GALLIUM_DRIVER=none");
   EXPECT_EQ(ran.code, 3) << ran.err;
@@ -234,9 +236,7 @@ TEST(Environment, WithoutAnyFontTextIsRefused) {
 // the process with 0, which a check would say.
 TEST(Environment, DebuggingOfMesaChangesNothing) {
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string still =
-      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string still = still_in(folder);
   ASSERT_EQ(run_polhode(still).code, 0);
   const std::string right = read_text(folder / "a.png");
   for (const std::string wrong : {"MESA_GLSL_VERSION_OVERRIDE=110",
@@ -298,9 +298,7 @@ TEST(Environment, AFullDiskOfTheShaderCacheIsLeftAlone) {
   GTEST_SKIP() << "the sanitizer wants to be loaded before all else";
 #endif
   const TemporaryFolder folder, cache;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string still =
-      "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
+  const std::string still = still_in(folder);
   const std::string at = "XDG_CACHE_HOME='" + cache.path().string() + "' ";
   const Ran full = run_polhode(still, at + "POLHODE_LACKS=room LD_PRELOAD='" POLHODE_LACKING "'");
   EXPECT_EQ(full.code, 0) << full.err;

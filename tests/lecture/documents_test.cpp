@@ -66,6 +66,16 @@ std::string told_of_slides(const Deck& deck, const char* script) {
   return ran.out;
 }
 
+// the words of one XML file in the slides of a deck
+std::string words_of_part(const Deck& deck, const std::string& part) {
+  const std::string script = fmt::format(R"py(import re, sys, zipfile
+xml = zipfile.ZipFile(sys.argv[1]).read("{}").decode()
+print("".join(re.findall("<a:t[^>]*>([^<]*)", xml)))
+)py",
+                                         part);
+  return told_of_slides(deck, script.c_str());
+}
+
 TEST(Documents, ThePageHasTextFilmsNotesAndContents) {
   const std::string page = make_page(deck_of(kText), figure_of);
   EXPECT_TRUE(has(page, "<h1>The title</h1>"));
@@ -304,11 +314,7 @@ TEST(Documents, NumbersOfFormulasAreWordsBehindThem) {
 // letters are raised once
 TEST(Documents, PowersOfPowersInTitlesOfPowerPointAreTex) {
   const Deck deck = deck_of("## $a^{b^c}$ $d^{e}f$ ${g^2}^3$ $h_{i^2}$\n\nA\n");
-  const char* script = R"py(import re, sys, zipfile
-slide = zipfile.ZipFile(sys.argv[1]).read("ppt/slides/slide1.xml").decode()
-print("".join(re.findall("<a:t[^>]*>([^<]*)", slide)))
-)py";
-  const std::string told = told_of_slides(deck, script);
+  const std::string told = words_of_part(deck, "ppt/slides/slide1.xml");
   for (const char* formula : {"a^{b^c}", "def", "{g^2}^3", "h_{i^2}"})
     EXPECT_TRUE(has(told, formula)) << told;
 }
@@ -325,11 +331,7 @@ TEST(Documents, FormulasWithQuotesHaveTheLineOfTheDeck) {
 
 TEST(Documents, NotesOfSlidesHaveTheirFootnotes) {
   const Deck deck = deck_of("## A\n\nB\n\n::: notes\nC[^1]\n:::\n\n[^1]: D\n\n    E\n");
-  const char* script = R"py(import re, sys, zipfile
-notes = zipfile.ZipFile(sys.argv[1]).read("ppt/notesSlides/notesSlide1.xml").decode()
-print("".join(re.findall("<a:t[^>]*>([^<]*)", notes)))
-)py";
-  EXPECT_TRUE(has(told_of_slides(deck, script), "C (D E)"));
+  EXPECT_TRUE(has(words_of_part(deck, "ppt/notesSlides/notesSlide1.xml"), "C (D E)"));
 }
 
 TEST(Documents, WhatTheyLackIsTold) {

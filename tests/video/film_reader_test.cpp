@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "base/error.h"
 #include "image/compare.h"
@@ -100,16 +101,21 @@ void make_foreign(const std::string& filter,
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
+Image first_picture(const std::string& file) {
+  FilmReader reader(file);
+  Image image;
+  double time = 0.0;
+  if (!reader.next(image, time)) throw std::runtime_error(file + " has no picture");
+  return image;
+}
+
 TEST(FilmReader, EveryColumnHasItsOwnColour) {
   const TemporaryFolder folder;
   for (const std::string format : {"yuv444p", "yuv440p"}) {
     make_foreign(
         "color=gray:s=16x16,format=" + format + ",geq=lum=128:cb='if(mod(X,2),128,220)':cr=128",
         folder / "a.mkv");
-    FilmReader reader(folder / "a.mkv");
-    Image image;
-    double time = 0.0;
-    ASSERT_TRUE(reader.next(image, time));
+    const Image image = first_picture(folder / "a.mkv");
     EXPECT_GT(image.at(4, 8)[2], image.at(5, 8)[2] + 100) << format;
     EXPECT_NEAR(image.at(5, 8)[2], image.at(5, 8)[0], 3) << format;
   }
@@ -138,10 +144,7 @@ TEST(FilmReader, EveryPixelHasTheColourOfItsBlock) {
                       format,
                       scale),
           folder / "a.mkv");
-      FilmReader reader(folder / "a.mkv");
-      Image image;
-      double time = 0.0;
-      ASSERT_TRUE(reader.next(image, time));
+      const Image image = first_picture(folder / "a.mkv");
       for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
           const double light = (128.0 - 16.0) / 219.0,
@@ -170,10 +173,7 @@ TEST(FilmReader, ColoursBeyondTheBrightestAreCutOff) {
                              scale),
                  folder / "a.mkv",
                  "-colorspace bt709 -color_range tv");
-    FilmReader reader(folder / "a.mkv");
-    Image image;
-    double time = 0.0;
-    ASSERT_TRUE(reader.next(image, time));
+    const Image image = first_picture(folder / "a.mkv");
     // ITU-R BT.709
     const double green = 255.0 * (239.0 / 219.0 - 0.187324 * 127.0 / 224.0);
     EXPECT_EQ(image.at(8, 8)[0], 255) << format;
@@ -223,10 +223,7 @@ TEST(FilmReader, GrayOfLimitedRangeIsReadSo) {
     make_foreign(fmt::format("nullsrc=s=16x16,format={},geq=lum={}", format, value),
                  folder / "a.mkv",
                  "-color_range tv");
-    FilmReader reader(folder / "a.mkv");
-    Image image;
-    double time = 0.0;
-    ASSERT_TRUE(reader.next(image, time));
+    const Image image = first_picture(folder / "a.mkv");
     EXPECT_EQ(image.at(8, 8)[0], 0) << format;
   }
 }
@@ -252,10 +249,7 @@ TEST(FilmReader, GrayIsFullUnlessItSaysOtherwise) {
            {"gray", 8}, {"gray10le", 8 << 2}, {"gray12le", 8 << 4}, {"gray16le", 8 << 8}}) {
     make_foreign(fmt::format("nullsrc=s=16x16,format={},geq=lum={}", format, value),
                  folder / "a.mkv");
-    FilmReader reader(folder / "a.mkv");
-    Image image;
-    double time = 0.0;
-    ASSERT_TRUE(reader.next(image, time));
+    const Image image = first_picture(folder / "a.mkv");
     EXPECT_NEAR(image.at(8, 8)[0], 8, 1) << format;
   }
 }
