@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <sstream>
 #include <utility>
 
 #include "base/nearest.h"
@@ -13,6 +12,7 @@
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
 #include "image/png.h"
+#include "lecture/deck_fields.h"
 #include "lecture/line_finder.h"
 #include "lecture/pandoc.h"
 
@@ -373,118 +373,6 @@ class Reader {
   bool among_words_ = false;                        // where pictures have no captions
 };
 
-// A field as one paragraph, or as a list of them for several authors. Throws Error (input), without
-// a place, for what is neither.
-Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) {
-  const std::string type = value["t"];
-  if (type == "MetaString" || type == "MetaInlines") return value;
-  if (type == "MetaBlocks")
-    return {{"t", "MetaInlines"}, {"c", inlines_of(value["c"], {{"t", "Space"}})}};
-  if (type == "MetaBool")
-    throw input_error("{} is no text; in quotes, as in {}: \"yes\", it is one", key, key);
-  if (type != "MetaList" || !may_be_list)
-    throw input_error("{} must be a text{}", key, key == "author" ? " or a list of texts" : "");
-  constexpr std::size_t kMost = 200;
-  if (value["c"].size() > kMost) throw input_error("{} has more than {} texts", key, kMost);
-  Json list = {{"t", "MetaList"}, {"c", Json::array()}};
-  for (const Json& one : value["c"]) {
-    Json text = one_paragraph(key, one, false);
-    if (!words_of_field(text).empty()) list["c"].push_back(std::move(text));
-  }
-  return list;
-}
-
-// The parts of a deck's text that may have fields: between lines "---" and "---" or "...", and
-// title, authors and date behind "%" at its beginning.
-std::string headers_of(const std::string& text) {
-  std::istringstream lines(text);
-  std::string headers;
-  bool is_inside = false, is_beginning = text.starts_with('%');
-  for (std::string line; std::getline(lines, line);) {
-    is_beginning = is_beginning && (line.starts_with('%') || line.starts_with(' '));
-    if (is_beginning) headers += line + "\n";
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    const bool is_mark = line == "---" || (is_inside && line == "...") || line == "\xEF\xBB\xBF---";
-    if (is_mark) is_inside = !is_inside;
-    if (is_inside && !is_mark) headers += line + "\n";
-  }
-  return headers;
-}
-
-// YAML writes numbers in its own way: 1.50 as 1.5, 007 as 7. Throws Error (input), without a place,
-// for a field that is a number and does not stand so in the headers.
-void refuse_rewritten(const std::string& key, const Json& field, const std::string& headers) {
-  if (field["t"] == "MetaList") {
-    for (const Json& one : field["c"])
-      refuse_rewritten(key, one, headers);
-    return;
-  }
-  const bool is_word =
-      field["t"] == "MetaString" ||
-      (field["t"] == "MetaInlines" && field["c"].size() == 1 && field["c"][0]["t"] == "Str");
-  const std::string shown = words_of_field(field);
-  if (!is_word || !parse_number(shown)) return;
-  const auto is_part = [&](std::size_t at) {
-    return at < headers.size() &&
-           (std::isalnum(static_cast<unsigned char>(headers[at])) != 0 ||
-            std::string_view("+-._").find(headers[at]) != std::string_view::npos);
-  };
-  for (std::size_t at = headers.find(shown); at != std::string::npos;
-       at = headers.find(shown, at + 1)) {
-    const bool is_alone = (at == 0 || !is_part(at - 1)) && !is_part(at + shown.size());
-    if (is_alone) return;
-  }
-  throw input_error("{} is a number, which would be shown as {}; put it in quotes", key, shown);
-}
-
-// where the lecture is on the web; a QR code leads there
-void check_address(Deck& deck, LineFinder& lines) {
-  constexpr std::size_t kLongest = 300;
-  if (!deck.meta.contains("address")) return;
-  const std::string address = words_of_field(deck.meta["address"]);
-  const bool good = (address.starts_with("https://") || address.starts_with("http://")) &&
-                    address.size() <= kLongest &&
-                    std::all_of(address.begin(), address.end(), [](char c) {
-                      return c > ' ' && c < 0x7f && c != '#' && c != '?';
-                    });
-  if (good) return;
-  deck.problems.push_back(
-      input_error("address is where the folder of the lecture will be, such as "
-                  "https://example.org/tops/, without # and ?, at most {} characters",
-                  kLongest)
-          .at({deck.file, lines.next("address"), {}}));
-  deck.meta.erase("address");
-}
-
-// of what a deck may say of itself
-void keep_known_meta(Deck& deck, const Json& meta, const std::string& text) {
-  LineFinder lines(text);
-  const std::string headers = headers_of(text);
-  static const std::vector<std::string> known = {
-      "title", "subtitle", "author", "date", "lang", "description", "licence", "address"};
-  for (const auto& [key, value] : meta.items()) {
-    try {
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        throw input_error("a deck has no '{}'{}", key, suggestion(key, known));
-      deck.meta[key] = one_paragraph(key, value, key == "author");
-      refuse_rewritten(key, deck.meta[key], headers);
-    } catch (const Error& error) {
-      deck.problems.push_back(error.at({deck.file, lines.next(key), {}}));
-    }
-  }
-  check_address(deck, lines);
-  if (!deck.meta.contains("lang")) return;
-  const std::string name = words_of_field(deck.meta["lang"]);
-  const bool good =
-      name.size() >= 2 && name.size() <= 12 && std::all_of(name.begin(), name.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
-      });
-  if (good) return;
-  deck.problems.push_back(
-      input_error("lang is a tag such as en or de-CH").at({deck.file, lines.next("lang"), {}}));
-  deck.meta.erase("lang");
-}
-
 // the line of the first character, or reference to one, that no document can show; 0 if unknown
 int line_of_unwritable(const std::string& text) {
   std::size_t at = find_unwritable(text);
@@ -531,7 +419,7 @@ Deck deck_of_tree(Json tree,
   deck.file = name;
   deck.root = root;
   deck.api_version = tree["pandoc-api-version"];
-  keep_known_meta(deck, tree["meta"], text);
+  deck.meta = read_fields(tree["meta"], text, name, deck.problems);
   Reader reader(deck, text, tree["blocks"]);
   for (auto& [key, value] : deck.meta.items()) {
     static_cast<void>(key);

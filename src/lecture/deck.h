@@ -37,8 +37,7 @@ struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
   Json api_version = {1, 22};   // pandoc's version of the tree format
-  Json meta = Json::object();   // only title, subtitle, author, date, lang, description,
-                                // licence, address
+  Json meta = Json::object();   // see lecture/deck_fields.h
   Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder
