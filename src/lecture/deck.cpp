@@ -10,6 +10,7 @@
 #include "base/nearest.h"
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
+#include "base/system/overwriting.h"
 #include "base/utf8.h"
 #include "image/png.h"
 #include "lecture/deck_fields.h"
@@ -41,6 +42,7 @@ const PictureClass* find_class(const std::string& name) {
 // Throws Error (input), without a place, if a browser would find no picture of this kind in a file.
 void require_picture(const std::filesystem::path& file, const std::string& ending) {
   const std::string bytes = read_file(file);
+  protect_file(file);
   if (ending == ".png") {
     try {
       decode_png(bytes, "");
@@ -434,6 +436,7 @@ Deck deck_of_tree(Json tree,
 
 Deck read_deck(const std::filesystem::path& file, bool allow_outside) {
   const std::string text = read_file(file, kLargestDeck);
+  protect_file(file);
   try {
     return parse_deck(text, file.string(), {file.parent_path(), allow_outside});
   } catch (const Error& error) {

@@ -161,37 +161,45 @@ void lead_to_titles(Json& tree, const std::map<std::string, std::string>& titles
   });
 }
 
-// Words in place of pictures that only browsers show: their descriptions or else their captions.
+// A picture in words, in brackets: its description or else its caption; behind a description, the
+// caption.
+Json said(Json image) {
+  const Json caption = image["c"][1];
+  const bool has_alt = alt_of_image(image).has_value();
+  describe(image);
+  Json words = string_inlines("[");
+  const Json& description = image["c"][1];
+  words.insert(words.end(), description.begin(), description.end());
+  words.push_back(string_inlines(description.empty() ? "picture]" : "]")[0]);
+  if (has_alt) {
+    words.push_back({{"t", "Space"}});
+    words.insert(words.end(), caption.begin(), caption.end());
+  }
+  return named("Span", image["c"][0][0], words);
+}
+
 void say_what_pages_show(Json& blocks) {
   for_each_node(blocks, [](Json& node) {
-    if (node["t"] != "Image" || !is_for_pages_only(node["c"][2][0])) return;
-    const Json caption = node["c"][1];
-    const bool has_alt = alt_of_image(node).has_value();
-    describe(node);
-    Json words = string_inlines("[");
-    const Json& description = node["c"][1];
-    words.insert(words.end(), description.begin(), description.end());
-    words.push_back(string_inlines(description.empty() ? "picture]" : "]")[0]);
-    if (has_alt) {
-      words.push_back({{"t", "Space"}});
-      words.insert(words.end(), caption.begin(), caption.end());
-    }
-    node = named("Span", node["c"][0][0], words);
+    if (node["t"] == "Image" && is_for_pages_only(node["c"][2][0])) node = said(node);
   });
 }
 
-// pandoc leaves footnotes out of speaker's notes in PowerPoint
-void say_footnotes_of_notes(Json& blocks) {
-  for_each_node(blocks, [](Json& node) {
-    if (node["t"] != "Div" || !is_div(node, "notes")) return;
-    for_each_node(node["c"], [](Json& inside) {
-      if (inside["t"] != "Note") return;
-      Json words = string_inlines(" (");
-      const Json note = inlines_of(inside["c"], {{"t", "Space"}});
-      words.insert(words.end(), note.begin(), note.end());
-      words.push_back(string_inlines(")")[0]);
-      inside = named("Span", "", words);
-    });
+// In PowerPoint notes for the speaker are words alone: pandoc leaves out footnotes, tables and
+// pictures.
+void say_notes(Json& blocks) {
+  const auto say = [](Json& node) {
+    const std::string type = node["t"];
+    if (type == "Table") node = paragraph(inlines_of(Json::array({node}), {{"t", "LineBreak"}}));
+    if (type == "Image") node = said(node);
+    if (type != "Note") return;
+    Json words = string_inlines(" (");
+    const Json note = inlines_of(node["c"], {{"t", "Space"}});
+    words.insert(words.end(), note.begin(), note.end());
+    words.push_back(string_inlines(")")[0]);
+    node = named("Span", "", words);
+  };
+  for_each_node(blocks, [&](Json& node) {
+    if (is_div(node, "notes")) for_each_node(node["c"], say);
   });
 }
 
@@ -376,11 +384,11 @@ std::string make_pptx(const Deck& deck,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
   say_what_pages_show(slides.blocks);
-  say_footnotes_of_notes(slides.blocks);
   const OfficeSlides layout = office_slides(slides);
   slides.blocks = layout.blocks;
   Json blocks = filled(slides, figure_of, office_blocks);
   say_what_pages_show(blocks);  // in captions, too
+  say_notes(blocks);
   Json tree = with_lettered_formulas(deck.tree(blocks));
   describe_by_titles(tree);
   lead_to_titles(tree, layout.titles);

@@ -20,6 +20,7 @@
 #include "lecture/data.h"
 #include "lecture/documents.h"
 #include "lecture/lecture_plan.h"
+#include "lecture/lost_words.h"
 #include "lecture/media.h"
 #include "lecture/notices.h"
 #include "lecture/pandoc.h"
@@ -157,6 +158,26 @@ void copy_images(LectureWork& work, Media& media) {
     for_each_node(picture.caption, rename);
 }
 
+std::string file_of(const std::string& output) {
+  for (const LectureOutput& row : lecture_outputs())
+    if (row.name == output) return row.file;
+  return output;
+}
+
+// Tells what a document lacks of the deck, unless something is left out of it that was told.
+void tell_lost_words(const LectureWork& work,
+                     const std::string& output,
+                     const std::string& document,
+                     DocumentForm form) {
+  if (!work.deck.problems.empty()) return;
+  constexpr std::size_t kMost = 5;
+  const std::vector<std::string> lost = lost_words(work.deck, document, form, kMost);
+  if (lost.empty()) return;
+  spdlog::warn("{}: lacks words of the deck that this program or pandoc has lost: {}",
+               file_of(output),
+               fmt::join(lost, ", "));
+}
+
 std::string make_document(const std::string& output,
                           const LectureWork& work,
                           const fs::path& folder,
@@ -165,19 +186,24 @@ std::string make_document(const std::string& output,
   const FigureOf figures = [&](const DeckPicture& picture) {
     return figure_of(work, picture);
   };
+  const auto whole = [&](std::string document, DocumentForm form) {
+    tell_lost_words(work, output, document, form);
+    return document;
+  };
   if (output == "html" || output == "slides") {
     const std::string viewers =
         scripts.three ? viewer_blocks(work.deck, figures, folder, *scripts.three, scripts.core)
                       : "";
-    if (output == "html") return make_page(work.deck, figures, viewers);
-    return make_slides(work.deck, figures, *scripts.reveal, viewers);
+    return whole(output == "html" ? make_page(work.deck, figures, viewers)
+                                  : make_slides(work.deck, figures, *scripts.reveal, viewers),
+                 DocumentForm::html);
   }
-  if (output == "pptx") return make_pptx(work.deck, figures, folder);
-  if (output == "beamer") return make_beamer(work.deck, figures);
+  if (output == "pptx") return whole(make_pptx(work.deck, figures, folder), DocumentForm::office);
+  if (output == "beamer") return whole(make_beamer(work.deck, figures), DocumentForm::latex);
   // the page that is printed stands beside the media for as long as that takes
   const fs::path page = folder / ".handout.html";
   const Unfinished unfinished(page);
-  write_file(page, make_handout_html(work.deck, figures));
+  write_file(page, whole(make_handout_html(work.deck, figures), DocumentForm::html));
   const auto remove = [&] {
     std::error_code ignored;
     fs::remove(page, ignored);
@@ -243,12 +269,6 @@ LectureResult make_products(PlannedLecture& lecture, const Shard& shard) {
       media.made(),
       one_line((lecture.folder / "media").string()));
   return result;
-}
-
-std::string file_of(const std::string& output) {
-  for (const LectureOutput& row : lecture_outputs())
-    if (row.name == output) return row.file;
-  return output;
 }
 
 // The documents in the folder that are not among these outputs.

@@ -151,26 +151,29 @@ class Layout {
     });
   }
 
-  // Two on a slide, without anything else. Where one has more than words or one figure, what is in
-  // them follows one another.
+  // Two on a slide, without anything else. Where one has more than words or one figure, or stands
+  // by itself, what is in them follows one another.
   void add_columns(const Json& columns) {
     const Json& all = columns["c"][1];
-    if (!std::all_of(all.begin(), all.end(), is_simple)) {
-      for (const Json& column : all) {
-        for (const Json& block : is_div(column, "column") ? column["c"][1] : Json::array({column}))
-          add(block);
-      }
-      return;
-    }
+    const bool are_simple = std::all_of(all.begin(), all.end(), is_simple);
     for (std::size_t i = 0; i < all.size(); i += 2) {
+      if (!are_simple || i + 1 == all.size()) {
+        add_blocks_of(all[i]);
+        if (i + 1 < all.size()) add_blocks_of(all[i + 1]);
+        continue;
+      }
       if (is_full_ || !figure_.is_null() || !words_.empty()) next_slide();
       Json pair = columns;
-      pair["c"][1] = Json::array({all[i]});
-      if (i + 1 < all.size()) pair["c"][1].push_back(all[i + 1]);
+      pair["c"][1] = Json::array({all[i], all[i + 1]});
       lead_here(pair);
       words_.push_back(pair);
       is_full_ = true;
     }
+  }
+
+  void add_blocks_of(const Json& column) {
+    for (const Json& block : is_div(column, "column") ? column["c"][1] : Json::array({column}))
+      add(block);
   }
 
   void emit_title() {

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/system/atomic_file.h"
+#include "base/system/overwriting.h"
 #include "base/units.h"
 
 namespace polhode {
@@ -52,8 +53,9 @@ MassProperties mass_properties_of(const TriangleMesh& mesh) {
 }
 
 TriangleMesh load_solid_mesh(const std::filesystem::path& file, double scale) {
-  TriangleMesh mesh =
-      parse_triangle_mesh(read_file(file, kLargestMeshFile), file.filename().string());
+  const std::string text = read_file(file, kLargestMeshFile);
+  protect_file(file);
+  TriangleMesh mesh = parse_triangle_mesh(text, file.filename().string());
   Eigen::AlignedBox3d box;
   for (Vec3& point : mesh.points) {
     point *= scale;

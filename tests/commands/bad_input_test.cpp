@@ -226,11 +226,14 @@ TEST(BadInput, AMeshIsNotOverwritten) {
   write_text(folder / "scene.toml", scene);
   write_text(folder / "a.obj", mesh);
   std::filesystem::create_symlink("a.obj", folder / "a.csv");
-  std::filesystem::create_symlink("a.obj", folder / "a.png");
+  for (const char* name : {"a.png", "f_00002.png", "chart.csv"})
+    std::filesystem::create_symlink("a.obj", folder / name);
   for (const std::string arguments : {"render SCENE -o DIR/b.png --report DIR/a.obj",
                                       "render SCENE -o DIR/a.png --still 0",
                                       "preview SCENE -o DIR/a.png",
                                       "render SCENE -o hash:DIR/a.obj",
+                                      "render SCENE -o DIR/f_%05d.png",
+                                      "chart SCENE -o DIR --methods rk4",
                                       "simulate SCENE -o DIR/a.csv"}) {
     SCOPED_TRACE(arguments);
     std::string whole = arguments;

@@ -85,7 +85,7 @@ TEST_F(DataOfALecture, FilesBehindLinksStay) {
   std::filesystem::remove_all(folder_ / "out/data/source");
   std::filesystem::create_directory_symlink(folder_ / "deck", folder_ / "out/data/source");
   deck_.images.clear();
-  manifest();
+  test::expect_input_error([&] { manifest(); }, "", "would overwrite");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "deck/photo.png"));
 }
 

@@ -329,9 +329,14 @@ TEST(Documents, FormulasWithQuotesHaveTheLineOfTheDeck) {
   EXPECT_EQ(deck.problems[0].place().line, 3);
 }
 
-TEST(Documents, NotesOfSlidesHaveTheirFootnotes) {
-  const Deck deck = deck_of("## A\n\nB\n\n::: notes\nC[^1]\n:::\n\n[^1]: D\n\n    E\n");
-  EXPECT_TRUE(has(words_of_part(deck, "ppt/notesSlides/notesSlide1.xml"), "C (D E)"));
+// where pandoc leaves out all but words
+TEST(Documents, NotesOfSlidesHaveFootnotesTablesAndPicturesInWords) {
+  const Deck deck = deck_of(
+      "## A\n\nB\n\n::: notes\nC[^1]\n\n| F | G |\n|---|---|\n| H | I |\n\n: J\n\n"
+      "![K](s.toml){.film}\n:::\n\n[^1]: D\n\n    E\n");
+  const std::string notes = words_of_part(deck, "ppt/notesSlides/notesSlide1.xml");
+  for (const char* words : {"C (D E)", "JF | GH | I", "[K]"})
+    EXPECT_TRUE(has(notes, words)) << notes;
 }
 
 TEST(Documents, WhatTheyLackIsTold) {

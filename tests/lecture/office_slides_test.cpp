@@ -64,10 +64,12 @@ TEST(OfficeSlides, HaveTwoColumns) {
   const std::string one = "::: column\nA\n:::\n\n",
                     mixed = "::: column\nA\n\n![Cap](s.toml){.still}\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + "::::\n"), "2(ww)");
-  EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + one + "::::\n"), "2(ww)2(w)");
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + one + one + "::::\n"), "2(ww)2w");
   EXPECT_EQ(shape("## One\n\n:::: {.columns .fragment}\n" + one +
                   "::: {.column .incremental}\nB\n:::\n\n" + one + "::::\n"),
-            "2(ww)2(w)");
+            "2(ww)2w");
+  EXPECT_EQ(shape("## One\n\n:::: columns\n::: column\n" + std::string(kTable) + ":::\n::::\n"),
+            "2f");
   const std::string image = "::: column\nIMAGE\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + image + image + "::::\n"), "2(ff)");
   EXPECT_EQ(shape("## One\n\nB\n\n:::: columns\n" + one + one + "::::\n\nC\n"), "2w2(ww)2w");

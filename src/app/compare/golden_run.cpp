@@ -121,7 +121,12 @@ GoldenResult golden_run(const GoldenJob& job) {
   refuse_folder_of_references(job);
   std::unique_ptr<OutputFolder> page;
   if (!job.html.empty()) {
-    refuse_same_file(fs::path(job.html) / "index.html", "--html", scene_files(job.folder, cases));
+    std::vector<fs::path> needed = scene_files(job.folder, cases);
+    for (const LoadedCase& one : cases) {
+      for (const Reference& reference : one.references)
+        needed.insert(needed.end(), {reference.file, sidecar_file(reference.file)});
+    }
+    refuse_same_file(fs::path(job.html) / "index.html", "--html", needed);
     page =
         std::make_unique<OutputFolder>(job.html, std::vector<std::string>{"index.html"}, "--html");
   }

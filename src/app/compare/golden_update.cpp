@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -158,14 +159,21 @@ void add_rules(const GoldenJob& job,
   }
 }
 
-// a scene may have the name of a picture, or of what is told of it
+// A scene may have the name of a picture, or of what is told of it; pictures may be links.
 void refuse_overwriting(const GoldenJob& job, const std::vector<LoadedCase>& cases) {
   const std::vector<fs::path> needed = scene_files(job.folder, cases);
+  std::map<fs::path, std::string> written_by;  // of other cases
   for (const LoadedCase& one : cases) {
     const fs::path picture = reference_file(job.folder, one.spec.name, job.cause);
     const std::string what = fmt::format("the reference of '{}'", one.spec.name);
-    for (const fs::path& written : {picture, sidecar_file(picture)})
+    for (const fs::path& written : {picture, sidecar_file(picture)}) {
       refuse_needed_file(written, what, needed);
+      const auto [other, is_new] = written_by.emplace(fs::weakly_canonical(written), one.spec.name);
+      if (!is_new) {
+        throw input_error("{} is that of '{}' by a link; remove the link", what, other->second)
+            .at({written.string(), 0, {}});
+      }
+    }
   }
 }
 

@@ -13,6 +13,7 @@
 #include <sys/file.h>
 
 #include "base/error.h"
+#include "base/system/overwriting.h"
 #include "base/system/system_error.h"
 
 namespace polhode {
@@ -42,8 +43,9 @@ fs::path part_of(const fs::path& target) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path target)
-    : target_(behind_links(std::move(target))), part_(part_of(target_)) {
+AtomicFile::AtomicFile(const fs::path& target)
+    : target_(behind_links(target)), part_(part_of(target_)) {
+  refuse_protected_file(target);
   const Place place{target_.string(), 0, {}};
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   std::error_code ignored;

@@ -1,9 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/overwriting.h"
 
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <sys/stat.h>
+
 #include "base/error.h"
 
 namespace polhode {
+namespace {
+
+// what a file is, whatever its path: device and inode
+using FileId = std::pair<dev_t, ino_t>;
+
+std::optional<FileId> id_of(const std::filesystem::path& file) {
+  struct stat status = {};
+  if (stat(file.c_str(), &status) != 0) return std::nullopt;
+  return FileId(status.st_dev, status.st_ino);
+}
+
+struct Protected {
+  std::mutex lock;
+  std::map<FileId, std::filesystem::path> files;  // as they were named
+};
+
+Protected& protected_files() {
+  static Protected all;
+  return all;
+}
+
+}  // namespace
 
 void refuse_same_file(const std::string& written,
                       const std::string& what,
@@ -34,6 +63,26 @@ void refuse_same_files(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& needed) {
   for (const std::string& name : names)
     refuse_same_file(folder / name, "--output", needed);
+}
+
+void protect_file(const std::filesystem::path& file) {
+  const std::optional<FileId> id = id_of(file);
+  if (!id) return;
+  Protected& all = protected_files();
+  const std::lock_guard guard(all.lock);
+  all.files[*id] = file;
+}
+
+void refuse_protected_file(const std::filesystem::path& target) {
+  const std::optional<FileId> id = id_of(target);
+  if (!id) return;
+  Protected& all = protected_files();
+  const std::lock_guard guard(all.lock);
+  const auto found = all.files.find(*id);
+  // the number of a file that has been deleted meanwhile may be that of another one
+  if (found == all.files.end() || id_of(found->second) != id) return;
+  throw input_error("would overwrite {}; choose another name", found->second.string())
+      .at({target.string(), 0, {}});
 }
 
 }  // namespace polhode

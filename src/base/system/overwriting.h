@@ -24,4 +24,11 @@ void refuse_same_files(const std::filesystem::path& folder,
                        const std::vector<std::string>& names,
                        const std::vector<std::filesystem::path>& needed);
 
+// Remembers an existing file that the user gave, such as a scene, until the process ends.
+// Thread-safe. What is not there is not remembered.
+void protect_file(const std::filesystem::path& file);
+// Throws Error (input), with `target` as its place, if a protected file would be written there,
+// also by a link. AtomicFile (base/system/atomic_file.h) does this for all outputs.
+void refuse_protected_file(const std::filesystem::path& target);
+
 }  // namespace polhode

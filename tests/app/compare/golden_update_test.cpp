@@ -150,6 +150,15 @@ TEST_F(UpdateOfACase, CountsWhatItHasWritten) {
 }
 
 // an update must be reviewed by itself
+TEST_F(UpdateOfACase, ReferencesOfTwoCasesAreTwoFiles) {
+  update();
+  test::write_text(folder_ / "cases.toml",
+                   test::read_text(folder_ / "cases.toml") +
+                       "[[case]]\nname = \"second\"\nscene = \"top.toml\"\n");
+  std::filesystem::create_symlink("top.png", folder_ / "second.png");
+  test::expect_input_error([&] { update(); }, "", "is that of 'top' by a link");
+}
+
 TEST_F(UpdateOfACase, ATreeWithChangesIsRefused) {
   job_.allow_dirty = false;
   test::expect_input_error([&] { golden_update(job_); }, "", "git does not track this folder");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/system/atomic_file.h"
 #include "support/expect_error.h"
 #include "support/run.h"
 
@@ -68,6 +69,31 @@ TEST(RefuseSameFile, OtherFilesAndNoFileAreFine) {
   test::write_text(folder / "b.json", "same");
   EXPECT_NO_THROW(refuse_same_file(folder / "a.json", "--report", {folder / "b.json"}));
   EXPECT_NO_THROW(refuse_same_file("", "--report", {""}));
+}
+
+TEST(ProtectedFile, IsNeverWrittenByAnyName) {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "scene";
+  test::write_text(scene, "a scene");
+  std::filesystem::create_symlink("scene", folder / "link");
+  std::filesystem::create_hard_link(scene, folder / "hard");
+  protect_file(scene);
+  for (const char* name : {"scene", "link", "hard"}) {
+    SCOPED_TRACE(name);
+    test::expect_input_error(
+        [&] { write_file(folder / name, "a film"); }, "", "would overwrite " + scene);
+  }
+  EXPECT_EQ(test::read_text(scene), "a scene");
+  EXPECT_NO_THROW(write_file(folder / "other", "a film"));
+}
+
+// a new file may get the inode of one that is gone
+TEST(ProtectedFile, IsForgottenWhenItIsGone) {
+  const TemporaryFolder folder;
+  test::write_text(folder / "scene", "a scene");
+  protect_file(folder / "scene");
+  std::filesystem::rename(folder / "scene", folder / "film");
+  EXPECT_NO_THROW(write_file(folder / "film", "a film"));
 }
 
 }  // namespace

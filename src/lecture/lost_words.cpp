@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/lost_words.h"
+
+#include <cstdio>
+#include <memory>
+#include <string_view>
+#include <unordered_map>
+
+#include <libxml/HTMLparser.h>
+#include <libxml/parser.h>
+#include <minizip/unzip.h>
+
+#include "base/utf8.h"
+
+namespace polhode {
+namespace {
+
+constexpr unsigned long kLastCharacter = 0x10ffff;
+constexpr unsigned long kLastLatin = 0x24f;  // others are commands in LaTeX
+
+// The number of a character of UTF-8 with `length` bytes.
+unsigned long number_of(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  unsigned long number = character.size() == 1 ? first : first & (0xffU >> (character.size() + 1));
+  for (const char byte : character.substr(1))
+    number = number << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
+  return number;
+}
+
+// Letters and digits; signs, and spaces and dashes of all kinds are none.
+bool is_in_words(unsigned long character) {
+  struct Range {
+    unsigned long first, last;
+  };
+  constexpr Range kRanges[] = {{'0', '9'},
+                               {'A', 'Z'},
+                               {'a', 'z'},
+                               {0xc0, 0xd6},
+                               {0xd8, 0xf6},
+                               {0xf8, 0x1fff},
+                               {0x2c00, 0x2dff},
+                               {0x3041, 0xfdff},
+                               {0x20000, kLastCharacter}};
+  return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+    return character >= range.first && character <= range.last;
+  });
+}
+
+// Words with one blank before and behind each.
+class Words {
+ public:
+  explicit Words(unsigned long last) : last_(last) {}
+
+  // the end of a text ends a word
+  void add(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+      const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+      const std::string_view character = text.substr(i, length);
+      const unsigned long number = number_of(character);
+      if (is_in_words(number) && number <= last_) {
+        all_ += character;
+      } else {
+        end();
+      }
+      i += length;
+    }
+    end();
+  }
+
+  // What documents colour comes in parts: "\\nabc" is a line's end and a word, "5kg" may be two.
+  void add_code(const std::string& code) {
+    std::string parts;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const bool is_escaped = i >= 2 && code[i - 2] == '\\';
+      const bool is_unit = i >= 1 && is_digit(code[i - 1]) && !is_digit(code[i]);
+      if (is_escaped || is_unit) parts += ' ';
+      parts += code[i];
+    }
+    add(parts);
+  }
+
+  // how often a word stands by itself
+  std::unordered_map<std::string_view, int> counts() const {
+    std::unordered_map<std::string_view, int> counts;
+    for_each([&](std::string_view word) { ++counts[word]; });
+    return counts;
+  }
+
+  // how often it stands there, also inside others
+  int count_inside(std::string_view word) const {
+    int count = 0;
+    for (std::size_t at = all_.find(word); at != std::string::npos; at = all_.find(word, at + 1))
+      ++count;
+    return count;
+  }
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t from = 1; from < all_.size();) {
+      const std::size_t blank = all_.find(' ', from);
+      visit(std::string_view(all_).substr(from, blank - from));
+      from = blank + 1;
+    }
+  }
+
+ private:
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+  void end() {
+    if (all_.back() != ' ') all_ += ' ';
+  }
+
+  std::string all_ = " ";
+  unsigned long last_;  // of the characters that count
+};
+
+// What is read in all documents: not the descriptions of pictures, which are pictures among words,
+// in tables and in footnotes.
+void add_tree(Words& words, const Json& tree, bool may_have_figures) {
+  if (tree.is_array()) {
+    for (const Json& child : tree)
+      add_tree(words, child, may_have_figures);
+  }
+  if (!tree.is_object() || !tree.contains("t") || !tree.contains("c")) return;
+  const std::string type = tree["t"];
+  if (type == "Str") {
+    words.add(tree["c"].get_ref<const std::string&>());
+  } else if (type == "Code" || type == "CodeBlock") {
+    words.add_code(tree["c"][1].get_ref<const std::string&>());
+  } else if (type == "Cite") {
+    add_tree(words, tree["c"][1], may_have_figures);
+  } else if (is_image_alone(tree)) {
+    if (may_have_figures) add_tree(words, tree["c"][0]["c"][1], false);
+  } else if (type != "Image" && type != "Math") {
+    add_tree(words, tree["c"], may_have_figures && may_hold_figures(tree));
+  }
+}
+
+Words words_of_deck(const Deck& deck, unsigned long last) {
+  Words words(last);
+  for (const char* field : {"title", "subtitle", "author"})
+    if (deck.meta.contains(field)) add_tree(words, deck.meta[field], false);
+  add_tree(words, deck.blocks, true);
+  for (const DeckPicture& picture : deck.pictures)
+    add_tree(words, picture.caption, false);
+  return words;
+}
+
+// Adds the text between the tags of a document; libxml2 calls these with what it has read.
+struct TagReader {
+  explicit TagReader(Words& all) : words(&all) {
+    handler.characters = [](void* self, const xmlChar* piece, int length) {
+      auto* reader = static_cast<TagReader*>(self);
+      reader->text.append(reinterpret_cast<const char*>(piece), static_cast<std::size_t>(length));
+    };
+    handler.startElement = [](void* self, const xmlChar*, const xmlChar**) {
+      static_cast<TagReader*>(self)->end();
+    };
+    handler.endElement = [](void* self, const xmlChar*) {
+      static_cast<TagReader*>(self)->end();
+    };
+    // scripts and styles
+    handler.cdataBlock = [](void*, const xmlChar*, int) {
+    };
+  }
+
+  void end() {
+    words->add(text);
+    text.clear();
+  }
+
+  xmlSAXHandler handler = {};
+  Words* words;
+  std::string text;
+};
+
+void add_html(Words& words, const std::string& html) {
+  TagReader reader(words);
+  const std::unique_ptr<htmlParserCtxt, decltype(&htmlFreeParserCtxt)> parser(
+      htmlCreatePushParserCtxt(
+          &reader.handler, &reader, nullptr, 0, nullptr, XML_CHAR_ENCODING_UTF8),
+      &htmlFreeParserCtxt);
+  htmlParseChunk(parser.get(), html.data(), static_cast<int>(html.size()), 1);
+  reader.end();
+}
+
+void add_xml(Words& words, const std::string& xml) {
+  TagReader reader(words);
+  const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> parser(
+      xmlCreatePushParserCtxt(&reader.handler, &reader, nullptr, 0, nullptr), &xmlFreeParserCtxt);
+  if (xmlParseChunk(parser.get(), xml.data(), static_cast<int>(xml.size()), 1) != 0)
+    throw environment_error("pandoc wrote a slide that is no XML");
+  reader.end();
+}
+
+// the file of an archive at which minizip stands
+std::string unpacked(unzFile zip, const unz_file_info64& info) {
+  std::string bytes(info.uncompressed_size, '\0');
+  const bool is_whole =
+      unzOpenCurrentFile(zip) == UNZ_OK &&
+      unzReadCurrentFile(zip, bytes.data(), static_cast<unsigned>(bytes.size())) ==
+          static_cast<int>(bytes.size()) &&
+      unzCloseCurrentFile(zip) == UNZ_OK;
+  if (!is_whole) throw environment_error("pandoc wrote slides that cannot be read");
+  return bytes;
+}
+
+// the slides of a ZIP archive and the notes of these
+void add_office(Words& words, std::string bytes) {
+  zlib_filefunc_def memory;
+  fill_fopen_filefunc(&memory);
+  memory.opaque = &bytes;
+  memory.zopen_file = [](void* opaque, const char*, int) -> void* {
+    auto* all = static_cast<std::string*>(opaque);
+    return fmemopen(all->data(), all->size(), "rb");
+  };
+  const std::unique_ptr<void, decltype(&unzClose)> zip(unzOpen2("", &memory), &unzClose);
+  int status = zip == nullptr ? UNZ_BADZIPFILE : unzGoToFirstFile(zip.get());
+  for (; status == UNZ_OK; status = unzGoToNextFile(zip.get())) {
+    unz_file_info64 info = {};
+    char name[100] = {};
+    unzGetCurrentFileInfo64(zip.get(), &info, name, sizeof name - 1, nullptr, 0, nullptr, 0);
+    const std::string_view path = name;
+    if (path.ends_with(".xml") &&
+        (path.starts_with("ppt/slides/") || path.starts_with("ppt/notesSlides/")))
+      add_xml(words, unpacked(zip.get(), info));
+  }
+  if (status != UNZ_END_OF_LIST_OF_FILE)
+    throw environment_error("pandoc wrote slides that cannot be read");
+}
+
+// The names of commands are words, too, and end at their last letter.
+void add_latex(Words& words, const std::string& tex) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < tex.size() && std::isalpha(static_cast<unsigned char>(tex[at])) != 0;
+  };
+  std::size_t from = 0;
+  for (std::size_t at = tex.find('\\'); at != std::string::npos; at = tex.find('\\', from)) {
+    words.add(std::string_view(tex).substr(from, at - from));
+    std::size_t end = at + 1;
+    while (is_letter(end))
+      ++end;
+    words.add(std::string_view(tex).substr(at, end - at));
+    from = end;
+  }
+  words.add(std::string_view(tex).substr(from));
+}
+
+}  // namespace
+
+std::vector<std::string> lost_words(const Deck& deck,
+                                    const std::string& document,
+                                    DocumentForm form,
+                                    std::size_t most) {
+  const unsigned long last = form == DocumentForm::latex ? kLastLatin : kLastCharacter;
+  const Words wanted = words_of_deck(deck, last);
+  Words shown(last);
+  if (form == DocumentForm::html) add_html(shown, document);
+  if (form == DocumentForm::latex) add_latex(shown, document);
+  if (form == DocumentForm::office) add_office(shown, document);
+
+  const std::unordered_map<std::string_view, int> needed = wanted.counts();
+  std::unordered_map<std::string_view, int> there = shown.counts();
+  std::vector<std::string> lost;
+  constexpr int kMostSearches = 200;  // each in all of the document
+  int searches = 0;
+  wanted.for_each([&](std::string_view word) {
+    int& count = there[word];
+    if (count >= needed.at(word) || lost.size() == most || searches == kMostSearches) return;
+    // what the deck writes as two words may be one there
+    count = needed.at(word);
+    ++searches;
+    if (shown.count_inside(word) < wanted.count_inside(word)) lost.emplace_back(word);
+  });
+  return lost;
+}
+
+}  // namespace polhode
