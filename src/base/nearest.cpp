@@ -58,6 +58,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return best;
 }
 
+bool is_almost(std::string_view name, std::string_view other) {
+  const std::size_t shorter = std::min(name.size(), other.size());
+  return std::max(name.size(), other.size()) - shorter <= 1 && distance(name, other) <= 1;
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string best = nearest_name(name, candidates);
   if (!best.empty()) return fmt::format(" (did you mean '{}'?)", best);

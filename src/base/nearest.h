@@ -15,6 +15,9 @@ namespace polhode {
 // the name (rounded down, but at least 1), and for names of more than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
+// Whether the two differ by one slip of the pen at most: a distance of 1, as above.
+bool is_almost(std::string_view name, std::string_view other);
+
 // The end of an error message about an unknown name: " (did you mean 'mass'?)", or " (known: ...)"
 // with all candidates if nearest_name() finds none, or " (there are none)".
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);

@@ -100,6 +100,7 @@ class Reader {
       node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
       return;
     }
+    if (type == "Para" || type == "Plain") refuse_marks(node["c"]);
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
@@ -149,6 +150,51 @@ class Reader {
  private:
   void tell(int line, const Error& error) {
     deck_.problems.push_back(error.at({deck_.file, line, {}}));
+  }
+
+  // Marks that pandoc shows as they stand, because what they begin has no end, or stands where it
+  // cannot begin.
+  void refuse_marks(const Json& inlines) {
+    for (std::size_t i = 0; i < inlines.size(); ++i) {
+      if (inlines[i]["t"] != "Str") continue;
+      const std::string words = inlines[i]["c"];
+      const bool begins_line = i == 0 || inlines[i - 1]["t"] == "SoftBreak";
+      const bool is_mark =
+          words.starts_with(":::") && words.find_first_not_of(':') == std::string::npos;
+      if (begins_line && is_mark) {
+        // those behind it are shown because it is
+        if (std::exchange(mark_told_, true)) return;
+        tell(line_of_mark(inlines, i),
+             input_error("'{}' would be shown as it stands: a box begins behind an empty line, and "
+                         "ends with a line of its own",
+                         words));
+      } else if (words.find("](") != std::string::npos &&
+                 words.find(".toml") != std::string::npos) {
+        tell(lines_.next(words),
+             input_error("'{}' would be shown as it stands: a picture ends with ')' and its "
+                         "settings with '}}'",
+                         words));
+      }
+    }
+  }
+
+  // The line of a mark, which stands in many: by what follows it. 0 if that does not tell.
+  int line_of_mark(const Json& inlines, std::size_t from) {
+    constexpr std::size_t kEnough = 200;
+    std::string words;
+    for (std::size_t i = from; i < inlines.size() && words.size() < kEnough; ++i) {
+      const std::string type = inlines[i]["t"];
+      if (type == "SoftBreak") words += '\n';
+      if (type == "Space") words += ' ';
+      if (type == "Str") words += inlines[i]["c"].get<std::string>();
+      if (type != "Str" && type != "Space" && type != "SoftBreak") break;
+    }
+    for (std::size_t end = words.size(); end != std::string::npos; end = words.rfind('\n', end)) {
+      words.resize(end);
+      const int line = lines_.next(words);
+      if (line > 0) return lines_.next(words) == 0 ? line : 0;
+    }
+    return 0;
   }
 
   static bool names_scene(const Json& image) {
@@ -245,7 +291,10 @@ class Reader {
     try {
       if (in_header_) throw input_error("a field of the header has no picture");
       if (names_scene(image))
-        throw input_error("a picture of a scene needs a paragraph of its own");
+        throw input_error(
+            "a picture of a scene needs a paragraph of its own, with nothing behind "
+            "its settings, as in ![…]({}){{.film}}",
+            target);
       const std::string file = percent_decoded(target);
       const std::string ending = std::filesystem::path(file).extension();
       if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
@@ -309,6 +358,17 @@ class Reader {
     return percent && *percent > 0.0 && *percent <= 100.0;
   }
 
+  // words for the speaker would be shown to all
+  void refuse_slip(const std::string& name, const std::set<std::string>& meant) {
+    for (const std::string& one : meant) {
+      if (!is_almost(name, one)) continue;
+      int line = lines_.next("::: " + name + "\n");
+      if (line == 0) line = lines_.next("." + name + "}");
+      tell(line, input_error("'{}' means nothing to a deck (did you mean '{}'?)", name, one));
+      return;
+    }
+  }
+
   // widths of columns are all that a deck may set on what is no picture; classes that mean nothing
   // to a document could be those of its own parts, which styles hide or move
   void clean(Json& attributes, const std::string& type) {
@@ -318,8 +378,12 @@ class Reader {
         {"Header", {"unnumbered", "unlisted"}}};
     if (type != "Code" && type != "CodeBlock") {
       const auto its = known.find(type);
+      const std::set<std::string> none;
+      const std::set<std::string>& meant = its == known.end() ? none : its->second;
       std::erase_if(attributes[1].get_ref<Json::array_t&>(), [&](const Json& name) {
-        return its == known.end() || !its->second.contains(name.get<std::string>());
+        if (meant.contains(name.get<std::string>())) return false;
+        refuse_slip(name, meant);
+        return true;
       });
     }
     Json kept = Json::array();
@@ -373,6 +437,7 @@ class Reader {
   std::vector<std::pair<std::string, int>> links_;  // place, line
   bool in_header_ = false;                          // of the deck
   bool among_words_ = false;                        // where pictures have no captions
+  bool mark_told_ = false;                          // of a box that is none
 };
 
 // the line of the first character, or reference to one, that no document can show; 0 if unknown

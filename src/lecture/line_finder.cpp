@@ -120,7 +120,10 @@ LineFinder::LineFinder(std::string text, const Json& blocks) : text_(std::move(t
 int LineFinder::next(const std::string& words) {
   if (words.empty()) return 0;
   std::size_t& from = seen_[words];
-  const std::size_t at = text_.find(words, from);
+  std::size_t at = text_.find(words, from);
+  // in tables this sign has one before it
+  if (const std::size_t bar = words.find('|'); bar != std::string::npos)
+    at = std::min(at, text_.find(std::string(words).insert(bar, "\\"), from));
   from = at == std::string::npos ? text_.size() : at + words.size();
   if (at == std::string::npos) return 0;
   const auto end = std::lower_bound(line_ends_.begin(), line_ends_.end(), at);

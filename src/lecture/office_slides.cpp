@@ -116,6 +116,8 @@ class Layout {
     // pandoc ends at links to an empty one
     if (!has_words(title_)) title_ = rule();
     emit_title();
+    // the title of a part has its slide alone
+    is_full_ = title_["t"] == "Header" && title_["c"][0] < kTitles;
     for (const Json& figure : figures)
       add(figure);
   }
@@ -198,10 +200,11 @@ class Layout {
     is_full_ = boxed_ = false;
   }
 
-  // with the same title; that of a part of the deck would begin another one
+  // with the same title, which does not begin a part of the deck again
   void next_slide() {
     end_slide();
-    if (title_["t"] == "Header" && title_["c"][0] == kTitles) {
+    if (title_["t"] == "Header") {
+      title_["c"][0] = kTitles;
       title_["c"][1][0] = fmt::format("slide-again-{}", ++again_);
       std::erase_if(title_["c"][2].get_ref<Json::array_t&>(),
                     [](const Json& inline_) { return inline_["t"] == "Note"; });
@@ -222,7 +225,7 @@ class Layout {
   Json words_ = Json::array(), notes_ = Json::array();
   Json figure_ = nullptr;  // a picture or a table
   bool boxed_ = false;     // are there words in a box
-  bool is_full_ = false;   // of columns
+  bool is_full_ = false;   // of columns, or the title of a part
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ constexpr const char* kMarkdown =
     "-markdown_in_html_blocks-native_divs-native_spans";
 
 // many times what a lecture of a hundred pages takes
-constexpr double kMostSeconds = 30.0;
+constexpr double kMostSeconds = 30.0;          // to read a deck, which may be hostile
+constexpr double kMostSecondsToWrite = 300.0;  // what it could read
 
 // pandoc tells formulas that it cannot read as "Could not convert TeX math FORMULA, rendering as
 // TeX", over several lines if need be
@@ -146,7 +147,9 @@ std::vector<std::string> pandoc(const std::vector<std::string>& words) {
 
 // pandoc's answer to what Polhode has written itself
 ChildResult converted(const std::vector<std::string>& words, const std::string& text) {
-  ChildResult ran = run_child(pandoc(words), text, {.seconds = kMostSeconds});
+  ChildResult ran = run_child(pandoc(words), text, {.seconds = kMostSecondsToWrite});
+  if (!ran.exceeded.empty())
+    throw environment_error("a document cannot be made: pandoc {}; divide the deck", ran.exceeded);
   if (!ended_well(ran)) {
     throw environment_error("a document cannot be made: pandoc {}", how_it_ended(ran));
   }

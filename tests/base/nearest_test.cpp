@@ -35,6 +35,14 @@ TEST(NearestName, IsSilentWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("", kNames), "");
 }
 
+TEST(IsAlmost, IsOneSlipOfThePen) {
+  for (const char* name : {"notes", "note", "Notes", "ntoes", "nots", "notees"})
+    EXPECT_TRUE(is_almost(name, "notes")) << name;
+  for (const char* name : {"notice", "box", "", "not"})
+    EXPECT_FALSE(is_almost(name, "notes")) << name;
+  EXPECT_FALSE(is_almost(std::string(100000, 'm'), "m"));
+}
+
 TEST(Suggestion, IsANameOrTheList) {
   EXPECT_EQ(suggestion("mas", kNames), " (did you mean 'mass'?)");
   EXPECT_EQ(suggestion("xylophone", {"a", "b"}), " (known: a, b)");

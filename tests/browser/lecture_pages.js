@@ -126,6 +126,16 @@ const check = async (name, work) => {
       const [, stopped] = await state();
       await page.keyboard.press("Space");
       await until("going on", async () => (await state())[1] > stopped + 0.2);
+      // k goes on as well, and plays it once more with its pauses
+      await page.evaluate((at) => { Reveal.slide(0); Reveal.slide(at.h, at.v); }, index);
+      const hint = () => page.evaluate(() => document.querySelector(".hint").textContent);
+      await until("the pause again", async () => (await hint()) !== "");
+      await page.keyboard.press("k");
+      await until("going on by k", async () => (await state())[1] > stopped + 0.2 && (await hint()) === "");
+      await page.evaluate(() => { const one = Reveal.getCurrentSlide().querySelector("video"); one.dataset.last = "1e9"; one.currentTime = one.duration; });
+      await until("the end", async () => page.evaluate(() => Reveal.getCurrentSlide().querySelector("video").ended));
+      await page.keyboard.press("k");
+      await until("the first pause once more", async () => { const [paused, time] = await state(); return paused && Math.abs(time - stopped) < 0.2; });
     });
   }
   assert.deepStrictEqual(problems.filter((one) => !one.includes("ERR_")), []);

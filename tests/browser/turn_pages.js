@@ -49,7 +49,7 @@ title: "Turn it ${hostile.replaceAll('"', "'")}"
 
 ![The story](cones_explained.toml){ .turn ${small} to=4 }
 
-## Hostile
+## Words that are code
 
 ![Hostile](hostile.toml){ #hostile .turn ${small} to=2 alt="</script><b>x" vary="motion.spin.rates_deg_per_s[2] 10 800 </script><img src=x onerror=hack()>" }
 
@@ -609,6 +609,11 @@ clock = false
     await slides.keyboard.press("ArrowRight");
     assert.strictEqual(await slides.evaluate(() => Reveal.getIndices().h), where);
     await shot("slide", slides);
+    // a clicker goes on, also behind a press of a button, and the film that is not seen does not wait
+    await slides.locator("figure[data-turn] .turn-bar button, figure[data-turn] [role=group] button").filter({ visible: true }).first().focus();
+    await slides.keyboard.press("PageDown");
+    await slides.waitForFunction((before) => Reveal.getIndices().h !== before || Reveal.getIndices().v > 0, where);
+    assert.strictEqual(await slides.evaluate(() => document.querySelector(".hint").textContent), "");
   });
 
   await check("two viewers on one slide have one clock", async () => {

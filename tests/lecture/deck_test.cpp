@@ -224,6 +224,28 @@ TEST(Deck, LinesAreNotThoseOfCode) {
   }
 }
 
+// as text of a slide, words for the speaker would be shown to all
+TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
+  const std::string good = "# A\n\n::: notes\nSay.\n:::\n\n";
+  EXPECT_EQ(problem_of(good + "Write `:::` or ::: here.\n"), "none");
+  EXPECT_EQ(problem_of(good + "::: warning\nB\n:::\n"), "none");
+  for (const char* open :
+       {"::: notes\nB is said\n", "C\n::: notes\nB\n:::\n", "- C\n::: notes\nB is\n"})
+    EXPECT_TRUE(test::has(problem_of(good + open), ": ':::' would be shown as it stands")) << open;
+  EXPECT_TRUE(test::has(problem_of(good + "::: notes\nB is said\n"), "deck.md:7:"));
+  EXPECT_EQ(problem_of(good + "::: note\nB\n:::\n"),
+            "deck.md:7: 'note' means nothing to a deck (did you mean 'notes'?)");
+  EXPECT_EQ(problem_of(good + "::: {.colmns}\nB\n:::\n"),
+            "deck.md:7: 'colmns' means nothing to a deck (did you mean 'columns'?)");
+}
+
+TEST(Deck, PicturesThatAreNoneAreRefusedWithTheirLine) {
+  EXPECT_TRUE(test::has(problem_of("A\n\n![b](c.toml {.still}\n"),
+                        "[b](c.toml' would be shown as it stands"));
+  EXPECT_TRUE(test::has(problem_of("A\n\n![b](c.toml){.still\n"),
+                        "deck.md:3: a picture of a scene needs a paragraph of its own, with"));
+}
+
 TEST(Deck, FieldsMayStandBehindPercentSigns) {
   EXPECT_EQ(problem_of("% Lecture\n% A. Author\n% 2024\n\nText\n"), "none");
 }

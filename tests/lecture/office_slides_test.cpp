@@ -56,7 +56,7 @@ TEST(OfficeSlides, HaveWordsBesideOneFigure) {
   EXPECT_EQ(shape("## One\n\n" + picture + table + "Words.\n"), "2f2(wf)");
   EXPECT_EQ(shape("## One\n\n" + table + "Words.\n\n" + picture + "More.\n"), "2(wf)2(wf)");
   EXPECT_EQ(shape("## One\n\n### Two\n\nWords.\n"), "23w");
-  EXPECT_EQ(shape("# Part\n\n" + picture + picture), "1f-f");
+  EXPECT_EQ(shape("# Part\n\n" + picture + picture), "12f2f");
   EXPECT_EQ(shape(picture + picture), "f-f");
 }
 

@@ -108,6 +108,11 @@ TEST(Quotes, StandInTextFormulasAndCaptions) {
   EXPECT_EQ(deck.pictures[0].settings.at("alt"), "d −2.4 × 10⁻⁴\u00A0s");
   ASSERT_EQ(deck.problems.size(), 1U);
   EXPECT_EQ(deck.problems[0].place().line, 4);
+  const std::string table = "| a |\n|---|\n| {inspect:s.toml#nothing\\|%.1f} |\n";
+  deck = deck_of(table);
+  fill_quotes(deck, table, [](const std::string&) -> const Json& { return kAnswer; });
+  ASSERT_EQ(deck.problems.size(), 1U);
+  EXPECT_EQ(deck.problems[0].place().line, 3);
   EXPECT_EQ(quoted_scenes(deck_of("{inspect:s.toml#a} {inspect:t.toml#b}")).size(), 2U);
 }
 

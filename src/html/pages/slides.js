@@ -2,11 +2,13 @@
 "use strict";
 const hint = document.querySelector(".hint");
 const say = (words) => {
+  if (hint.textContent === words) return;
   hint.textContent = words;
   hint.classList.toggle("shown", words !== "");
 };
 const pausesOf = (video) => (video.dataset.pauses || "").split(",").filter((one) => one !== "").map((one) => one.split(" ").map(Number));
-const shown = () => [...(Reveal.getCurrentSlide()?.querySelectorAll("video") ?? [])];
+// not those in whose place a model is turned
+const shown = () => [...(Reveal.getCurrentSlide()?.querySelectorAll("video") ?? [])].filter((video) => !video.closest("[hidden]"));
 
 // the stop that a film stands at, if it does
 const waiting = new Map();
@@ -21,13 +23,20 @@ const watch = (video) => {
         video.pause();
         // what comes at the pause has come by its end
         video.currentTime = Math.max(stop[0], Math.min(stop[1], video.duration) - 1.5 / Number(video.dataset.fps));
-        say("Paused: space goes on");
       }
     }
   }
   requestAnimationFrame(() => watch(video));
 };
-for (const video of document.querySelectorAll("video")) requestAnimationFrame(() => watch(video));
+const tell = () => {
+  say(shown().some((video) => waiting.has(video)) ? "Paused: space goes on" : "");
+  requestAnimationFrame(tell);
+};
+requestAnimationFrame(tell);
+for (const video of document.querySelectorAll("video")) {
+  video.addEventListener("play", () => waiting.delete(video));
+  requestAnimationFrame(() => watch(video));
+}
 
 const restart = (video) => {
   waiting.delete(video);
@@ -35,7 +44,6 @@ const restart = (video) => {
   video.currentTime = 0;
 };
 const enter = () => {
-  say("");
   for (const video of document.querySelectorAll("video")) video.pause();
   for (const video of shown()) {
     restart(video);
@@ -47,14 +55,17 @@ const goOn = () => {
   let went = false;
   for (const video of shown()) {
     if (!waiting.has(video)) continue;
-    waiting.delete(video);
     video.play().catch(() => {});
     went = true;
   }
-  if (went) say("");
   return went;
 };
-const toggle = () => shown().forEach((video) => (video.paused ? video.play().catch(() => {}) : video.pause()));
+const toggle = () => shown().forEach((video) => {
+  if (!video.paused) return video.pause();
+  // with its pauses once more
+  if (video.ended) restart(video);
+  video.play().catch(() => {});
+});
 const step = (by) => shown().forEach((video) => {
   video.pause();
   const fps = Number(video.dataset.fps);

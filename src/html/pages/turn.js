@@ -780,8 +780,11 @@
         event.stopPropagation();
         keys[event.key]();
       });
-      // slides have keys of their own
-      this.bar.addEventListener("keydown", (event) => event.key !== "Escape" && event.stopPropagation());
+      // slides have keys of their own; of a button only these two do something here
+      this.bar.addEventListener("keydown", (event) => {
+        const passes = event.key === "Escape" || (event.target.closest("button") && event.key !== " " && event.key !== "Enter");
+        if (!passes) event.stopPropagation();
+      });
     }
 
     turn(yaw, pitch) {
