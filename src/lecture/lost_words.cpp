@@ -67,7 +67,7 @@ class Words {
     end();
   }
 
-  // What documents colour comes in parts: "\\nabc" is a line's end and a word, "5kg" may be two.
+  // What documents colour comes in parts: "\nabc" is a line's end and a word, "5kg" may be two.
   void add_code(const std::string& code) {
     std::string parts;
     for (std::size_t i = 0; i < code.size(); ++i) {
