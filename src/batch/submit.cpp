@@ -189,6 +189,18 @@ void queue(BatchJob& batch,
   }
 }
 
+// The folder may be one that somebody else made.
+void refuse_foreign_scripts(const fs::path& folder) {
+  constexpr std::size_t kHead = 4096;  // bytes; long options stand before the words
+  for (const char* name : {"tasks.sh", "collect.sh"}) {
+    const fs::path script = folder / name;
+    if (is_there(script) &&
+        head_of_file(script, kHead).find("# Written by polhode") == std::string::npos)
+      throw input_error("was not written by `polhode submit`; move it or choose another output")
+          .at({script.string(), 0, {}});
+  }
+}
+
 // Queues what is neither done nor queued, and says what it did; `batch` becomes what is queued now.
 std::string queue_missing(const SubmitJob& job,
                           const fs::path& folder,
@@ -201,6 +213,7 @@ std::string queue_missing(const SubmitJob& job,
     return fmt::format("{} is there; delete it to make it again\n", one_line(batch.output));
   if (is_active) return fmt::format("already submitted as Slurm job {}\n", numbers_of(batch));
 
+  refuse_foreign_scripts(folder);
   make_folder(folder / "state");
   make_folder(folder / "logs");
   for (const char* mark : {"state/collected", "state/collect.failed"})

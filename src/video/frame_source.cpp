@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
+#include "base/system/overwriting.h"
 #include "image/png.h"
 #include "video/film_reader.h"
 #include "video/png_sink.h"
@@ -27,8 +28,10 @@ class PictureSource final : public FrameSource {
 
   PictureSource(SourceKind kind, std::vector<Entry> entries) : entries_(std::move(entries)) {
     info_.kind = kind;
-    for (const Entry& entry : entries_)
+    for (const Entry& entry : entries_) {
+      protect_file(entry.file);
       info_.labels.push_back(entry.label);
+    }
     info_.frames = static_cast<int>(entries_.size());
   }
   const SourceInfo& info() const override { return info_; }
@@ -50,6 +53,7 @@ class PictureSource final : public FrameSource {
 class FilmSource final : public FrameSource {
  public:
   explicit FilmSource(const std::string& name) : reader_(name) {
+    protect_file(name);
     info_.kind = SourceKind::film;
     info_.fps = reader_.info().fps;
     info_.frames = reader_.info().frames;

@@ -250,6 +250,20 @@ TEST_F(Diff, FullDisksAndUnwritableFoldersAreTold) {
   refuses(diff("a.png", "a.png", "--html '" + (folder_ / "file") + "'"), "--html");
 }
 
+TEST_F(Diff, ThePageTakesTheNameOfNoPicture) {
+  for (const char* name : {"a/x_1.png", "b/x_1.png"}) {
+    std::filesystem::create_directories((folder_.path() / name).parent_path());
+    picture(name, flat(name[0] == 'a' ? 100 : 200));
+  }
+  const std::string before = test::read_text(folder_ / "b/x_1.png");
+  std::filesystem::create_directory(folder_ / "page");
+  std::filesystem::create_symlink("../b/x_1.png", folder_ / "page/index.html");
+  const std::string html = "--html '" + (folder_ / "page") + "'";
+  refuses(diff("a", "b", html), "would overwrite");
+  refuses(diff("a/x_%d.png", "b/x_%d.png", html), "would overwrite");
+  EXPECT_EQ(test::read_text(folder_ / "b/x_1.png"), before);
+}
+
 TEST_F(Diff, AnInterruptEndsIt) {
   film("a.mp4", std::vector<int>(40'000, 90));
   const std::string a = folder_ / "a.mp4";

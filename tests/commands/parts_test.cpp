@@ -233,6 +233,17 @@ TEST_F(Submit, NamesAJobThatItCannotTakeBack) {
   }
 }
 
+TEST_F(Submit, LeavesTheScriptsOfOthers) {
+  write_program("sbatch", "echo 12");
+  std::filesystem::create_directory(folder_ / "maps.job");
+  test::write_text(folder_ / "maps.job/tasks.sh", "my own");
+  const Ran ran = run_polhode(map_in_two_tasks(), in_bin());
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("tasks.sh: was not written by `polhode submit`"), std::string::npos)
+      << ran.err;
+  EXPECT_EQ(test::read_text(folder_ / "maps.job/tasks.sh"), "my own");
+}
+
 // while Slurm gives no answer, nothing is known to be over: nothing is queued twice, nothing left
 TEST_F(Submit, DoesNotTakeSilenceForTheEnd) {
   const std::string submitted = folder_ / "submitted";

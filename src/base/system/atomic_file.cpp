@@ -109,6 +109,7 @@ void AtomicFile::unlock() {
 }
 
 void AtomicFile::commit() {
+  refuse_protected_file(target_);  // read since this was opened
   // some systems tell only now that a disk is full; those that cannot do it at all are no reason
   if (lock_ >= 0 && fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
     throw environment_error("cannot write: {}", std::strerror(errno)).at({target_.string(), 0, {}});

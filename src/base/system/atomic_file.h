@@ -40,7 +40,8 @@ class AtomicFile {
   // The final name; for a symbolic link, the file that it points to.
   const std::filesystem::path& target() const { return target_; }
   // Waits until the file is on the disk, unless it is unlocked, and renames it to its final name.
-  // Call it once. Throws Error (environment) if that fails.
+  // Call it once. Throws Error (environment) if that fails, and (input) if the file is protected
+  // by now.
   void commit();
   // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
