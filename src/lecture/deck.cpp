@@ -160,14 +160,24 @@ class Reader {
       const std::string words = inlines[i]["c"];
       const bool begins_line = i == 0 || inlines[i - 1]["t"] == "SoftBreak";
       const bool is_mark =
-          words.starts_with(":::") && words.find_first_not_of(':') == std::string::npos;
-      if (begins_line && is_mark) {
+          words.starts_with(":::") || (i == 0 && words.starts_with("#") &&
+                                       words.find("\u00a0") == words.find_first_not_of('#'));
+      if (words.find(".toml#") != std::string::npos && words.find("://") == std::string::npos &&
+          words.find("{inspect:") == std::string::npos &&
+          (words.find('{') != std::string::npos || words.starts_with("inspect:"))) {
+        tell(lines_.next(words),
+             input_error("'{}' would be shown as it stands: a number is quoted by {{inspect:…}}",
+                         words));
+      } else if (begins_line && is_mark) {
         // those behind it are shown because it is
         if (std::exchange(mark_told_, true)) return;
         tell(line_of_mark(inlines, i),
-             input_error("'{}' would be shown as it stands: a box begins behind an empty line, and "
-                         "ends with a line of its own",
-                         words));
+             input_error("'{}' would be shown as it stands: {}",
+                         words,
+                         words[0] == '#' ? "behind it is a space that is none"
+                                         : "a box begins behind an empty line, as far from the "
+                                           "margin as what is around it, and ends with a line of "
+                                           "its own"));
       } else if (words.find("](") != std::string::npos &&
                  words.find(".toml") != std::string::npos) {
         tell(lines_.next(words),
@@ -360,12 +370,19 @@ class Reader {
 
   // words for the speaker would be shown to all
   void refuse_slip(const std::string& name, const std::set<std::string>& meant) {
+    int line = lines_.next("::: " + name + "\n");
+    if (line == 0) line = lines_.next("." + name + "}");
+    std::string letters = name;
+    std::erase_if(letters, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
     for (const std::string& one : meant) {
-      if (!is_almost(name, one)) continue;
-      int line = lines_.next("::: " + name + "\n");
-      if (line == 0) line = lines_.next("." + name + "}");
+      if (!is_almost(letters, one)) continue;
       tell(line, input_error("'{}' means nothing to a deck (did you mean '{}'?)", name, one));
       return;
+    }
+    if (unknown_.insert(name).second) {
+      deck_.remarks.push_back(
+          input_error("'{}' means nothing to a deck; what is in it is shown as other words", name)
+              .at({deck_.file, line, {}}));
     }
   }
 
@@ -382,9 +399,13 @@ class Reader {
       const std::set<std::string>& meant = its == known.end() ? none : its->second;
       std::erase_if(attributes[1].get_ref<Json::array_t&>(), [&](const Json& name) {
         if (meant.contains(name.get<std::string>())) return false;
-        refuse_slip(name, meant);
+        if (type == "Div") refuse_slip(name, meant);
         return true;
       });
+      if (type == "Div" && attributes[0] == "notes") refuse_slip("#notes", {"notes"});
+      // for what is beside it pandoc would show these words
+      if (std::find(attributes[1].begin(), attributes[1].end(), "notes") != attributes[1].end())
+        attributes[1] = Json::array({"notes"});
     }
     Json kept = Json::array();
     for (const Json& pair : attributes[2]) {
@@ -437,6 +458,7 @@ class Reader {
   std::vector<std::pair<std::string, int>> links_;  // place, line
   bool in_header_ = false;                          // of the deck
   bool among_words_ = false;                        // where pictures have no captions
+  std::set<std::string> unknown_;                   // classes of boxes
   bool mark_told_ = false;                          // of a box that is none
 };
 
@@ -473,6 +495,11 @@ Json Deck::tree(const Json& with_blocks) const {
 
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
   refuse_other_encodings(text, name, "deck");
+  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
+    if (at + 1 < text.size() && text[at + 1] != '\n')
+      throw input_error("a carriage return ends no line; save the deck with other ends of lines")
+          .at({name, line_of(text, at), {}});
+  }
   return deck_of_tree(read_markdown(text), text, name, root);
 }
 

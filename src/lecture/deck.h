@@ -42,6 +42,7 @@ struct Deck {
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder
   std::vector<Error> problems;      // what was left out; place: the deck and the line, if known
+  std::vector<Error> remarks;       // what is in it for nothing; as above
   // formulas with quotes: as they are with numbers -> as the deck has them
   std::map<std::string, std::string> with_numbers;
 

@@ -184,19 +184,25 @@ void say_what_pages_show(Json& blocks) {
   });
 }
 
-// In PowerPoint notes for the speaker are words alone: pandoc leaves out footnotes, tables and
-// pictures.
+// In PowerPoint notes for the speaker are words alone: pandoc leaves out footnotes, tables,
+// pictures and where links lead.
 void say_notes(Json& blocks) {
   const auto say = [](Json& node) {
     const std::string type = node["t"];
     if (type == "Table") node = paragraph(inlines_of(Json::array({node}), {{"t", "LineBreak"}}));
     if (type == "Image") node = said(node);
-    if (type != "Note") return;
-    Json words = string_inlines(" (");
-    const Json note = inlines_of(node["c"], {{"t", "Space"}});
-    words.insert(words.end(), note.begin(), note.end());
-    words.push_back(string_inlines(")")[0]);
-    node = named("Span", "", words);
+    if (type == "Note") {
+      Json words = string_inlines(" (");
+      const Json note = inlines_of(node["c"], {{"t", "Space"}});
+      words.insert(words.end(), note.begin(), note.end());
+      words.push_back(string_inlines(")")[0]);
+      node = named("Span", "", words);
+    } else if (type == "Link" && !leads_inside(node)) {
+      Json words = node["c"][1];
+      const std::string address = node["c"][2][0];
+      if (plain_text(words) != address) words.push_back(string_inlines(" (" + address + ")")[0]);
+      node = named("Span", "", words);
+    }
   };
   for_each_node(blocks, [&](Json& node) {
     if (is_div(node, "notes")) for_each_node(node["c"], say);

@@ -173,6 +173,45 @@ bool has_operand_at_end(std::string_view before) {
   return !end_is(before, others);
 }
 
+// Throws Error (input), without a place, for units of siunitx that pandoc reads as others.
+void refuse_misread_units(const std::string& tex) {
+  static const std::regex power(
+      R"(\\(square|cubic)\s{0,9}\\(yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|hecto|kilo|mega)"
+      R"(|giga|tera|peta|exa|zetta|yotta)(?![A-Za-z]))");
+  static const std::regex ten(R"(\\de[ck]a(?![A-Za-z]))");
+  static const std::regex metre(
+      R"(\\met(re|er)\s{0,9}\\(?!per|squared|cubed|tothe|raiseto|of|cancel)[a-z]{2,20})");
+  static const std::regex complex(R"(\\(num|SI|qty)\{[^{}]{0,99}i\})");
+  std::smatch found;
+  if (std::regex_search(tex, found, power))
+    throw input_error("'{}' is read as a power of the prefix alone; put \\{} behind the unit",
+                      found.str(),
+                      found.str(1) == "square" ? "squared" : "cubed");
+  if (std::regex_search(tex, found, ten))
+    throw input_error("'{}' is read as a tenth; write the number without it", found.str());
+  if (std::regex_search(tex, found, metre))
+    throw input_error(
+        "'{}' would be shown as a thousandth; put \\met{} last", found.str(), found.str(1));
+  if (std::regex_search(tex, found, complex))
+    throw input_error(
+        "'{}' is no number that can be read; write it without \\{}", found.str(), found.str(1));
+}
+
+// A comma in braces belongs to its number, which pandoc forgets: 1{,}5.
+std::string with_decimal_commas(std::string tex) {
+  const std::string comma = "{,}", by = "\\text{,}";
+  const std::vector<bool> words = words_in(tex);
+  const auto is_digit = [&](std::size_t at) {
+    return at < tex.size() && tex[at] >= '0' && tex[at] <= '9';
+  };
+  for (std::size_t at = tex.rfind(comma); at != std::string::npos && at > 0;
+       at = tex.rfind(comma, at - 1)) {
+    if (!words[at] && is_digit(at - 1) && is_digit(at + comma.size()))
+      tex.replace(at, comma.size(), by);
+  }
+  return tex;
+}
+
 }  // namespace
 
 std::vector<bool> words_in(const std::string& tex) {
@@ -244,7 +283,8 @@ std::string whole_formula(const std::string& tex) {
       throw input_error("'{}' is no part of a formula", out.substr(i, 2));
     ++i;
   }
-  return out;
+  refuse_misread_units(out);
+  return with_decimal_commas(out);
 }
 
 // Text of the deck is escaped, so that what looks like an element is pandoc's own.

@@ -15,8 +15,8 @@ std::vector<bool> words_in(const std::string& tex);
 // A formula of which pandoc reads all, so that it refuses what is no mathematics: without what it
 // skips. Comments and labels are left out, and numbers, which it leaves out of all documents but
 // LaTeX, are words at the end of their rows: \tag{1} becomes (1), \tag*{a} becomes a. Throws Error
-// (input), without a place, for numbers and labels that are not in braces, and for ends of
-// formulas.
+// (input), without a place, for numbers and labels that are not in braces, for ends of formulas,
+// and for units that pandoc reads as others.
 std::string whole_formula(const std::string& tex);
 
 // A number, as TeX, as a part of a formula: in braces, so that what is done to it is done to all of

@@ -173,7 +173,7 @@ void tell_lost_words(const LectureWork& work,
   constexpr std::size_t kMost = 5;
   const std::vector<std::string> lost = lost_words(work.deck, document, form, kMost);
   if (lost.empty()) return;
-  spdlog::warn("{}: lacks words of the deck that this program or pandoc has lost: {}",
+  spdlog::warn("{}: lacks what the deck has, which this program or pandoc has lost: {}",
                file_of(output),
                fmt::join(lost, ", "));
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <spdlog/spdlog.h>
+
 #include "app/commands/render.h"
 #include "base/name_list.h"
 #include "base/one_line.h"
@@ -237,6 +239,8 @@ PlannedLecture::PlannedLecture(const LectureJob& job)
   work.job = &job;
   work.deck_text = read_file(job.deck);
   work.deck = read_deck(job.deck, job.allow_outside);
+  for (const Error& remark : work.deck.remarks)
+    spdlog::warn("{}", remark.what());
   const bool data = job.part.shard ? job.to.empty() || may_want("data") : wants("data");
   work.address = words_of(work.deck).address;
   if (has_viewers(work.deck) && has_pages(outputs)) {

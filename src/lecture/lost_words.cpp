@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/lost_words.h"
 
+#include <cctype>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <unordered_map>
 
+#include <fmt/format.h>
 #include <libxml/HTMLparser.h>
 #include <libxml/parser.h>
 #include <minizip/unzip.h>
 
 #include "base/utf8.h"
+#include "lecture/sandbox.h"
 
 namespace polhode {
 namespace {
@@ -27,7 +31,7 @@ unsigned long number_of(std::string_view character) {
   return number;
 }
 
-// Letters and digits; signs, and spaces and dashes of all kinds are none.
+// Letters, digits and symbols; not what stands between words, spaces and dashes of all kinds.
 bool is_in_words(unsigned long character) {
   struct Range {
     unsigned long first, last;
@@ -38,18 +42,32 @@ bool is_in_words(unsigned long character) {
                                {0xc0, 0xd6},
                                {0xd8, 0xf6},
                                {0xf8, 0x1fff},
-                               {0x2c00, 0x2dff},
+                               {0x2190, 0x2dff},
                                {0x3041, 0xfdff},
-                               {0x20000, kLastCharacter}};
+                               {0x1f000, kLastCharacter}};
   return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
     return character >= range.first && character <= range.last;
   });
 }
 
-// Words with one blank before and behind each.
+// An address of the web without what a document may write in another way.
+std::string bare_address(const std::string& address) {
+  std::string bare = percent_decoded(address);
+  std::erase_if(bare, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x80 && std::isalnum(byte) == 0;
+  });
+  return bare;
+}
+
+// Words with one blank before and behind each, and what else is looked for.
 class Words {
  public:
   explicit Words(unsigned long last) : last_(last) {}
+
+  std::map<std::string, std::string> links;  // by bare_address()
+  int formulas = 0;
+  bool in_notes = false;  // for the speaker, which have both in letters in PowerPoint
 
   // the end of a text ends a word
   void add(std::string_view text) {
@@ -115,11 +133,11 @@ class Words {
 };
 
 // What is read in all documents: not the descriptions of pictures, which are pictures among words,
-// in tables and in footnotes.
-void add_tree(Words& words, const Json& tree, bool may_have_figures) {
+// in tables and in footnotes. Formulas count where no document writes them in letters.
+void add_tree(Words& words, const Json& tree, bool is_body) {
   if (tree.is_array()) {
     for (const Json& child : tree)
-      add_tree(words, child, may_have_figures);
+      add_tree(words, child, is_body);
   }
   if (!tree.is_object() || !tree.contains("t") || !tree.contains("c")) return;
   const std::string type = tree["t"];
@@ -127,12 +145,21 @@ void add_tree(Words& words, const Json& tree, bool may_have_figures) {
     words.add(tree["c"].get_ref<const std::string&>());
   } else if (type == "Code" || type == "CodeBlock") {
     words.add_code(tree["c"][1].get_ref<const std::string&>());
-  } else if (type == "Cite") {
-    add_tree(words, tree["c"][1], may_have_figures);
+  } else if (type == "Math") {
+    words.formulas += is_body && !words.in_notes ? 1 : 0;
+  } else if (type == "Link") {
+    const std::string address = tree["c"][2][0];
+    if (!words.in_notes && (address.starts_with("http") || address.starts_with("mailto:")))
+      words.links[bare_address(address)] = address;
+    add_tree(words, tree["c"][1], is_body);
   } else if (is_image_alone(tree)) {
-    if (may_have_figures) add_tree(words, tree["c"][0]["c"][1], false);
-  } else if (type != "Image" && type != "Math") {
-    add_tree(words, tree["c"], may_have_figures && may_hold_figures(tree));
+    if (is_body) add_tree(words, tree["c"][0]["c"][1], false);
+  } else if (is_div(tree, "notes")) {
+    words.in_notes = true;
+    add_tree(words, tree["c"][1], true);
+    words.in_notes = false;
+  } else if (type != "Image") {
+    add_tree(words, tree["c"], is_body && may_hold_figures(tree) && type != "Header");
   }
 }
 
@@ -140,6 +167,7 @@ Words words_of_deck(const Deck& deck, unsigned long last) {
   Words words(last);
   for (const char* field : {"title", "subtitle", "author"})
     if (deck.meta.contains(field)) add_tree(words, deck.meta[field], false);
+  words.links.clear();  // a title has none in pages
   add_tree(words, deck.blocks, true);
   for (const DeckPicture& picture : deck.pictures)
     add_tree(words, picture.caption, false);
@@ -153,8 +181,19 @@ struct TagReader {
       auto* reader = static_cast<TagReader*>(self);
       reader->text.append(reinterpret_cast<const char*>(piece), static_cast<std::size_t>(length));
     };
-    handler.startElement = [](void* self, const xmlChar*, const xmlChar**) {
-      static_cast<TagReader*>(self)->end();
+    handler.startElement = [](void* self, const xmlChar* name, const xmlChar** attributes) {
+      auto* reader = static_cast<TagReader*>(self);
+      reader->end();
+      const auto is = [](const xmlChar* name_or_key, const char* what) {
+        return xmlStrEqual(name_or_key, reinterpret_cast<const xmlChar*>(what)) != 0;
+      };
+      if (is(name, "math") || is(name, "m:oMath")) ++reader->words->formulas;
+      for (int i = 0; attributes != nullptr && attributes[i] != nullptr; i += 2) {
+        if (attributes[i + 1] == nullptr) continue;
+        const std::string value = reinterpret_cast<const char*>(attributes[i + 1]);
+        if (is(attributes[i], "href") || is(attributes[i], "Target"))
+          reader->words->links[bare_address(value)] = value;
+      }
     };
     handler.endElement = [](void* self, const xmlChar*) {
       static_cast<TagReader*>(self)->end();
@@ -188,6 +227,7 @@ void add_xml(Words& words, const std::string& xml) {
   TagReader reader(words);
   const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> parser(
       xmlCreatePushParserCtxt(&reader.handler, &reader, nullptr, 0, nullptr), &xmlFreeParserCtxt);
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NOENT | XML_PARSE_NONET);  // & in attributes
   if (xmlParseChunk(parser.get(), xml.data(), static_cast<int>(xml.size()), 1) != 0)
     throw environment_error("pandoc wrote a slide that is no XML");
   reader.end();
@@ -205,7 +245,7 @@ std::string unpacked(unzFile zip, const unz_file_info64& info) {
   return bytes;
 }
 
-// the slides of a ZIP archive and the notes of these
+// the slides of a ZIP archive, the notes of these, and where their links lead
 void add_office(Words& words, std::string bytes) {
   zlib_filefunc_def memory;
   fill_fopen_filefunc(&memory);
@@ -221,7 +261,7 @@ void add_office(Words& words, std::string bytes) {
     char name[100] = {};
     unzGetCurrentFileInfo64(zip.get(), &info, name, sizeof name - 1, nullptr, 0, nullptr, 0);
     const std::string_view path = name;
-    if (path.ends_with(".xml") &&
+    if ((path.ends_with(".xml") || path.ends_with(".rels")) &&
         (path.starts_with("ppt/slides/") || path.starts_with("ppt/notesSlides/")))
       add_xml(words, unpacked(zip.get(), info));
   }
@@ -272,6 +312,12 @@ std::vector<std::string> lost_words(const Deck& deck,
     ++searches;
     if (shown.count_inside(word) < wanted.count_inside(word)) lost.emplace_back(word);
   });
+  if (form == DocumentForm::latex) return lost;
+  if (shown.formulas < wanted.formulas)
+    lost.push_back(
+        fmt::format("{} of {} formulas", wanted.formulas - shown.formulas, wanted.formulas));
+  for (const auto& [bare, address] : wanted.links)
+    if (!shown.links.contains(bare) && lost.size() < most) lost.push_back("the link to " + address);
   return lost;
 }
 

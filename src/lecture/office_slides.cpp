@@ -51,8 +51,17 @@ bool has_words(const Json& tree) {
   });
 }
 
+constexpr int kTitles = 2;  // deeper ones are words on a slide
+
 bool has_columns(const Json& tree) {
   return has_node(tree, [](const Json& node) { return is_div(node, "columns"); });
+}
+
+// whether a rule or a title among the blocks would begin another slide
+bool begins_slides(const Json& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const Json& block) {
+    return block["t"] == "HorizontalRule" || (block["t"] == "Header" && block["c"][0] <= kTitles);
+  });
 }
 
 bool is_figure(const Json& block) {
@@ -66,16 +75,14 @@ bool is_simple(const Json& column) {
   if (blocks.size() == 1 && is_figure(blocks[0]))
     return blocks[0]["t"] != "Table" || take_figures(blocks[0]).empty();
   const Json figures = take_figures(blocks);
-  return !has_columns(blocks) && std::all_of(figures.begin(), figures.end(), [](const Json& one) {
-    return is_div(one, "notes");
-  });
+  return !has_columns(blocks) && !begins_slides(blocks) &&
+         std::all_of(
+             figures.begin(), figures.end(), [](const Json& one) { return is_div(one, "notes"); });
 }
 
 Json rule() {
   return {{"t", "HorizontalRule"}};
 }
-
-constexpr int kTitles = 2;  // deeper ones are words on a slide
 
 class Layout {
  public:

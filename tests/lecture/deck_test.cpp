@@ -229,14 +229,35 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
   const std::string good = "# A\n\n::: notes\nSay.\n:::\n\n";
   EXPECT_EQ(problem_of(good + "Write `:::` or ::: here.\n"), "none");
   EXPECT_EQ(problem_of(good + "::: warning\nB\n:::\n"), "none");
+  EXPECT_EQ(deck_of(good + "::: warning\nB\n:::\n\n::: warning\nC\n:::\n").remarks.size(), 1U);
   for (const char* open :
        {"::: notes\nB is said\n", "C\n::: notes\nB\n:::\n", "- C\n::: notes\nB is\n"})
     EXPECT_TRUE(test::has(problem_of(good + open), ": ':::' would be shown as it stands")) << open;
+  for (const char* open : {":::\u00a0notes\nB\n:::\n",
+                           "::: \"notes\"\nB\n:::\n",
+                           "::: {.notes,}\nB\n:::\n",
+                           "::: {.notes\nB\n:::\n",
+                           "::: {#notes}\nB\n:::\n",
+                           "::: `notes`\nB\n:::\n",
+                           "#\u00a0Title\n"})
+    EXPECT_NE(problem_of(good + open), "none") << open;
+  for (const char* classes : {".notes .incremental", ".fragment .notes", ".notes .notes"}) {
+    const Deck deck = deck_of(fmt::format("::: {{{}}}\nB\n:::\n", classes));
+    EXPECT_EQ(deck.blocks[0]["c"][0][1], Json::array({"notes"})) << classes;
+  }
   EXPECT_TRUE(test::has(problem_of(good + "::: notes\nB is said\n"), "deck.md:7:"));
   EXPECT_EQ(problem_of(good + "::: note\nB\n:::\n"),
             "deck.md:7: 'note' means nothing to a deck (did you mean 'notes'?)");
   EXPECT_EQ(problem_of(good + "::: {.colmns}\nB\n:::\n"),
             "deck.md:7: 'colmns' means nothing to a deck (did you mean 'columns'?)");
+}
+
+TEST(Deck, QuotesThatAreNoneAreRefusedWithTheirLine) {
+  for (const char* quote : {"{Inspect:a.toml#b}", "{ inspect:a.toml#b }", "{insepct:a.toml#b}"})
+    EXPECT_TRUE(test::has(problem_of(fmt::format("A\n\nB {} c\n", quote)),
+                          "would be shown as it stands: a number is quoted by {inspect:…}"))
+        << quote;
+  EXPECT_EQ(problem_of("See <https://example.org/a.toml#b> and `{Inspect:a.toml#b}`.\n"), "none");
 }
 
 TEST(Deck, PicturesThatAreNoneAreRefusedWithTheirLine) {

@@ -332,10 +332,10 @@ TEST(Documents, FormulasWithQuotesHaveTheLineOfTheDeck) {
 // where pandoc leaves out all but words
 TEST(Documents, NotesOfSlidesHaveFootnotesTablesAndPicturesInWords) {
   const Deck deck = deck_of(
-      "## A\n\nB\n\n::: notes\nC[^1]\n\n| F | G |\n|---|---|\n| H | I |\n\n: J\n\n"
+      "## A\n\nB\n\n::: notes\nC[^1] [L](https://m.n)\n\n| F | G |\n|---|---|\n| H | I |\n\n: J\n\n"
       "![K](s.toml){.film}\n:::\n\n[^1]: D\n\n    E\n");
   const std::string notes = words_of_part(deck, "ppt/notesSlides/notesSlide1.xml");
-  for (const char* words : {"C (D E)", "JF | GH | I", "[K]"})
+  for (const char* words : {"C (D E) L (https://m.n)", "JF | GH | I", "[K]"})
     EXPECT_TRUE(has(notes, words)) << notes;
 }
 

@@ -43,5 +43,29 @@ TEST(Formulas, HaveUprightLettersOneByOne) {
       "mathvariant=\"normal\">c</mi></mstyle></mstyle><mi>d</mi></math>");
 }
 
+// pandoc reads them as other quantities
+TEST(WholeFormula, HasNoUnitsThatWouldBeOthers) {
+  for (const char* tex : {R"(\SI{7.9}{\gram\per\cubic\centi\metre})",
+                          R"(\SI{9}{\square \kilo\metre})",
+                          R"(\SI{5}{\deca\metre})",
+                          R"(\SI{3}{\metre\newton})",
+                          R"(\SI{3}{\meter \second})",
+                          R"(\num{1+2i})"})
+    EXPECT_THROW(whole_formula(tex), Error) << tex;
+  for (const char* tex : {R"(\SI{7.9}{\gram\per\centi\metre\cubed})",
+                          R"(\SI{3}{\metre\per\second\squared})",
+                          R"(\SI{3}{\newton\metre})",
+                          R"(\SI{3}{\square\metre})",
+                          R"(\square x)",
+                          R"(\num{1.5e3})"})
+    EXPECT_EQ(whole_formula(tex), tex);
+}
+
+TEST(WholeFormula, KeepsCommasInNumbers) {
+  EXPECT_EQ(whole_formula("f(1{,}25, x) = 1{,}5"), "f(1\\text{,}25, x) = 1\\text{,}5");
+  for (const char* tex : {"a{,}b", "1,5", "{,}", "\\text{1{,}5}"})
+    EXPECT_EQ(whole_formula(tex), tex);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -25,7 +25,7 @@ author: [Ann One, Bo Two]
 
 ## Slide with `code_word` and 10⁻⁷
 
-Words un*joined*, "quoted ~~struck~~", café, Ω and 3² [@cited, p. 3], naïve…dots – and so_on.
+Words un*joined*, "quoted ~~struck~~", café, Ω and 3² [@cited, p. 3], naïve…dots – and so_on → [there](https://example.org/a%20b?c=d&e=f#g).
 
 - One
   - Two^raised^ [small]{.smallcaps}
@@ -45,8 +45,10 @@ std::puts("\nabout 5kg");  // \alpha
 Term
 :   Meaning
 
+$$x^2$$
+
 ::: notes
-Say this.
+Say [this](https://example.org) and $y$.
 
 | a1 | b2 |
 |---|---|
@@ -90,6 +92,17 @@ TEST(LostWords, AreThoseOfTheDeckThatADocumentLacks) {
   EXPECT_EQ(lost_words(deck, "<p>Tops</p>", DocumentForm::html, 1), Lost{"A"});
   EXPECT_EQ(lost_words(deck, "\\title{Tops}A top \\emph{spins} x = 5kg", DocumentForm::latex, 9),
             (Lost{"spins", "and"}));
+}
+
+TEST(LostWords, AreAlsoSymbolsFormulasAndLinks) {
+  const Deck deck = deck_of("A → $x$ and $y$ [b](https://a.org/b%20c?d=1&e) ✓\n");
+  const auto lost = [&](const std::string& html) {
+    return lost_words(deck, html, DocumentForm::html, kMost);
+  };
+  const std::string link = "<a href=\"https://a.org/b%20c?d=1&amp;e\">b</a>";
+  EXPECT_EQ(lost("<p>A → <math>x</math> and <math>y</math> " + link + " ✓</p>"), Lost());
+  EXPECT_EQ(lost("<p>A <math>x</math> and b</p>"),
+            (Lost{"→", "✓", "1 of 2 formulas", "the link to https://a.org/b%20c?d=1&e"}));
 }
 
 TEST(LostWords, AreReadFromWholeSlides) {

@@ -70,6 +70,8 @@ TEST(OfficeSlides, HaveTwoColumns) {
             "2(ww)2w");
   EXPECT_EQ(shape("## One\n\n:::: columns\n::: column\n" + std::string(kTable) + ":::\n::::\n"),
             "2f");
+  EXPECT_EQ(shape("## One\n\n:::: columns\n" + one + "::: column\nA\n\n* * *\n\nB\n:::\n::::\n"),
+            "2ww-w");
   const std::string image = "::: column\nIMAGE\n:::\n\n";
   EXPECT_EQ(shape("## One\n\n:::: columns\n" + image + image + "::::\n"), "2(ff)");
   EXPECT_EQ(shape("## One\n\nB\n\n:::: columns\n" + one + one + "::::\n\nC\n"), "2w2(ww)2w");
