@@ -29,6 +29,15 @@ Vec3 point_in_ball(std::mt19937& numbers) {
   }
 }
 
+// A body whose mass lies on a line has no momentum along it. vector_B: angular momentum.
+Vec3 without_spin_about_line(const BodyModel& model, const Vec3& vector_B) {
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis_B = model.R_BP.col(i);
+    if (!(model.moments[i] > 0.0)) return vector_B - axis_B * axis_B.dot(vector_B);
+  }
+  return vector_B;
+}
+
 }  // namespace
 
 void check_ensemble(const MotionSpec& spec) {
@@ -55,7 +64,7 @@ std::vector<MotionSpec> ensemble_of(const BodyModel& model, const MotionSpec& sp
     member.attitude = {};
     member.attitude.quaternion = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
     member.spin = {};
-    member.spin.momentum_body = q.conjugate() * L;
+    member.spin.momentum_body = without_spin_about_line(model, q.conjugate() * L);
     members.push_back(std::move(member));
   }
   return members;

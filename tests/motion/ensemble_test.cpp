@@ -54,6 +54,18 @@ TEST(Ensemble, EachBallIsForItself) {
     EXPECT_LT(rotation_angle_between(start_state(model, member).q, start.q), 1e-12);
 }
 
+// no body whose mass lies on a line has momentum along it
+TEST(Ensemble, BodiesOfOneLineTakeWhatIsAcrossIt) {
+  BodySpec rotator;
+  rotator.moments = Vec3(2.0, 2.0, 0.0);
+  MotionSpec spec = spec_with(0.1, 0.1);
+  spec.spin = {};
+  spec.spin.body = Vec3(1.0, 0.5, 0.0);
+  const BodyModel model = make_model(rotator, spec);
+  for (const MotionSpec& member : ensemble_of(model, spec))
+    EXPECT_LT(std::abs(start_state(model, member).y.z()), 1e-12);
+}
+
 // The scalar core is the judge: each member by itself, which is integrated by another method and
 // knows of no other. Neither is off by more than the accuracy.
 TEST(Ensemble, TogetherMotionsAreWhatTheyAreAlone) {

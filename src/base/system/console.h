@@ -3,6 +3,7 @@
 // Standard error carries messages: a failed write is ignored.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace polhode {
@@ -23,5 +24,9 @@ void write_out(std::string_view bytes);
 
 // Writes the text to standard error and flushes it; failures are ignored.
 void print_err(std::string_view text);
+
+// How many columns the terminal has to which standard error is written; 0 if there is none or it
+// does not tell.
+std::size_t terminal_columns();
 
 }  // namespace polhode

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "base/system/console.h"
+#include "base/utf8.h"
 
 namespace polhode {
 namespace {
@@ -30,6 +31,33 @@ std::string doing(const std::string& words) {
 // of a terminal, so many columns from its beginning on
 void clear_line(std::size_t columns) {
   print_err(fmt::format("\r{: <{}}\r", "", columns));
+}
+
+// Draws a line of a terminal, cut to its width: the next one could not take the place of two.
+// drawn: how many columns the line has that is there, and then this one.
+void draw_line(std::string line, std::size_t& drawn) {
+  if (const std::size_t width = terminal_columns(); width > 0 && line.size() >= width) {
+    std::size_t end = width - 1;
+    while (is_continuation(line, end))
+      --end;
+    line.resize(end);
+  }
+  print_err(fmt::format("\r{: <{}}", line, drawn));
+  drawn = line.size();
+}
+
+// "[====    ] ", as wide as there is room before `words`; "" if there is next to none
+std::string bar(int done, int total, const std::string& words) {
+  constexpr std::size_t kMost = 30, kLeast = 5, kFrame = 4;  // cells; brackets and blanks
+  std::size_t cells = kMost;
+  if (const std::size_t width = terminal_columns(); width > 0) {
+    const std::size_t taken = words.size() + kFrame;
+    cells = std::min(cells, width - std::min(width, taken));
+  }
+  if (cells < kLeast) return "";
+  const std::size_t full =
+      total > 0 ? cells * static_cast<std::size_t>(done) / static_cast<std::size_t>(total) : cells;
+  return fmt::format("[{:=<{}}{: <{}}] ", "", full, "", cells - full);
 }
 
 }  // namespace
@@ -58,7 +86,7 @@ Progress::Progress(ProgressKind kind, int total, std::string things, int there)
 
 Progress::~Progress() {
   // leave the terminal on a line of its own
-  if (drawn_ && kind_ == ProgressKind::bar) print_err("\n");
+  if (drawn_ > 0) print_err("\n");
 }
 
 void Progress::show(int done, const std::string& limit) {
@@ -66,11 +94,10 @@ void Progress::show(int done, const std::string& limit) {
   const Clock::time_point now = Clock::now();
   if (done + there_ < total_ && now - last_ < kBetweenLines) return;
   last_ = now;
-  drawn_ = true;
   print(done, std::chrono::duration<double>(now - start_).count(), limit);
 }
 
-void Progress::print(int done_now, double seconds, const std::string& limit) const {
+void Progress::print(int done_now, double seconds, const std::string& limit) {
   const double rate = seconds > 0.0 ? done_now / seconds : 0.0;
   const int done = done_now + there_;
   const double left = rate > 0.0 ? (total_ - done) / rate : 0.0;
@@ -85,20 +112,15 @@ void Progress::print(int done_now, double seconds, const std::string& limit) con
         limit.empty() ? "null" : fmt::format("\"{}\"", limit)));
     return;
   }
-  constexpr int kCells = 30;
-  const int full = total_ > 0 ? kCells * done / total_ : kCells;
-  print_err(fmt::format("\r[{:=<{}}{: <{}}] {}/{} {}, {:.0f} {}/s, {:.0f} s left{}   ",
-                        "",
-                        full,
-                        "",
-                        kCells - full,
-                        done,
-                        total_,
-                        things_,
-                        rate,
-                        things_,
-                        left,
-                        limit.empty() ? "" : fmt::format(", {} limits", limit)));
+  const std::string words = fmt::format("{}/{} {}, {:.0f} {}/s, {:.0f} s left{}",
+                                        done,
+                                        total_,
+                                        things_,
+                                        rate,
+                                        things_,
+                                        left,
+                                        limit.empty() ? "" : fmt::format(", {} limits", limit));
+  draw_line(bar(done, total_, words) + words, drawn_);
 }
 
 Waiting::Waiting(ProgressKind kind) : kind_(settled(kind)), next_(Clock::now() + kAWhile) {}
@@ -114,8 +136,7 @@ void Waiting::show(const std::string& words) {
     print_err(doing(words));
     return;
   }
-  print_err(fmt::format("\r{: <{}}", words, drawn_));
-  drawn_ = std::max(drawn_, words.size());
+  draw_line(words, drawn_);
 }
 
 Busy::Busy(ProgressKind kind, std::string words) : kind_(settled(kind)), words_(std::move(words)) {
@@ -127,15 +148,18 @@ Busy::~Busy() {
   if (!thread_.joinable()) return;
   thread_.request_stop();
   thread_.join();
-  if (drawn_) clear_line(words_.size());
+  if (drawn_ > 0) clear_line(drawn_);
 }
 
 void Busy::tell_after_a_while(const std::stop_token& ended) {
   std::unique_lock lock(mutex_);
   is_ended_.wait_for(lock, ended, kAWhile, [] { return false; });
   if (ended.stop_requested()) return;
-  drawn_ = kind_ == ProgressKind::bar;
-  print_err(drawn_ ? "\r" + words_ : doing(words_));
+  if (kind_ == ProgressKind::bar) {
+    draw_line(words_, drawn_);
+  } else {
+    print_err(doing(words_));
+  }
 }
 
 }  // namespace polhode

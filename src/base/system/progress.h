@@ -40,7 +40,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void print(int done, double seconds, const std::string& limit) const;
+  void print(int done, double seconds, const std::string& limit);
 
   ProgressKind kind_;
   int total_;
@@ -48,7 +48,7 @@ class Progress {
   int there_;
   Clock::time_point start_;
   Clock::time_point last_;
-  bool drawn_ = false;
+  std::size_t drawn_ = 0;  // columns of the bar
 };
 
 // Says what a computation of unknown length is doing, once it has taken a second, and at most ten
@@ -88,7 +88,7 @@ class Busy {
 
   ProgressKind kind_;
   std::string words_;
-  bool drawn_ = false;  // the thread's, until it has ended
+  std::size_t drawn_ = 0;  // columns; the thread's, until it has ended
   std::mutex mutex_;
   std::condition_variable_any is_ended_;
   std::jthread thread_;  // last, so that it starts when all else is there

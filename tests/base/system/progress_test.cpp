@@ -2,10 +2,12 @@
 #include "base/system/progress.h"
 
 #include <algorithm>
+#include <pty.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 
 #include "support/background.h"
@@ -64,6 +66,31 @@ TEST(Progress, TheBarIsAsFullAsTheWorkAndEndsItsLine) {
   const std::string half = shown(ProgressKind::bar, 12);
   EXPECT_EQ(std::count(half.begin(), half.end(), '='), 15);
   EXPECT_EQ(half.find('\n'), half.size() - 1) << "one line, redrawn";
+}
+
+// a wrapped line would stay when the next one is drawn
+TEST(Progress, TheLineIsNoWiderThanTheTerminal) {
+  for (const unsigned short width : {20, 40, 60, 200}) {
+    int master = -1, slave = -1;
+    winsize size = {24, width, 0, 0};
+    ASSERT_EQ(openpty(&master, &slave, nullptr, nullptr, &size), 0);
+    const int before = dup(STDERR_FILENO);
+    dup2(slave, STDERR_FILENO);
+    {
+      Progress progress(ProgressKind::automatic, 1000000, "frames");
+      progress.show(1000000, "drawing");
+    }
+    dup2(before, STDERR_FILENO);
+    close(before);
+    std::string line(1000, ' ');
+    line.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(master, line.data(), 1000))));
+    close(slave);
+    close(master);
+    line.erase(line.find_last_not_of("\r\n") + 1);
+    EXPECT_LT(line.size() - 1, width) << line;
+    EXPECT_NE(line.find("1000000/1000000"), std::string::npos) << line;
+    EXPECT_EQ(line.find('[') != std::string::npos, width == 200) << line;
+  }
 }
 
 TEST(Progress, NothingIsToldUnlessATerminalLooksOn) {
