@@ -194,10 +194,11 @@ void refuse_foreign_scripts(const fs::path& folder) {
   constexpr std::size_t kHead = 4096;  // bytes; long options stand before the words
   for (const char* name : {"tasks.sh", "collect.sh"}) {
     const fs::path script = folder / name;
-    if (is_there(script) &&
-        head_of_file(script, kHead).find("# Written by polhode") == std::string::npos)
+    if (!is_there(script)) continue;
+    if (head_of_file(script, kHead).find("# Written by polhode") == std::string::npos) {
       throw input_error("was not written by `polhode submit`; move it or choose another output")
           .at({script.string(), 0, {}});
+    }
   }
 }
 

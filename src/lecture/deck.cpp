@@ -300,11 +300,12 @@ class Reader {
     const int line = line_of(target);
     try {
       if (in_header_) throw input_error("a field of the header has no picture");
-      if (names_scene(image))
+      if (names_scene(image)) {
         throw input_error(
             "a picture of a scene needs a paragraph of its own, with nothing behind "
             "its settings, as in ![…]({}){{.film}}",
             target);
+      }
       const std::string file = percent_decoded(target);
       const std::string ending = std::filesystem::path(file).extension();
       if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
@@ -496,9 +497,9 @@ Json Deck::tree(const Json& with_blocks) const {
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
   refuse_other_encodings(text, name, "deck");
   for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
-    if (at + 1 < text.size() && text[at + 1] != '\n')
-      throw input_error("a carriage return ends no line; save the deck with other ends of lines")
-          .at({name, line_of(text, at), {}});
+    if (at + 1 == text.size() || text[at + 1] == '\n') continue;
+    throw input_error("a carriage return ends no line; save the deck with other ends of lines")
+        .at({name, line_of(text, at), {}});
   }
   return deck_of_tree(read_markdown(text), text, name, root);
 }

@@ -86,11 +86,12 @@ void require_address(const std::string& address) {
                     std::all_of(address.begin(), address.end(), [](char c) {
                       return c > ' ' && c < 0x7f && c != '#' && c != '?';
                     });
-  if (!good)
+  if (!good) {
     throw input_error(
         "address is where the folder of the lecture will be, such as "
         "https://example.org/tops/, without # and ?, at most {} characters",
         kLongest);
+  }
 }
 
 // Throws Error (input), without a place, unless it may be the tag of a language.

@@ -183,33 +183,38 @@ void refuse_misread_units(const std::string& tex) {
       R"(\\met(re|er)\s{0,9}\\(?!per|squared|cubed|tothe|raiseto|of|cancel)[a-z]{2,20})");
   static const std::regex complex(R"(\\(num|SI|qty)\{[^{}]{0,99}i\})");
   std::smatch found;
-  if (std::regex_search(tex, found, power))
+  if (std::regex_search(tex, found, power)) {
     throw input_error("'{}' is read as a power of the prefix alone; put \\{} behind the unit",
                       found.str(),
                       found.str(1) == "square" ? "squared" : "cubed");
+  }
   if (std::regex_search(tex, found, ten))
     throw input_error("'{}' is read as a tenth; write the number without it", found.str());
-  if (std::regex_search(tex, found, metre))
+  if (std::regex_search(tex, found, metre)) {
     throw input_error(
         "'{}' would be shown as a thousandth; put \\met{} last", found.str(), found.str(1));
-  if (std::regex_search(tex, found, complex))
+  }
+  if (std::regex_search(tex, found, complex)) {
     throw input_error(
         "'{}' is no number that can be read; write it without \\{}", found.str(), found.str(1));
+  }
 }
 
 // A comma in braces belongs to its number, which pandoc forgets: 1{,}5.
-std::string with_decimal_commas(std::string tex) {
-  const std::string comma = "{,}", by = "\\text{,}";
+std::string with_decimal_commas(const std::string& tex) {
+  const std::string comma = "{,}";
   const std::vector<bool> words = words_in(tex);
   const auto is_digit = [&](std::size_t at) {
     return at < tex.size() && tex[at] >= '0' && tex[at] <= '9';
   };
-  for (std::size_t at = tex.rfind(comma); at != std::string::npos && at > 0;
-       at = tex.rfind(comma, at - 1)) {
-    if (!words[at] && is_digit(at - 1) && is_digit(at + comma.size()))
-      tex.replace(at, comma.size(), by);
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = tex.find(comma); at != std::string::npos; at = tex.find(comma, at + 1)) {
+    if (at == 0 || words[at] || !is_digit(at - 1) || !is_digit(at + comma.size())) continue;
+    out += tex.substr(from, at - from) + "\\text{,}";
+    from = at + comma.size();
   }
-  return tex;
+  return out + tex.substr(from);
 }
 
 }  // namespace

@@ -313,11 +313,13 @@ std::vector<std::string> lost_words(const Deck& deck,
     if (shown.count_inside(word) < wanted.count_inside(word)) lost.emplace_back(word);
   });
   if (form == DocumentForm::latex) return lost;
-  if (shown.formulas < wanted.formulas)
+  if (shown.formulas < wanted.formulas) {
     lost.push_back(
         fmt::format("{} of {} formulas", wanted.formulas - shown.formulas, wanted.formulas));
-  for (const auto& [bare, address] : wanted.links)
+  }
+  for (const auto& [bare, address] : wanted.links) {
     if (!shown.links.contains(bare) && lost.size() < most) lost.push_back("the link to " + address);
+  }
   return lost;
 }
 
