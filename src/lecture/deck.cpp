@@ -15,6 +15,7 @@
 #include "image/png.h"
 #include "lecture/deck_fields.h"
 #include "lecture/line_finder.h"
+#include "lecture/lost_words.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {
@@ -79,6 +80,7 @@ class Reader {
       return;
     }
     if (!node.is_object() || !node.contains("t")) return;
+    if (node["t"] == "Header" && in_box_ > 0) settle_title(node);
     const std::string type = node["t"];
     if (is_image_alone(node) && names_scene(node["c"][0])) {
       take_out(node);
@@ -107,7 +109,12 @@ class Reader {
       clean(*attributes, type);
       take_place(*attributes);
     }
+    const int was_in_box = in_box_, was_in_notes = in_notes_;
+    in_box_ += type == "Div" ? 1 : 0;
+    in_notes_ += is_div(node, "notes") ? 1 : 0;
     if (node.contains("c")) read(node["c"]);
+    in_box_ = was_in_box;
+    in_notes_ = was_in_notes;
     among_words_ = was_among_words;
   }
 
@@ -150,6 +157,18 @@ class Reader {
  private:
   void tell(int line, const Error& error) {
     deck_.problems.push_back(error.at({deck_.file, line, {}}));
+  }
+
+  // Titles in boxes begin no slides, where pandoc would end the box; in notes they are words.
+  void settle_title(Json& header) {
+    constexpr int kWithoutSlide = 3;
+    Json& content = header["c"];
+    if (in_notes_ > 0) {
+      const Json strong = {{"t", "Strong"}, {"c", content[2]}};
+      header = paragraph(Json::array({named("Span", content[1][0], Json::array({strong}))}));
+    } else if (content[0] < kWithoutSlide) {
+      content[0] = kWithoutSlide;
+    }
   }
 
   // Marks that pandoc shows as they stand, because what they begin has no end, or stands where it
@@ -460,6 +479,7 @@ class Reader {
   bool in_header_ = false;                          // of the deck
   bool among_words_ = false;                        // where pictures have no captions
   std::set<std::string> unknown_;                   // classes of boxes
+  int in_box_ = 0, in_notes_ = 0;                   // around what is read
   bool mark_told_ = false;                          // of a box that is none
 };
 
@@ -501,7 +521,18 @@ Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot
     throw input_error("a carriage return ends no line; save the deck with other ends of lines")
         .at({name, line_of(text, at), {}});
   }
-  return deck_of_tree(read_markdown(text), text, name, root);
+  const Json tree = read_markdown(text);
+  Deck deck = deck_of_tree(tree, text, name, root);
+  constexpr std::size_t kMost = 5;
+  std::map<int, std::string> dropped;  // by lines
+  for (const DroppedWord& one : dropped_words(text, tree, kMost))
+    dropped[one.line] += (dropped[one.line].empty() ? "" : ", ") + one.word;
+  for (const auto& [line, words] : dropped) {
+    deck.remarks.push_back(
+        input_error("pandoc leaves out what is in no column and what nothing refers to: {}", words)
+            .at({name, line, {}}));
+  }
+  return deck;
 }
 
 Deck deck_of_tree(Json tree,

@@ -184,6 +184,25 @@ void say_what_pages_show(Json& blocks) {
   });
 }
 
+// a footnote in words, in brackets, where there is no place for it
+Json said_footnote(const Json& note) {
+  Json words = string_inlines(" (");
+  const Json inlines = inlines_of(note["c"], {{"t", "Space"}});
+  words.insert(words.end(), inlines.begin(), inlines.end());
+  words.push_back(string_inlines(")")[0]);
+  return named("Span", "", words);
+}
+
+// Slides would show footnotes of notes for the speaker to all.
+void say_footnotes_of_notes(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (!is_div(node, "notes")) return;
+    for_each_node(node["c"], [](Json& inside) {
+      if (inside["t"] == "Note") inside = said_footnote(inside);
+    });
+  });
+}
+
 // In PowerPoint notes for the speaker are words alone: pandoc leaves out footnotes, tables,
 // pictures and where links lead.
 void say_notes(Json& blocks) {
@@ -192,11 +211,7 @@ void say_notes(Json& blocks) {
     if (type == "Table") node = paragraph(inlines_of(Json::array({node}), {{"t", "LineBreak"}}));
     if (type == "Image") node = said(node);
     if (type == "Note") {
-      Json words = string_inlines(" (");
-      const Json note = inlines_of(node["c"], {{"t", "Space"}});
-      words.insert(words.end(), note.begin(), note.end());
-      words.push_back(string_inlines(")")[0]);
-      node = named("Span", "", words);
+      node = said_footnote(node);
     } else if (type == "Link" && !leads_inside(node)) {
       Json words = node["c"][1];
       const std::string address = node["c"][2][0];
@@ -338,7 +353,9 @@ std::string make_slides(const Deck& deck,
                         const FigureOf& figure_of,
                         const Reveal& reveal,
                         const std::string& viewers) {
-  const Json tree = for_page(deck, with_captions(deck, figure_of, slide_blocks));
+  Json blocks = with_captions(deck, figure_of, slide_blocks);
+  say_footnotes_of_notes(blocks);
+  const Json tree = for_page(deck, std::move(blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
   return slides_page(words_of(deck), formulas_for_browsers(body), reveal, viewers);
 }

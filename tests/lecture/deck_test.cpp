@@ -252,6 +252,18 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
             "deck.md:7: 'colmns' means nothing to a deck (did you mean 'columns'?)");
 }
 
+// pandoc would end the box there
+TEST(Deck, TitlesInBoxesBeginNoSlides) {
+  const Deck deck = deck_of(
+      "## A\n\n::: notes\n## B {#b}\n\nC\n:::\n\n::: incremental\n# D\n\n- e\n:::\n\n[f](#b)\n");
+  EXPECT_TRUE(deck.problems.empty());
+  const Json& title = deck.blocks[1]["c"][1][0];
+  EXPECT_EQ(title["t"], "Para");
+  EXPECT_EQ(title["c"][0]["c"][0][0], "b");
+  EXPECT_EQ(title["c"][0]["c"][1][0]["t"], "Strong");
+  EXPECT_EQ(deck.blocks[2]["c"][1][0]["c"][0], 3);
+}
+
 TEST(Deck, QuotesThatAreNoneAreRefusedWithTheirLine) {
   for (const char* quote : {"{Inspect:a.toml#b}", "{ inspect:a.toml#b }", "{insepct:a.toml#b}"})
     EXPECT_TRUE(test::has(problem_of(fmt::format("A\n\nB {} c\n", quote)),

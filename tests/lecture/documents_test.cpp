@@ -339,6 +339,13 @@ TEST(Documents, NotesOfSlidesHaveFootnotesTablesAndPicturesInWords) {
     EXPECT_TRUE(has(notes, words)) << notes;
 }
 
+TEST(Documents, SlidesDoNotShowFootnotesOfNotes) {
+  const Deck deck = deck_of("## A\n\nB\n\n::: notes\nC[^1]\n:::\n\n[^1]: D\n");
+  const std::string slides = make_slides(deck, figure_of, {"4", "css", "js", ""});
+  EXPECT_TRUE(has(slides, "C<span> (D)</span>"));
+  EXPECT_FALSE(has(slides, "class=\"footnotes"));
+}
+
 TEST(Documents, WhatTheyLackIsTold) {
   Deck deck = deck_of("A \u4e2d\n");
   deck.images = {"a.png", "b.svg", "c.webp", "b.svg"};

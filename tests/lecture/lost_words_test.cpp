@@ -5,6 +5,7 @@
 
 #include "lecture/decks.h"
 #include "lecture/documents.h"
+#include "lecture/pandoc.h"
 #include "support/run.h"
 
 namespace polhode {
@@ -103,6 +104,30 @@ TEST(LostWords, AreAlsoSymbolsFormulasAndLinks) {
   EXPECT_EQ(lost("<p>A → <math>x</math> and <math>y</math> " + link + " ✓</p>"), Lost());
   EXPECT_EQ(lost("<p>A <math>x</math> and b</p>"),
             (Lost{"→", "✓", "1 of 2 formulas", "the link to https://a.org/b%20c?d=1&e"}));
+}
+
+std::vector<std::string> dropped(const std::string& text) {
+  std::vector<std::string> list;
+  for (const DroppedWord& one : dropped_words(text, read_markdown(text), kMost))
+    list.push_back(fmt::format("{} {}", one.line, one.word));
+  return list;
+}
+
+TEST(DroppedWords, AreThoseThatPandocDoesNotRead) {
+  EXPECT_EQ(dropped("A [b].\n\n[1]: Landau, Mechanics\n"), (Lost{"3 Landau", "3 Mechanics"}));
+  EXPECT_EQ(dropped("| a | b |\n|---|---|\n| c | d | extra |\n"), Lost{"3 extra"});
+  EXPECT_EQ(dropped("A[^1]\n\n[^1]: b\n\n[^2]: never used\n"), (Lost{"5 never", "5 used"}));
+  EXPECT_EQ(dropped("---\ntitle: A\n---\n\nb\n\n---\ntitle: C\n---\n"), (Lost{"2 title", "2 A"}));
+}
+
+TEST(DroppedWords, AreNoneInAWholeDeck) {
+  EXPECT_EQ(dropped(kAllKinds), Lost());
+  EXPECT_EQ(
+      dropped("---\n# a comment\ntitle: A\n---\n\n12. b\n13. c\n\n(@good) d\n\nAs in (@good), "
+              "&alpha; [e]{.underline} [f]{.smallcaps} [g][h]\n\n- [x] i\n\n"
+              "[h]: https://example.org \"j k\"\n\n"
+              "| l |\n|---|\n| m |\n\nTable: n\n"),
+      Lost());
 }
 
 TEST(LostWords, AreReadFromWholeSlides) {
