@@ -14,8 +14,8 @@
 #include "base/utf8.h"
 #include "image/png.h"
 #include "lecture/deck_fields.h"
+#include "lecture/dropped_words.h"
 #include "lecture/line_finder.h"
-#include "lecture/lost_words.h"
 #include "lecture/pandoc.h"
 
 namespace polhode {

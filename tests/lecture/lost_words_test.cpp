@@ -5,6 +5,7 @@
 
 #include "lecture/decks.h"
 #include "lecture/documents.h"
+#include "lecture/dropped_words.h"
 #include "lecture/pandoc.h"
 #include "support/run.h"
 

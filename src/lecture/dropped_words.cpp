@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/dropped_words.h"
+
+#include <cctype>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <unordered_map>
+
+#include "lecture/word_list.h"
+
+namespace polhode {
+namespace {
+
+// all that a tree of pandoc says, whatever it is for
+void add_all(WordList& words, const Json& tree) {
+  if (tree.is_string()) words.add(tree.get_ref<const std::string&>());
+  if (tree.is_object()) {
+    for (const auto& [key, value] : tree.items())
+      words.add(key);
+    // classes of words have become kinds of nodes: Underline, SmallCaps
+    std::string type = tree.value("t", "");
+    for (char& c : type)
+      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    words.add(type);
+  }
+  if (!tree.is_structured()) return;
+  for (const Json& child : tree)
+    add_all(words, child);
+}
+
+// A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
+// and references, entities; blanks stand in their place.
+std::string without_marks(std::string line) {
+  constexpr std::size_t kLong = 2000;  // a search takes a microsecond for each byte
+  if (line.size() > kLong) return line;
+  static const std::regex marks(
+      R"(^[\s>]{0,40}(\(?[0-9A-Za-z]{1,9}[.)]\s|[Tt]able:|#.{0,200}$|[-*+]\s{1,4}\[[xX]\]))"
+      R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\s?\[[^\]]{0,80}\]|^\s{0,3}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};)");
+  std::string out;
+  auto from = line.cbegin();
+  for (std::sregex_iterator i(line.begin(), line.end(), marks), end; i != end; ++i) {
+    out.append(from, line.cbegin() + i->position());
+    out.append(static_cast<std::size_t>(i->length()), ' ');
+    from = line.cbegin() + i->position() + i->length();
+  }
+  return out.append(from, line.cend());
+}
+
+}  // namespace
+
+std::vector<DroppedWord> dropped_words(const std::string& text,
+                                       const Json& tree,
+                                       std::size_t most) {
+  WordList read, written;
+  add_all(read, tree);
+  std::vector<DroppedWord> words;  // all, with their lines
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    WordList its;
+    its.add(without_marks(line));
+    its.for_each([&](std::string_view word) {
+      written.add(word);
+      words.push_back({std::string(word), number});
+    });
+  }
+  const std::unordered_map<std::string_view, int> there = read.counts(), needed = written.counts();
+  std::set<std::string_view> looked_at;
+  std::vector<DroppedWord> dropped;
+  constexpr std::size_t kMostSearches = 200;  // each in all of the deck
+  for (const DroppedWord& one : words) {
+    const auto found = there.find(one.word);
+    if (found != there.end() && found->second >= needed.at(one.word)) continue;
+    if (dropped.size() == most || looked_at.size() == kMostSearches) break;
+    if (looked_at.insert(one.word).second &&
+        read.count_inside(one.word) < written.count_inside(one.word))
+      dropped.push_back(one);
+  }
+  return dropped;
+}
+
+}  // namespace polhode

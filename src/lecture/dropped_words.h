@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Looks for the words of a deck in what pandoc has read of it: it drops some without a word.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+
+namespace polhode {
+
+// A word of a deck and its line, from 1.
+struct DroppedWord {
+  std::string word;
+  int line = 0;
+};
+// Words of a deck's text that pandoc's tree of it lacks: of footnotes and references that nothing
+// uses, of cells beyond the columns of a table. `tree`: as read_markdown() (lecture/pandoc.h)
+// returns it.
+std::vector<DroppedWord> dropped_words(const std::string& text, const Json& tree, std::size_t most);
+
+}  // namespace polhode

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/word_list.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/utf8.h"
+
+namespace polhode {
+namespace {
+
+// The number of a character of UTF-8 with `length` bytes.
+unsigned long number_of(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  unsigned long number = character.size() == 1 ? first : first & (0xffU >> (character.size() + 1));
+  for (const char byte : character.substr(1))
+    number = number << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
+  return number;
+}
+
+// Letters, digits and symbols; not what stands between words, spaces and dashes of all kinds.
+bool is_in_words(unsigned long character) {
+  struct Range {
+    unsigned long first, last;
+  };
+  constexpr Range kRanges[] = {{'0', '9'},
+                               {'A', 'Z'},
+                               {'a', 'z'},
+                               {0xc0, 0xd6},
+                               {0xd8, 0xf6},
+                               {0xf8, 0x1fff},
+                               {0x2190, 0x260f},  // boxes of lists are controls in pages
+                               {0x2613, 0x2dff},
+                               {0x3041, 0xfdff},
+                               {0x1f000, kLastCharacter}};
+  return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+    return character >= range.first && character <= range.last;
+  });
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
+void WordList::add(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
+    const std::string_view character = text.substr(i, length);
+    const unsigned long number = number_of(character);
+    if (is_in_words(number) && number <= last_) {
+      all_ += character;
+    } else {
+      end_word();
+    }
+    i += length;
+  }
+  end_word();
+}
+
+void WordList::add_code(const std::string& code) {
+  std::string parts;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const bool is_escaped = i >= 2 && code[i - 2] == '\\';
+    const bool is_unit = i >= 1 && is_digit(code[i - 1]) && !is_digit(code[i]);
+    if (is_escaped || is_unit) parts += ' ';
+    parts += code[i];
+  }
+  add(parts);
+}
+
+std::unordered_map<std::string_view, int> WordList::counts() const {
+  std::unordered_map<std::string_view, int> counts;
+  for_each([&](std::string_view word) { ++counts[word]; });
+  return counts;
+}
+
+int WordList::count_inside(std::string_view word) const {
+  int count = 0;
+  for (std::size_t at = all_.find(word); at != std::string::npos; at = all_.find(word, at + 1))
+    ++count;
+  return count;
+}
+
+}  // namespace polhode
