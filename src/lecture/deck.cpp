@@ -160,7 +160,7 @@ class Reader {
   }
 
   // Titles in boxes begin no slides, where pandoc would end the box; in notes they are words.
-  void settle_title(Json& header) {
+  void settle_title(Json& header) const {
     constexpr int kWithoutSlide = 3;
     Json& content = header["c"];
     if (in_notes_ > 0) {
