@@ -178,9 +178,10 @@ class Reader {
       if (inlines[i]["t"] != "Str") continue;
       const std::string words = inlines[i]["c"];
       const bool begins_line = i == 0 || inlines[i - 1]["t"] == "SoftBreak";
-      const bool is_mark =
-          words.starts_with(":::") || (i == 0 && words.starts_with("#") &&
-                                       words.find("\u00a0") == words.find_first_not_of('#'));
+      const std::size_t behind = words.find_first_not_of('#');
+      const bool is_title =
+          i == 0 && behind > 0 && behind != std::string::npos && words.find("\u00a0") == behind;
+      const bool is_mark = is_title || words.starts_with(":::");
       if (words.find(".toml#") != std::string::npos && words.find("://") == std::string::npos &&
           words.find("{inspect:") == std::string::npos &&
           (words.find('{') != std::string::npos || words.starts_with("inspect:"))) {
@@ -193,10 +194,10 @@ class Reader {
         tell(line_of_mark(inlines, i),
              input_error("'{}' would be shown as it stands: {}",
                          words,
-                         words[0] == '#' ? "behind it is a space that is none"
-                                         : "a box begins behind an empty line, as far from the "
-                                           "margin as what is around it, and ends with a line of "
-                                           "its own"));
+                         is_title ? "the space behind # is one that keeps words together"
+                                  : "a box begins behind an empty line, as far from the "
+                                    "margin as what is around it, and ends with a line of "
+                                    "its own"));
       } else if (words.find("](") != std::string::npos &&
                  words.find(".toml") != std::string::npos) {
         tell(lines_.next(words),

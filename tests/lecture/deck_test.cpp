@@ -227,7 +227,7 @@ TEST(Deck, LinesAreNotThoseOfCode) {
 // as text of a slide, words for the speaker would be shown to all
 TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
   const std::string good = "# A\n\n::: notes\nSay.\n:::\n\n";
-  EXPECT_EQ(problem_of(good + "Write `:::` or ::: here.\n"), "none");
+  EXPECT_EQ(problem_of(good + "Write `:::` or ::: here.\n\n\\# one\n\n#1 is good\n"), "none");
   EXPECT_EQ(problem_of(good + "::: warning\nB\n:::\n"), "none");
   EXPECT_EQ(deck_of(good + "::: warning\nB\n:::\n\n::: warning\nC\n:::\n").remarks.size(), 1U);
   for (const char* open :

@@ -55,8 +55,8 @@ std::string bar(int done, int total, const std::string& words) {
     cells = std::min(cells, width - std::min(width, taken));
   }
   if (cells < kLeast) return "";
-  const std::size_t full =
-      total > 0 ? cells * static_cast<std::size_t>(done) / static_cast<std::size_t>(total) : cells;
+  const double part = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
+  const auto full = static_cast<std::size_t>(part * static_cast<double>(cells));
   return fmt::format("[{:=<{}}{: <{}}] ", "", full, "", cells - full);
 }
 
