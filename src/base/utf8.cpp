@@ -6,19 +6,6 @@
 #include "base/error.h"
 
 namespace polhode {
-namespace {
-
-// the number of the character that begins at byte i, or that byte
-unsigned long value_at(std::string_view text, std::size_t i) {
-  const std::size_t length = utf8_length(text, i);
-  unsigned long value = static_cast<unsigned char>(text[i]);
-  if (length > 1) value &= 0x7fU >> length;
-  for (std::size_t k = 1; k < length; ++k)
-    value = value << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
-  return value;
-}
-
-}  // namespace
 
 bool is_continuation(std::string_view text, std::size_t i) {
   return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
@@ -46,6 +33,15 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return length;
 }
 
+unsigned long character_at(std::string_view text, std::size_t i) {
+  const std::size_t length = utf8_length(text, i);
+  unsigned long value = static_cast<unsigned char>(text[i]);
+  if (length > 1) value &= 0x7fU >> length;
+  for (std::size_t k = 1; k < length; ++k)
+    value = value << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+  return value;
+}
+
 int line_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
@@ -58,12 +54,12 @@ bool is_unwritable(unsigned long code_point) {
 
 std::size_t find_unwritable(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i)
-    if (!is_continuation(text, i) && is_unwritable(value_at(text, i))) return i;
+    if (!is_continuation(text, i) && is_unwritable(character_at(text, i))) return i;
   return std::string_view::npos;
 }
 
 std::string code_point(std::string_view text, std::size_t i) {
-  return fmt::format("U+{:04X}", value_at(text, i));
+  return fmt::format("U+{:04X}", character_at(text, i));
 }
 
 void refuse_other_encodings(std::string_view text, const std::string& name, const char* kind) {

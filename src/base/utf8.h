@@ -15,6 +15,10 @@ bool is_continuation(std::string_view text, std::size_t i);
 // are not valid UTF-8 (Unicode 15, table 3-7). Requires i < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
+// The number (code point) of the character that begins at byte i, or that byte if it begins none.
+// Requires i < text.size().
+unsigned long character_at(std::string_view text, std::size_t i);
+
 // The line, from 1, of the byte at this offset.
 int line_of(std::string_view text, std::size_t offset);
 

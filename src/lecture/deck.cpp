@@ -10,7 +10,6 @@
 #include "base/nearest.h"
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
-#include "base/system/overwriting.h"
 #include "base/utf8.h"
 #include "image/png.h"
 #include "lecture/deck_fields.h"
@@ -42,8 +41,7 @@ const PictureClass* find_class(const std::string& name) {
 
 // Throws Error (input), without a place, if a browser would find no picture of this kind in a file.
 void require_picture(const std::filesystem::path& file, const std::string& ending) {
-  const std::string bytes = read_file(file);
-  protect_file(file);
+  const std::string bytes = read_input(file);
   if (ending == ".png") {
     try {
       decode_png(bytes, "");
@@ -80,7 +78,7 @@ class Reader {
       return;
     }
     if (!node.is_object() || !node.contains("t")) return;
-    if (node["t"] == "Header" && in_box_ > 0) settle_title(node);
+    if (node["t"] == "Header" && in_box_) settle_title(node);
     const std::string type = node["t"];
     if (is_image_alone(node) && names_scene(node["c"][0])) {
       take_out(node);
@@ -109,9 +107,8 @@ class Reader {
       clean(*attributes, type);
       take_place(*attributes);
     }
-    const int was_in_box = in_box_, was_in_notes = in_notes_;
-    in_box_ += type == "Div" ? 1 : 0;
-    in_notes_ += is_div(node, "notes") ? 1 : 0;
+    const bool was_in_box = std::exchange(in_box_, in_box_ || type == "Div");
+    const bool was_in_notes = std::exchange(in_notes_, in_notes_ || is_div(node, "notes"));
     if (node.contains("c")) read(node["c"]);
     in_box_ = was_in_box;
     in_notes_ = was_in_notes;
@@ -163,12 +160,22 @@ class Reader {
   void settle_title(Json& header) const {
     constexpr int kWithoutSlide = 3;
     Json& content = header["c"];
-    if (in_notes_ > 0) {
+    if (in_notes_) {
       const Json strong = {{"t", "Strong"}, {"c", content[2]}};
       header = paragraph(Json::array({named("Span", content[1][0], Json::array({strong}))}));
     } else if (content[0] < kWithoutSlide) {
       content[0] = kWithoutSlide;
     }
+  }
+
+  static bool has(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  // "{insepct:a.toml#mass}" or, behind a blank, "inspect:a.toml#mass"; no address of the web
+  static bool is_misspelt_quote(const std::string& words) {
+    const bool may_quote = has(words, "{") || words.starts_with("inspect:");
+    return may_quote && has(words, ".toml#") && !has(words, "{inspect:") && !has(words, "://");
   }
 
   // Marks that pandoc shows as they stand, because what they begin has no end, or stands where it
@@ -182,9 +189,7 @@ class Reader {
       const bool is_title =
           i == 0 && behind > 0 && behind != std::string::npos && words.find("\u00a0") == behind;
       const bool is_mark = is_title || words.starts_with(":::");
-      if (words.find(".toml#") != std::string::npos && words.find("://") == std::string::npos &&
-          words.find("{inspect:") == std::string::npos &&
-          (words.find('{') != std::string::npos || words.starts_with("inspect:"))) {
+      if (is_misspelt_quote(words)) {
         tell(lines_.next(words),
              input_error("'{}' would be shown as it stands: a number is quoted by {{inspect:…}}",
                          words));
@@ -198,8 +203,7 @@ class Reader {
                                   : "a box begins behind an empty line, as far from the "
                                     "margin as what is around it, and ends with a line of "
                                     "its own"));
-      } else if (words.find("](") != std::string::npos &&
-                 words.find(".toml") != std::string::npos) {
+      } else if (has(words, "](") && has(words, ".toml")) {
         tell(lines_.next(words),
              input_error("'{}' would be shown as it stands: a picture ends with ')' and its "
                          "settings with '}}'",
@@ -389,8 +393,8 @@ class Reader {
     return percent && *percent > 0.0 && *percent <= 100.0;
   }
 
-  // words for the speaker would be shown to all
-  void refuse_slip(const std::string& name, const std::set<std::string>& meant) {
+  // A slip is refused: words for the speaker would be shown to all.
+  void tell_unknown_class(const std::string& name, const std::set<std::string>& meant) {
     int line = lines_.next("::: " + name + "\n");
     if (line == 0) line = lines_.next("." + name + "}");
     std::string letters = name;
@@ -420,10 +424,10 @@ class Reader {
       const std::set<std::string>& meant = its == known.end() ? none : its->second;
       std::erase_if(attributes[1].get_ref<Json::array_t&>(), [&](const Json& name) {
         if (meant.contains(name.get<std::string>())) return false;
-        if (type == "Div") refuse_slip(name, meant);
+        if (type == "Div") tell_unknown_class(name, meant);
         return true;
       });
-      if (type == "Div" && attributes[0] == "notes") refuse_slip("#notes", {"notes"});
+      if (type == "Div" && attributes[0] == "notes") tell_unknown_class("#notes", {"notes"});
       // for what is beside it pandoc would show these words
       if (std::find(attributes[1].begin(), attributes[1].end(), "notes") != attributes[1].end())
         attributes[1] = Json::array({"notes"});
@@ -480,7 +484,7 @@ class Reader {
   bool in_header_ = false;                          // of the deck
   bool among_words_ = false;                        // where pictures have no captions
   std::set<std::string> unknown_;                   // classes of boxes
-  int in_box_ = 0, in_notes_ = 0;                   // around what is read
+  bool in_box_ = false, in_notes_ = false;          // what is read now
   bool mark_told_ = false;                          // of a box that is none
 };
 
@@ -509,6 +513,33 @@ void refuse_unwritable(const Json& tree, const std::string& text, const std::str
     refuse_unwritable(child, text, name);
 }
 
+// They end lines on no system of today, and pandoc does not know them.
+void refuse_lone_returns(const std::string& text, const std::string& name) {
+  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] == '\n') continue;
+    throw input_error("a carriage return ends no line; save the deck with other ends of lines")
+        .at({name, line_of(text, at), {}});
+  }
+}
+
+// remarks on words that pandoc has not read, one for each line
+std::vector<Error> what_was_dropped(const std::string& text,
+                                    const Json& tree,
+                                    const std::string& name) {
+  constexpr std::size_t kMost = 5;
+  std::map<int, std::string> dropped;  // by lines
+  for (const DroppedWord& one : dropped_words(text, tree, kMost))
+    dropped[one.line] += (dropped[one.line].empty() ? "" : ", ") + one.word;
+  std::vector<Error> remarks;
+  remarks.reserve(dropped.size());
+  for (const auto& [line, words] : dropped) {
+    remarks.push_back(
+        input_error("pandoc leaves out what is in no column and what nothing refers to: {}", words)
+            .at({name, line, {}}));
+  }
+  return remarks;
+}
+
 }  // namespace
 
 Json Deck::tree(const Json& with_blocks) const {
@@ -517,22 +548,11 @@ Json Deck::tree(const Json& with_blocks) const {
 
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root) {
   refuse_other_encodings(text, name, "deck");
-  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
-    if (at + 1 == text.size() || text[at + 1] == '\n') continue;
-    throw input_error("a carriage return ends no line; save the deck with other ends of lines")
-        .at({name, line_of(text, at), {}});
-  }
-  const Json tree = read_markdown(text);
-  Deck deck = deck_of_tree(tree, text, name, root);
-  constexpr std::size_t kMost = 5;
-  std::map<int, std::string> dropped;  // by lines
-  for (const DroppedWord& one : dropped_words(text, tree, kMost))
-    dropped[one.line] += (dropped[one.line].empty() ? "" : ", ") + one.word;
-  for (const auto& [line, words] : dropped) {
-    deck.remarks.push_back(
-        input_error("pandoc leaves out what is in no column and what nothing refers to: {}", words)
-            .at({name, line, {}}));
-  }
+  refuse_lone_returns(text, name);
+  Json tree = read_markdown(text);
+  const std::vector<Error> dropped = what_was_dropped(text, tree, name);
+  Deck deck = deck_of_tree(std::move(tree), text, name, root);
+  deck.remarks.insert(deck.remarks.end(), dropped.begin(), dropped.end());
   return deck;
 }
 
@@ -560,8 +580,7 @@ Deck deck_of_tree(Json tree,
 }
 
 Deck read_deck(const std::filesystem::path& file, bool allow_outside) {
-  const std::string text = read_file(file, kLargestDeck);
-  protect_file(file);
+  const std::string text = read_input(file, kLargestDeck);
   try {
     return parse_deck(text, file.string(), {file.parent_path(), allow_outside});
   } catch (const Error& error) {

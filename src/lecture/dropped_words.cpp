@@ -3,10 +3,7 @@
 
 #include <cctype>
 #include <regex>
-#include <set>
 #include <sstream>
-#include <string_view>
-#include <unordered_map>
 
 #include "lecture/word_list.h"
 
@@ -55,30 +52,16 @@ std::vector<DroppedWord> dropped_words(const std::string& text,
                                        std::size_t most) {
   WordList read, written;
   add_all(read, tree);
-  std::vector<DroppedWord> words;  // all, with their lines
-  std::istringstream lines(text);
+  std::vector<int> lines;  // of all words that are written
+  std::istringstream all(text);
   int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    WordList its;
-    its.add(without_marks(line));
-    its.for_each([&](std::string_view word) {
-      written.add(word);
-      words.push_back({std::string(word), number});
-    });
+  for (std::string line; std::getline(all, line);) {
+    written.add(without_marks(line));
+    lines.resize(written.size(), ++number);
   }
-  const std::unordered_map<std::string_view, int> there = read.counts(), needed = written.counts();
-  std::set<std::string_view> looked_at;
   std::vector<DroppedWord> dropped;
-  constexpr std::size_t kMostSearches = 200;  // each in all of the deck
-  for (const DroppedWord& one : words) {
-    const auto found = there.find(one.word);
-    if (found != there.end() && found->second >= needed.at(one.word)) continue;
-    if (dropped.size() == most || looked_at.size() == kMostSearches) break;
-    if (looked_at.insert(one.word).second &&
-        read.count_inside(one.word) < written.count_inside(one.word))
-      dropped.push_back(one);
-  }
+  for (const MissingWord& one : written.missing_in(read, most))
+    dropped.push_back({one.word, lines[one.place]});
   return dropped;
 }
 

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string_view>
-#include <unordered_map>
 
 #include <fmt/format.h>
 #include <libxml/HTMLparser.h>
@@ -218,19 +217,9 @@ std::vector<std::string> lost_words(const Deck& deck,
   if (form == DocumentForm::latex) add_latex(shown.words, document);
   if (form == DocumentForm::office) add_office(shown, document);
 
-  const std::unordered_map<std::string_view, int> needed = wanted.words.counts();
-  std::unordered_map<std::string_view, int> there = shown.words.counts();
   std::vector<std::string> lost;
-  constexpr int kMostSearches = 200;  // each in all of the document
-  int searches = 0;
-  wanted.words.for_each([&](std::string_view word) {
-    int& count = there[word];
-    if (count >= needed.at(word) || lost.size() == most || searches == kMostSearches) return;
-    // what the deck writes as two words may be one there
-    count = needed.at(word);
-    ++searches;
-    if (shown.words.count_inside(word) < wanted.words.count_inside(word)) lost.emplace_back(word);
-  });
+  for (const MissingWord& one : wanted.words.missing_in(shown.words, most))
+    lost.push_back(one.word);
   if (form == DocumentForm::latex) return lost;
   if (shown.formulas < wanted.formulas) {
     lost.push_back(

@@ -165,12 +165,8 @@ class Layout {
   void add_columns(const Json& columns) {
     const Json& all = columns["c"][1];
     const bool are_simple = std::all_of(all.begin(), all.end(), is_simple);
-    for (std::size_t i = 0; i < all.size(); i += 2) {
-      if (!are_simple || i + 1 == all.size()) {
-        add_blocks_of(all[i]);
-        if (i + 1 < all.size()) add_blocks_of(all[i + 1]);
-        continue;
-      }
+    const std::size_t in_pairs = are_simple ? all.size() / 2 * 2 : 0;
+    for (std::size_t i = 0; i < in_pairs; i += 2) {
       if (is_full_ || !figure_.is_null() || !words_.empty()) next_slide();
       Json pair = columns;
       pair["c"][1] = Json::array({all[i], all[i + 1]});
@@ -178,6 +174,8 @@ class Layout {
       words_.push_back(pair);
       is_full_ = true;
     }
+    for (std::size_t i = in_pairs; i < all.size(); ++i)
+      add_blocks_of(all[i]);
   }
 
   void add_blocks_of(const Json& column) {

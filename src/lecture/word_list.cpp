@@ -9,15 +9,6 @@
 namespace polhode {
 namespace {
 
-// The number of a character of UTF-8 with `length` bytes.
-unsigned long number_of(std::string_view character) {
-  const auto first = static_cast<unsigned char>(character[0]);
-  unsigned long number = character.size() == 1 ? first : first & (0xffU >> (character.size() + 1));
-  for (const char byte : character.substr(1))
-    number = number << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
-  return number;
-}
-
 // Letters, digits and symbols; not what stands between words, spaces and dashes of all kinds.
 bool is_in_words(unsigned long character) {
   struct Range {
@@ -47,16 +38,21 @@ bool is_digit(char c) {
 void WordList::add(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
-    const std::string_view character = text.substr(i, length);
-    const unsigned long number = number_of(character);
-    if (is_in_words(number) && number <= last_) {
-      all_ += character;
+    const unsigned long character = character_at(text, i);
+    if (is_in_words(character) && character <= last_) {
+      all_ += text.substr(i, length);
     } else {
       end_word();
     }
     i += length;
   }
   end_word();
+}
+
+void WordList::end_word() {
+  if (all_.back() == ' ') return;
+  all_ += ' ';
+  ++size_;
 }
 
 void WordList::add_code(const std::string& code) {
@@ -68,6 +64,25 @@ void WordList::add_code(const std::string& code) {
     parts += code[i];
   }
   add(parts);
+}
+
+std::vector<MissingWord> WordList::missing_in(const WordList& other, std::size_t most) const {
+  constexpr int kMostSearches = 200;  // each in all of both
+  const std::unordered_map<std::string_view, int> needed = counts();
+  std::unordered_map<std::string_view, int> there = other.counts();
+  std::vector<MissingWord> missing;
+  int searches = 0;
+  std::size_t place = 0;
+  for_each([&](std::string_view word) {
+    const std::size_t its_place = place++;
+    int& count = there[word];
+    if (count >= needed.at(word) || missing.size() == most || searches == kMostSearches) return;
+    count = needed.at(word);  // each is looked for once
+    ++searches;
+    if (other.count_inside(word) < count_inside(word))
+      missing.push_back({std::string(word), its_place});
+  });
+  return missing;
 }
 
 std::unordered_map<std::string_view, int> WordList::counts() const {

@@ -5,10 +5,17 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace polhode {
 
 inline constexpr unsigned long kLastCharacter = 0x10ffff;
+
+// A word and its place in its list, from 0.
+struct MissingWord {
+  std::string word;
+  std::size_t place = 0;
+};
 
 // A list of words, which are runs of letters, digits and symbols. All else stands between words.
 class WordList {
@@ -22,10 +29,20 @@ class WordList {
   // "5kg" may be two.
   void add_code(const std::string& code);
 
-  // How often each word stands by itself; valid until words are added.
+  // How many there are.
+  std::size_t size() const { return size_; }
+
+  // The words that stand more often here than in the other list, in their order and each once: at
+  // most `most`, and of the first few hundred that might be missing. What is one word there may be
+  // two here.
+  std::vector<MissingWord> missing_in(const WordList& other, std::size_t most) const;
+
+ private:
+  // how often each word stands by itself
   std::unordered_map<std::string_view, int> counts() const;
-  // How often a word stands there, also inside others.
+  // how often a word stands there, also inside others
   int count_inside(std::string_view word) const;
+  void end_word();
 
   // Calls `visit` with each word (std::string_view), in their order.
   template <class Visit>
@@ -37,12 +54,8 @@ class WordList {
     }
   }
 
- private:
-  void end_word() {
-    if (all_.back() != ' ') all_ += ' ';
-  }
-
   std::string all_ = " ";  // one blank before and behind each
+  std::size_t size_ = 0;
   unsigned long last_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/system/atomic_file.h"
-#include "base/system/overwriting.h"
 #include "base/units.h"
 
 namespace polhode {
@@ -53,9 +52,8 @@ MassProperties mass_properties_of(const TriangleMesh& mesh) {
 }
 
 TriangleMesh load_solid_mesh(const std::filesystem::path& file, double scale) {
-  const std::string text = read_file(file, kLargestMeshFile);
-  protect_file(file);
-  TriangleMesh mesh = parse_triangle_mesh(text, file.filename().string());
+  TriangleMesh mesh =
+      parse_triangle_mesh(read_input(file, kLargestMeshFile), file.filename().string());
   Eigen::AlignedBox3d box;
   for (Vec3& point : mesh.points) {
     point *= scale;

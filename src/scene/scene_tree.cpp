@@ -5,7 +5,6 @@
 
 #include "base/at_place.h"
 #include "base/system/atomic_file.h"
-#include "base/system/overwriting.h"
 #include "model/solids.h"
 #include "scene/key_path.h"
 #include "scene/reader.h"
@@ -77,9 +76,7 @@ bool is_within(const std::string& path, const std::string& around) {
 }
 
 toml::table read_tree(const std::filesystem::path& file) {
-  const std::string text = read_file(file, kLargestScene);
-  protect_file(file);
-  return parse_toml(text, file.string());
+  return parse_toml(read_input(file, kLargestScene), file.string());
 }
 
 Scene scene_of(const toml::table& tree, const std::string& name) {

@@ -218,4 +218,10 @@ std::string read_file(const fs::path& path, std::size_t most) {
   return content;
 }
 
+std::string read_input(const fs::path& path, std::size_t most) {
+  std::string content = read_file(path, most);
+  protect_file(path);
+  return content;
+}
+
 }  // namespace polhode

@@ -89,4 +89,8 @@ std::string head_of_file(const std::filesystem::path& path, std::size_t most);
 // be read.
 std::string read_file(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
 
+// The same of a file that the user gave, which is protected (base/system/overwriting.h) from then
+// on.
+std::string read_input(const std::filesystem::path& path, std::size_t most = SIZE_MAX - 1);
+
 }  // namespace polhode

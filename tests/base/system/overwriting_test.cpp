@@ -12,6 +12,15 @@ namespace {
 
 using test::TemporaryFolder;
 
+// Writes a file that has another name by each kind of link: "link" and "hard".
+std::string write_with_links(const TemporaryFolder& folder, const std::string& name) {
+  const std::string file = folder / name;
+  test::write_text(file, "its content");
+  std::filesystem::create_symlink(name, folder / "link");
+  std::filesystem::create_hard_link(file, folder / "hard");
+  return file;
+}
+
 void expect_refused(const std::string& written,
                     const std::filesystem::path& needed,
                     const std::string& words) {
@@ -26,10 +35,7 @@ void expect_refused(const std::string& written,
 
 TEST(RefuseSameFile, OneFileHasManyNames) {
   const TemporaryFolder folder;
-  const std::string film = folder / "film.mp4";
-  test::write_text(film, "film");
-  std::filesystem::create_symlink("film.mp4", folder / "link");
-  std::filesystem::create_hard_link(film, folder / "hard");
+  const std::string film = write_with_links(folder, "film.mp4");
   std::filesystem::create_directory(folder / "in");
   const std::string words = "--report would overwrite " + film;
   for (const char* name : {"film.mp4", "./film.mp4", "in/../film.mp4", "link", "hard"})
@@ -73,17 +79,14 @@ TEST(RefuseSameFile, OtherFilesAndNoFileAreFine) {
 
 TEST(ProtectedFile, IsNeverWrittenByAnyName) {
   const TemporaryFolder folder;
-  const std::string scene = folder / "scene";
-  test::write_text(scene, "a scene");
-  std::filesystem::create_symlink("scene", folder / "link");
-  std::filesystem::create_hard_link(scene, folder / "hard");
+  const std::string scene = write_with_links(folder, "scene");
   protect_file(scene);
   for (const char* name : {"scene", "link", "hard"}) {
     SCOPED_TRACE(name);
     test::expect_input_error(
         [&] { write_file(folder / name, "a film"); }, "", "would overwrite " + scene);
   }
-  EXPECT_EQ(test::read_text(scene), "a scene");
+  EXPECT_EQ(test::read_text(scene), "its content");
   EXPECT_NO_THROW(write_file(folder / "other", "a film"));
 }
 
