@@ -3,13 +3,12 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/system/atomic_file.h"
-#include "base/system/scratch_folder.h"
 
 namespace polhode {
 namespace {
@@ -76,28 +75,23 @@ void require_gnuplot() {
 }
 
 std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int width, int height) {
-  // to a file: libraries may say something on standard output
-  const ScratchFolder scratch;
-  const std::string file = scratch / "chart";
-  std::string quoted;
-  for (const char c : file)
-    quoted += c == '\'' ? "''" : std::string(1, c);
+  // into a pipe: gnuplot does not say when a disk is full; not standard output: libraries may say
+  // something there
+  constexpr const char* kCommand = "exec gnuplot --default-settings - 3>&1 1>&2";
   const std::string whole = "set encoding utf8\nset terminal " + terminal(format, width, height) +
-                            "\nset output '" + quoted + "'\n" + script + "\nunset output\n";
+                            "\nset output '/dev/fd/3'\n" + script + "\nunset output\n";
   // GNUTERM is the terminal that it would open first, a window perhaps; PANGOCAIRO_BACKEND may ask
   // for one that has no letters
   const std::vector<std::string> words = {
-      "env", "-u", "GNUTERM", "-u", "PANGOCAIRO_BACKEND", "gnuplot", "--default-settings", "-"};
-  const ChildResult result = run_child(words, whole);
+      "env", "-u", "GNUTERM", "-u", "PANGOCAIRO_BACKEND", "sh", "-c", kCommand};
+  ChildResult result = run_child(words, whole);
   // a script of ours has no errors: what is said is a missing terminal or font
   if (!ended_well(result)) {
     throw environment_error("the chart cannot be drawn: gnuplot {}", how_it_ended(result));
   }
-  std::error_code missing;
-  std::string picture = std::filesystem::exists(file, missing) ? read_file(file) : "";
-  if (!is_picture(picture, format))
+  if (!is_picture(result.out, format))
     throw environment_error("the chart cannot be drawn: gnuplot wrote no picture");
-  return picture;
+  return std::move(result.out);
 }
 
 }  // namespace polhode

@@ -101,9 +101,11 @@ class Reader {
       return;
     }
     if (type == "Para" || type == "Plain") refuse_marks(node["c"]);
+    if (type == "Header") refuse_marks(node["c"][2]);
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
+      if (type != "Div") refuse_notes(node, (*attributes)[1]);
       clean(*attributes, type);
       take_place(*attributes);
     }
@@ -178,6 +180,27 @@ class Reader {
     return may_quote && has(words, ".toml#") && !has(words, "{inspect:") && !has(words, "://");
   }
 
+  // "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
+  static bool is_html(const std::string& words) {
+    static const std::set<std::string> tags = {
+        "article", "aside",  "audio", "big",  "blockquote", "br",   "center", "code",    "del",
+        "details", "dfn",    "div",   "em",   "figure",     "font", "footer", "h1",      "h2",
+        "h3",      "h4",     "h5",    "h6",   "header",     "hr",   "iframe", "img",     "ins",
+        "kbd",     "li",     "link",  "mark", "ol",         "pre",  "script", "section", "small",
+        "span",    "strong", "style", "sub",  "summary",    "sup",  "svg",    "table",   "tbody",
+        "td",      "th",     "tr",    "tt",   "ul",         "video"};
+    for (std::size_t at = words.find('<'); at != std::string::npos; at = words.find('<', at + 1)) {
+      if (words.compare(at, 4, "<!--") == 0) return true;
+      const std::size_t name = at + (words.compare(at, 2, "</") == 0 ? 2 : 1);
+      std::size_t end = name;
+      while (end < words.size() && std::isalnum(static_cast<unsigned char>(words[end])) != 0)
+        ++end;
+      const bool is_end = end == words.size() || words[end] == '>' || words[end] == '/';
+      if (is_end && tags.contains(words.substr(name, end - name))) return true;
+    }
+    return false;
+  }
+
   // Marks that pandoc shows as they stand, because what they begin has no end, or stands where it
   // cannot begin.
   void refuse_marks(const Json& inlines) {
@@ -203,6 +226,13 @@ class Reader {
                                   : "a box begins behind an empty line, as far from the "
                                     "margin as what is around it, and ends with a line of "
                                     "its own"));
+      } else if (is_html(words)) {
+        // its end is told with it
+        if (std::exchange(html_told_, true)) continue;
+        tell(lines_.next(words),
+             input_error("'{}' would be shown as it stands: a deck has no HTML; words for the "
+                         "speaker stand in a box (::: notes)",
+                         words));
       } else if (has(words, "](") && has(words, ".toml")) {
         tell(lines_.next(words),
              input_error("'{}' would be shown as it stands: a picture ends with ')' and its "
@@ -247,12 +277,23 @@ class Reader {
     return line > 0 ? line : lines_.next(words);
   }
 
+  // ![…](picture.png "title"): browsers show titles when somebody points there, if at all
+  void tell_title(const Json& image, int line) {
+    const std::string title = image["c"][2][1];
+    if (title.empty()) return;
+    deck_.remarks.push_back(
+        input_error("a picture has no title, and no document shows '{}'; write it into the caption",
+                    title)
+            .at({deck_.file, line, {}}));
+  }
+
   // a picture of a scene leaves its number
   void take_out(Json& block) {
     const Json& image = block["c"][0];
     const std::string target = image["c"][2][0];
     DeckPicture picture;
     picture.line = line_of(target);
+    tell_title(image, picture.line);
     picture.caption = image["c"][1];
     picture.scenes = {percent_decoded(target)};
     try {
@@ -338,6 +379,7 @@ class Reader {
       require_picture(trusted_file(deck_.root, deck_.root.folder, file), ending);
       read(image["c"][1]);
       clean_image(image["c"][0], line);
+      tell_title(image, line);
       take_place(image["c"][0]);
       image["c"][2] = Json::array({file, ""});
       deck_.images.push_back(file);
@@ -371,7 +413,6 @@ class Reader {
       tell(line > 0 ? line : lines_.next(target), error);
       link["c"][2][0] = "#";
     }
-    link["c"][2][1] = "";
   }
 
   void read_formula(Json& math) {
@@ -408,6 +449,22 @@ class Reader {
       deck_.remarks.push_back(
           input_error("'{}' means nothing to a deck; what is in it is shown as other words", name)
               .at({deck_.file, line, {}}));
+    }
+  }
+
+  // Words for the speaker are in boxes alone: elsewhere they would be shown to all.
+  void refuse_notes(const Json& node, const Json& classes) {
+    for (const Json& name : classes) {
+      if (!is_almost(name.get<std::string>(), "notes")) continue;
+      const std::string type = node["t"];
+      const Json& content = node["c"];
+      const bool has_words = type == "Header" || type == "Span" || type == "Link";
+      int line = has_words ? lines_.next(plain_text(content[type == "Header" ? 2 : 1])) : 0;
+      for (const char* mark : {"``` {.", "~~~ {.", "`{.", "{."})
+        if (line == 0) line = lines_.next(mark + name.get<std::string>());
+      tell(line,
+           input_error("'.{}' hides nothing here: words for the speaker stand in a box (::: notes)",
+                       name.get<std::string>()));
     }
   }
 
@@ -486,6 +543,7 @@ class Reader {
   std::set<std::string> unknown_;                   // classes of boxes
   bool in_box_ = false, in_notes_ = false;          // what is read now
   bool mark_told_ = false;                          // of a box that is none
+  bool html_told_ = false;                          // of HTML
 };
 
 // the line of the first character, or reference to one, that no document can show; 0 if unknown
@@ -528,7 +586,8 @@ std::vector<Error> what_was_dropped(const std::string& text,
                                     const std::string& name) {
   constexpr std::size_t kMost = 5;
   std::map<int, std::string> dropped;  // by lines
-  for (const DroppedWord& one : dropped_words(text, tree, kMost))
+  // comments and escapes of YAML are no words, and all fields are looked at
+  for (const DroppedWord& one : dropped_words(without_headers(text), tree, kMost))
     dropped[one.line] += (dropped[one.line].empty() ? "" : ", ") + one.word;
   std::vector<Error> remarks;
   remarks.reserve(dropped.size());

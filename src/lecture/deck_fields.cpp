@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <string_view>
 
 #include "base/nearest.h"
@@ -35,20 +34,56 @@ Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) 
   return list;
 }
 
-// The parts of a deck's text that may have fields: between lines "---" and "---" or "...", and
-// title, authors and date behind "%" at its beginning.
-std::string headers_of(const std::string& text) {
-  std::istringstream lines(text);
-  std::string headers;
-  bool is_inside = false, is_beginning = text.starts_with('%');
-  for (std::string line; std::getline(lines, line);) {
-    is_beginning = is_beginning && (line.starts_with('%') || line.starts_with(' '));
-    if (is_beginning) headers += line + "\n";
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    const bool is_mark = line == "---" || (is_inside && line == "...") || line == "\xEF\xBB\xBF---";
-    if (is_mark) is_inside = !is_inside;
-    if (is_inside && !is_mark) headers += line + "\n";
+// Part of a text: offsets in bytes.
+struct Part {
+  std::size_t from = 0, to = 0;
+};
+
+// The lines of a text, with their ends.
+std::vector<Part> lines_of(const std::string& text) {
+  std::vector<Part> lines;
+  for (std::size_t from = 0; from < text.size(); from = lines.back().to) {
+    const std::size_t end = text.find('\n', from);
+    lines.push_back({from, end == std::string::npos ? text.size() : end + 1});
   }
+  return lines;
+}
+
+// The lines between "---" and "---" or "...", without these; the first of them is not empty, and
+// before them nothing stands that they could belong to.
+std::vector<Part> headers_in(const std::string& text) {
+  const std::vector<Part> lines = lines_of(text);
+  const auto words = [&](std::size_t i) {
+    if (i >= lines.size()) return std::string_view();
+    std::string_view line =
+        std::string_view(text).substr(lines[i].from, lines[i].to - lines[i].from);
+    if (i == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    return line.substr(0, line.find_last_not_of(" \t\r\n") + 1);
+  };
+  std::vector<Part> headers;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool is_alone = i == 0 || words(i - 1).empty() || words(i - 1).starts_with('#');
+    if (!is_alone || words(i) != "---" || words(i + 1).empty()) continue;
+    const std::size_t first = i + 1;
+    while (++i < lines.size() && words(i) != "---" && words(i) != "...") {
+    }
+    if (i < lines.size()) headers.push_back({lines[first].from, lines[i].from});
+  }
+  return headers;
+}
+
+// The parts of a deck's text that may have fields: its headers, and title, authors and date behind
+// "%" at its beginning.
+std::string headers_of(const std::string& text) {
+  std::string headers;
+  for (const Part& line : lines_of(text)) {
+    const bool is_title =
+        text.starts_with('%') && (text[line.from] == '%' || text[line.from] == ' ');
+    if (!is_title) break;
+    headers += text.substr(line.from, line.to - line.from);
+  }
+  for (const Part& one : headers_in(text))
+    headers += text.substr(one.from, one.to - one.from);
   return headers;
 }
 
@@ -103,6 +138,19 @@ void require_language(const std::string& tag) {
   if (!good) throw input_error("lang is a tag such as en or de-CH");
 }
 
+// pandoc keeps the last of two. Throws Error (input), without a place.
+void require_once(const std::string& key, const std::string& headers) {
+  int times = 0;
+  for (const Part& line : lines_of(headers)) {
+    std::string_view words = std::string_view(headers).substr(line.from, line.to - line.from);
+    if (!words.starts_with(key)) continue;
+    words.remove_prefix(key.size());
+    words.remove_prefix(std::min(words.find_first_not_of(" \t"), words.size()));
+    times += words.starts_with(':') ? 1 : 0;
+  }
+  if (times > 1) throw input_error("{} is given twice; leave one out", key);
+}
+
 // One field; throws as the functions above.
 Json read_field(const std::string& key, const Json& value, const std::string& headers) {
   static const std::vector<std::string> known = {
@@ -110,13 +158,25 @@ Json read_field(const std::string& key, const Json& value, const std::string& he
   if (std::find(known.begin(), known.end(), key) == known.end())
     throw input_error("a deck has no '{}'{}", key, suggestion(key, known));
   Json field = one_paragraph(key, value, key == "author");
+  for_each_node(field, [](Json& node) {
+    if (node["t"] == "Note") node = said_footnote(node);
+  });
   refuse_rewritten(key, field, headers);
+  require_once(key, headers);
   if (key == "address") require_address(words_of_field(field));
   if (key == "lang") require_language(words_of_field(field));
   return field;
 }
 
 }  // namespace
+
+std::string without_headers(std::string text) {
+  for (const Part& one : headers_in(text)) {
+    for (std::size_t i = one.from; i < one.to; ++i)
+      if (text[i] != '\n') text[i] = ' ';
+  }
+  return text;
+}
 
 Json read_fields(const Json& meta,
                  const std::string& text,

@@ -184,15 +184,6 @@ void say_what_pages_show(Json& blocks) {
   });
 }
 
-// a footnote in words, in brackets, where there is no place for it
-Json said_footnote(const Json& note) {
-  Json words = string_inlines(" (");
-  const Json inlines = inlines_of(note["c"], {{"t", "Space"}});
-  words.insert(words.end(), inlines.begin(), inlines.end());
-  words.push_back(string_inlines(")")[0]);
-  return named("Span", "", words);
-}
-
 // Slides would show footnotes of notes for the speaker to all.
 void say_footnotes_of_notes(Json& blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -263,6 +254,57 @@ Json for_page(const Deck& deck, Json blocks) {
   Deck plain = deck;
   plain.meta = Json::object();
   return plain.tree(blocks);
+}
+
+// a field of the header as inlines, authors with commas between them
+Json inlines_of_meta(const Json& field) {
+  const std::string type = field["t"];
+  if (type == "MetaInlines") return field["c"];
+  if (type == "MetaString") return string_inlines(field["c"]);
+  Json all = Json::array();
+  if (type != "MetaList") return all;
+  for (const Json& one : field["c"]) {
+    const Json separator = string_inlines(all.empty() ? "" : ", ");
+    const Json inlines = inlines_of_meta(one);
+    all.insert(all.end(), separator.begin(), separator.end());
+    all.insert(all.end(), inlines.begin(), inlines.end());
+  }
+  return all;
+}
+
+bool has_only_words(const Json& inlines) {
+  return std::all_of(inlines.begin(), inlines.end(), [](const Json& one) {
+    return one["t"] == "Str" || one["t"] == "Space" || one["t"] == "SoftBreak";
+  });
+}
+
+// The words at the head of a page, with what is marked up.
+DeckWords page_words(const Deck& deck) {
+  DeckWords words = words_of(deck);
+  std::vector<std::string> keys;
+  Json paragraphs = Json::array();
+  for (const char* key : {"title", "subtitle", "author", "date", "licence"}) {
+    if (!deck.meta.contains(key)) continue;
+    const Json inlines = inlines_of_meta(deck.meta[key]);
+    if (has_only_words(inlines)) continue;
+    keys.emplace_back(key);
+    paragraphs.push_back(paragraph(inlines));
+  }
+  if (keys.empty()) return words;
+  Deck head = deck;
+  head.meta = Json::object();
+  const std::string html = formulas_for_browsers(
+      write_document(head.tree(paragraphs), {"-t", "html5", "--mathml"}).text);
+  constexpr std::string_view kBegin = "<p>", kEnd = "</p>";
+  std::size_t from = html.find(kBegin);
+  for (const std::string& key : keys) {
+    const std::size_t end = from == std::string::npos ? from : html.find(kEnd, from);
+    if (end == std::string::npos) return words;
+    from += kBegin.size();
+    words.marked_up[key] = html.substr(from, end - from);
+    from = html.find(kBegin, end);
+  }
+  return words;
 }
 
 // never empty: of a deck without words pandoc writes an empty line
@@ -346,7 +388,7 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::st
                                                "--metadata=title:-"},
                                               false)
                                    .text;
-  return lecture_page(words_of(deck), formulas_for_browsers(body), contents, viewers);
+  return lecture_page(page_words(deck), formulas_for_browsers(body), contents, viewers);
 }
 
 std::string make_slides(const Deck& deck,
@@ -357,13 +399,13 @@ std::string make_slides(const Deck& deck,
   say_footnotes_of_notes(blocks);
   const Json tree = for_page(deck, std::move(blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
-  return slides_page(words_of(deck), formulas_for_browsers(body), reveal, viewers);
+  return slides_page(page_words(deck), formulas_for_browsers(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
   const Json tree =
       for_page(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
-  return handout_page(words_of(deck), formulas_for_browsers(sections_html(tree)));
+  return handout_page(page_words(deck), formulas_for_browsers(sections_html(tree)));
 }
 
 std::vector<std::string> document_warnings(const Deck& deck, const std::string& output) {

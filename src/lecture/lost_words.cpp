@@ -46,9 +46,8 @@ class DeckReader {
   explicit DeckReader(unsigned long last) : all(last) {}
 
   void read(const Deck& deck) {
-    for (const char* field : {"title", "subtitle", "author"})
+    for (const char* field : {"title", "subtitle", "author", "date"})
       if (deck.meta.contains(field)) read(deck.meta[field], false);
-    all.links.clear();  // a title has none in pages
     read(deck.blocks, true);
     for (const DeckPicture& picture : deck.pictures)
       read(picture.caption, false);

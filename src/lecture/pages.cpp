@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/pages.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <unistd.h>
 
@@ -59,13 +60,19 @@ std::string script(const std::string& nonce, const std::string& js) {
   return fmt::format("<script nonce=\"{}\">\n", nonce) + js + "\n</script>\n";
 }
 
+// a field as HTML; `plain` are its words
+std::string shown(const DeckWords& words, const char* key, const std::string& plain) {
+  const auto found = words.marked_up.find(key);
+  return found == words.marked_up.end() ? escaped(plain) : found->second;
+}
+
 std::string title_block(const DeckWords& words) {
-  std::string text = fmt::format("<h1>{}</h1>\n", escaped(words.title));
-  if (!words.subtitle.empty())
-    text += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(words.subtitle));
-  std::string by = words.author;
-  if (!words.date.empty()) by += (by.empty() ? "" : " · ") + words.date;
-  if (!by.empty()) text += fmt::format("<p class=\"by\">{}</p>\n", escaped(by));
+  std::string text = fmt::format("<h1>{}</h1>\n", shown(words, "title", words.title));
+  const std::string subtitle = shown(words, "subtitle", words.subtitle);
+  if (!subtitle.empty()) text += fmt::format("<p class=\"subtitle\">{}</p>\n", subtitle);
+  std::string by = shown(words, "author", words.author);
+  if (!words.date.empty()) by += (by.empty() ? "" : " · ") + shown(words, "date", words.date);
+  if (!by.empty()) text += fmt::format("<p class=\"by\">{}</p>\n", by);
   return text;
 }
 
@@ -143,7 +150,8 @@ std::string lecture_page(const DeckWords& words,
       "open><summary>Contents</summary>\n" +
       contents + "</details></nav>\n";
   inside += "<main id=\"polhode-text\">\n" + body + "</main>\n<footer>";
-  if (!words.licence.empty()) inside += fmt::format("{} · ", escaped(words.licence));
+  if (!words.licence.empty())
+    inside += fmt::format("{} · ", shown(words, "licence", words.licence));
   inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;
   const std::string nonce = content_hash(inside);
   const std::string css = lecture_css() + (viewers.empty() ? "" : turn_css());
@@ -214,8 +222,11 @@ std::string print_page(const std::string& printer, const fs::path& html) {
   }
   std::error_code missing;
   std::string bytes = fs::exists(pdf, missing) ? read_file(pdf) : "";
-  if (!bytes.starts_with("%PDF-")) {
-    throw environment_error("the handout cannot be printed: {} wrote no PDF", printer);
+  constexpr std::size_t kTrailer = 1024;  // bytes; it ends in there (PDF 1.7, implementation notes)
+  const std::string_view end =
+      std::string_view(bytes).substr(bytes.size() - std::min(bytes.size(), kTrailer));
+  if (!bytes.starts_with("%PDF-") || end.find("%%EOF") == std::string_view::npos) {
+    throw environment_error("the handout cannot be printed: {} wrote no whole PDF", printer);
   }
   return bytes;
 }

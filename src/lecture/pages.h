@@ -2,6 +2,7 @@
 // Wraps pandoc's HTML into complete pages with embedded styles and scripts, and prints them.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -30,8 +31,11 @@ std::string formula_font_css();
 struct DeckWords {
   std::string title, subtitle, author, date, description, licence, lang = "en";
   std::string address;  // of the folder of the documents on the web, with a slash at its end
+  // as HTML, by their names in the header, those of them that have more than words: links, formulas
+  std::map<std::string, std::string> marked_up;
 };
-// From the deck's metadata; without a title, the file name of the deck is the title.
+// From the deck's metadata, with nothing marked up; without a title, the file name of the deck is
+// the title.
 DeckWords words_of(const Deck& deck);
 
 // Complete HTML pages. `body` is pandoc's HTML of the text, `contents` that of its table of

@@ -220,4 +220,12 @@ Json inlines_of(const Json& blocks, const Json& between) {
   return std::move(collector.all);
 }
 
+Json said_footnote(const Json& note) {
+  Json words = string_inlines(" (");
+  const Json inlines = inlines_of(note["c"], {{"t", "Space"}});
+  words.insert(words.end(), inlines.begin(), inlines.end());
+  words.push_back(string_inlines(")")[0]);
+  return named("Span", "", words);
+}
+
 }  // namespace polhode

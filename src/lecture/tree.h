@@ -57,4 +57,7 @@ Json mark_of(const Json& list, std::size_t item);
 // between them. Rules and pictures without words are left out.
 Json inlines_of(const Json& blocks, const Json& between);
 
+// A footnote in words, in brackets, where there is no place for it.
+Json said_footnote(const Json& note);
+
 }  // namespace polhode

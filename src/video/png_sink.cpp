@@ -53,16 +53,6 @@ class PngSequenceSink final : public FrameSink {
     // tells an unwritable folder before any frame is drawn
     const AtomicFile probe(name_.of(0));
   }
-  // frames without their names go with files_; those that have got one are removed here
-  ~PngSequenceSink() override {
-    if (named_ == files_.size()) return;
-    std::error_code ignored;
-    for (std::size_t i = 0; i < named_; ++i)
-      std::filesystem::remove(files_[i].target(), ignored);
-  }
-  PngSequenceSink(const PngSequenceSink&) = delete;
-  PngSequenceSink& operator=(const PngSequenceSink&) = delete;
-
   void describe(const FilmMetadata& metadata) override { first_ = metadata.first; }
   void push(const Image& frame) override {
     const StageTimer timer(times_.encode);
@@ -71,14 +61,21 @@ class PngSequenceSink final : public FrameSink {
     // the first frame's lock stands for the whole sequence
     if (files_.size() > 1) files_.back().unlock();
   }
-  // all frames get their names together, so that older ones stay until the new ones are whole
+  // all frames get their names together or none, so that older ones stay until the new ones are
+  // whole
   void finish() override {
     const StageTimer timer(times_.encode);
     const Unbroken together;
-    for (AtomicFile& file : files_) {
-      file.commit();
-      ++named_;
+    std::size_t named = 0;
+    try {
+      for (; named < files_.size(); ++named)
+        files_[named].commit_for_now();
+    } catch (const Error&) {
+      while (named > 0)
+        files_[--named].withdraw();
+      throw;
     }
+    files_.clear();
   }
   SinkTimes times() const override { return times_; }
 
@@ -87,7 +84,6 @@ class PngSequenceSink final : public FrameSink {
   bool with_alpha_;
   int first_ = 0;  // number of the first frame
   std::deque<AtomicFile> files_;
-  std::size_t named_ = 0;  // how many of them have been committed
   SinkTimes times_;
 };
 

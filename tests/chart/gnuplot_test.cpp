@@ -113,19 +113,32 @@ TEST(Gnuplot, WhatCannotRunIsToldWithTheReason) {
 // what is no picture must not take the place of one
 TEST(Gnuplot, OnlyAPictureOfTheFormatIsTaken) {
   const TemporaryFolder folder;
-  write_text(folder / "gnuplot", "#!/bin/sh\nwhile read line; do :; done; echo garbage\n");
+  write_text(folder / "gnuplot", "#!/bin/sh\nwhile read line; do :; done; echo garbage >&3\n");
   std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
   for (const PlotFormat format : {PlotFormat::svg, PlotFormat::png, PlotFormat::pdf}) {
     const int told = exit_code_in_child([&] {
-      setenv("PATH", folder.path().c_str(), 1);
+      setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
       try {
         draw_with_gnuplot("", format, 200, 100);
       } catch (const Error& error) {
-        return error.fault() == Fault::environment ? 0 : 1;
+        const bool said = error.message().ends_with("gnuplot wrote no picture");
+        return said && error.fault() == Fault::environment ? 0 : 1;
       }
       return 2;
     });
     EXPECT_EQ(told, 0);
+  }
+}
+
+// a disk that fills up would cut them off without a word
+TEST(Gnuplot, PicturesNeedNoRoomOnADisk) {
+  for (const PlotFormat format : {PlotFormat::svg, PlotFormat::png, PlotFormat::pdf}) {
+    const std::string whole = draw_with_gnuplot("plot [0:1] x\n", format, 200, 100);
+    const int same = exit_code_in_child([&] {
+      setenv("TMPDIR", "/nonexistent", 1);
+      return draw_with_gnuplot("plot [0:1] x\n", format, 200, 100).size() == whole.size() ? 0 : 1;
+    });
+    EXPECT_EQ(same, 0);
   }
 }
 

@@ -178,6 +178,7 @@ TEST(Deck, FieldsAreTexts) {
            {"date: {day: 3}", "date must be a text"},
            {"title: yes", "title is no text; in quotes, as in title: \"yes\", it is one"},
            {"date: 11.10", "date is a number, which would be shown as 11.1; put it in quotes"},
+           {"subtitle: A\nsubtitle: B", "subtitle is given twice; leave one out"},
            {"title: 007", "title is a number, which would be shown as 7"},
            {"title: 12345678901234567890", "shown as 1."}}) {
     EXPECT_TRUE(problem(field).starts_with("deck.md:3: ")) << problem(field);
@@ -250,6 +251,39 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
             "deck.md:7: 'note' means nothing to a deck (did you mean 'notes'?)");
   EXPECT_EQ(problem_of(good + "::: {.colmns}\nB\n:::\n"),
             "deck.md:7: 'colmns' means nothing to a deck (did you mean 'columns'?)");
+}
+
+// elsewhere they would be shown to all
+TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
+  const std::string good = "## A\n\n::: {.notes}\nSay.\n:::\n\n";
+  for (const char* slip : {"## B {.notes}\n\nC\n",
+                           "### B {.note}\n",
+                           "``` {.notes}\nB\n```\n",
+                           "[B]{.notes}\n",
+                           "[B](https://example.org){.notes}\n",
+                           "`B`{.notes}\n",
+                           "<!-- B -->\n",
+                           "<aside class=\"notes\">\n\nB\n\n</aside>\n",
+                           "<div class=\"notes\">B</div>\n",
+                           "## B<br/>C\n"})
+    EXPECT_TRUE(problem_of(good + slip).starts_with("deck.md:7: '")) << problem_of(good + slip);
+  EXPECT_EQ(
+      problem_of(good +
+                 "a < b, <p> = <x>, a<b, <1>, `<br>`, <https://example.org>, <- and <omega>\n"),
+      "none");
+}
+
+TEST(Deck, WhatYamlReadsInItsOwnWayIsNotTold) {
+  const Deck deck = deck_of(
+      "---\ntitle: A # draft\nauthor: &ann \"Gr\\xFC\\u00dfe\"\ndate: |\n  a\n\n  b\n...\n\nc\n\n"
+      "---\nlang: en # British\n---\n\n---\n\nd\n\n[1]: Landau\n\n---\n");
+  EXPECT_TRUE(deck.problems.empty());
+  ASSERT_EQ(deck.remarks.size(), 1U);
+  EXPECT_TRUE(test::has(deck.remarks[0].what(), "deck.md:20: ")) << deck.remarks[0].what();
+}
+
+TEST(Deck, LinksKeepTheirTitles) {
+  EXPECT_EQ(deck_of("[a](https://example.org \"b c\")\n").blocks[0]["c"][0]["c"][2][1], "b c");
 }
 
 // pandoc would end the box there

@@ -9,6 +9,7 @@
 #include "base/system/child_process.h"
 #include "image/png.h"
 #include "lecture/decks.h"
+#include "lecture/lost_words.h"
 #include "lecture/quotes.h"
 #include "support/flat_image.h"
 #include "support/run.h"
@@ -90,6 +91,27 @@ TEST(Documents, ThePageHasTextFilmsNotesAndContents) {
       page.substr(page.find("<nav class=\"contents\""), page.find("<main") - page.find("<nav"));
   for (const char* link : {"href=\"#part\"", "href=\"#one\"", "href=\"#two\""})
     EXPECT_TRUE(has(contents, link)) << contents;
+}
+
+// with its links, formulas and emphasis; a footnote has no place there
+TEST(Documents, TheHeadOfPagesIsMarkedUp) {
+  const Deck deck = deck_of(
+      "---\ntitle: The $\\frac{a}{b}$ <p> top^[Or gyro.]\nauthor:\n- "
+      "\"[Ann](https://example.org/ann)\"\n"
+      "- Bo\ndate: \"*May* 2026\"\nlicence: \"[CC BY](https://example.org/by)\"\n---\n\n# One\n");
+  ASSERT_TRUE(deck.problems.empty());
+  const std::string page = make_page(deck, figure_of);
+  EXPECT_TRUE(has(page, "</mfrac>"));
+  EXPECT_TRUE(has(page, "&lt;p&gt; top<span> (Or gyro.)</span></h1>"));
+  EXPECT_TRUE(has(page,
+                  "<p class=\"by\"><a href=\"https://example.org/ann\">Ann</a>, Bo · "
+                  "<em>May</em> 2026</p>"));
+  EXPECT_TRUE(has(page, "<footer><a href=\"https://example.org/by\">CC BY</a> · "));
+  EXPECT_TRUE(has(page, "<title>The \\frac{a}{b} &lt;p&gt; top (Or gyro.)</title>"));
+  EXPECT_TRUE(has(make_handout_html(deck, figure_of), ">Ann</a>"));
+  const std::string slides = make_slides(deck, figure_of, {"4", "css", "js", ""});
+  EXPECT_TRUE(has(slides, ">Ann</a>"));
+  EXPECT_EQ(lost_words(deck, slides, DocumentForm::html, 5), std::vector<std::string>());
 }
 
 // nor has it names twice, for links lead to the first

@@ -184,12 +184,16 @@ TEST(FindPrinter, IsTheOneThatTheUserNamesIfItRuns) {
 // a printer that copies the address of the page into the PDF, and one that fails
 TEST(PrintPage, GivesTheBytesThatThePrinterMakes) {
   const TemporaryFolder folder;
-  write_text(folder / "print",
-             "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; esac; "
-             "last=$word; done\nprintf '%%PDF-of %s %s' \"$TMPDIR\" \"$last\" >\"$pdf\"\n");
+  write_text(
+      folder / "print",
+      "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; esac; "
+      "last=$word; done\nprintf '%%PDF-of %s %s\n%%%%EOF' \"$TMPDIR\" \"$last\" >\"$pdf\"\n");
   write_text(folder / "idle", "#!/bin/sh\nexit 0\n");
+  write_text(folder / "half",
+             "#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) pdf=${word#*=};; esac; "
+             "done\nprintf '%%PDF-1.7' >\"$pdf\"\n");
   write_text(folder / "fail", "#!/bin/sh\necho 'no screen' >&2\necho more >&2\nexit 1\n");
-  for (const char* name : {"print", "fail", "idle"})
+  for (const char* name : {"print", "fail", "idle", "half"})
     std::filesystem::permissions(folder / name, std::filesystem::perms::owner_all);
   const std::string pdf = print_page(folder / "print", folder / "a b.html");
   // what it leaves there when it is killed is removed with our own folder
@@ -197,7 +201,7 @@ TEST(PrintPage, GivesTheBytesThatThePrinterMakes) {
       pdf.rfind("%PDF-of " + (std::filesystem::temp_directory_path() / "polhode-").string(), 0), 0U)
       << pdf;
   EXPECT_NE(pdf.find("/tmp file:///"), std::string::npos) << pdf;
-  EXPECT_TRUE(pdf.ends_with("/a%20b.html")) << pdf;
+  EXPECT_TRUE(pdf.ends_with("/a%20b.html\n%%EOF")) << pdf;
   try {
     print_page(folder / "fail", folder / "a.html");
     FAIL();
@@ -206,11 +210,14 @@ TEST(PrintPage, GivesTheBytesThatThePrinterMakes) {
     EXPECT_TRUE(error.message().ends_with("fail ended with exit code 1: no screen"))
         << error.what();
   }
-  try {
-    print_page(folder / "idle", folder / "a.html");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_TRUE(error.message().ends_with("idle wrote no PDF")) << error.what();
+  for (const char* name : {"idle", "half"}) {
+    try {
+      print_page(folder / name, folder / "a.html");
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_TRUE(error.message().ends_with(std::string(name) + " wrote no whole PDF"))
+          << error.what();
+    }
   }
 }
 

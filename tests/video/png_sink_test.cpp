@@ -84,6 +84,25 @@ TEST(PngSink, AFrameThatCannotBeWrittenRemovesTheOthers) {
   EXPECT_EQ(folder.entries(), 1) << "only the folder in the way";
 }
 
+// as on a mount point, which only the system knows of
+TEST(PngSink, AFrameThatCannotGetItsNameGivesTheOldOnesBack) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 4; ++i)
+    test::write_text(folder / fmt::format("f_{:03}.png", i), fmt::format("older frame {}", i));
+  const auto make = [&] {
+    const auto sink = make_sink(small_job(folder / "f_%03d.png"));
+    for (int i = 0; i < 6; ++i)
+      sink->push(small_frame(i));
+    std::filesystem::create_directory(folder / "f_005.png");
+    sink->finish();
+  };
+  EXPECT_THROW(make(), Error);
+  EXPECT_EQ(folder.entries(), 5) << "and the folder in the way";
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(test::read_text(folder / fmt::format("f_{:03}.png", i)),
+              fmt::format("older frame {}", i));
+}
+
 TEST(PngSink, AFullDiskIsAnErrorAndLeavesNothing) {
   const TemporaryFolder folder;
   for (const char* name : {"a.png", "f_%d.png"}) {

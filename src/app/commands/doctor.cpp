@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/json.h"
+#include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
 #include "base/text_table.h"
 #include "chart/gnuplot.h"
@@ -42,7 +43,9 @@ BackendState examine_backend(const Backend& backend) {
 // where sequences, lectures and charts are made
 std::string state_of_temporary_folder() {
   try {
+    constexpr std::size_t kEnough = 4U << 20U;  // bytes, for a handout
     const ScratchFolder folder;
+    write_file(folder / "probe", std::string(kEnough, ' '));
     return "ok, " + std::filesystem::path(folder / "").parent_path().parent_path().string();
   } catch (const Error& error) {
     return fmt::format("fails: {}", error.what());

@@ -96,7 +96,7 @@ AtomicFile::AtomicFile(const fs::path& target)
 }
 
 AtomicFile::~AtomicFile() {
-  if (!committed_) {
+  if (state_ == State::unfinished || state_ == State::exchanged) {
     std::error_code ignored;
     fs::remove(part_, ignored);
   }
@@ -109,11 +109,44 @@ void AtomicFile::unlock() {
 }
 
 void AtomicFile::commit() {
+  make_ready();
+  rename_part();
+}
+
+void AtomicFile::commit_for_now() {
+  make_ready();
+  // a folder would be exchanged, too
+  std::error_code ignored;
+  if (!fs::is_directory(target_, ignored) &&
+      renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
+    state_ = State::exchanged;
+    return;
+  }
+  const bool is_new = !fs::exists(target_, ignored);
+  rename_part();
+  if (is_new) state_ = State::is_new;
+}
+
+void AtomicFile::withdraw() {
+  if (state_ == State::exchanged) {
+    const int failed =
+        renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE);
+    state_ = failed == 0 ? State::unfinished : State::committed;
+  } else if (state_ == State::is_new) {
+    std::error_code ignored;
+    fs::remove(target_, ignored);
+  }
+}
+
+void AtomicFile::make_ready() const {
   refuse_protected_file(target_);  // read since this was opened
   // some systems tell only now that a disk is full; those that cannot do it at all are no reason
   if (lock_ >= 0 && fsync(lock_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
     throw environment_error("cannot write: {}", std::strerror(errno)).at({target_.string(), 0, {}});
   }
+}
+
+void AtomicFile::rename_part() {
   std::error_code failed;
   fs::rename(part_, target_, failed);
   if (failed) {
@@ -121,7 +154,7 @@ void AtomicFile::commit() {
     throw environment_error("cannot rename the finished file: {}", failed.message())
         .at({target_.string(), 0, {}});
   }
-  committed_ = true;
+  state_ = State::committed;
   unfinished_.reset();
 }
 

@@ -43,6 +43,12 @@ class AtomicFile {
   // Call it once. Throws Error (environment) if that fails, and (input) if the file is protected
   // by now.
   void commit();
+  // The same, but withdraw() can undo it: what had the name before stays in part(), where the file
+  // system can exchange two files, until this is destroyed.
+  void commit_for_now();
+  // After commit_for_now(): the name belongs again to what had it before; where the file system has
+  // not kept that, to what was written. Does not throw.
+  void withdraw();
   // Makes this the whole content of the temporary file. Throws Error (environment) if that fails.
   void write(std::string_view content);
   // Adds to what write() made. Throws Error (environment) if that fails.
@@ -54,11 +60,20 @@ class AtomicFile {
   void unlock();
 
  private:
+  enum class State {
+    unfinished,
+    committed,
+    is_new,     // nothing had the name
+    exchanged,  // part() is what had it
+  };
+
+  void make_ready() const;
+  void rename_part();
   void put(From from, std::string_view content) const;
 
   std::filesystem::path target_;
   std::filesystem::path part_;
-  bool committed_ = false;
+  State state_ = State::unfinished;
   int lock_ = -1;  // file descriptor that holds the lock; -1 when there is none
   std::optional<Unfinished> unfinished_;
 };

@@ -6,15 +6,16 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace polhode {
 
 // Calls work(i) once for each i in [0, count), in no particular order, on at most `jobs` threads
-// (0: one per processor), of which the calling thread is one, and returns when all calls have
-// ended. `work` must be thread-safe. After the first exception no further call is started, and the
-// exception is rethrown here, on the calling thread.
+// (0: one per processor; fewer where the system gives no more), of which the calling thread is one,
+// and returns when all calls have ended. `work` must be thread-safe. After the first exception no
+// further call is started, and the exception is rethrown here, on the calling thread.
 template <class Work>
 void parallel_for(long count, int jobs, const Work& work) {
   const long processors = std::max(1L, static_cast<long>(std::thread::hardware_concurrency()));
@@ -39,8 +40,12 @@ void parallel_for(long count, int jobs, const Work& work) {
 #else
   {
     std::vector<std::jthread> crew;
-    for (long i = 1; i < threads; ++i)
-      crew.emplace_back(take_pieces);
+    try {
+      for (long i = 1; i < threads; ++i)
+        crew.emplace_back(take_pieces);
+    } catch (const std::system_error&) {
+      // those there are do the work
+    }
     take_pieces();
   }
 #endif

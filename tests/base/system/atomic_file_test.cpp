@@ -44,6 +44,30 @@ TEST_F(AtomicFileTest, AppearsWholeOnCommit) {
   EXPECT_EQ(files_in_folder(), 1u);
 }
 
+TEST_F(AtomicFileTest, WhatHadTheNameGetsItBack) {
+  for (const bool is_new : {true, false}) {
+    fs::remove(target_);
+    if (!is_new) std::ofstream(target_) << "old";
+    AtomicFile file(target_);
+    file.write("new");
+    file.commit_for_now();
+    EXPECT_EQ(read_file(target_), "new");
+    file.withdraw();
+    EXPECT_EQ(fs::exists(target_), !is_new);
+    if (!is_new) {
+      EXPECT_EQ(read_file(target_), "old");
+    }
+  }
+  EXPECT_EQ(files_in_folder(), 1U);
+  {
+    AtomicFile file(target_);
+    file.write("new");
+    file.commit_for_now();
+  }
+  EXPECT_EQ(read_file(target_), "new");
+  EXPECT_EQ(files_in_folder(), 1U);
+}
+
 TEST_F(AtomicFileTest, LeavesNothingWhenAbandoned) {
   {
     AtomicFile file(target_);
