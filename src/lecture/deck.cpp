@@ -16,6 +16,7 @@
 #include "lecture/dropped_words.h"
 #include "lecture/line_finder.h"
 #include "lecture/pandoc.h"
+#include "lecture/slips.h"
 
 namespace polhode {
 namespace {
@@ -69,7 +70,9 @@ std::string name_from(const std::string& file) {
 class Reader {
  public:
   Reader(Deck& deck, const std::string& text, const Json& blocks)
-      : deck_(deck), lines_(text, blocks) {}
+      : deck_(deck),
+        lines_(text, blocks),
+        slips_(lines_, [this](int line, const Error& error) { tell(line, error); }) {}
 
   void read(Json& node) {
     if (node.is_array()) {
@@ -100,12 +103,10 @@ class Reader {
       node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
       return;
     }
-    if (type == "Para" || type == "Plain") refuse_marks(node["c"]);
-    if (type == "Header") refuse_marks(node["c"][2]);
+    slips_.look_at(node);
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
-      if (type != "Div") refuse_notes(node, (*attributes)[1]);
       clean(*attributes, type);
       take_place(*attributes);
     }
@@ -168,97 +169,6 @@ class Reader {
     } else if (content[0] < kWithoutSlide) {
       content[0] = kWithoutSlide;
     }
-  }
-
-  static bool has(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  }
-
-  // "{insepct:a.toml#mass}" or, behind a blank, "inspect:a.toml#mass"; no address of the web
-  static bool is_misspelt_quote(const std::string& words) {
-    const bool may_quote = has(words, "{") || words.starts_with("inspect:");
-    return may_quote && has(words, ".toml#") && !has(words, "{inspect:") && !has(words, "://");
-  }
-
-  // "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
-  static bool is_html(const std::string& words) {
-    static const std::set<std::string> tags = {
-        "article", "aside",  "audio", "big",  "blockquote", "br",   "center", "code",    "del",
-        "details", "dfn",    "div",   "em",   "figure",     "font", "footer", "h1",      "h2",
-        "h3",      "h4",     "h5",    "h6",   "header",     "hr",   "iframe", "img",     "ins",
-        "kbd",     "li",     "link",  "mark", "ol",         "pre",  "script", "section", "small",
-        "span",    "strong", "style", "sub",  "summary",    "sup",  "svg",    "table",   "tbody",
-        "td",      "th",     "tr",    "tt",   "ul",         "video"};
-    for (std::size_t at = words.find('<'); at != std::string::npos; at = words.find('<', at + 1)) {
-      if (words.compare(at, 4, "<!--") == 0) return true;
-      const std::size_t name = at + (words.compare(at, 2, "</") == 0 ? 2 : 1);
-      std::size_t end = name;
-      while (end < words.size() && std::isalnum(static_cast<unsigned char>(words[end])) != 0)
-        ++end;
-      const bool is_end = end == words.size() || words[end] == '>' || words[end] == '/';
-      if (is_end && tags.contains(words.substr(name, end - name))) return true;
-    }
-    return false;
-  }
-
-  // Marks that pandoc shows as they stand, because what they begin has no end, or stands where it
-  // cannot begin.
-  void refuse_marks(const Json& inlines) {
-    for (std::size_t i = 0; i < inlines.size(); ++i) {
-      if (inlines[i]["t"] != "Str") continue;
-      const std::string words = inlines[i]["c"];
-      const bool begins_line = i == 0 || inlines[i - 1]["t"] == "SoftBreak";
-      const std::size_t behind = words.find_first_not_of('#');
-      const bool is_title =
-          i == 0 && behind > 0 && behind != std::string::npos && words.find("\u00a0") == behind;
-      const bool is_mark = is_title || words.starts_with(":::");
-      if (is_misspelt_quote(words)) {
-        tell(lines_.next(words),
-             input_error("'{}' would be shown as it stands: a number is quoted by {{inspect:…}}",
-                         words));
-      } else if (begins_line && is_mark) {
-        // those behind it are shown because it is
-        if (std::exchange(mark_told_, true)) return;
-        tell(line_of_mark(inlines, i),
-             input_error("'{}' would be shown as it stands: {}",
-                         words,
-                         is_title ? "the space behind # is one that keeps words together"
-                                  : "a box begins behind an empty line, as far from the "
-                                    "margin as what is around it, and ends with a line of "
-                                    "its own"));
-      } else if (is_html(words)) {
-        // its end is told with it
-        if (std::exchange(html_told_, true)) continue;
-        tell(lines_.next(words),
-             input_error("'{}' would be shown as it stands: a deck has no HTML; words for the "
-                         "speaker stand in a box (::: notes)",
-                         words));
-      } else if (has(words, "](") && has(words, ".toml")) {
-        tell(lines_.next(words),
-             input_error("'{}' would be shown as it stands: a picture ends with ')' and its "
-                         "settings with '}}'",
-                         words));
-      }
-    }
-  }
-
-  // The line of a mark, which stands in many: by what follows it. 0 if that does not tell.
-  int line_of_mark(const Json& inlines, std::size_t from) {
-    constexpr std::size_t kEnough = 200;
-    std::string words;
-    for (std::size_t i = from; i < inlines.size() && words.size() < kEnough; ++i) {
-      const std::string type = inlines[i]["t"];
-      if (type == "SoftBreak") words += '\n';
-      if (type == "Space") words += ' ';
-      if (type == "Str") words += inlines[i]["c"].get<std::string>();
-      if (type != "Str" && type != "Space" && type != "SoftBreak") break;
-    }
-    for (std::size_t end = words.size(); end != std::string::npos; end = words.rfind('\n', end)) {
-      words.resize(end);
-      const int line = lines_.next(words);
-      if (line > 0) return lines_.next(words) == 0 ? line : 0;
-    }
-    return 0;
   }
 
   static bool names_scene(const Json& image) {
@@ -452,22 +362,6 @@ class Reader {
     }
   }
 
-  // Words for the speaker are in boxes alone: elsewhere they would be shown to all.
-  void refuse_notes(const Json& node, const Json& classes) {
-    for (const Json& name : classes) {
-      if (!is_almost(name.get<std::string>(), "notes")) continue;
-      const std::string type = node["t"];
-      const Json& content = node["c"];
-      const bool has_words = type == "Header" || type == "Span" || type == "Link";
-      int line = has_words ? lines_.next(plain_text(content[type == "Header" ? 2 : 1])) : 0;
-      for (const char* mark : {"``` {.", "~~~ {.", "`{.", "{."})
-        if (line == 0) line = lines_.next(mark + name.get<std::string>());
-      tell(line,
-           input_error("'.{}' hides nothing here: words for the speaker stand in a box (::: notes)",
-                       name.get<std::string>()));
-    }
-  }
-
   // widths of columns are all that a deck may set on what is no picture; classes that mean nothing
   // to a document could be those of its own parts, which styles hide or move
   void clean(Json& attributes, const std::string& type) {
@@ -535,6 +429,7 @@ class Reader {
 
   Deck& deck_;
   LineFinder lines_;
+  SlipFinder slips_;
   std::set<std::string> names_;                     // of the files of pictures
   std::set<std::string> places_;                    // identifiers
   std::vector<std::pair<std::string, int>> links_;  // place, line
@@ -542,8 +437,6 @@ class Reader {
   bool among_words_ = false;                        // where pictures have no captions
   std::set<std::string> unknown_;                   // classes of boxes
   bool in_box_ = false, in_notes_ = false;          // what is read now
-  bool mark_told_ = false;                          // of a box that is none
-  bool html_told_ = false;                          // of HTML
 };
 
 // the line of the first character, or reference to one, that no document can show; 0 if unknown

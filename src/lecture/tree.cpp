@@ -22,6 +22,15 @@ void walk(Node& tree, const Visit& visit) {
     walk(child, visit);
 }
 
+template <class Node>
+Node* find_attributes(Node& node) {
+  static const std::set<std::string> first = {
+      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
+  const std::string type = node["t"];
+  if (type == "Header") return &node["c"][1];
+  return first.contains(type) ? &node["c"][0] : nullptr;
+}
+
 class Collector {
  public:
   explicit Collector(const Json& between) : between_(between) {}
@@ -161,11 +170,11 @@ Json div(const std::string& name, const Json& blocks, const std::string& width) 
 }
 
 Json* attributes_of(Json& node) {
-  static const std::set<std::string> first = {
-      "Div", "Span", "Code", "CodeBlock", "Link", "Image", "Table"};
-  const std::string type = node["t"];
-  if (type == "Header") return &node["c"][1];
-  return first.contains(type) ? &node["c"][0] : nullptr;
+  return find_attributes(node);
+}
+
+const Json* attributes_of(const Json& node) {
+  return find_attributes(node);
 }
 
 Json named(const std::string& type, const std::string& place, const Json& contents) {

@@ -31,6 +31,7 @@ Json div(const std::string& name, const Json& blocks, const std::string& width =
 
 // Where pandoc keeps identifier, classes and key-value pairs of a node; null if it has none.
 Json* attributes_of(Json& node);
+const Json* attributes_of(const Json& node);
 
 // A node that links to `place` lead to: "Div" around blocks, "Span" around inlines.
 Json named(const std::string& type, const std::string& place, const Json& contents);

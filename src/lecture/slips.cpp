@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "lecture/slips.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/nearest.h"
+#include "lecture/tree.h"
+
+namespace polhode {
+namespace {
+
+bool has(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+// "{insepct:a.toml#mass}" or, behind a blank, "inspect:a.toml#mass"; no address of the web
+bool is_misspelt_quote(const std::string& words) {
+  const bool may_quote = has(words, "{") || words.starts_with("inspect:");
+  return may_quote && has(words, ".toml#") && !has(words, "{inspect:") && !has(words, "://");
+}
+
+// "#" with a blank behind it that keeps words together, where a paragraph begins
+bool is_no_title(const std::string& words) {
+  const std::size_t behind = words.find_first_not_of('#');
+  return behind > 0 && behind != std::string::npos && words.find("\u00a0") == behind;
+}
+
+// "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
+bool is_html(const std::string& words) {
+  static const std::set<std::string> tags = {
+      "article", "aside",  "audio", "big",  "blockquote", "br",   "center", "code",    "del",
+      "details", "dfn",    "div",   "em",   "figure",     "font", "footer", "h1",      "h2",
+      "h3",      "h4",     "h5",    "h6",   "header",     "hr",   "iframe", "img",     "ins",
+      "kbd",     "li",     "link",  "mark", "ol",         "pre",  "script", "section", "small",
+      "span",    "strong", "style", "sub",  "summary",    "sup",  "svg",    "table",   "tbody",
+      "td",      "th",     "tr",    "tt",   "ul",         "video"};
+  for (std::size_t at = words.find('<'); at != std::string::npos; at = words.find('<', at + 1)) {
+    if (words.compare(at, 4, "<!--") == 0) return true;
+    std::string name;
+    std::size_t end = at + (words.compare(at, 2, "</") == 0 ? 2 : 1);
+    for (; end < words.size() && std::isalnum(static_cast<unsigned char>(words[end])) != 0; ++end)
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(words[end])));
+    const bool is_end = end == words.size() || words[end] == '>' || words[end] == '/';
+    if (is_end && tags.contains(name)) return true;
+  }
+  return false;
+}
+
+Error would_be_shown(const std::string& words, std::string_view why) {
+  return input_error("'{}' would be shown as it stands: {}", words, why);
+}
+
+}  // namespace
+
+SlipFinder::SlipFinder(LineFinder& lines, Tell tell) : lines_(lines), tell_(std::move(tell)) {}
+
+void SlipFinder::look_at(const Json& node) {
+  const std::string type = node["t"];
+  if (type == "Para" || type == "Plain") look_at_words(node["c"]);
+  if (type == "Header") look_at_words(node["c"][2]);
+  if (type != "Div") look_at_classes(node);
+}
+
+void SlipFinder::look_at_words(const Json& inlines) {
+  for (std::size_t i = 0; i < inlines.size(); ++i) {
+    if (inlines[i]["t"] != "Str") continue;
+    const std::string words = inlines[i]["c"];
+    const bool begins_line = i == 0 || inlines[i - 1]["t"] == "SoftBreak";
+    const bool is_title = i == 0 && is_no_title(words);
+    if (is_misspelt_quote(words)) {
+      tell_(lines_.next(words), would_be_shown(words, "a number is quoted by {inspect:…}"));
+    } else if (is_title || (begins_line && words.starts_with(":::"))) {
+      // those behind it are shown because it is
+      if (std::exchange(mark_told_, true)) return;
+      tell_(line_of_mark(inlines, i),
+            would_be_shown(words,
+                           is_title ? "the space behind # is one that keeps words together"
+                                    : "a box begins behind an empty line, as far from the margin "
+                                      "as what is around it, and ends with a line of its own"));
+    } else if (is_html(words)) {
+      // its end is told with it
+      if (std::exchange(html_told_, true)) continue;
+      tell_(lines_.next(words),
+            would_be_shown(words,
+                           "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
+    } else if (has(words, "](") && has(words, ".toml")) {
+      tell_(lines_.next(words),
+            would_be_shown(words, "a picture ends with ')' and its settings with '}'"));
+    }
+  }
+}
+
+// A mark stands in many lines: that of this one, by what follows it. 0 if that does not tell.
+int SlipFinder::line_of_mark(const Json& inlines, std::size_t from) {
+  constexpr std::size_t kEnough = 200;
+  std::string words;
+  for (std::size_t i = from; i < inlines.size() && words.size() < kEnough; ++i) {
+    const std::string type = inlines[i]["t"];
+    if (type == "SoftBreak") words += '\n';
+    if (type == "Space") words += ' ';
+    if (type == "Str") words += inlines[i]["c"].get<std::string>();
+    if (type != "Str" && type != "Space" && type != "SoftBreak") break;
+  }
+  for (std::size_t end = words.size(); end != std::string::npos; end = words.rfind('\n', end)) {
+    words.resize(end);
+    const int line = lines_.next(words);
+    if (line > 0) return lines_.next(words) == 0 ? line : 0;
+  }
+  return 0;
+}
+
+void SlipFinder::look_at_classes(const Json& node) {
+  const Json* attributes = attributes_of(node);
+  if (attributes == nullptr) return;
+  for (const Json& one : (*attributes)[1]) {
+    const std::string name = one;
+    if (!is_almost(name, "notes")) continue;
+    const std::string type = node["t"];
+    const Json& content = node["c"];
+    const bool has_words = type == "Header" || type == "Span" || type == "Link";
+    int line = has_words ? lines_.next(plain_text(content[type == "Header" ? 2 : 1])) : 0;
+    for (const char* mark : {"``` {.", "~~~ {.", "`{.", "{."})
+      if (line == 0) line = lines_.next(mark + name);
+    tell_(line,
+          input_error("'.{}' hides nothing here: words for the speaker stand in a box (::: notes)",
+                      name));
+  }
+}
+
+}  // namespace polhode

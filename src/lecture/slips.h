@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Slips of the pen in a deck: marks that pandoc shows as they stand, with the words that they were
+// to hide.
+#pragma once
+
+#include <functional>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "lecture/line_finder.h"
+
+namespace polhode {
+
+// Tells of each slip once, in the order of the deck.
+class SlipFinder {
+ public:
+  // Calls `tell` with a line of the deck, 0 if that is unknown, and an Error (input) without a
+  // place. `lines` must outlive this.
+  using Tell = std::function<void(int line, const Error& error)>;
+  SlipFinder(LineFinder& lines, Tell tell);
+
+  // Looks at one node of pandoc's tree, with its words, not at blocks within it: boxes that are
+  // none, misspelt quotes of numbers, pictures without an end, HTML, and the class for the
+  // speaker's words (.notes) on what is no box.
+  void look_at(const Json& node);
+
+ private:
+  void look_at_words(const Json& inlines);
+  void look_at_classes(const Json& node);
+  int line_of_mark(const Json& inlines, std::size_t from);
+
+  LineFinder& lines_;
+  Tell tell_;
+  bool mark_told_ = false;  // of a box that is none
+  bool html_told_ = false;
+};
+
+}  // namespace polhode
