@@ -121,6 +121,9 @@ class Reader {
   // a field of the header
   void read_field(Json& value) {
     in_header_ = true;
+    for_each_node(value, [&](const Json& node) {
+      if (node["t"] == "MetaInlines") slips_.look_at(paragraph(node["c"]));
+    });
     read(value);
     in_header_ = false;
   }

@@ -18,8 +18,12 @@ namespace {
 Json one_paragraph(const std::string& key, const Json& value, bool may_be_list) {
   const std::string type = value["t"];
   if (type == "MetaString" || type == "MetaInlines") return value;
-  if (type == "MetaBlocks")
+  if (type == "MetaBlocks") {
+    for_each_node(value, [&](const Json& node) {
+      if (is_div(node, "notes")) throw input_error("{} has no notes for the speaker", key);
+    });
     return {{"t", "MetaInlines"}, {"c", inlines_of(value["c"], {{"t", "Space"}})}};
+  }
   if (type == "MetaBool")
     throw input_error("{} is no text; in quotes, as in {}: \"yes\", it is one", key, key);
   if (type != "MetaList" || !may_be_list)

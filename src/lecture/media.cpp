@@ -27,8 +27,33 @@ std::string text_at(const Json& json, const char* key) {
   return there ? json[key].get<std::string>() : "";
 }
 
+// whether a file of the folder belongs to that product by its name
+bool is_part_of(const std::string& stem, const std::string& file) {
+  return file.starts_with(stem) && file.find('/') == std::string::npos;
+}
+
 const std::string kWork = ".work-";      // begins the names of the folders of runs
 constexpr std::size_t kHashDigits = 16;  // 64 bits: enough for the files of a deck
+
+// What a card says of itself; that of another product, or of somebody else, says another.
+std::string hash_of_card(const std::string& stem, Json facts) {
+  facts.erase("hash");
+  return content_hash(stem + "\n" + facts.dump());
+}
+
+// Whether a fact, or one within it, that names a file names one that is listed.
+bool names_only(const Json& facts, const std::set<std::string>& listed) {
+  static const std::set<std::string> keys = {
+      "film", "poster", "paper", "file", "svg", "png", "csv", "glb", "viewer"};
+  if (!facts.is_structured()) return true;
+  for (const auto& [key, value] : facts.items()) {
+    const bool is_file = facts.is_object() && keys.contains(key);
+    const bool is_good = is_file ? value.is_string() && listed.contains(value.get<std::string>())
+                                 : names_only(value, listed);
+    if (!is_good) return false;
+  }
+  return true;
+}
 
 // A descriptor with a lock on the folder, for as long as it is open; -1 if somebody else has one,
 // or there are none.
@@ -67,11 +92,18 @@ std::string Media::stem_of(const Product& product) {
   return fmt::format("{}-{}", product.name, content_hash(product.key).substr(0, kHashDigits));
 }
 
-bool Media::is_whole(const Json& facts) const {
+bool Media::is_whole(const std::string& stem, const Json& facts) const {
   if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) return false;
-  return std::all_of(facts["files"].begin(), facts["files"].end(), [&](const Json& file) {
-    return is_as_listed(folder_, file);
-  });
+  if (text_at(facts, "hash") != hash_of_card(stem, facts)) return false;
+  std::set<std::string> listed;
+  for (const Json& file : facts["files"]) {
+    const std::string name = text_at(file, "name");
+    if (!is_part_of(stem, name) || !is_as_listed(folder_, file)) return false;
+    listed.insert(name);
+  }
+  Json others = facts;
+  others.erase("inspection");  // numbers
+  return names_only(others, listed);
 }
 
 Json Media::obtain(const Product& product) {
@@ -84,7 +116,7 @@ Json Media::obtain(const Product& product) {
   std::error_code missing;
   if (std::filesystem::exists(card, missing)) {
     Json facts = Json::parse(read_file(card), nullptr, false);
-    if (is_whole(facts)) return facts;
+    if (is_whole(stem, facts)) return facts;
   }
   const std::filesystem::path work = work_ / stem;
   std::filesystem::create_directories(work, missing);
@@ -103,6 +135,7 @@ Json Media::obtain(const Product& product) {
                               {"hash", content_hash(bytes)}});
     move_file(file, folder_ / file.filename());
   }
+  facts["hash"] = hash_of_card(stem, facts);
   // a folder that is being removed has not all its files
   if (is_ending()) throw Error(Fault::interrupted, "interrupted");
   write_file(card, facts.dump(1) + "\n");
@@ -138,8 +171,7 @@ void Media::forget_the_rest() {
     const std::string stem = card.stem().string();
     for (const Json& file : facts["files"]) {
       const std::string name = text_at(file, "name");
-      if (name.starts_with(stem) && name.find('/') == std::string::npos)
-        std::filesystem::remove(folder_ / name, failed);
+      if (is_part_of(stem, name)) std::filesystem::remove(folder_ / name, failed);
     }
     std::filesystem::remove(card, failed);
   }

@@ -26,7 +26,8 @@ struct Product {
 };
 
 // The folder of products. The last file of a product is STEM.json, which lists the others with
-// sizes and hashes; if it is missing or a file is not as listed, the product is made again. Several
+// sizes and hashes and has a hash of itself; if it is missing or any of this is not so, the product
+// is made again. Several
 // threads may call obtain() at the same time, each for another product; the other members must not
 // be called meanwhile.
 class Media {
@@ -42,7 +43,8 @@ class Media {
   // NAME-HASH, the beginning of the names of the product's files.
   static std::string stem_of(const Product& product);
   // The facts of a product, cached or made now, with "files" (a list of objects with "name",
-  // "bytes" and "hash") and "warnings", the sentences with which it was made. Throws what `make`
+  // "bytes" and "hash"), "hash", of all of them, and "warnings", the sentences with which it was
+  // made. Throws what `make`
   // throws, Error (input) as read_file and AtomicFile (base/system/atomic_file.h) do, and
   // (environment) if a file cannot be written.
   Json obtain(const Product& product);
@@ -57,8 +59,9 @@ class Media {
  private:
   // Removes what killed runs have left; returns whether no other run is at work.
   bool clear_of_killed_runs() const;
-  // Whether all files that the facts list exist with the listed hashes.
-  bool is_whole(const Json& facts) const;
+  // Whether the facts are those that were written for this stem, and all files that they list exist
+  // with the listed hashes. Facts name no files but these.
+  bool is_whole(const std::string& stem, const Json& facts) const;
 
   std::filesystem::path folder_;
   std::vector<std::string> deck_folders_;  // names of the deck's folder, which ends in a slash

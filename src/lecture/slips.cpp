@@ -30,17 +30,25 @@ bool is_no_title(const std::string& words) {
   return behind > 0 && behind != std::string::npos && words.find("\u00a0") == behind;
 }
 
+// "{.notes}"
+bool is_class(const std::string& words) {
+  constexpr std::size_t kShortest = 4;
+  return words.size() >= kShortest && (words.starts_with("{.") || words.starts_with("{#")) &&
+         words.ends_with("}") && std::isalpha(static_cast<unsigned char>(words[2])) != 0;
+}
+
 // "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
 bool is_html(const std::string& words) {
   static const std::set<std::string> tags = {
-      "article", "aside",  "audio", "big",  "blockquote", "br",   "center", "code",    "del",
-      "details", "dfn",    "div",   "em",   "figure",     "font", "footer", "h1",      "h2",
-      "h3",      "h4",     "h5",    "h6",   "header",     "hr",   "iframe", "img",     "ins",
-      "kbd",     "li",     "link",  "mark", "ol",         "pre",  "script", "section", "small",
-      "span",    "strong", "style", "sub",  "summary",    "sup",  "svg",    "table",   "tbody",
-      "td",      "th",     "tr",    "tt",   "ul",         "video"};
+      "article", "aside",   "audio",   "big",   "blockquote", "br",     "center", "code",
+      "del",     "details", "dfn",     "div",   "em",         "figure", "font",   "footer",
+      "h1",      "h2",      "h3",      "h4",    "h5",         "h6",     "header", "hr",
+      "iframe",  "img",     "ins",     "kbd",   "li",         "link",   "mark",   "ol",
+      "pre",     "script",  "section", "small", "span",       "strong", "style",  "sub",
+      "summary", "sup",     "svg",     "table", "tbody",      "td",     "th",     "tr",
+      "tt",      "ul",      "video",   "note",  "notes",      "hidden", "comment"};
   for (std::size_t at = words.find('<'); at != std::string::npos; at = words.find('<', at + 1)) {
-    if (words.compare(at, 4, "<!--") == 0) return true;
+    if (words.compare(at, 2, "<!") == 0 || words.compare(at, 2, "<?") == 0) return true;
     std::string name;
     std::size_t end = at + (words.compare(at, 2, "</") == 0 ? 2 : 1);
     for (; end < words.size() && std::isalnum(static_cast<unsigned char>(words[end])) != 0; ++end)
@@ -74,7 +82,7 @@ void SlipFinder::look_at_words(const Json& inlines) {
     const bool is_title = i == 0 && is_no_title(words);
     if (is_misspelt_quote(words)) {
       tell_(lines_.next(words), would_be_shown(words, "a number is quoted by {inspect:…}"));
-    } else if (is_title || (begins_line && words.starts_with(":::"))) {
+    } else if (is_title || (begins_line && (words.starts_with(":::") || words == "::"))) {
       // those behind it are shown because it is
       if (std::exchange(mark_told_, true)) return;
       tell_(line_of_mark(inlines, i),
@@ -82,10 +90,19 @@ void SlipFinder::look_at_words(const Json& inlines) {
                            is_title ? "the space behind # is one that keeps words together"
                                     : "a box begins behind an empty line, as far from the margin "
                                       "as what is around it, and ends with a line of its own"));
+    } else if (is_class(words)) {
+      // a box may have the same
+      const bool has_words_before = i > 1 && inlines[i - 2]["t"] == "Str";
+      tell_(has_words_before ? lines_.next(inlines[i - 2]["c"].get<std::string>() + " " + words)
+                             : line_of_mark(inlines, i),
+            would_be_shown(words,
+                           "classes and names stand behind titles, pictures, code and words in "
+                           "brackets, and have no empty space before them there"));
     } else if (is_html(words)) {
-      // its end is told with it
-      if (std::exchange(html_told_, true)) continue;
-      tell_(lines_.next(words),
+      // what the deck has marked as words (\<br\>) stands otherwise there, and ends are told once
+      const int line = lines_.next(words);
+      if (line == 0 || std::exchange(html_told_, true)) continue;
+      tell_(line,
             would_be_shown(words,
                            "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
     } else if (has(words, "](") && has(words, ".toml")) {

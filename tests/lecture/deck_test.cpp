@@ -265,12 +265,24 @@ TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
                            "<!-- B -->\n",
                            "<aside class=\"notes\">\n\nB\n\n</aside>\n",
                            "<div class=\"notes\">B</div>\n",
-                           "## B<br/>C\n"})
+                           "## B<BR/>C\n",
+                           "<notes>B</notes>\n",
+                           "<? B ?>\n",
+                           "B {.notes}\n",
+                           ":: notes\nB\n::\n"})
     EXPECT_TRUE(problem_of(good + slip).starts_with("deck.md:7: '")) << problem_of(good + slip);
-  EXPECT_EQ(
-      problem_of(good +
-                 "a < b, <p> = <x>, a<b, <1>, `<br>`, <https://example.org>, <- and <omega>\n"),
-      "none");
+  EXPECT_EQ(problem_of(good + "a < b, <p> = <x>, a<b, <1>, `<br>`, <https://example.org>, <-, "
+                              "<omega>, \\<br\\>, &lt;br&gt;, {.5} and x::y\n"),
+            "none");
+}
+
+TEST(Deck, FieldsHaveNoNotesAndNoHtml) {
+  for (const char* field : {"title: T <!-- B -->",
+                            "author: [A, B<br>C]",
+                            "date: 2024 <aside class=\"notes\">B</aside>",
+                            "title: |\n  A\n\n  ::: notes\n  B\n  :::"})
+    EXPECT_TRUE(problem_of(fmt::format("---\n{}\n---\n\n# A\n", field)).starts_with("deck.md:2: "))
+        << field;
 }
 
 TEST(Deck, WhatYamlReadsInItsOwnWayIsNotTold) {

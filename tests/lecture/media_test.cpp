@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/hash.h"
 #include "base/json.h"
 #include "base/system/log.h"
 #include "support/expect_error.h"
@@ -42,6 +43,21 @@ TEST(Media, KeepsWhatIsWholeAndMakesTheRest) {
   std::filesystem::remove(folder / file);
   obtain("a");
   EXPECT_EQ(made, 4);
+  // also the card of another product, and one that somebody has written
+  const std::string card = folder / (std::filesystem::path(file).stem().string() + ".json");
+  const std::string ours = test::read_text(card);
+  const std::string other = test::read_text(folder / (Media::stem_of(product("b")) + ".json"));
+  for (const std::string& text : {other,
+                                  ours + " ",
+                                  ours.substr(0, 9) + "x" + ours.substr(9),
+                                  std::string("{}"),
+                                  std::string(R"({"files":[]})")}) {
+    const int before = made;
+    write_text(card, text);
+    EXPECT_EQ(obtain("a"), file);
+    EXPECT_EQ(made, before + (text == ours + " " ? 0 : 1)) << text;
+    EXPECT_EQ(test::read_text(card), text == ours + " " ? text : ours);
+  }
   // what nobody asked for goes, what is not ours stays
   write_text(folder / "mine.json", "{}");
   write_text(folder / "evil.json", R"({"files":[{"name":"mine.json"}]})");
@@ -81,6 +97,22 @@ Product text_product(const std::string& name, const std::string& key, const std:
             write_text((where / (stem + ".txt")).string(), content);
             return Json{{"text", stem + ".txt"}};
           }};
+}
+
+// whoever reruns a lecture of somebody else would give files away
+TEST(Media, CardsNameNoFilesFromElsewhere) {
+  const TemporaryFolder folder;
+  const Product product = text_product("one", "a", "12345");
+  const std::string stem = Media::stem_of(product);
+  write_text(folder / "secret", "words");
+  for (Json card : {Json{{"csv", "../../etc/hostname"}, {"files", Json::array()}},
+                    Json{{"stills", {{{"file", "secret"}}}}, {"files", Json::array()}},
+                    Json{{"poster", "secret"},
+                         {"files", {{{"name", "secret"}, {"hash", content_hash("words")}}}}}}) {
+    card["hash"] = content_hash(stem + "\n" + card.dump());
+    write_text(folder / (stem + ".json"), card.dump());
+    EXPECT_EQ(Media(folder.path()).obtain(product).at("text"), stem + ".txt") << card.dump();
+  }
 }
 
 TEST(Media, FactsListTheFilesWithTheirSizes) {
