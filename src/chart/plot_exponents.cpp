@@ -90,7 +90,7 @@ std::string exponents_csv(const ExponentMap& map) {
   for (int row = 0; row < map.y.cells; ++row) {
     for (int column = 0; column < map.x.cells; ++column) {
       const ExponentCell& cell = map.at(column, row);
-      text += fmt::format("{:.10g},{:.10g},{},{:.6g},{}\n",
+      text += fmt::format("{},{},{},{:.6g},{}\n",
                           map.x.at(column),
                           map.y.at(row),
                           name_of(cell.verdict),

@@ -135,7 +135,7 @@ std::string stability_csv(const std::vector<StabilityMap>& maps,
             map.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(x.cells) +
                       static_cast<std::size_t>(column)];
         fmt::format_to(std::back_inserter(text),
-                       "{},{},{:.10g},{:.10g},{},{:.6g},{:.6g},{:.6g}\n",
+                       "{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n",
                        csv_field(map.scene),
                        map.method,
                        x.at(column),

@@ -29,10 +29,15 @@ void apply(const Overrides& overrides, Scene& scene) {
       if (*overrides.method != "auto" && *overrides.method != "exact") {
         find_stepper(*overrides.method);
       }
-      // a step or tolerance of the scene belongs to the scene's own method
+      // a step or tolerance of the scene belongs to the scene's own method; one of the command line
+      // does not
+      const auto is_set = [&](const char* key) {
+        const auto place = scene.options.find(key);
+        return place != scene.options.end() && place->second.file.empty();
+      };
       if (*overrides.method != numerics.method) {
-        numerics.step.reset();
-        numerics.tolerance.reset();
+        if (!is_set("numerics.step")) numerics.step.reset();
+        if (!is_set("numerics.tolerance")) numerics.tolerance.reset();
       }
       numerics.method = *overrides.method;
       numerics.compare.clear();

@@ -33,8 +33,9 @@ struct Overrides {
 void check_overrides(const Overrides& overrides);
 
 // Loads a scene and applies the overrides. A method also removes numerics.compare and, if it is not
-// the scene's own, the scene's step and tolerance. Scene::options records which options have
-// replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
+// the scene's own, the scene's step and tolerance (not those of `settings`), which
+// warn_of_unused_in_motion() (film/unused_settings.h) tells. Scene::options records which options
+// have replaced a key (not --loop). Throws Error (input) as load_scene does, and with the option
 // (--method, --step, --tolerance, --accuracy, --size, --fps, --theme) as key for an invalid value.
 Scene load_with_overrides(const std::filesystem::path& file, const Overrides& overrides);
 // The same for the text of a scene; `name` is the name of its file for messages. Mesh files are not

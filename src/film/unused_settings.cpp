@@ -281,6 +281,18 @@ std::vector<Error> unused_in_motion(const Scene& scene, double end) {
          fmt::format("changes nothing here: motion.hold is \"{}\", not \"pivot\"",
                      scene.motion.hold));
   }
+  const auto method = scene.options.find("numerics.method");
+  if (method != scene.options.end() && method->second.key == "--method") {
+    const auto tell_left_out = [&](const std::string& name, const std::optional<double>& value) {
+      if (value || !is_given(scene, "numerics." + name)) return;
+      tell("numerics." + name,
+           fmt::format("is left out, for --method names another method; --{} gives that one a {}",
+                       name,
+                       name));
+    };
+    tell_left_out("step", scene.numerics.step);
+    tell_left_out("tolerance", scene.numerics.tolerance);
+  }
   for (std::size_t i = 0; i < scene.motion.torque.size(); ++i) {
     if (scene.motion.torque[i].from.value_or(0.0) < end) continue;
     tell(fmt::format("motion.torque[{}].from", i),

@@ -132,7 +132,7 @@ class Reader {
   // by those of their files, where these are free.
   void place_pictures() {
     const auto take = [&](DeckPicture& picture, const std::string& place) {
-      picture.place = places_.insert(place).second ? place : "";
+      picture.place = free_name(places_, place);
     };
     const std::set<std::string> of_words = places_;
     for (DeckPicture& picture : deck_.pictures) {
@@ -251,7 +251,7 @@ class Reader {
       picture.settings[key] = value;
     }
     const std::string asked = attributes[0];
-    picture.name = unique(name_from(asked.empty() ? picture.scenes[0] : asked));
+    picture.name = free_name(names_, name_from(asked.empty() ? picture.scenes[0] : asked));
     picture.place = asked;
     if (picture.kind != PictureKind::compare) return;
     std::string with = picture.settings["with"];
@@ -265,9 +265,10 @@ class Reader {
     if (picture.scenes.size() > 4) throw input_error("a .compare takes at most four scenes");
   }
 
-  std::string unique(const std::string& name) {
+  // the name, or one with a number behind it that is not taken; it is taken then
+  static std::string free_name(std::set<std::string>& taken, const std::string& name) {
     std::string free = name;
-    for (int i = 2; !names_.insert(free).second; ++i)
+    for (int i = 2; !taken.insert(free).second; ++i)
       free = fmt::format("{}-{}", name, i);
     return free;
   }

@@ -21,7 +21,7 @@ namespace polhode {
 struct DeckPicture {
   PictureKind kind = PictureKind::film;
   std::string name;                 // unique in the deck, for files; letters, digits, - and _
-  std::string place;                // what links call it; empty: another thing has that name
+  std::string place;                // what links call it, as the deck has it; unique in the deck
   std::vector<std::string> scenes;  // as the deck names them; 2 to 4 for a comparison, else 1
   std::map<std::string, std::string> settings;  // those that the deck gives, not yet parsed
   Json caption = Json::array();                 // inlines of pandoc's tree

@@ -56,7 +56,7 @@ std::string video_element(const Json& facts, const DeckPicture& picture, bool sl
       "<video data-film=\"{}\" data-fps=\"{:.6f}\" data-frames=\"{}\" data-pauses=\"{}\" "
       "width=\"{}\" "
       "height=\"{}\" poster=\"{}\" preload=\"{}\" playsinline muted {}{}aria-label=\"{}\">",
-      escaped(picture.name),
+      escaped(picture.place),
       facts.at("fps").get<double>(),
       facts.at("frames").get<int>(),
       pauses_of(facts),
@@ -90,7 +90,7 @@ std::string img_element(const std::string& file,
 
 // where links to a picture lead
 std::string id_of(const DeckPicture& picture) {
-  return picture.place.empty() ? "" : fmt::format(" id=\"{}\"", escaped(picture.place));
+  return fmt::format(" id=\"{}\"", escaped(picture.place));
 }
 
 std::string film(const Figure& figure, bool slides) {
@@ -99,7 +99,7 @@ std::string film(const Figure& figure, bool slides) {
   if (picture.kind == PictureKind::turn) {
     const auto clock = picture.settings.find("clock");
     turn = fmt::format(" data-turn=\"{}\" data-clock=\"{}\"",
-                       escaped(picture.name),
+                       escaped(picture.place),
                        clock == picture.settings.end() ? "" : escaped(clock->second));
   }
   return fmt::format("<figure class=\"film\"{}{}><div class=\"screen\">{}</div>",
@@ -150,7 +150,7 @@ Json still_blocks(const DeckPicture& picture, const std::string& elements) {
 
 // blocks to which links to the picture lead
 Json with_place(const DeckPicture& picture, const Json& blocks) {
-  return picture.place.empty() ? blocks : Json::array({named("Div", picture.place, blocks)});
+  return Json::array({named("Div", picture.place, blocks)});
 }
 
 Json document_blocks(const Figure& figure, bool links) {
@@ -188,7 +188,7 @@ Json table_row(const std::vector<std::string>& words) {
 }  // namespace
 
 std::string viewer_link(const DeckPicture& picture) {
-  return "index.html#turn=" + percent_encoded(picture.name);
+  return "index.html#turn=" + percent_encoded(picture.place);
 }
 
 Json number_table(const Json& inspection, const std::string& scene, const std::string& keys) {

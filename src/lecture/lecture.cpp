@@ -71,8 +71,10 @@ Json table_of(const DeckPicture& picture, const Json& facts) {
                       keys == picture.settings.end() ? "" : keys->second);
 }
 
-// the failures of products become those of the pictures that need them
+// The failures of products become those of the pictures that need them; those of tables of motions
+// are told alone where no picture has the same.
 void tell_failures(LectureWork& work) {
+  std::set<std::string> told;
   for (std::size_t i = 0; i < work.deck.pictures.size(); ++i) {
     const DeckPicture& picture = work.deck.pictures[i];
     if (work.stems[i].empty()) continue;
@@ -82,9 +84,15 @@ void tell_failures(LectureWork& work) {
       if (picture.kind != PictureKind::inspect) continue;
       table_of(picture, task.facts);
     } catch (const Error& error) {
+      told.insert(error.what());
       work.failures[i] = error.what();
       work.deck.problems.push_back(in_deck(work, picture.line, error));
     }
+  }
+  for (const auto& [name, stem] : work.motions) {
+    const std::optional<Error>& failure = work.tasks.at(stem).failure;
+    if (failure && told.insert(failure->what()).second)
+      work.deck.problems.push_back(in_deck(work, 0, *failure));
   }
 }
 

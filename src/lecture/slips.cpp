@@ -37,6 +37,14 @@ bool is_class(const std::string& words) {
          words.ends_with("}") && std::isalpha(static_cast<unsigned char>(words[2])) != 0;
 }
 
+// "\\note{", "\\pause"
+bool is_latex(const std::string& words) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < words.size() && std::isalpha(static_cast<unsigned char>(words[i])) != 0;
+  };
+  return words.starts_with('\\') && is_letter(1) && is_letter(2);
+}
+
 // "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
 bool is_html(const std::string& words) {
   static const std::set<std::string> tags = {
@@ -93,18 +101,24 @@ void SlipFinder::look_at_words(const Json& inlines) {
     } else if (is_class(words)) {
       // a box may have the same
       const bool has_words_before = i > 1 && inlines[i - 2]["t"] == "Str";
-      tell_(has_words_before ? lines_.next(inlines[i - 2]["c"].get<std::string>() + " " + words)
-                             : line_of_mark(inlines, i),
-            would_be_shown(words,
-                           "classes and names stand behind titles, pictures, code and words in "
-                           "brackets, and have no empty space before them there"));
+      tell_(
+          has_words_before ? lines_.next(inlines[i - 2]["c"].get<std::string>() + " " + words)
+                           : line_of_mark(inlines, i),
+          would_be_shown(words,
+                         "only titles, pictures, code and [words] have classes, and all but titles "
+                         "right behind them"));
     } else if (is_html(words)) {
       // what the deck has marked as words (\<br\>) stands otherwise there, and ends are told once
-      const int line = lines_.next(words);
+      const int line = lines_.next("\\" + words) > 0 ? 0 : lines_.next(words);
       if (line == 0 || std::exchange(html_told_, true)) continue;
       tell_(line,
             would_be_shown(words,
                            "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
+    } else if (is_latex(words)) {
+      tell_(lines_.next(words),
+            would_be_shown(
+                words,
+                "LaTeX is for formulas ($…$); words for the speaker stand in a box (::: notes)"));
     } else if (has(words, "](") && has(words, ".toml")) {
       tell_(lines_.next(words),
             would_be_shown(words, "a picture ends with ')' and its settings with '}'"));

@@ -20,8 +20,8 @@ class SlipFinder {
   SlipFinder(LineFinder& lines, Tell tell);
 
   // Looks at one node of pandoc's tree, with its words, not at blocks within it: boxes that are
-  // none, misspelt quotes of numbers, pictures without an end, classes of nothing, HTML, and the
-  // class for the speaker's words (.notes) on what is no box.
+  // none, misspelt quotes of numbers, pictures without an end, classes of nothing, HTML, LaTeX, and
+  // the class for the speaker's words (.notes) on what is no box.
   void look_at(const Json& node);
 
  private:

@@ -53,7 +53,7 @@ std::string viewer_blocks(const Deck& deck,
         Json::parse(read_file(folder / "media" / figure.facts.at("viewer").get<std::string>()));
     data["glb"] = base64(read_file(folder / "media" / figure.facts.at("glb").get<std::string>()));
     blocks += fmt::format("<script type=\"application/json\" data-viewer=\"{}\">{}</script>\n",
-                          escaped(picture.name),
+                          escaped(picture.place),
                           for_script(data));
   }
   if (blocks.empty()) return "";

@@ -32,7 +32,7 @@ const makeLecture = () => {
   fs.writeFileSync(`${place}/bare_free.toml`, `${fs.readFileSync(`${scenes}/free_symmetric_top.toml`, "utf8")}\n[show]\n${bare}`);
   fs.writeFileSync(`${place}/bare_waves.toml`, fs.readFileSync(`${scenes}/nutation_plots.toml`, "utf8").replace(/^plots = .*$/m, bare).replace(/^floor = true$/m, ""));
   fs.writeFileSync(`${place}/deck.md`, `---
-title: "Turn it ${hostile.replaceAll('"', "'")}"
+title: "Turn it ${hostile.replaceAll('"', "'").replaceAll("<", "&lt;")}"
 ---
 
 # Tops
@@ -331,6 +331,28 @@ const attitudeAt = (scene, t, ...settings) => {
     await inPage(1, "viewer.clock.pause()");
     await inPage(0, "viewer.clock.set(2)");
     assert.strictEqual(await inPage(1, "return viewer.clock.time"), 2);
+    // speed and repeat are the clock's, too, and each says so
+    await figure(0).getByRole("combobox", { name: "Speed" }).selectOption("0.25");
+    await figure(0).getByRole("button", { name: "Repeat" }).click();
+    await settled();
+    assert.strictEqual(await figure(1).getByRole("combobox", { name: "Speed" }).inputValue(), "0.25");
+    assert.strictEqual(await figure(1).getByRole("button", { name: "Repeat" }).getAttribute("aria-pressed"), "true");
+    await figure(1).getByRole("button", { name: "Repeat" }).click();
+    await figure(1).getByRole("combobox", { name: "Speed" }).selectOption("1");
+    // numbers are those of the time also where the picture is not seen
+    const tilt = () => inPage(1, "return viewer.numbers['θ'].textContent");
+    const seen = [];
+    for (const out of [false, true]) {
+      await inPage(1, "viewer.picture.style.transform = given ? 'translateY(-20000px)' : ''", out);
+      await until("out of sight", async () => (await inPage(1, "return viewer.seen")) === !out);
+      await inPage(1, "viewer.clock.set(0.7)");
+      await settled();
+      await inPage(1, "viewer.clock.set(1.9)");
+      await settled();
+      seen.push(await tilt());
+    }
+    assert.strictEqual(seen[1], seen[0]);
+    await inPage(1, "viewer.picture.style.transform = ''; viewer.clock.set(2)");
     const plot = figure(1).locator(".curves svg").first();
     const box = await plot.boundingBox();
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);

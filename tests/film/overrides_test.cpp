@@ -90,6 +90,10 @@ TEST_F(OverridesOfAScene, AnotherMethodLeavesTheScenesStepBehind) {
   EXPECT_EQ(scene.options.at("numerics.method").key, "--method");
   other.step = 0.5;
   EXPECT_EQ(with(other).numerics.step, 0.5) << "a step of the command line is for this method";
+  Overrides set;
+  set.method = "rk2";
+  set.settings = {{"numerics.step", "0.25"}};
+  EXPECT_EQ(with(set).numerics.step, 0.25) << "and so is one that is set there";
   Overrides same;
   same.method = "rk4";
   scene = with(same);

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "film/overrides.h"
 #include "film/small_films.h"
 #include "support/logged.h"
+#include "support/run.h"
 
 namespace polhode {
 namespace {
@@ -74,6 +76,25 @@ TEST(UnusedSettings, TheMethodBesideComparedOnesIsTold) {
                 .find("numerics.compare names the methods"),
             std::string::npos);
   EXPECT_EQ(warnings_with({method}), "");
+}
+
+TEST(UnusedSettings, AStepOfAnotherMethodIsTold) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "scene.toml",
+                   std::string(test::kSmallScene) + "[numerics]\nmethod = \"rk4\"\nstep = 0.01\n");
+  const auto told = [&](const Overrides& overrides) {
+    const Scene scene = load_with_overrides(folder / "scene.toml", overrides);
+    const std::vector<Error> unused = unused_in_motion(scene, scene.motion.duration);
+    return unused.empty() ? "" : unused.front().place().key;
+  };
+  Overrides overrides;
+  EXPECT_EQ(told(overrides), "");
+  overrides.method = "rk4";
+  EXPECT_EQ(told(overrides), "");
+  overrides.method = "rk2";
+  EXPECT_EQ(told(overrides), "numerics.step");
+  overrides.step = 0.1;
+  EXPECT_EQ(told(overrides), "");
 }
 
 TEST(UnusedSettings, AnEnsembleThatIsNotShownIsTold) {

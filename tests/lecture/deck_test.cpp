@@ -71,12 +71,18 @@ TEST(Deck, LinksWithinLeadSomewhere) {
 
 TEST(Deck, PicturesAreCalledAsTheDeckSays) {
   EXPECT_EQ(problem_of("![](a.toml){#\u00e9_1 .film}\n\n[on](#\u00e9_1)\n"), "none");
-  // a picture without a name has that of its file, unless a place has it
+  // dots and other letters than those of files stay in them
+  const Deck dots =
+      deck_of("![](a.toml){#a.b .film}\n\n![](a.toml){#a .film}\n\n![](a.toml){#größe .film}\n");
+  EXPECT_EQ(dots.pictures[0].place, "a.b");
+  EXPECT_EQ(dots.pictures[1].place, "a");
+  EXPECT_EQ(dots.pictures[2].place, "größe");
+  // a picture without a name has that of its file, with a number if a place has it
   const Deck deck = deck_of(
       "# a\n\n![](a.toml){.film}\n\n![](b.toml){.film}\n\n"
       "![](b.toml){#x .film}\n\n![](b.toml){#x .film}\n");
   ASSERT_EQ(deck.pictures.size(), 4u);
-  EXPECT_EQ(deck.pictures[0].place, "");
+  EXPECT_EQ(deck.pictures[0].place, "a-2");
   EXPECT_EQ(deck.pictures[1].place, "b");
   EXPECT_EQ(deck.pictures[2].place, "x");
   EXPECT_EQ(deck.pictures[3].place, "x-2");
@@ -269,10 +275,13 @@ TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
                            "<notes>B</notes>\n",
                            "<? B ?>\n",
                            "B {.notes}\n",
+                           "\\note{B}\n",
+                           "\\pause\n",
                            ":: notes\nB\n::\n"})
     EXPECT_TRUE(problem_of(good + slip).starts_with("deck.md:7: '")) << problem_of(good + slip);
   EXPECT_EQ(problem_of(good + "a < b, <p> = <x>, a<b, <1>, `<br>`, <https://example.org>, <-, "
-                              "<omega>, \\<br\\>, &lt;br&gt;, {.5} and x::y\n"),
+                              "<omega>, \\<br\\>, &lt;br&gt;, \\<aside>, `\\note`, $\\pi$, \\*, "
+                              "C:\\note, {.5} and x::y\n"),
             "none");
 }
 

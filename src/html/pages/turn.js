@@ -391,6 +391,14 @@
       this.time = Math.min(this.duration, Math.max(0, time));
       this.tell();
     }
+    goAt(speed) {
+      this.speed = speed;
+      this.tell();
+    }
+    repeat(loops) {
+      this.loops = loops;
+      this.tell();
+    }
     pause() {
       this.playing = false;
       this.tell();
@@ -562,13 +570,9 @@
         step(by);
       } });
       this.play = press("▶", "Play", () => this.toggle());
-      const speed = make("select", { "aria-label": "Speed", onchange: () => (this.clock.speed = Number(speed.value)) },
+      this.speed = make("select", { "aria-label": "Speed", onchange: () => this.clock.goAt(Number(this.speed.value)) },
         ...[0.1, 0.25, 0.5, 1, 2].map((value) => new Option(`× ${value}`, String(value), value === 1, value === 1)));
-      const loop = press("⟳", "Repeat", () => {
-        this.clock.loops = !this.clock.loops;
-        loop.setAttribute("aria-pressed", String(this.clock.loops));
-      });
-      loop.setAttribute("aria-pressed", "false");
+      this.loop = press("⟳", "Repeat", () => this.clock.repeat(!this.clock.loops));
       this.viewList = make("select", { "aria-label": "View", onchange: () => this.look(this.viewList.value) }, ...views.map(([value, words]) => new Option(words, value)));
       this.frameList = make("select", { "aria-label": "Frame of reference", onchange: () => this.stand(this.frameList.value) }, new Option("Space stands still", "space"), new Option("The body stands still", "body"));
       const reset = press("⌂", "Turn back", () => {
@@ -599,7 +603,7 @@
       this.curves = make("div", { class: "curves" });
       this.setCurves();
       this.bar = make("div", { class: barClass, role: "group", "aria-label": "Model: " + (video.getAttribute("aria-label") || data.title) },
-        this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), speed, loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
+        this.range, this.play, press("−1", "−1 frame", () => step(-1)), press("+1", "+1 frame", () => step(1)), this.speed, this.loop, ...stops, this.viewList, this.frameList, reset, link, large, back,
         this.shown, ...this.sliders(),
         make("dl", { class: "numbers" }, ...Object.entries(this.numbers).map(([name, place]) => make("div", {}, make("dt", { title: words[name] }, name), place))),
         ...(data.captions.length > 0 ? [this.said] : []), ...(data.plots.length > 0 ? [this.curves] : []));
@@ -917,6 +921,9 @@
 
     draw() {
       if (this.closed) return;
+      // numbers and ticks are read also where the picture is not seen
+      this.followStory();
+      this.model.show((this.t - this.data.from) / this.data.scale); // s of its animation
       const width = this.picture.clientWidth, height = this.picture.clientHeight;
       if (width > 0 && height > 0 && this.seen) {
         const ratio = bySoftware ? this.softwareRatio() : Math.min(devicePixelRatio, 2);
@@ -924,8 +931,6 @@
           this.renderer.setPixelRatio(ratio);
           this.renderer.setSize(width, height, false);
         }
-        this.followStory();
-        this.model.show((this.t - this.data.from) / this.data.scale); // s of its animation
         this.placeCamera();
         this.renderer.render(this.model.scene, this.camera);
         for (const model of this.past.splice(0)) model.close();
@@ -998,6 +1003,8 @@
       say(this.play, clock.playing ? "❚❚" : "▶");
       setOn(this.play, "aria-label", clock.playing ? "Pause" : "Play");
       setOn(this.play, "title", clock.playing ? "Pause (space)" : "Play (space)");
+      this.speed.value = String(clock.speed);
+      setOn(this.loop, "aria-pressed", String(clock.loops));
       say(this.said, data.captions.filter((one) => one.at <= this.t + 1e-9).pop()?.caption ?? "");
       for (const cursor of this.cursors) {
         const x = String((100 * this.t) / data.to);
