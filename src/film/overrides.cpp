@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "film/overrides.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/at_place.h"
@@ -91,6 +92,17 @@ Scene parse_with_overrides(std::string_view text,
   Scene scene = parse_scene(text, name, overrides.settings);
   apply(overrides, scene);
   return scene;
+}
+
+void refuse_numerics(const Scene& scene,
+                     const std::string& whom,
+                     const std::vector<std::string>& used) {
+  for (const auto& [key, place] : scene.options) {
+    if (!key.starts_with("numerics.") || std::find(used.begin(), used.end(), key) != used.end())
+      continue;
+    throw input_error("is not {}, which choose methods, steps and accuracies themselves", whom)
+        .at({{}, 0, key});
+  }
 }
 
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides) {

@@ -43,8 +43,14 @@ Scene load_with_overrides(const std::filesystem::path& file, const Overrides& ov
 Scene parse_with_overrides(std::string_view text,
                            const std::string& name,
                            const Overrides& overrides);
-// The same for what works on one motion: a step or a tolerance also removes numerics.compare and
-// the other one of the two. Also throws Error (input), with the file, for a film file.
+// Throws Error (input), with the key, if an option has set a key of [numerics] that a command has
+// no use for: all but `used`. Those of a file are for its film. whom: "for sections".
+void refuse_numerics(const Scene& scene,
+                     const std::string& whom,
+                     const std::vector<std::string>& used = {});
+// The same as load_with_overrides() for what works on one motion: a step or a tolerance also
+// removes numerics.compare and the other one of the two. Also throws Error (input), with the file,
+// for a film file.
 Scene load_single(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace polhode

@@ -195,8 +195,11 @@ DataFolder::DataFolder(const LectureData& data, const fs::path& folder)
   }
   const Places places(sources);
   out.add("source/" + deck_name, data.deck_text);
-  for (auto source = sources.begin() + 1; source != sources.end(); ++source)
-    out.add(places.of(*source), read_file(source->file));
+  for (auto source = sources.begin() + 1; source != sources.end(); ++source) {
+    const auto shown = data.images.find(source->name);
+    out.add(places.of(*source),
+            read_file(shown == data.images.end() ? source->file : folder / shown->second));
+  }
   // what was just read is what the pictures show
   for (const LectureData::SceneData& one : data.scenes)
     check_unchanged(*one.scene);

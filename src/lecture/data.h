@@ -19,9 +19,10 @@ struct LectureData {
     std::shared_ptr<DeckScene> scene;  // never null
     std::string csv;  // file in FOLDER/media; empty: the motion could not be computed
   };
-  const Deck* deck = nullptr;  // not owned, never null; read by DataFolder()
-  std::string deck_text;       // contents of the file
-  std::string licence;         // of the deck, as its author words it; empty: unknown
+  const Deck* deck = nullptr;                 // not owned, never null; read by DataFolder()
+  std::string deck_text;                      // contents of the file
+  std::string licence;                        // of the deck, as its author words it; empty: unknown
+  std::map<std::string, std::string> images;  // Deck::images -> FOLDER/ what documents show
   // LectureOutput::name (lecture/lecture.h) of those that are made, for the command in the manifest
   // that makes the lecture again
   std::vector<std::string> outputs;

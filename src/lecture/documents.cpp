@@ -215,6 +215,19 @@ void say_notes(Json& blocks) {
   });
 }
 
+// ". . .": PowerPoint has no pauses, and pandoc would write the dots
+void leave_out_pauses(Json& tree) {
+  if (!tree.is_structured()) return;
+  if (tree.is_array()) {
+    std::erase_if(tree.get_ref<Json::array_t&>(), [](const Json& block) {
+      return block.is_object() && block.value("t", "") == "Para" &&
+             plain_text(block["c"]) == ". . .";
+    });
+  }
+  for (Json& child : tree)
+    leave_out_pauses(child);
+}
+
 // pandoc describes pictures by their titles in PowerPoint
 void describe_by_titles(Json& tree) {
   for_each_node(tree["blocks"], [](Json& node) {
@@ -449,6 +462,7 @@ std::string make_pptx(const Deck& deck,
                       const std::filesystem::path& folder) {
   Deck slides = deck;
   say_what_pages_show(slides.blocks);
+  leave_out_pauses(slides.blocks);
   const OfficeSlides layout = office_slides(slides);
   slides.blocks = layout.blocks;
   Json blocks = filled(slides, figure_of, office_blocks);

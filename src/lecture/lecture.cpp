@@ -145,7 +145,7 @@ const Json& inspection_of(LectureWork& work, const std::string& name) {
 
 // ordinary pictures go to the rest, by their content
 void copy_images(LectureWork& work, Media& media) {
-  std::map<std::string, std::string> copies;
+  std::map<std::string, std::string>& copies = work.images;
   for (const std::string& image : work.deck.images) {
     const std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
     const std::string ending = fs::path(image).extension().string();
@@ -234,6 +234,7 @@ LectureData data_of(const LectureWork& work,
   data.deck = &work.deck;
   data.deck_text = work.deck_text;
   data.licence = words_of(work.deck).licence;
+  data.images = work.images;
   data.outputs = outputs;
   data.settings = work.job->settings;
   data.reveal_version = scripts.reveal ? scripts.reveal->version : "";

@@ -43,7 +43,8 @@ struct LectureWork {
   std::map<std::string, std::string> inspections, motions;  // scene -> stem
   std::vector<std::string> stems;                           // of each picture; empty: it failed
   std::vector<std::string> failures;                        // of each picture; empty: none
-  std::string address;  // of the documents on the web; empty: unknown
+  std::map<std::string, std::string> images;  // the deck's own pictures -> copies in media/
+  std::string address;                        // of the documents on the web; empty: unknown
 };
 
 // The scene of that name, loaded once. Throws what is wrong with it, each time the same.

@@ -76,6 +76,18 @@ TEST_F(Stability, TakesAnyTwoKeys) {
   EXPECT_NE(table().find("\nscene,rk4,30,0.15,"), std::string::npos) << table();
 }
 
+TEST_F(Stability, RefusesNumericsThatItHasNoUseFor) {
+  for (const char* key : {"method=rk2", "accuracy=0.5", "max_steps=2", "step=0.5"}) {
+    const Ran ran =
+        stability(fmt::format("--methods rk4 --cells 2x2 --turns 2 --set numerics.{}", key));
+    EXPECT_EQ(ran.code, 2) << key;
+    EXPECT_NE(ran.err.find("is not for maps of stability"), std::string::npos) << ran.err;
+  }
+  const Ran ran = stability(
+      "--methods rk4 --cells 2x2 --turns 2 --x motion.spin.body[2] --set numerics.step=0.01");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+}
+
 // cells of a table: verdict and error
 std::vector<std::pair<std::string, double>> cells_of(const std::string& csv) {
   std::vector<std::pair<std::string, double>> cells;

@@ -71,6 +71,14 @@ TEST_F(DataOfALecture, FilesStandWhereTheyStood) {
   }
 }
 
+// also where the file has changed since it was read
+TEST_F(DataOfALecture, PicturesAreThoseThatAreShown) {
+  write_text(folder_ / "out/media/picture-1.png", "what is shown");
+  data_.images = {{"photo.png", "media/picture-1.png"}};
+  manifest();
+  EXPECT_EQ(read_text(folder_ / "out/data/source/photo.png"), "what is shown");
+}
+
 // what fails later leaves the files of the run before
 TEST_F(DataOfALecture, NothingHasItsNameBeforeAllIsWritten) {
   manifest();

@@ -175,6 +175,11 @@ TEST(Documents, PowerPointHasThePosters) {
 }
 
 // wherever formulas stand
+TEST(Documents, PowerPointHasNoDotsForPauses) {
+  const Deck deck = deck_of("## A\n\none\n\n. . .\n\ntwo ...\n");
+  EXPECT_EQ(words_of_part(deck, "ppt/slides/slide1.xml"), "Aonetwo ...\n");
+}
+
 TEST(Documents, PowerPointIsXml) {
   const Deck deck = deck_of(
       "---\ntitle: On $\\Omega$\n---\n\n# Part $x^2$\n\n## Slide $y_1 = \\frac{1}{2}$\n\n"

@@ -43,6 +43,7 @@ Task make_task(const std::filesystem::path& file,
   task.scene = load_single(file, job.overrides);
   const Scene& scene = task.scene;
   with_place(scene, [&] {
+    refuse_numerics(scene, "for charts of methods", {"numerics.accuracy"});
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};

@@ -101,7 +101,7 @@ MapAxis axis_of_key(const std::filesystem::path& file,
       throw input_error("{} has no number at '{}'; give {}-range A:B", file.string(), key, option)
           .at({{}, 0, option});
     }
-    axis.from = *own > 0.0 ? 0.1 * *own : *own < 0.0 ? 2.0 * *own : -1.0;
+    axis.from = *own > 0.0 ? *own / 10.0 : *own < 0.0 ? 2.0 * *own : -1.0;
     axis.to = *own > 0.0 ? 10.0 * *own : *own < 0.0 ? -2.0 * *own : 1.0;
   }
   axis.key = key;

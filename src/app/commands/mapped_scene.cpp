@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/system/parallel.h"
 #include "film/error_places.h"
+#include "film/overrides.h"
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
@@ -114,6 +115,10 @@ MappedScene make_place(const std::filesystem::path& file,
   place.scene = load_scene(file, job.settings);
   refuse_panels(place.scene);
   const double rate = with_place(place.scene, [&] {
+    const bool steps = job.x == "numerics.step" || job.y == "numerics.step";
+    refuse_numerics(place.scene,
+                    "for maps of stability",
+                    steps ? std::vector<std::string>() : std::vector<std::string>{"numerics.step"});
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     place.methods =
         able_methods(methods, job.methods, model, file.string(), why_not_by_fixed_steps);

@@ -23,6 +23,8 @@ struct ChartOptions {
       throw input_error("is for charts of methods, not with --pictures").at({{}, 0, "--shard"});
     if (pictures && !job.methods.empty())
       throw input_error("is for charts of methods, not with --pictures").at({{}, 0, "--methods"});
+    if (pictures && job.overrides.accuracy)
+      throw input_error("is for charts of methods, not with --pictures").at({{}, 0, "--accuracy"});
     ChartJob checked = job;
     checked.progress = progress_of(progress);
     return checked;

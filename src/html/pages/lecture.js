@@ -137,6 +137,7 @@ const followLink = () => {
   for (const video of document.querySelectorAll("video")) {
     if (video.dataset.film !== name) continue;
     const figure = video.closest("figure");
+    if (figure.classList.contains("turn-figure")) figure.viewer.close(); // the film is asked for, not its model
     const frame = words.has("frame") ? Number(words.get("frame")) : Math.floor(Number(words.get("t")) * Number(video.dataset.fps) + 1e-6);
     if (Number.isFinite(frame)) figure.seekFrame(frame);
     figure.scrollIntoView({ block: "center" });
