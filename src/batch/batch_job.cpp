@@ -97,7 +97,7 @@ BatchJob read_job(const fs::path& folder) {
   };
   BatchJob job;
   try {
-    job = job_from(Json::parse(read_file(file)));
+    job = job_from(parse_foreign_json(read_file(file)));
   } catch (const Json::exception&) {
     refuse();
   }

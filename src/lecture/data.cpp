@@ -155,7 +155,7 @@ class DataFolder::Files {
     const fs::path old = folder_ / kManifest;
     std::error_code missing;
     if (!fs::exists(old, missing)) return;
-    const Json manifest = Json::parse(read_file(old), nullptr, false);
+    const Json manifest = parse_foreign_json(read_file(old));
     if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_array())
       return;
     const fs::path here = fs::weakly_canonical(folder_, missing);

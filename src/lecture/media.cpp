@@ -115,7 +115,7 @@ Json Media::obtain(const Product& product) {
   }
   std::error_code missing;
   if (std::filesystem::exists(card, missing)) {
-    Json facts = Json::parse(read_file(card), nullptr, false);
+    Json facts = parse_foreign_json(read_file(card));
     if (is_whole(stem, facts)) return facts;
   }
   const std::filesystem::path work = work_ / stem;
@@ -166,7 +166,7 @@ void Media::forget_the_rest() {
     // only what a card of ours lists
     if (card.extension() != ".json" || used_.contains(card.stem().string())) continue;
     if (!std::filesystem::is_regular_file(card, failed)) continue;
-    const Json facts = Json::parse(read_file(card), nullptr, false);
+    const Json facts = parse_foreign_json(read_file(card));
     if (!facts.is_object() || !facts.contains("files") || !facts["files"].is_array()) continue;
     const std::string stem = card.stem().string();
     for (const Json& file : facts["files"]) {

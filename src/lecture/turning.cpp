@@ -49,8 +49,8 @@ std::string viewer_blocks(const Deck& deck,
     if (picture.kind != PictureKind::turn) continue;
     const Figure figure = figure_of(picture);
     if (figure.facts.empty()) continue;
-    Json data =
-        Json::parse(read_file(folder / "media" / figure.facts.at("viewer").get<std::string>()));
+    Json data = parse_foreign_json(
+        read_file(folder / "media" / figure.facts.at("viewer").get<std::string>()));
     data["glb"] = base64(read_file(folder / "media" / figure.facts.at("glb").get<std::string>()));
     blocks += fmt::format("<script type=\"application/json\" data-viewer=\"{}\">{}</script>\n",
                           escaped(picture.place),

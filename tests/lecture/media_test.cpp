@@ -115,6 +115,17 @@ TEST(Media, CardsNameNoFilesFromElsewhere) {
   }
 }
 
+// no deep card is walked over
+TEST(Media, CardsThatAreNestedDeeplyAreMadeAgain) {
+  const TemporaryFolder folder;
+  const Product product = text_product("one", "a", "12345");
+  const std::string stem = Media::stem_of(product);
+  constexpr std::size_t kDeep = 300'000;
+  const std::string deep = std::string(kDeep, '[') + std::string(kDeep, ']');
+  write_text(folder / (stem + ".json"), R"({"files":[],"hash":"x","x":)" + deep + "}");
+  EXPECT_EQ(Media(folder.path()).obtain(product).at("text"), stem + ".txt");
+}
+
 TEST(Media, FactsListTheFilesWithTheirSizes) {
   const TemporaryFolder folder;
   Media media(folder.path());

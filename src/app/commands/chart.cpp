@@ -128,7 +128,7 @@ class ChartPieces {
 
   std::optional<long> take_up(const std::string& text) {
     try {
-      const Json line = Json::parse(text);
+      const Json line = parse_foreign_json(text);
       const long piece = line.at(0);
       if (piece < 0 || piece >= count()) return {};
       const auto [i, method] = owners_[static_cast<std::size_t>(piece)];

@@ -159,7 +159,7 @@ SegmentRecord parse_record(const std::string& comment) {
       input_error("is not a piece of a film; `polhode render SCENE --shard K/N` makes them");
   if (begin == std::string::npos) throw none;
   try {
-    SegmentRecord record = record_from(Json::parse(comment.substr(begin + kBegin.size())));
+    SegmentRecord record = record_from(parse_foreign_json(comment.substr(begin + kBegin.size())));
     if (!consistent(record)) throw none;
     return record;
   } catch (const Json::exception&) {

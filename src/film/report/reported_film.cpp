@@ -134,7 +134,7 @@ ReportedFilm read_report(const std::string& file) {
   const std::string text = read_file(file, kLargest);
   const Place place{file, 0, {}};
   try {
-    Json report = Json::parse(text);
+    Json report = parse_foreign_json(text);
     refuse_other_versions(report.at("versions"));
     FilmReport record;
     read_json(report, record);
