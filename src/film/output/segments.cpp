@@ -159,7 +159,9 @@ SegmentRecord parse_record(const std::string& comment) {
       input_error("is not a piece of a film; `polhode render SCENE --shard K/N` makes them");
   if (begin == std::string::npos) throw none;
   try {
-    SegmentRecord record = record_from(parse_foreign_json(comment.substr(begin + kBegin.size())));
+    const Json json = parse_foreign_json(comment.substr(begin + kBegin.size()));
+    if (json.is_null()) throw none;
+    SegmentRecord record = record_from(json);
     if (!consistent(record)) throw none;
     return record;
   } catch (const Json::exception&) {
