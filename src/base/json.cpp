@@ -11,7 +11,8 @@ Json parse_foreign_json(const std::string& text) {
     return !is_deep;
   };
   Json value = Json::parse(text, keep, false);
-  return is_deep || value.is_discarded() ? Json() : value;
+  if (is_deep || value.is_discarded()) return nullptr;
+  return value;
 }
 
 }  // namespace polhode

@@ -131,9 +131,6 @@ class Reader {
   // After all has been read: pictures have places, by the names that the deck gives them or else
   // by those of their files, where these are free.
   void place_pictures() {
-    const auto take = [&](DeckPicture& picture, const std::string& place) {
-      picture.place = free_name(places_, place);
-    };
     const std::set<std::string> of_words = places_;
     for (DeckPicture& picture : deck_.pictures) {
       if (picture.place.empty()) continue;
@@ -142,10 +139,10 @@ class Reader {
              input_error("'#{}' is a heading or other words; give the picture another name",
                          picture.place));
       }
-      take(picture, picture.place);
+      picture.place = free_name(places_, picture.place);
     }
     for (DeckPicture& picture : deck_.pictures)
-      if (picture.place.empty()) take(picture, picture.name);
+      if (picture.place.empty()) picture.place = free_name(places_, picture.name);
   }
 
   // and then: links within the deck lead somewhere

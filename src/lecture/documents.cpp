@@ -269,22 +269,6 @@ Json for_page(const Deck& deck, Json blocks) {
   return plain.tree(blocks);
 }
 
-// a field of the header as inlines, authors with commas between them
-Json inlines_of_meta(const Json& field) {
-  const std::string type = field["t"];
-  if (type == "MetaInlines") return field["c"];
-  if (type == "MetaString") return string_inlines(field["c"]);
-  Json all = Json::array();
-  if (type != "MetaList") return all;
-  for (const Json& one : field["c"]) {
-    const Json separator = string_inlines(all.empty() ? "" : ", ");
-    const Json inlines = inlines_of_meta(one);
-    all.insert(all.end(), separator.begin(), separator.end());
-    all.insert(all.end(), inlines.begin(), inlines.end());
-  }
-  return all;
-}
-
 bool has_only_words(const Json& inlines) {
   return std::all_of(inlines.begin(), inlines.end(), [](const Json& one) {
     return one["t"] == "Str" || one["t"] == "Space" || one["t"] == "SoftBreak";
@@ -298,7 +282,7 @@ DeckWords page_words(const Deck& deck) {
   Json paragraphs = Json::array();
   for (const char* key : {"title", "subtitle", "author", "date", "licence"}) {
     if (!deck.meta.contains(key)) continue;
-    const Json inlines = inlines_of_meta(deck.meta[key]);
+    const Json inlines = inlines_of_field(deck.meta[key]);
     if (has_only_words(inlines)) continue;
     keys.emplace_back(key);
     paragraphs.push_back(paragraph(inlines));

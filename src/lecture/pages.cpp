@@ -76,26 +76,12 @@ std::string title_block(const DeckWords& words) {
   return text;
 }
 
-std::string meta_text(const Json& value) {
-  const std::string type = value.at("t");
-  if (type == "MetaString") return value.at("c");
-  if (type == "MetaInlines") return plain_text(value.at("c"));
-  std::string text;
-  if (type != "MetaList" && type != "MetaBlocks") return text;
-  for (const Json& one : value.at("c")) {
-    const std::string words =
-        type == "MetaList" ? meta_text(one) : plain_text(one.value("c", Json::array()));
-    text += (text.empty() ? "" : ", ") + words;
-  }
-  return text;
-}
-
 }  // namespace
 
 DeckWords words_of(const Deck& deck) {
   DeckWords words;
   const auto set = [&](const char* key, std::string& to) {
-    if (deck.meta.contains(key)) to = meta_text(deck.meta[key]);
+    if (deck.meta.contains(key)) to = plain_text(inlines_of_field(deck.meta[key]));
   };
   set("title", words.title);
   set("subtitle", words.subtitle);

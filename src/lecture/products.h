@@ -37,8 +37,9 @@ void check_unchanged(const DeckScene& scene);
 // (input), without a place, for a setting that is not a number and for turns (of stability maps)
 // that are not positive. Product::make throws as render_film, chart, stability, inspection or
 // write_csv (app/commands/) or solve (film/solved_scene.h) does, and Error (input) if the scene has
-// changed since it was loaded. Facts that name files contain their names in media/; all facts have
-// "kind": "film" (also of a loop), "still", "chart", "stability", "inspect" or "motion".
+// changed since it was loaded. Facts that name files contain their names in media/ (their keys are
+// those of names_only() in lecture/media.cpp); all facts have "kind": "film" (also of a loop),
+// "still", "chart", "stability", "inspect" or "motion".
 
 // What renders the film of a picture, also of a loop, into `output`.
 RenderJob film_job(const DeckPicture& picture,

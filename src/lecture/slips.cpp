@@ -37,7 +37,7 @@ bool is_class(const std::string& words) {
          words.ends_with("}") && std::isalpha(static_cast<unsigned char>(words[2])) != 0;
 }
 
-// "\\note{", "\\pause"
+// "\note{", "\pause"
 bool is_latex(const std::string& words) {
   const auto is_letter = [&](std::size_t i) {
     return i < words.size() && std::isalpha(static_cast<unsigned char>(words[i])) != 0;

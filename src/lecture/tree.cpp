@@ -151,6 +151,20 @@ std::string words_of_field(const Json& value) {
   return value["t"] == "MetaString" ? value["c"].get<std::string>() : "";
 }
 
+Json inlines_of_field(const Json& value) {
+  const std::string type = value["t"];
+  if (type == "MetaInlines") return value["c"];
+  if (type == "MetaString") return string_inlines(value["c"]);
+  Json all = Json::array();
+  if (type != "MetaList") return all;
+  for (const Json& one : value["c"]) {
+    if (!all.empty()) all.push_back(string_inlines(", ")[0]);
+    const Json inlines = inlines_of_field(one);
+    all.insert(all.end(), inlines.begin(), inlines.end());
+  }
+  return all;
+}
+
 Json string_inlines(const std::string& text) {
   return Json::array({{{"t", "Str"}, {"c", text}}});
 }

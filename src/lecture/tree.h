@@ -20,6 +20,8 @@ std::string plain_text(const Json& inlines);
 
 // The text of a field of the header; "" of lists.
 std::string words_of_field(const Json& value);
+// A field as inlines, the texts of a list with commas between them.
+Json inlines_of_field(const Json& value);
 
 // Nodes of pandoc's tree. string_inlines() returns an array with one inline, the others return
 // one block. div: a Div with the class `name`; width, such as "40%": its attribute of that name,

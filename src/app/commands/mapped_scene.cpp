@@ -115,10 +115,9 @@ MappedScene make_place(const std::filesystem::path& file,
   place.scene = load_scene(file, job.settings);
   refuse_panels(place.scene);
   const double rate = with_place(place.scene, [&] {
-    const bool steps = job.x == "numerics.step" || job.y == "numerics.step";
-    refuse_numerics(place.scene,
-                    "for maps of stability",
-                    steps ? std::vector<std::string>() : std::vector<std::string>{"numerics.step"});
+    std::vector<std::string> used = {"numerics.step"};
+    if (job.x == used.front() || job.y == used.front()) used.clear();  // the map changes it
+    refuse_numerics(place.scene, "for maps of stability", used);
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     place.methods =
         able_methods(methods, job.methods, model, file.string(), why_not_by_fixed_steps);

@@ -46,7 +46,7 @@ std::shared_ptr<ChartOptions> add_chart_options(CLI::App& command) {
   add_text(command,
            "--size",
            job->overrides.size,
-           "picture size with --pictures (default: the scene's, at most 960x540)")
+           "picture size (default: the scene's; with --pictures at most 960x540)")
       ->type_name("WxH");
   add_text(command,
            "--accuracy",
