@@ -155,6 +155,37 @@ TEST_F(Verify, PicturesBehindASequenceAreTold) {
             "");
 }
 
+// shards of numbered pictures lie beside each other
+TEST_F(Verify, ShardsOfASequenceStandTogether) {
+  const auto make = [&](int shard, const std::string& options) {
+    return run_polhode(fmt::format("render {} -o {} --shard {}/3 --report {} -q {}",
+                                   at("scene.toml"),
+                                   at("s_%d.png"),
+                                   shard,
+                                   at(fmt::format("s{}.json", shard)),
+                                   options));
+  };
+  const auto verdict = [&](int shard) {
+    return run_polhode(
+        fmt::format("verify {} --report {}", at("s_%d.png"), at(fmt::format("s{}.json", shard))));
+  };
+  for (int shard : {1, 2, 3})
+    EXPECT_EQ(make(shard, "").err, "");
+  for (int shard : {1, 2, 3}) {
+    const Ran ran = verdict(shard);
+    EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
+  }
+
+  // but what lies behind the whole film is one too many, and the last shard tells of it
+  for (int shard : {1, 2, 3})
+    EXPECT_EQ(make(shard, "--to 0.9").err.find("of an earlier film") != std::string::npos,
+              shard == 3);
+  const Ran longer = verdict(3);
+  EXPECT_EQ(longer.code, 1);
+  EXPECT_NE((longer.out + longer.err).find("frame 14 (1.400 s) is one too many"), std::string::npos)
+      << longer.out << longer.err;
+}
+
 // a GIF keeps every other frame of a film of 60 a second
 TEST_F(Verify, CountsTheFramesThatAGifHas) {
   write_text(folder_ / "scene.toml",

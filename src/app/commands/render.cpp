@@ -89,11 +89,13 @@ void refuse_overwriting(const RenderJob& job, const RenderPlan& plan) {
   }
 }
 
-// pictures of a longer film that had the same name
-void warn_of_pictures_behind(const RenderPlan& plan, const FrameRange& range) {
+// pictures of a longer film that had the same name; `frames`: of the whole film, whose end only one
+// shard makes
+void warn_of_pictures_behind(const RenderPlan& plan, const FrameRange& made, int frames) {
   const std::string& output = plan.sink.output;
-  if (plan.sink.still || plan.shard || find_sink_kind(output).name != "png sequence") return;
-  const std::string next = parse_numbered_name(output).of(range.first + range.count);
+  if (plan.sink.still || find_sink_kind(output).name != "png sequence") return;
+  if (made.first + made.count < frames) return;
+  const std::string next = parse_numbered_name(output).of(frames);
   if (is_there(next))
     spdlog::warn("{} and what follows it are pictures of an earlier film", one_line(next));
 }
@@ -122,7 +124,7 @@ Made render_film(const RenderJob& job) {
   // draw here, convert and encode behind the queue
   render_with_progress(plan, *output, *renderer, job.progress);
 
-  warn_of_pictures_behind(plan, output->range());
+  warn_of_pictures_behind(plan, output->range(), film.frames().count);
 
   // report
   Made made;

@@ -34,6 +34,7 @@ struct Again {
   std::string judged, made;  // outputs, as names of files
   int first = 0;             // number of the first frame
   int count = 0;             // frames
+  int film_end = 0;          // number of frames of the whole film, of which this may be a shard
   FrameRate fps;
 
   std::string frame(int number) const {
@@ -105,11 +106,10 @@ DifferenceInWords compare_films(const Again& again) {
   }
 }
 
-// a picture behind the last one would be taken for one of the film
+// a picture behind the last one of the film would be taken for one of it
 DifferenceInWords compare_count(const Again& again) {
-  const int behind = again.first + again.count;
-  if (!is_there(parse_numbered_name(again.judged).of(behind))) return {};
-  return fmt::format("{} is one too many", again.frame(behind));
+  if (!is_there(parse_numbered_name(again.judged).of(again.film_end))) return {};
+  return fmt::format("{} is one too many", again.frame(again.film_end));
 }
 
 DifferenceInWords compare_pictures(const Again& again, bool numbered) {
@@ -378,7 +378,9 @@ Verified verify(const VerifyJob& job) {
   const DifferenceInWords altered =
       compare_reports(reported.record, json_of(film_report(plan, film, *remade, *renderer)));
   if (!altered.empty()) return {false, fmt::format("{}: was altered: {}", report_file, altered)};
-  Again again{kind, output, made, remade->range().first, remade->range().count, plan.sink.fps};
+  const FrameRange& range = remade->range();
+  const Again again{
+      kind, output, made, range.first, range.count, film.frames().count, plan.sink.fps};
   DifferenceInWords difference = compare_hashes(again, reported.hashes, remade->hashes());
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);
