@@ -103,7 +103,7 @@ class Reader {
       node = type == "RawBlock" ? paragraph(Json::array()) : string_inlines("")[0];
       return;
     }
-    slips_.look_at(node);
+    slips_.look_at(node, in_header_);
     if (type == "Link") read_link(node);
     if (type == "Math") read_formula(node);
     if (Json* attributes = attributes_of(node)) {
@@ -122,7 +122,7 @@ class Reader {
   void read_field(Json& value) {
     in_header_ = true;
     for_each_node(value, [&](const Json& node) {
-      if (node["t"] == "MetaInlines") slips_.look_at(paragraph(node["c"]));
+      if (node["t"] == "MetaInlines") slips_.look_at(paragraph(node["c"]), in_header_);
     });
     read(value);
     in_header_ = false;

@@ -33,8 +33,11 @@ std::string without_marks(std::string line) {
   constexpr std::size_t kLong = 2000;  // a search takes a microsecond for each byte
   if (line.size() > kLong) return line;
   static const std::regex marks(
-      R"(^[\s>]{0,40}(\(?[0-9A-Za-z]{1,9}[.)]\s|[Tt]able:|#.{0,200}$|[-*+]\s{1,4}\[[xX]\]))"
-      R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\s?\[[^\]]{0,80}\]|^\s{0,3}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
+      R"(^[\s>]{0,40}([Tt]able:|#.{0,200}$|[-*+]\s{1,4}\[[xX]\]))"
+      // lists may begin in lists, definitions, footnotes and cells
+      R"(|^[\s>]{0,40}(([-*+:~|]|\[\^[^\]\s]{1,80}\]:|\(?[0-9A-Za-z]{1,9}[.)])\s{1,9}){1,6})"
+      R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\s?\[[^\]]{0,80}\])"
+      R"(|^[\s>]{0,40}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
   std::string out;
   auto from = line.cbegin();
   for (std::sregex_iterator i(line.begin(), line.end(), marks), end; i != end; ++i) {

@@ -89,6 +89,8 @@ const std::map<std::string, std::string>& math_of_characters() {
                                               {"ℏ", "\\hbar"},
                                               {"ℝ", "\\mathbb{R}"},
                                               {"✓", "\\checkmark"},
+                                              {"☐", "\\square"},
+                                              {"☒", "\\boxtimes"},
                                               {"…", "\\ldots"},
                                               {"⋯", "\\cdots"},
                                               {"µ", "\\mu"},

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/nearest.h"
 #include "lecture/tree.h"
@@ -37,12 +38,28 @@ bool is_class(const std::string& words) {
          words.ends_with("}") && std::isalpha(static_cast<unsigned char>(words[2])) != 0;
 }
 
-// "\note{", "\pause"
-bool is_latex(const std::string& words) {
-  const auto is_letter = [&](std::size_t i) {
-    return i < words.size() && std::isalpha(static_cast<unsigned char>(words[i])) != 0;
+// The commands of LaTeX in a word, each with the character behind its name: "\note{", "\pause".
+// C:\Users and ..\run are paths.
+std::vector<std::string> latex_in(const std::string& words) {
+  static const std::set<std::string> without_arguments = {
+      "pause", "newline", "linebreak", "newpage", "clearpage", "pagebreak"};
+  const auto is_one_of = [&](std::size_t at, std::string_view characters) {
+    return at < words.size() && characters.find(words[at]) != std::string_view::npos;
   };
-  return words.starts_with('\\') && is_letter(1) && is_letter(2);
+  std::vector<std::string> commands;
+  for (std::size_t at = words.find('\\'); at != std::string::npos; at = words.find('\\', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < words.size() && std::isalpha(static_cast<unsigned char>(words[end])) != 0)
+      ++end;
+    const std::string name = words.substr(at + 1, end - at - 1);
+    if (name.size() < 2) continue;
+    const bool begins_word = at == 0 || is_one_of(at - 1, "([{\"'");
+    const bool ends_sentence = at > 1 && is_one_of(at - 1, ".,;!?)") &&
+                               std::isalnum(static_cast<unsigned char>(words[at - 2])) != 0;
+    if (begins_word || ends_sentence || is_one_of(end, "{[<") || without_arguments.contains(name))
+      commands.push_back(words.substr(at, end + 1 - at));
+  }
+  return commands;
 }
 
 // "<aside", "</div>", "<!--", "<br/>"; a letter alone may be a mean value, as in <p>
@@ -75,10 +92,11 @@ Error would_be_shown(const std::string& words, std::string_view why) {
 
 SlipFinder::SlipFinder(LineFinder& lines, Tell tell) : lines_(lines), tell_(std::move(tell)) {}
 
-void SlipFinder::look_at(const Json& node) {
+void SlipFinder::look_at(const Json& node, bool in_header) {
   const std::string type = node["t"];
   if (type == "Para" || type == "Plain") look_at_words(node["c"]);
   if (type == "Header") look_at_words(node["c"][2]);
+  if (type == "Str") look_at_word(node["c"], in_header);
   if (type != "Div") look_at_classes(node);
 }
 
@@ -107,22 +125,32 @@ void SlipFinder::look_at_words(const Json& inlines) {
           would_be_shown(words,
                          "only titles, pictures, code and [words] have classes, and all but titles "
                          "right behind them"));
-    } else if (is_html(words)) {
-      // what the deck has marked as words (\<br\>) stands otherwise there, and ends are told once
-      const int line = lines_.next("\\" + words) > 0 ? 0 : lines_.next(words);
-      if (line == 0 || std::exchange(html_told_, true)) continue;
-      tell_(line,
-            would_be_shown(words,
-                           "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
-    } else if (is_latex(words)) {
-      tell_(lines_.next(words),
-            would_be_shown(
-                words,
-                "LaTeX is for formulas ($…$); words for the speaker stand in a box (::: notes)"));
     } else if (has(words, "](") && has(words, ".toml")) {
       tell_(lines_.next(words),
             would_be_shown(words, "a picture ends with ')' and its settings with '}'"));
     }
+  }
+}
+
+// What the deck has marked as words (\<br\>, \\alpha) stands otherwise there, and is shown.
+void SlipFinder::look_at_word(const std::string& words, bool in_header) {
+  if (is_html(words)) {
+    // ends are told once
+    const int line = lines_.next("\\" + words) > 0 ? 0 : lines_.next(words);
+    if (line == 0 || std::exchange(html_told_, true)) return;
+    tell_(line,
+          would_be_shown(words,
+                         "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
+    return;
+  }
+  for (const std::string& command : latex_in(words)) {
+    // texts of YAML may need two backslashes for one
+    if (!in_header && lines_.next("\\" + command) > 0) continue;
+    tell_(lines_.next(words),
+          would_be_shown(
+              words,
+              "LaTeX is for formulas ($…$); words for the speaker stand in a box (::: notes)"));
+    return;
   }
 }
 

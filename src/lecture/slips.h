@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -19,13 +20,15 @@ class SlipFinder {
   using Tell = std::function<void(int line, const Error& error)>;
   SlipFinder(LineFinder& lines, Tell tell);
 
-  // Looks at one node of pandoc's tree, with its words, not at blocks within it: boxes that are
-  // none, misspelt quotes of numbers, pictures without an end, classes of nothing, HTML, LaTeX, and
-  // the class for the speaker's words (.notes) on what is no box.
-  void look_at(const Json& node);
+  // Looks at one node of pandoc's tree, not at those within it; call it for all. In lines of words:
+  // boxes that are none, misspelt quotes of numbers, pictures without an end, classes of nothing.
+  // In each word: HTML and LaTeX. Elsewhere the class for the speaker's words (.notes) on what is
+  // no box.
+  void look_at(const Json& node, bool in_header);
 
  private:
   void look_at_words(const Json& inlines);
+  void look_at_word(const std::string& words, bool in_header);
   void look_at_classes(const Json& node);
   int line_of_mark(const Json& inlines, std::size_t from);
 

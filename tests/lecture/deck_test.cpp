@@ -277,21 +277,40 @@ TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
                            "B {.notes}\n",
                            "\\note{B}\n",
                            "\\pause\n",
+                           "C.\\note{B}\n",
+                           "C\\note{B}\n",
+                           "C.\\note {B}\n",
+                           "**C.\\note{B}**\n",
+                           "\"\\note{B}\"\n",
+                           "(\\note{B})\n",
+                           "[\\note{B}](https://example.org)\n",
+                           "C\\only<2>{B}\n",
+                           "C.\\pause\n",
+                           "C^[D.\\note{B}]\n",
+                           "- C.\\note{B}\n",
+                           "## C\\note{B}\n",
+                           "| C\\note{B} |\n|---|\n| d |\n",
+                           "C \\\\alpha\\note{B}\n",
                            ":: notes\nB\n::\n"})
     EXPECT_TRUE(problem_of(good + slip).starts_with("deck.md:7: '")) << problem_of(good + slip);
   EXPECT_EQ(problem_of(good + "a < b, <p> = <x>, a<b, <1>, `<br>`, <https://example.org>, <-, "
                               "<omega>, \\<br\\>, &lt;br&gt;, \\<aside>, `\\note`, $\\pi$, \\*, "
-                              "C:\\note, {.5} and x::y\n"),
+                              "C:\\note, {.5} and x::y, ..\\run, .\\run, \\\\host\\share, "
+                              "\\\\alpha is written \\\\note{B}\n"),
             "none");
 }
 
 TEST(Deck, FieldsHaveNoNotesAndNoHtml) {
   for (const char* field : {"title: T <!-- B -->",
+                            "title: T.\\note{B}",
                             "author: [A, B<br>C]",
                             "date: 2024 <aside class=\"notes\">B</aside>",
                             "title: |\n  A\n\n  ::: notes\n  B\n  :::"})
     EXPECT_TRUE(problem_of(fmt::format("---\n{}\n---\n\n# A\n", field)).starts_with("deck.md:2: "))
         << field;
+  // what YAML has unescaped stands otherwise in the deck
+  EXPECT_TRUE(
+      problem_of("---\ntitle: \"T.\\\\note{B}\"\n---\n").starts_with("deck.md: 'T.\\note{B}'"));
 }
 
 TEST(Deck, WhatYamlReadsInItsOwnWayIsNotTold) {

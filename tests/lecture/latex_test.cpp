@@ -35,6 +35,7 @@ TEST(Latex, HasCharactersThatItsFontsLackAsMathematics) {
 }
 
 TEST(Latex, TellsCharactersThatItDoesNotHave) {
+  EXPECT_EQ(characters_without_latex(deck_of("- [ ] a\n- [x] b\n")), std::vector<std::string>());
   EXPECT_EQ(characters_without_latex(deck_of("# é ω中\n\n`中` $x$ “a” – ½ 😀\n")),
             (std::vector<std::string>{"中 (U+4E2D)", "😀 (U+1F600)"}));
 }

@@ -129,6 +129,10 @@ TEST(DroppedWords, AreNoneInAWholeDeck) {
               "[h]: https://example.org \"j k\"\n\n"
               "| l |\n|---|\n| m |\n\nTable: n\n"),
       Lost());
+  // lists and references inside others
+  EXPECT_EQ(dropped("Term\n:   7. a\n\nb[^1]\n\n[^1]: 1986. c\n\n-   8. d\n\n1.  (iv) e\n\n"
+                    "> [f][key]\n>\n> [key]: https://example.org \"g\"\n"),
+            Lost());
 }
 
 TEST(LostWords, AreReadFromWholeSlides) {
