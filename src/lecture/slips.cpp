@@ -134,7 +134,21 @@ void SlipFinder::look_at_words(const Json& inlines) {
 
 // What the deck has marked as words (\<br\>, \\alpha) stands otherwise there, and is shown.
 void SlipFinder::look_at_word(const std::string& words, bool in_header) {
-  if (is_html(words)) {
+  constexpr int kMost = 1000;  // each is looked for in all of the deck
+  const bool has_html = is_html(words);
+  const std::vector<std::string> commands = latex_in(words);
+  if (!has_html && commands.empty()) return;
+  if (++marked_words_ > kMost) {
+    if (marked_words_ == kMost + 1) {
+      tell_(lines_.next(words),
+            input_error("a deck may show {} words of HTML and LaTeX; show '{}' and what follows as "
+                        "code",
+                        kMost,
+                        words));
+    }
+    return;
+  }
+  if (has_html) {
     // ends are told once
     const int line = lines_.next("\\" + words) > 0 ? 0 : lines_.next(words);
     if (line == 0 || std::exchange(html_told_, true)) return;
@@ -143,7 +157,7 @@ void SlipFinder::look_at_word(const std::string& words, bool in_header) {
                          "a deck has no HTML; words for the speaker stand in a box (::: notes)"));
     return;
   }
-  for (const std::string& command : latex_in(words)) {
+  for (const std::string& command : commands) {
     // texts of YAML may need two backslashes for one
     if (!in_header && lines_.next("\\" + command) > 0) continue;
     tell_(lines_.next(words),

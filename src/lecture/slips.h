@@ -36,6 +36,7 @@ class SlipFinder {
   Tell tell_;
   bool mark_told_ = false;  // of a box that is none
   bool html_told_ = false;
+  int marked_words_ = 0;  // words like HTML and LaTeX
 };
 
 }  // namespace polhode

@@ -300,6 +300,17 @@ TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
             "none");
 }
 
+// each is looked for in all of the deck
+TEST(Deck, WordsOfHtmlAndLatexAreLimited) {
+  std::string deck;
+  for (int i = 0; i < 1000; ++i)
+    deck += "\\\\alpha\n";
+  EXPECT_EQ(problem_of(deck), "none");
+  EXPECT_EQ(problem_of(deck + "\n\\\\beta\n\\<br\\>\n"),
+            "deck.md:1002: a deck may show 1000 words of HTML and LaTeX; show '\\beta' and what "
+            "follows as code");
+}
+
 TEST(Deck, FieldsHaveNoNotesAndNoHtml) {
   for (const char* field : {"title: T <!-- B -->",
                             "title: T.\\note{B}",
