@@ -474,21 +474,30 @@ void refuse_lone_returns(const std::string& text, const std::string& name) {
   }
 }
 
-// remarks on words that pandoc has not read, one for each line
+// remarks on words that pandoc has not read: one for each of the first lines, one for the rest
 std::vector<Error> what_was_dropped(const std::string& text,
                                     const Json& tree,
                                     const std::string& name) {
-  constexpr std::size_t kMost = 5;
-  std::map<int, std::string> dropped;  // by lines
+  constexpr std::size_t kShown = 10, kCounted = 1000;
   // comments and escapes of YAML are no words, and all fields are looked at
-  for (const DroppedWord& one : dropped_words(without_headers(text), tree, kMost))
-    dropped[one.line] += (dropped[one.line].empty() ? "" : ", ") + one.word;
+  const std::vector<DroppedWord> all = dropped_words(without_headers(text), tree, kCounted);
+  const std::size_t shown = std::min(all.size(), kShown);
+  std::map<int, std::string> dropped;  // by lines
+  for (std::size_t i = 0; i < shown; ++i) {
+    std::string& words = dropped[all[i].line];
+    words += (words.empty() ? "" : ", ") + all[i].word;
+  }
   std::vector<Error> remarks;
-  remarks.reserve(dropped.size());
   for (const auto& [line, words] : dropped) {
     remarks.push_back(
         input_error("pandoc leaves out what is in no column and what nothing refers to: {}", words)
             .at({name, line, {}}));
+  }
+  if (shown < all.size()) {
+    remarks.push_back(
+        input_error("and from here on pandoc leaves out {} more words",
+                    all.size() < kCounted ? std::to_string(all.size() - shown) : "many")
+            .at({name, all[shown].line, {}}));
   }
   return remarks;
 }

@@ -53,8 +53,9 @@ std::vector<Part> lines_of(const std::string& text) {
   return lines;
 }
 
-// The lines between "---" and "---" or "...", without these; the first of them is not empty, and
-// before them nothing stands that they could belong to.
+// The parts of a deck's text that may have fields: title, authors and date behind "%" at its
+// beginning, and the lines between "---" and "---" or "...", without these; the first of them is
+// not empty, and before them nothing stands that they could belong to.
 std::vector<Part> headers_in(const std::string& text) {
   const std::vector<Part> lines = lines_of(text);
   const auto words = [&](std::size_t i) {
@@ -65,7 +66,11 @@ std::vector<Part> headers_in(const std::string& text) {
     return line.substr(0, line.find_last_not_of(" \t\r\n") + 1);
   };
   std::vector<Part> headers;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < lines.size() && words(0).starts_with('%'); ++i) {
+    if (!words(i).starts_with('%') && !words(i).starts_with(' ')) break;
+    headers.push_back(lines[i]);
+  }
+  for (std::size_t i = headers.size(); i < lines.size(); ++i) {
     const bool is_alone = i == 0 || words(i - 1).empty() || words(i - 1).starts_with('#');
     if (!is_alone || words(i) != "---" || words(i + 1).empty()) continue;
     const std::size_t first = i + 1;
@@ -76,16 +81,8 @@ std::vector<Part> headers_in(const std::string& text) {
   return headers;
 }
 
-// The parts of a deck's text that may have fields: its headers, and title, authors and date behind
-// "%" at its beginning.
 std::string headers_of(const std::string& text) {
   std::string headers;
-  for (const Part& line : lines_of(text)) {
-    const bool is_title =
-        text.starts_with('%') && (text[line.from] == '%' || text[line.from] == ' ');
-    if (!is_title) break;
-    headers += text.substr(line.from, line.to - line.from);
-  }
   for (const Part& one : headers_in(text))
     headers += text.substr(one.from, one.to - one.from);
   return headers;

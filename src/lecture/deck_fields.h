@@ -19,7 +19,7 @@ Json read_fields(const Json& meta,
                  const std::string& deck_file,
                  std::vector<Error>& problems);
 
-// The text of a deck with blanks in place of its headers in YAML.
+// The text of a deck with blanks in place of its headers, in YAML or behind "%".
 std::string without_headers(std::string text);
 
 }  // namespace polhode

@@ -178,9 +178,14 @@ void tell_lost_words(const LectureWork& work,
                      const std::string& document,
                      DocumentForm form) {
   if (!work.deck.problems.empty()) return;
-  constexpr std::size_t kMost = 5;
-  const std::vector<std::string> lost = lost_words(work.deck, document, form, kMost);
+  constexpr std::size_t kShown = 10, kCounted = 1000;
+  std::vector<std::string> lost = lost_words(work.deck, document, form, kCounted);
   if (lost.empty()) return;
+  if (lost.size() > kShown) {
+    const std::string more = lost.size() < kCounted ? std::to_string(lost.size() - kShown) : "many";
+    lost.resize(kShown);
+    lost.back() += fmt::format(" and {} more", more);
+  }
   spdlog::warn("{}: lacks what the deck has, which this program or pandoc has lost: {}",
                file_of(output),
                fmt::join(lost, ", "));

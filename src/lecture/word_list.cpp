@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "base/utf8.h"
 
@@ -32,6 +35,90 @@ bool is_in_words(unsigned long character) {
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
+
+using Words = std::vector<std::string_view>;
+using Places = std::vector<std::size_t>;  // in a list, from 0
+
+// The word at a place; "" before the first and behind the last.
+std::string_view word_at(const Words& words, std::size_t place) {
+  return place < words.size() ? words[place] : std::string_view();
+}
+
+using PlacesOfWords = std::unordered_map<std::string_view, Places>;
+PlacesOfWords places_of(const Words& words) {
+  PlacesOfWords places;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    places[words[i]].push_back(i);
+  return places;
+}
+
+// Finds at which of its places a word is missing: where it has other neighbours than in the other
+// list, or such as are missing, too; of places that are alike at the last ones.
+class Placer {
+ public:
+  Placer(const Words& here, const Words& there) : here_(here), there_(there) {}
+
+  // A word that is missing at `times` of its places here, and stands at those in the other list.
+  void add(std::size_t times, const Places& here, const Places& there) {
+    Choice choice{times, {here.rbegin(), here.rend()}, {}, {}, {}};
+    for (const std::size_t place : there) {
+      choice.before.insert(word_at(there_, place - 1));
+      choice.behind.insert(word_at(there_, place + 1));
+    }
+    choices_.push_back(std::move(choice));
+  }
+
+  // The places of all words, in the order in which these were added.
+  std::vector<Places> settle() {
+    constexpr int kRounds = 4;  // what is settled in one may tell of its neighbours in the next
+    for (int round = 0; round < kRounds; ++round) {
+      for (Choice& one : choices_)
+        settle(one, round == 0);
+    }
+    std::vector<Places> all;
+    for (Choice& one : choices_) {
+      std::sort(one.missing.begin(), one.missing.end());
+      all.push_back(std::move(one.missing));
+    }
+    return all;
+  }
+
+ private:
+  struct Choice {
+    std::size_t times;
+    Places places;  // from the last to the first
+    std::unordered_set<std::string_view> before, behind;
+    Places missing;
+  };
+
+  void settle(Choice& one, bool only_if_sure) {
+    for (const std::size_t place : one.missing)
+      missing_.erase(place);
+    std::vector<std::pair<int, std::size_t>> ranked;  // how many neighbours are the same, place
+    for (const std::size_t place : one.places)
+      ranked.emplace_back(is_known(one.before, place - 1) + is_known(one.behind, place + 1), place);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+      return a.first < b.first;
+    });
+    ranked.resize(one.times);
+    one.missing.clear();
+    constexpr int kBoth = 2;
+    for (const auto& [known, place] : ranked) {
+      if (only_if_sure && known == kBoth) break;
+      one.missing.push_back(place);
+      missing_.insert(place);
+    }
+  }
+
+  int is_known(const std::unordered_set<std::string_view>& neighbours, std::size_t place) const {
+    return !missing_.contains(place) && neighbours.contains(word_at(here_, place)) ? 1 : 0;
+  }
+
+  const Words& here_;
+  const Words& there_;
+  std::vector<Choice> choices_;
+  std::unordered_set<std::size_t> missing_;
+};
 
 }  // namespace
 
@@ -67,32 +154,43 @@ void WordList::add_code(const std::string& code) {
 }
 
 std::vector<MissingWord> WordList::missing_in(const WordList& other, std::size_t most) const {
-  constexpr int kMostSearches = 200;  // each in all of both
-  const std::unordered_map<std::string_view, int> needed = counts();
-  std::unordered_map<std::string_view, int> there = other.counts();
+  constexpr std::size_t kMostBytes = 800'000'000;  // a search is in all of both
+  std::size_t searches = 200 + kMostBytes / (all_.size() + other.all_.size());
+  const Words here = words(), there = other.words();
+  const PlacesOfWords wanted = places_of(here);
+  PlacesOfWords found = places_of(there);
+  Placer placer(here, there);
   std::vector<MissingWord> missing;
-  int searches = 0;
-  std::size_t place = 0;
-  for_each([&](std::string_view word) {
-    const std::size_t its_place = place++;
-    int& count = there[word];
-    if (count >= needed.at(word) || missing.size() == most || searches == kMostSearches) return;
-    count = needed.at(word);  // each is looked for once
-    ++searches;
-    if (other.count_inside(word) < count_inside(word))
-      missing.push_back({std::string(word), its_place});
-  });
+  for (std::size_t i = 0; i < here.size() && missing.size() < most; ++i) {
+    const Places& places = wanted.at(here[i]);
+    if (places.front() != i) continue;  // each is looked for once
+    const Places& alone = found[here[i]];
+    if (alone.size() >= places.size()) continue;
+    if (searches-- == 0) break;
+    const std::size_t inside = count_inside(here[i]), inside_there = other.count_inside(here[i]);
+    if (inside_there >= inside) continue;
+    placer.add(std::min(inside - inside_there, places.size() - alone.size()), places, alone);
+    missing.push_back({std::string(here[i]), {}});
+  }
+  const std::vector<Places> settled = placer.settle();
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    missing[i].places = settled[i];
   return missing;
 }
 
-std::unordered_map<std::string_view, int> WordList::counts() const {
-  std::unordered_map<std::string_view, int> counts;
-  for_each([&](std::string_view word) { ++counts[word]; });
-  return counts;
+std::vector<std::string_view> WordList::words() const {
+  Words words;
+  words.reserve(size_);
+  for (std::size_t from = 1; from < all_.size();) {
+    const std::size_t blank = all_.find(' ', from);
+    words.push_back(std::string_view(all_).substr(from, blank - from));
+    from = blank + 1;
+  }
+  return words;
 }
 
-int WordList::count_inside(std::string_view word) const {
-  int count = 0;
+std::size_t WordList::count_inside(std::string_view word) const {
+  std::size_t count = 0;
   for (std::size_t at = all_.find(word); at != std::string::npos; at = all_.find(word, at + 1))
     ++count;
   return count;

@@ -4,17 +4,16 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace polhode {
 
 inline constexpr unsigned long kLastCharacter = 0x10ffff;
 
-// A word and its place in its list, from 0.
+// A word, and its places in its list, from 0.
 struct MissingWord {
   std::string word;
-  std::size_t place = 0;
+  std::vector<std::size_t> places;
 };
 
 // A list of words, which are runs of letters, digits and symbols. All else stands between words.
@@ -32,27 +31,17 @@ class WordList {
   // How many there are.
   std::size_t size() const { return size_; }
 
-  // The words that stand more often here than in the other list, in their order and each once: at
-  // most `most`, and of the first few hundred that might be missing. What is one word there may be
-  // two here.
+  // The words that stand more often here than in the other list, in the order of their first
+  // places, with as many places as they are missing there (of several those with other neighbours).
+  // At most `most`, and of large lists those among the first few hundred that might be missing.
+  // What is one word there may be two here.
   std::vector<MissingWord> missing_in(const WordList& other, std::size_t most) const;
 
  private:
-  // how often each word stands by itself
-  std::unordered_map<std::string_view, int> counts() const;
+  std::vector<std::string_view> words() const;
   // how often a word stands there, also inside others
-  int count_inside(std::string_view word) const;
+  std::size_t count_inside(std::string_view word) const;
   void end_word();
-
-  // Calls `visit` with each word (std::string_view), in their order.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (std::size_t from = 1; from < all_.size();) {
-      const std::size_t blank = all_.find(' ', from);
-      visit(std::string_view(all_).substr(from, blank - from));
-      from = blank + 1;
-    }
-  }
 
   std::string all_ = " ";  // one blank before and behind each
   std::size_t size_ = 0;

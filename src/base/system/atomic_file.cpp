@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 #include "base/error.h"
 #include "base/system/overwriting.h"
@@ -33,6 +34,15 @@ fs::path behind_links(fs::path target) {
     target = target.parent_path() / next;  // an absolute path stays itself
   }
   return target;
+}
+
+// Whether it belongs to somebody else, in a folder such as /tmp, in which nobody gives its name to
+// another file.
+bool keeps_its_name(const fs::path& target, const fs::path& folder) {
+  struct stat its = {}, folders = {};
+  const uid_t user = geteuid();
+  return user != 0 && stat(target.c_str(), &its) == 0 && stat(folder.c_str(), &folders) == 0 &&
+         (folders.st_mode & S_ISVTX) != 0 && its.st_uid != user && folders.st_uid != user;
 }
 
 fs::path part_of(const fs::path& target) {
@@ -61,9 +71,12 @@ AtomicFile::AtomicFile(const fs::path& target)
     throw input_error("is not a regular file; choose another output (standard output is -)")
         .at(place);
   }
-
   if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) {
     throw input_error("is write-protected; choose another output").at(place);
+  }
+  if (keeps_its_name(target_, folder)) {
+    throw input_error("belongs to another user and cannot be replaced here; choose another output")
+        .at(place);
   }
 
   // claim the temporary name now, so that an unwritable folder is told before any work is done

@@ -22,6 +22,24 @@ std::optional<FileId> id_of(const std::filesystem::path& file) {
   return FileId(status.st_dev, status.st_ino);
 }
 
+// 0 to 2 as long as they are files: of pipes and terminals nothing can be replaced
+std::optional<FileId> id_of_stream(int descriptor) {
+  struct stat status = {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return FileId(status.st_dev, status.st_ino);
+}
+
+// Whoever sent a stream into a file wants what all commands write there.
+void refuse_own_stream(const FileId& id, const std::filesystem::path& target) {
+  constexpr const char* kStreams[] = {"standard input", "standard output", "standard error"};
+  for (int descriptor = 0; descriptor < 3; ++descriptor) {
+    if (id_of_stream(descriptor) != id) continue;
+    throw input_error("would replace the file of {}; choose another output (standard output is -)",
+                      kStreams[descriptor])
+        .at({target.string(), 0, {}});
+  }
+}
+
 struct Protected {
   std::mutex lock;
   std::map<FileId, std::filesystem::path> files;  // as they were named
@@ -76,6 +94,7 @@ void protect_file(const std::filesystem::path& file) {
 void refuse_protected_file(const std::filesystem::path& target) {
   const std::optional<FileId> id = id_of(target);
   if (!id) return;
+  refuse_own_stream(*id, target);
   Protected& all = protected_files();
   const std::lock_guard guard(all.lock);
   const auto found = all.files.find(*id);

@@ -27,8 +27,9 @@ void refuse_same_files(const std::filesystem::path& folder,
 // Remembers an existing file that the user gave, such as a scene, until the process ends.
 // Thread-safe. What is not there is not remembered.
 void protect_file(const std::filesystem::path& file);
-// Throws Error (input), with `target` as its place, if a protected file would be written there,
-// also by a link. AtomicFile (base/system/atomic_file.h) does this for all outputs.
+// Throws Error (input), with `target` as its place, if a protected file, or one that is standard
+// input, output or error, would be written there, also by a link such as /dev/stdout. AtomicFile
+// (base/system/atomic_file.h) does this for all outputs.
 void refuse_protected_file(const std::filesystem::path& target);
 
 }  // namespace polhode

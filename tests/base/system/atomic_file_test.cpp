@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "base/system/atomic_file.h"
 
+#include <fcntl.h>
 #include <fstream>
+#include <iostream>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -173,6 +176,50 @@ TEST_F(AtomicFileTest, RefusesAPipeWithoutAName) {
             std::string::npos);
   close(ends[0]);
   close(ends[1]);
+}
+
+// what others have written there before, and will write, would be lost
+TEST_F(AtomicFileTest, RefusesTheFileOfAStandardStream) {
+  std::ofstream(target_) << "precious";
+  const int file = open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  ASSERT_GE(file, 0);
+  std::cout.flush();
+  const int before = dup(STDOUT_FILENO);
+  dup2(file, STDOUT_FILENO);
+  std::vector<std::string> said;
+  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+    said.push_back(error_of(name));
+  said.push_back(error_of(target_));
+  dup2(before, STDOUT_FILENO);
+  close(before);
+  close(file);
+  for (const std::string& one : said)
+    EXPECT_NE(one.find("would replace the file of standard output"), std::string::npos) << one;
+  EXPECT_EQ(read_file(target_), "precious");
+  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(error_of(target_), "") << "it is no stream any more";
+}
+
+// in a folder like /tmp the system refuses to rename over it, which would be told at the end
+TEST_F(AtomicFileTest, RefusesWhatBelongsToSomebodyElse) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give files to others";
+  constexpr uid_t kOne = 65533, kOther = 65534;
+  std::ofstream(target_) << "precious";
+  ASSERT_EQ(chmod(folder_.c_str(), 01777), 0);
+  ASSERT_EQ(chmod(target_.c_str(), 0666), 0);
+  ASSERT_EQ(chown(target_.c_str(), kOne, kOne), 0);
+  const auto said_to = [&](uid_t user) {
+    EXPECT_EQ(seteuid(user), 0);
+    const bool may_enter = std::ifstream(target_).is_open();
+    const std::string said = may_enter ? error_of(target_) : "may not enter";
+    EXPECT_EQ(seteuid(0), 0);
+    return said;
+  };
+  if (said_to(kOther) == "may not enter") GTEST_SKIP() << "the folder of tests is closed to others";
+  EXPECT_NE(said_to(kOther).find("belongs to another user"), std::string::npos);
+  EXPECT_EQ(said_to(kOne), "");
+  ASSERT_EQ(chmod(folder_.c_str(), 0777), 0);
+  EXPECT_EQ(said_to(kOther), "") << "there anybody may";
 }
 
 TEST_F(AtomicFileTest, RefusesAnUnwritableFolder) {
