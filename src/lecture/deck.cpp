@@ -488,6 +488,7 @@ std::vector<Error> what_was_dropped(const std::string& text,
     words += (words.empty() ? "" : ", ") + all[i].word;
   }
   std::vector<Error> remarks;
+  remarks.reserve(dropped.size() + 1);
   for (const auto& [line, words] : dropped) {
     remarks.push_back(
         input_error("pandoc leaves out what is in no column and what nothing refers to: {}", words)

@@ -145,6 +145,7 @@ std::vector<DroppedWord> dropped_words(const std::string& text,
       missing[place] = one.word;
   }
   std::vector<DroppedWord> dropped;
+  dropped.reserve(missing.size());
   for (const auto& [place, word] : missing)
     dropped.push_back({word, lines[place]});
   return dropped;
