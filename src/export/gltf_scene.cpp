@@ -29,7 +29,8 @@ constexpr int kAroundTube = 20;            // pieces of a circle of shafts and r
 constexpr int kAroundHead = 36;            // of heads of arrows
 constexpr int kPiecesOfArc = 32;
 constexpr std::size_t kFewestPieces = 24, kMostPieces = 240, kPointsOfPiece = 6;  // of a path
-constexpr double kSmallestScene = 1e-3, kLargestScene = 1e3;  // m; others are scaled to 1 m
+constexpr double kPiecesOfTail = 8.0, kMostPiecesOfTails = 4000.0;  // of what is seen of it
+constexpr double kSmallestScene = 1e-3, kLargestScene = 1e3;        // m; others are scaled to 1 m
 
 json list_of(const Vec3& v) {
   return json::array({v.x(), v.y(), v.z()});
@@ -388,7 +389,8 @@ class Export {
     }
   }
 
-  // pieces that appear when the point has passed them, and vanish as they become too old
+  // pieces that appear when the point has passed them, and vanish as their beginning becomes too
+  // old
   void add_trails() {
     for (const ObservedTrail& one : observer_.trails()) {
       const Trail& trail = *one.trail;
@@ -400,16 +402,37 @@ class Export {
       path.translation = trail.place().translation() - (one.on_body ? Vec3(Vec3::Zero()) : origin_);
       path.scale = Vec3::Constant(trail.place().linear()(0, 0));
       const int parent = add_node(path);
-      const std::size_t count =
-          std::clamp(trail.path().points.size() / kPointsOfPiece, kFewestPieces, kMostPieces);
-      const double end = clock_.to;
-      const bool vanishes = one.length < 0.999 * end;
+      const bool vanishes = one.length < 0.999 * clock_.to;
+      const double begin = vanishes ? std::max(0.0, clock_.from - one.length) : 0.0;
+      const std::size_t count = pieces_of(one, clock_.to - begin, vanishes);
+      const auto end_of = [&](std::size_t pieces) {
+        return begin +
+               (clock_.to - begin) * static_cast<double>(pieces) / static_cast<double>(count);
+      };
       for (std::size_t i = 0; i < count; ++i) {
-        const double from = end * static_cast<double>(i) / static_cast<double>(count);
-        const double to = end * static_cast<double>(i + 1) / static_cast<double>(count);
-        add_piece(trail, {from, to}, vanishes ? one.length : 2.0 * end, material, parent);
+        const Span span = {end_of(i), end_of(i + 1)};
+        add_piece(trail, span, vanishes ? one.length : 2.0 * clock_.to, material, parent);
       }
     }
+  }
+
+  // Into how many pieces `duration` (s) of a path is cut.
+  static std::size_t pieces_of(const ObservedTrail& one, double duration, bool vanishes) {
+    const std::size_t count =
+        std::clamp(one.trail->path().points.size() / kPointsOfPiece, kFewestPieces, kMostPieces);
+    if (!vanishes) return count;
+    const double needed = kPiecesOfTail * duration / one.length;
+    if (needed > kMostPiecesOfTails) {
+      throw input_error(
+          "{:g} s are too short for {:g} s of motion: give at least {:.2g} s, or export less "
+          "(--from, "
+          "--to)",
+          one.length,
+          duration,
+          kPiecesOfTail / kMostPiecesOfTails * duration)
+          .at({{}, 0, "show.trail_length"});
+    }
+    return std::max(count, static_cast<std::size_t>(std::ceil(needed)));
   }
 
   struct Span {

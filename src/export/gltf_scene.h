@@ -41,8 +41,9 @@ struct ExportReport {
 // with the body axes from the body origin. Nodes are named after the elements that they belong to
 // (docs/export.md). Things that keep their place in the body are below "body_frame". Stories hide
 // nothing. The time of the animation is film time without pauses. Throws Error (input) with --from
-// or --to as key as check_time_range() and plan_frame_times() (film/frame_times.h) do, without a
-// place for a motion that is too long to be tabulated, as composer_alone() (film/stage.h) does;
+// or --to as key as check_time_range() and plan_frame_times() (film/frame_times.h) do, with
+// show.trail_length as key if it is too short to be cut into pieces, without a place for a motion
+// that is too long to be tabulated, as composer_alone() (film/stage.h) does;
 // (check_failed) as Motion::at does.
 struct ExportedScene {
   GltfDocument document;

@@ -479,8 +479,7 @@ std::vector<Error> what_was_dropped(const std::string& text,
                                     const Json& tree,
                                     const std::string& name) {
   constexpr std::size_t kShown = 10, kCounted = 1000;
-  // comments and escapes of YAML are no words, and all fields are looked at
-  const std::vector<DroppedWord> all = dropped_words(without_headers(text), tree, kCounted);
+  const std::vector<DroppedWord> all = dropped_words(text, tree, kCounted);
   const std::size_t shown = std::min(all.size(), kShown);
   std::map<int, std::string> dropped;  // by lines
   for (std::size_t i = 0; i < shown; ++i) {

@@ -2,13 +2,18 @@
 #include "lecture/dropped_words.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "base/error.h"
+#include "base/utf8.h"
+#include "lecture/deck_fields.h"
+#include "lecture/pandoc.h"
 #include "lecture/sandbox.h"
 #include "lecture/tree.h"
 #include "lecture/word_list.h"
@@ -94,9 +99,9 @@ class TreeReader {
       if (said_.contains(name)) words.add(name);
   }
 
-  std::map<std::string, int> places_;  // how often "#place" stands in the text
-  std::set<std::string> headings_;     // names of titles
-  std::set<std::string> said_;         // classes that pandoc knows by other marks, too
+  std::map<std::string, int> places_;    // how often "#place" stands in the text
+  std::multiset<std::string> headings_;  // names of titles
+  std::set<std::string> said_;           // classes that pandoc knows by other marks, too
 };
 
 // A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
@@ -120,35 +125,125 @@ std::string without_marks(std::string line) {
   return out.append(from, line.cend());
 }
 
+// The same of a whole deck; bytes keep their places.
+std::string without_marks_in_all(const std::string& text) {
+  std::string all;
+  std::istringstream in(text);
+  bool in_key = false;  // of a reference that goes on in the next line
+  for (std::string line; std::getline(in, line);) {
+    const auto blank = [&](std::size_t from, std::size_t to) {
+      std::fill(line.begin() + static_cast<std::ptrdiff_t>(from),
+                line.begin() + static_cast<std::ptrdiff_t>(to),
+                ' ');
+    };
+    if (in_key) blank(0, line.find(']') + 1);
+    const std::size_t key = line.rfind("][");
+    in_key = key != std::string::npos && line.find(']', key + 1) == std::string::npos;
+    if (in_key) blank(key, line.size());
+    all += without_marks(std::move(line)) + "\n";
+  }
+  return all;
+}
+
+// A word at a place in the text of a deck, bytes from its start.
+struct Spot {
+  std::size_t at;
+  std::string_view word;
+};
+
+// Characters that mean nothing to anybody and that pandoc keeps: those of private use beyond the
+// first plane (Unicode 15, section 23.5), of which there are two planes.
+constexpr unsigned long kFirstPrivate = 0xf0000, kInPlane = 0xfffe;
+unsigned long private_character(std::size_t i) {
+  return kFirstPrivate + i % kInPlane + (i < kInPlane ? 0 : 0x10000);
+}
+// in the four bytes of UTF-8
+std::string bytes_of(unsigned long character) {
+  std::string bytes = {static_cast<char>(0xf0 | (character >> 18))};
+  for (const int shift : {12, 6, 0})
+    bytes += static_cast<char>(0x80 | ((character >> shift) & 0x3f));
+  return bytes;
+}
+
+void add_private_characters(std::set<unsigned long>& found, const Json& tree) {
+  if (tree.is_string()) {
+    const std::string& text = tree.get_ref<const std::string&>();
+    for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(1, utf8_length(text, i)))
+      if (character_at(text, i) >= kFirstPrivate) found.insert(character_at(text, i));
+  }
+  if (!tree.is_structured()) return;
+  for (const Json& child : tree)
+    add_private_characters(found, child);
+}
+
+// Whether pandoc reads the word at each of these spots. It is given the deck with a character of
+// its own in the place of each, repeated so that columns stay where they are. Spots beyond the
+// number of these characters count as read, as do all if pandoc cannot read that deck.
+std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spots) {
+  std::vector<bool> read(spots.size(), true);
+  const std::size_t marked = std::min(spots.size(), 2 * kInPlane);
+  std::string with_marks;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < marked; ++i) {
+    with_marks.append(text, from, spots[i].at - from);
+    for (std::size_t k = 0; k < spots[i].word.size(); ++k)
+      if (!is_continuation(spots[i].word, k)) with_marks += bytes_of(private_character(i));
+    from = spots[i].at + spots[i].word.size();
+  }
+  with_marks.append(text, from);
+  std::set<unsigned long> found;
+  try {
+    add_private_characters(found, read_markdown(with_marks));
+  } catch (const Error&) {
+    return read;
+  }
+  for (std::size_t i = 0; i < marked; ++i)
+    read[i] = found.contains(private_character(i));
+  return read;
+}
+
 }  // namespace
 
 std::vector<DroppedWord> dropped_words(const std::string& text,
                                        const Json& tree,
                                        std::size_t most) {
-  const TreeReader read(text, tree);
+  const std::string bare = without_marks_in_all(without_headers(text));
   WordList written;
-  std::vector<int> lines;  // of all words that are written
-  std::istringstream all(text);
-  int number = 0;
-  bool in_key = false;  // of a reference that goes on in the next line
-  for (std::string line; std::getline(all, line);) {
-    if (in_key) line.erase(0, line.find(']') + 1);
-    const std::size_t key = line.rfind("][");
-    in_key = key != std::string::npos && line.find(']', key + 1) == std::string::npos;
-    if (in_key) line.erase(key);
-    written.add(without_marks(line));
-    lines.resize(written.size(), ++number);
+  written.add(bare);
+  std::map<std::string, std::size_t, std::less<>> missing;  // how often
+  for (const MissingWord& one : written.missing_in(TreeReader(text, tree).words, most))
+    missing[one.word] = one.times;
+  if (missing.empty()) return {};
+
+  std::vector<Spot> spots;
+  for (const std::string_view word : split_words(bare)) {
+    if (missing.contains(word))
+      spots.push_back({static_cast<std::size_t>(word.data() - bare.data()), word});
   }
-  std::map<std::size_t, std::string> missing;  // by places
-  for (const MissingWord& one : written.missing_in(read.words, most)) {
-    for (const std::size_t place : one.places)
-      missing[place] = one.word;
+  const std::vector<bool> read = are_read(text, spots);
+  // if in doubt the last ones, as footnotes and references come last
+  std::vector<Spot> dropped;
+  for (const bool count_read : {false, true}) {
+    for (std::size_t i = spots.size(); i-- > 0;) {
+      std::size_t& times = missing.find(spots[i].word)->second;
+      if (read[i] != count_read || times == 0) continue;
+      --times;
+      dropped.push_back(spots[i]);
+    }
   }
-  std::vector<DroppedWord> dropped;
-  dropped.reserve(missing.size());
-  for (const auto& [place, word] : missing)
-    dropped.push_back({word, lines[place]});
-  return dropped;
+  std::sort(
+      dropped.begin(), dropped.end(), [](const Spot& a, const Spot& b) { return a.at < b.at; });
+
+  std::vector<DroppedWord> words;
+  words.reserve(dropped.size());
+  std::size_t counted = 0;  // bytes
+  int line = 1;
+  for (const Spot& one : dropped) {
+    line += static_cast<int>(std::count(bare.data() + counted, bare.data() + one.at, '\n'));
+    counted = one.at;
+    words.push_back({std::string(one.word), line});
+  }
+  return words;
 }
 
 }  // namespace polhode

@@ -18,8 +18,6 @@
 namespace polhode {
 namespace {
 
-constexpr unsigned long kLastLatin = 0x24f;  // others are commands in LaTeX
-
 // An address of the web without what a document may write in another way.
 std::string bare_address(const std::string& address) {
   std::string bare = percent_decoded(address);
@@ -32,7 +30,7 @@ std::string bare_address(const std::string& address) {
 
 // Words, and what else is looked for.
 struct Shown {
-  explicit Shown(unsigned long last) : words(last) {}
+  explicit Shown(Letters letters) : words(letters) {}
 
   WordList words;
   std::map<std::string, std::string> links;  // by bare_address()
@@ -43,7 +41,7 @@ struct Shown {
 // in tables and in footnotes. Formulas count where no document writes them in letters.
 class DeckReader {
  public:
-  explicit DeckReader(unsigned long last) : all(last) {}
+  explicit DeckReader(Letters letters) : all(letters) {}
 
   void read(const Deck& deck) {
     for (const char* field : {"title", "subtitle", "author", "date"})
@@ -207,11 +205,12 @@ std::vector<std::string> lost_words(const Deck& deck,
                                     const std::string& document,
                                     DocumentForm form,
                                     std::size_t most) {
-  const unsigned long last = form == DocumentForm::latex ? kLastLatin : kLastCharacter;
-  DeckReader reader(last);
+  // others are commands in LaTeX
+  const Letters letters = form == DocumentForm::latex ? Letters::latin : Letters::all;
+  DeckReader reader(letters);
   reader.read(deck);
   const Shown& wanted = reader.all;
-  Shown shown(last);
+  Shown shown(letters);
   if (form == DocumentForm::html) add_html(shown, document);
   if (form == DocumentForm::latex) add_latex(shown.words, document);
   if (form == DocumentForm::office) add_office(shown, document);

@@ -4,23 +4,28 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace polhode {
 
-inline constexpr unsigned long kLastCharacter = 0x10ffff;
+// Which characters words are made of: letters, digits and symbols of all kinds, or Latin letters
+// and digits alone.
+enum class Letters { all, latin };
 
-// A word, and its places in its list, from 0.
+// The words of a text in UTF-8, as parts of it.
+std::vector<std::string_view> split_words(std::string_view text, Letters letters = Letters::all);
+
+// A word, and how many times it is missing.
 struct MissingWord {
   std::string word;
-  std::vector<std::size_t> places;
+  std::size_t times = 0;
 };
 
 // A list of words, which are runs of letters, digits and symbols. All else stands between words.
 class WordList {
  public:
-  // last: the number (code point) of the last character that may belong to a word.
-  explicit WordList(unsigned long last = kLastCharacter) : last_(last) {}
+  explicit WordList(Letters letters = Letters::all) : letters_(letters) {}
 
   // Adds the words of a text in UTF-8; its end ends a word.
   void add(std::string_view text);
@@ -28,24 +33,29 @@ class WordList {
   // "5kg" may be two.
   void add_code(const std::string& code);
 
-  // How many there are.
-  std::size_t size() const { return size_; }
-
-  // The words that stand more often here than in the other list, in the order of their first
-  // places, with as many places as they are missing there (of several those with other neighbours).
-  // At most `most`, and of large lists those among the first few hundred that might be missing.
-  // What is one word there may be two here.
+  // The words that stand more often here than in the other list, in their order and each once: at
+  // most `most`, and of large lists those among the first few hundred that might be missing. What
+  // is one word there may be two here.
   std::vector<MissingWord> missing_in(const WordList& other, std::size_t most) const;
 
  private:
-  std::vector<std::string_view> words() const;
+  // how often each word stands by itself
+  std::unordered_map<std::string_view, std::size_t> counts() const;
   // how often a word stands there, also inside others
   std::size_t count_inside(std::string_view word) const;
-  void end_word();
+
+  // Calls `visit` with each word (std::string_view), in their order.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t from = 1; from < all_.size();) {
+      const std::size_t blank = all_.find(' ', from);
+      visit(std::string_view(all_).substr(from, blank - from));
+      from = blank + 1;
+    }
+  }
 
   std::string all_ = " ";  // one blank before and behind each
-  std::size_t size_ = 0;
-  unsigned long last_;
+  Letters letters_;
 };
 
 }  // namespace polhode

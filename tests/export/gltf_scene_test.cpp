@@ -115,6 +115,35 @@ TEST(GltfScene, APathGrowsInPieces) {
   }
 }
 
+// however short it is, a tail of that length follows the point
+TEST(GltfScene, ATailIsAsLongAsAsked) {
+  Scene scene = small_scene("free_symmetric_top");
+  scene.show.trail = true;
+  for (const double length : {0.1, 0.3, 2.0}) {
+    scene.show.trail_s = length;
+    const GltfDocument document = export_scene(solve(scene), {}).document;
+    int vanish = 0;
+    for (const GltfNode& node : document.nodes) {
+      if (!node.name.starts_with("trail.path.piece") || !node.scaled.times) continue;
+      const std::vector<float>& times = *node.scaled.times;
+      constexpr std::size_t kComesAndGoes = 3;
+      if (times.size() < kComesAndGoes) continue;
+      const double seen = (times[2] - times[1]) * scene.video.time_scale;
+      EXPECT_GT(seen, 0.87 * length) << times[1];
+      EXPECT_LT(seen, 1.001 * length) << times[1];
+      ++vanish;
+    }
+    EXPECT_GT(vanish, 8) << length;
+  }
+  scene.show.trail_s = 1e-4;
+  try {
+    export_scene(solve(scene), {});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().key, "show.trail_length");
+  }
+}
+
 // the path of the contact on the body turns with it
 TEST(GltfScene, APathOnTheBodyHangsBelowIt) {
   const GltfDocument document = export_scene(solve(small_scene("rattleback")), {}).document;

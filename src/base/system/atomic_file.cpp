@@ -29,6 +29,14 @@ fs::path behind_links(fs::path target) {
   constexpr int kMostLinks = 40;  // as the system counts them
   std::error_code failed;
   for (int i = 0; i < kMostLinks && fs::is_symlink(target, failed); ++i) {
+    const fs::path folder =
+        fs::canonical(target.has_parent_path() ? target.parent_path() : ".", failed);
+    if (folder.string().starts_with("/proc/")) {
+      throw input_error(
+          "is a file that is open, which would be replaced; choose another output (standard output "
+          "is -)")
+          .at({target.string(), 0, {}});
+    }
     const fs::path next = fs::read_symlink(target, failed);
     if (failed) break;
     target = target.parent_path() / next;  // an absolute path stays itself

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -179,7 +180,7 @@ TEST_F(AtomicFileTest, RefusesAPipeWithoutAName) {
 }
 
 // what others have written there before, and will write, would be lost
-TEST_F(AtomicFileTest, RefusesTheFileOfAStandardStream) {
+TEST_F(AtomicFileTest, RefusesFilesThatAreOpen) {
   std::ofstream(target_) << "precious";
   const int file = open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   ASSERT_GE(file, 0);
@@ -187,14 +188,16 @@ TEST_F(AtomicFileTest, RefusesTheFileOfAStandardStream) {
   const int before = dup(STDOUT_FILENO);
   dup2(file, STDOUT_FILENO);
   std::vector<std::string> said;
-  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+  const std::string by_itself = error_of(target_);
+  for (const std::string& name : std::vector<std::string>{
+           "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", fmt::format("/dev/fd/{}", file)})
     said.push_back(error_of(name));
-  said.push_back(error_of(target_));
   dup2(before, STDOUT_FILENO);
   close(before);
   close(file);
   for (const std::string& one : said)
-    EXPECT_NE(one.find("would replace the file of standard output"), std::string::npos) << one;
+    EXPECT_NE(one.find("is a file that is open"), std::string::npos) << one;
+  EXPECT_NE(by_itself.find("would replace the file of standard output"), std::string::npos);
   EXPECT_EQ(read_file(target_), "precious");
   EXPECT_EQ(files_in_folder(), 1u);
   EXPECT_EQ(error_of(target_), "") << "it is no stream any more";
