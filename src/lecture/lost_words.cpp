@@ -182,16 +182,17 @@ void add_office(Shown& shown, std::string bytes) {
     throw environment_error("pandoc wrote slides that cannot be read");
 }
 
-// The names of commands are words, too, and end at their last letter.
+// The names of commands are words, too; they end at their last letter or digit, for pandoc writes
+// digits right behind a name only in code that stands as it is ("\na1").
 void add_latex(WordList& words, const std::string& tex) {
-  const auto is_letter = [&](std::size_t at) {
-    return at < tex.size() && std::isalpha(static_cast<unsigned char>(tex[at])) != 0;
+  const auto is_of_word = [&](std::size_t at) {
+    return at < tex.size() && std::isalnum(static_cast<unsigned char>(tex[at])) != 0;
   };
   std::size_t from = 0;
   for (std::size_t at = tex.find('\\'); at != std::string::npos; at = tex.find('\\', from)) {
     words.add(std::string_view(tex).substr(from, at - from));
     std::size_t end = at + 1;
-    while (is_letter(end))
+    while (is_of_word(end))
       ++end;
     words.add(std::string_view(tex).substr(at, end - at));
     from = end;

@@ -118,7 +118,7 @@ TEST(GltfScene, APathGrowsInPieces) {
 // however short it is, a tail of that length follows the point
 TEST(GltfScene, ATailIsAsLongAsAsked) {
   Scene scene = small_scene("free_symmetric_top");
-  scene.show.trail = true;
+  scene.show.asked["trail"] = true;
   for (const double length : {0.1, 0.3, 2.0}) {
     scene.show.trail_s = length;
     const GltfDocument document = export_scene(solve(scene), {}).document;

@@ -92,6 +92,8 @@ TEST(LostWords, AreThoseOfTheDeckThatADocumentLacks) {
   EXPECT_EQ(lost("<script>x = 5kg</script><h1>Tops</h1><p>A top spins and spins.</p>"),
             (Lost{"x", "5", "kg"}));
   EXPECT_EQ(lost_words(deck, "<p>Tops</p>", DocumentForm::html, 1), Lost{"A"});
+  const Deck code = deck_of("1. > ```cpp\n   > a = \"\\nbc94\";\n   > ```\n");
+  EXPECT_EQ(lost_words(code, "> a = \"\\nbc94\";", DocumentForm::latex, kMost), Lost());
   EXPECT_EQ(lost_words(deck, "\\title{Tops}A top \\emph{spins} x = 5kg", DocumentForm::latex, 9),
             (Lost{"spins", "and"}));
 }
