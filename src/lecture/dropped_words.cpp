@@ -2,18 +2,18 @@
 #include "lecture/dropped_words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include "base/error.h"
-#include "base/utf8.h"
 #include "lecture/deck_fields.h"
-#include "lecture/pandoc.h"
+#include "lecture/deck_marks.h"
 #include "lecture/sandbox.h"
 #include "lecture/tree.h"
 #include "lecture/word_list.h"
@@ -21,7 +21,8 @@
 namespace polhode {
 namespace {
 
-// The words of pandoc's tree that stand in the text of the deck, each as often as there.
+// The words of pandoc's tree that stand in the text of the deck, each as often as there; `tree`:
+// as tree_with_marks() returns it.
 class TreeReader {
  public:
   TreeReader(const std::string& text, const Json& tree) {
@@ -57,12 +58,13 @@ class TreeReader {
     if (!tree.is_object() || !tree.contains("c")) return;
     const std::string type = tree["t"];
     const Json& content = tree["c"];
+    if (type == "Note" && is_again(content, Definition::footnote)) return;
     if (type == "Header") {
       for (const Json& name : content[1][1])
         if (name != "unnumbered" || said_.contains(name)) read(name);  // or "{-}"
       read(content[1][2]);
       read(content[2]);
-    } else if (type == "Link") {
+    } else if (type == "Link" || type == "Image") {
       read_link(content);
     } else {
       // classes that have become kinds of nodes
@@ -81,11 +83,18 @@ class TreeReader {
     };
     if (has("uri") || has("email")) return;
     read(content[0]);
+    if (is_again(content[2][0], Definition::place)) return;
     const std::string target = content[2][0];
     const bool is_of_heading =
         target.starts_with('#') && headings_.contains(percent_decoded(target.substr(1)));
     if (!is_of_heading || takes_place(target.substr(1))) words.add(target);
     read(content[2][1]);
+  }
+
+  // Whether a part of the tree is of a definition that has been read.
+  bool is_again(const Json& tree, Definition kind) {
+    const std::optional<unsigned long> mark = mark_of(tree, kind);
+    return mark && !definitions_.insert(*mark).second;
   }
 
   // Of titles that have no name pandoc makes one, and [Title] leads there.
@@ -101,28 +110,40 @@ class TreeReader {
 
   std::map<std::string, int> places_;    // how often "#place" stands in the text
   std::multiset<std::string> headings_;  // names of titles
+  std::set<unsigned long> definitions_;  // their marks
   std::set<std::string> said_;           // classes that pandoc knows by other marks, too
 };
 
 // A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
 // and references, entities; blanks stand in their place.
-std::string without_marks(std::string line) {
+std::string without_marks(const std::string& line) {
   constexpr std::size_t kLong = 2000;  // a search takes a microsecond for each byte
   if (line.size() > kLong) return line;
   static const std::regex marks(
       R"(^[\s>]{0,40}([Tt]able:|[-*+]\s{1,4}\[[xX]\]))"
       // lists may begin in lists, definitions, footnotes and cells
       R"(|^[\s>]{0,40}(([-*+:~|]|\[\^[^\]\s]{1,80}\]:|\(?([0-9]{1,9}|[A-Za-z]|[ivxlcdm]{1,9}|[IVXLCDM]{1,9})[.)])\s{1,9}){1,6})"
-      R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\s?\[[^\]]{0,80}\])"
+      R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\[[^\]]{0,80}\])"
       R"(|^[\s>]{0,40}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
-  std::string out;
-  auto from = line.cbegin();
+  std::string out = line;
+  const auto is_word = [&](std::size_t at) {
+    return at < line.size() && (std::isalnum(static_cast<unsigned char>(line[at])) != 0 ||
+                                static_cast<unsigned char>(line[at]) >= 0x80);
+  };
   for (std::sregex_iterator i(line.begin(), line.end(), marks), end; i != end; ++i) {
-    out.append(from, line.cbegin() + i->position());
-    out.append(static_cast<std::size_t>(i->length()), ' ');
-    from = line.cbegin() + i->position() + i->length();
+    auto from = static_cast<std::size_t>(i->position());
+    std::size_t to = from + static_cast<std::size_t>(i->length());
+    // an entity is part of a word, which is another one than what stands here
+    const bool is_entity = line[from] == '&';
+    while (is_entity && from > 0 && is_word(from - 1))
+      --from;
+    while (is_entity && is_word(to))
+      ++to;
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(from),
+              out.begin() + static_cast<std::ptrdiff_t>(to),
+              ' ');
   }
-  return out.append(from, line.cend());
+  return out;
 }
 
 // The same of a whole deck; bytes keep their places.
@@ -140,66 +161,9 @@ std::string without_marks_in_all(const std::string& text) {
     const std::size_t key = line.rfind("][");
     in_key = key != std::string::npos && line.find(']', key + 1) == std::string::npos;
     if (in_key) blank(key, line.size());
-    all += without_marks(std::move(line)) + "\n";
+    all += without_marks(line) + "\n";
   }
   return all;
-}
-
-// A word at a place in the text of a deck, bytes from its start.
-struct Spot {
-  std::size_t at;
-  std::string_view word;
-};
-
-// Characters that mean nothing to anybody and that pandoc keeps: those of private use beyond the
-// first plane (Unicode 15, section 23.5), of which there are two planes.
-constexpr unsigned long kFirstPrivate = 0xf0000, kInPlane = 0xfffe;
-unsigned long private_character(std::size_t i) {
-  return kFirstPrivate + i % kInPlane + (i < kInPlane ? 0 : 0x10000);
-}
-// in the four bytes of UTF-8
-std::string bytes_of(unsigned long character) {
-  std::string bytes = {static_cast<char>(0xf0 | (character >> 18))};
-  for (const int shift : {12, 6, 0})
-    bytes += static_cast<char>(0x80 | ((character >> shift) & 0x3f));
-  return bytes;
-}
-
-void add_private_characters(std::set<unsigned long>& found, const Json& tree) {
-  if (tree.is_string()) {
-    const std::string& text = tree.get_ref<const std::string&>();
-    for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(1, utf8_length(text, i)))
-      if (character_at(text, i) >= kFirstPrivate) found.insert(character_at(text, i));
-  }
-  if (!tree.is_structured()) return;
-  for (const Json& child : tree)
-    add_private_characters(found, child);
-}
-
-// Whether pandoc reads the word at each of these spots. It is given the deck with a character of
-// its own in the place of each, repeated so that columns stay where they are. Spots beyond the
-// number of these characters count as read, as do all if pandoc cannot read that deck.
-std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spots) {
-  std::vector<bool> read(spots.size(), true);
-  const std::size_t marked = std::min(spots.size(), 2 * kInPlane);
-  std::string with_marks;
-  std::size_t from = 0;
-  for (std::size_t i = 0; i < marked; ++i) {
-    with_marks.append(text, from, spots[i].at - from);
-    for (std::size_t k = 0; k < spots[i].word.size(); ++k)
-      if (!is_continuation(spots[i].word, k)) with_marks += bytes_of(private_character(i));
-    from = spots[i].at + spots[i].word.size();
-  }
-  with_marks.append(text, from);
-  std::set<unsigned long> found;
-  try {
-    add_private_characters(found, read_markdown(with_marks));
-  } catch (const Error&) {
-    return read;
-  }
-  for (std::size_t i = 0; i < marked; ++i)
-    read[i] = found.contains(private_character(i));
-  return read;
 }
 
 }  // namespace
@@ -211,7 +175,8 @@ std::vector<DroppedWord> dropped_words(const std::string& text,
   WordList written;
   written.add(bare);
   std::map<std::string, std::size_t, std::less<>> missing;  // how often
-  for (const MissingWord& one : written.missing_in(TreeReader(text, tree).words, most))
+  const TreeReader read(text, tree_with_marks(text, tree));
+  for (const MissingWord& one : written.missing_in(read.words, most))
     missing[one.word] = one.times;
   if (missing.empty()) return {};
 
@@ -220,13 +185,13 @@ std::vector<DroppedWord> dropped_words(const std::string& text,
     if (missing.contains(word))
       spots.push_back({static_cast<std::size_t>(word.data() - bare.data()), word});
   }
-  const std::vector<bool> read = are_read(text, spots);
+  const std::vector<bool> is_read = are_read(text, spots);
   // if in doubt the last ones, as footnotes and references come last
   std::vector<Spot> dropped;
   for (const bool count_read : {false, true}) {
     for (std::size_t i = spots.size(); i-- > 0;) {
       std::size_t& times = missing.find(spots[i].word)->second;
-      if (read[i] != count_read || times == 0) continue;
+      if (is_read[i] != count_read || times == 0) continue;
       --times;
       dropped.push_back(spots[i]);
     }

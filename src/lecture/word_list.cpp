@@ -19,14 +19,28 @@ constexpr Range kLatin[] = {
 
 // All others, and symbols; not spaces, dashes, quotes and what else stands between words, nor signs
 // by which Markdown marks something.
-constexpr Range kOthers[] = {{'%', '%'},       {0xa2, 0xaa},     {0xac, 0xac},
-                             {0xae, 0xb6},     {0xb8, 0xba},     {0xbc, 0xbe},
-                             {0xd7, 0xd7},     {0xf7, 0xf7},     {0x250, 0x1fff},
+constexpr Range kOthers[] = {{0xa2, 0xaa},
+                             {0xac, 0xac},
+                             {0xae, 0xb6},
+                             {0xb8, 0xba},
+                             {0xbc, 0xbe},
+                             {0xd7, 0xd7},
+                             {0xf7, 0xf7},
+                             {0x250, 0x1fff},
                              {0x2030, 0x2034},  // thousandths, minutes
                              {0x2070, 0x260f},  // not boxes of lists, which are controls in pages
-                             {0x2613, 0x2dff}, {0x3005, 0x3007}, {0x3041, 0xfdff},
-                             {0xfe70, 0xfefc}, {0xff10, 0xff19}, {0xff21, 0xff3a},
-                             {0xff41, 0xff5a}, {0xff66, 0xffdc}, {0x10000, 0x10ffff}};
+                             {0x2613, 0x2dff},
+                             {0x3005, 0x3007},
+                             {0x3041, 0xfdff},
+                             {0xfe70, 0xfefc},
+                             {0xff10, 0xff19},
+                             {0xff21, 0xff3a},
+                             {0xff41, 0xff5a},
+                             {0xff66, 0xffdc},
+                             {0x10000, 0x10ffff}};
+
+// U+FE0E, which pandoc writes behind arrows in pages: they are no pictures
+constexpr std::string_view kAsText = "\xef\xb8\x8e";
 
 template <class List>
 bool is_in(const List& ranges, unsigned long character) {
@@ -64,6 +78,16 @@ std::vector<std::string_view> split_words(std::string_view text, Letters letters
 }
 
 void WordList::add(std::string_view text) {
+  if (text.find(kAsText) != std::string_view::npos) {
+    std::string plain;
+    for (std::size_t from = 0; from < text.size();) {
+      const std::size_t at = std::min(text.find(kAsText, from), text.size());
+      plain += text.substr(from, at - from);
+      from = at + kAsText.size();
+    }
+    add(plain);
+    return;
+  }
   for (const std::string_view word : split_words(text, letters_)) {
     all_ += word;
     all_ += ' ';

@@ -22,6 +22,8 @@ TEST(Figures, PicturesInOfficeAreDescribed) {
   const Json blocks = office_blocks({&picture, facts, ""});
   const Json target = blocks[0]["c"][0]["c"][2];
   EXPECT_EQ(target, Json::array({"media/p.png", "A top that leans"})) << blocks.dump();
+  // in notes, which are words, it stands beside a caption
+  EXPECT_EQ(blocks[0]["c"][0]["c"][0][2], Json::array({Json::array({"alt", "A top that leans"})}));
 }
 
 TEST(Figures, HostileWordsAreEscaped) {

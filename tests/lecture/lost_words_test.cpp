@@ -129,7 +129,7 @@ TEST(DroppedWords, AreFoundWhateverElseHasTheirLetters) {
   for (const char* word :
        {"coin", "a",     "c",       "m",     "s",   "A",   "C",   "I",    "ab",    "able", "table",
         "t",    "width", "default", "Plain", "Str", "$m$", "`c`", "head", "plain", "e",    "½",
-        "ℏ",    "ℝ³",    "µ",       "°",     "€",   "%",   "№",   "０",   "⁻",     "𝐱"}) {
+        "ℏ",    "ℝ³",    "µ",       "°",     "€",   "№",   "０",  "⁻",    "𝐱"}) {
     const std::string bare = std::string(word) == "$m$"   ? "m"
                              : std::string(word) == "`c`" ? "c"
                                                           : word;
@@ -154,6 +154,23 @@ TEST(DroppedWords, AreFoundWhateverElseHasTheirLetters) {
             (Lost{"3 https", "3 b", "3 org", "3 c"}));
 }
 
+// what is used twice is in pandoc's tree twice
+TEST(DroppedWords, AreFoundBesideFootnotesAndReferencesThatAreUsedTwice) {
+  EXPECT_EQ(dropped("A[^a] b[^a].\n\n[^a]: The spin.\n\n[^b]: The spin.\n"),
+            (Lost{"5 The", "5 spin"}));
+  EXPECT_EQ(
+      dropped("[a][r] [b][r] [r]\n\n[r]: https://c.org/x \"t\"\n\n[s]: https://c.org/x 't'\n"),
+      (Lost{"5 https", "5 c", "5 org", "5 x", "5 t"}));
+  EXPECT_EQ(
+      dropped("[spin] [spin]\n\n[spin]: https://c.org\n\n| a | b |\n|---|---|\n| d | e | spin |\n"),
+      Lost{"7 spin"});
+  EXPECT_EQ(dropped("![a][i] ![b][i] [c](d.org) [c](d.org)[^a] e[^a]^[f g] ^[f g]\n\n[i]: <p.png> "
+                    "\"t\"\n\n[^a]: - a\n"),
+            Lost());
+  EXPECT_EQ(dropped("Old K&ouml;nig 50\\%\n\n[^b]: König 50%\n\n[^c]: Old K\n"),
+            (Lost{"3 50", "5 Old", "5 K"}));
+}
+
 TEST(DroppedWords, AreNoneInAWholeDeck) {
   EXPECT_EQ(dropped(kAllKinds), Lost());
   EXPECT_EQ(
@@ -174,6 +191,12 @@ TEST(DroppedWords, AreNoneInAWholeDeck) {
               "[Größe] [a](#größe) [b](#gr%C3%B6%C3%9Fe) [c](#the-coin) [d][Coin]\n\n"
               "[e]{.ul} [f]{.underline} <a@example.org> [g](#film=a&t=2)\n"),
       Lost());
+}
+
+// pandoc writes U+FE0E behind some arrows in pages
+TEST(LostWords, AreNoArrowsThatTouchLetters) {
+  const Deck deck = deck_of("The reaction A↔B. ↩x\n");
+  EXPECT_EQ(lost_words(deck, make_page(deck, no_figure, ""), DocumentForm::html, kMost), Lost());
 }
 
 TEST(LostWords, AreReadFromWholeSlides) {

@@ -2,6 +2,7 @@
 #include "app/commands/new_scene.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/ranges.h>
@@ -82,11 +83,15 @@ std::string write_new(const std::string& kind, const std::filesystem::path& outp
     }
   }
   // all of them, or none
+  std::vector<std::unique_ptr<AtomicFile>> files;
   std::vector<std::string> written;
   for (const auto& [file, name] : missing) {
-    write_file(file, template_files().at(name));
+    files.push_back(std::make_unique<AtomicFile>(file));
+    files.back()->write(template_files().at(name));
     written.push_back(one_line(file.string()));
   }
+  for (const auto& file : files)
+    file->commit();
   const char* command = first.extension() == ".md" ? "lecture" : "render";
   return fmt::format("{}{}; next: polhode {} {}",
                      fmt::join(written, ", "),

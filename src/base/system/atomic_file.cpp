@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // what a symbolic link points to, whether it is there or not: renaming would replace the link
-fs::path behind_links(fs::path target) {
+fs::path behind_links(const fs::path& asked) {
+  fs::path target = asked;
   // of a pipe, such as /dev/stdout may be, /proc only has a name that leads nowhere
   std::error_code none;
   if (fs::exists(target, none) && !fs::is_regular_file(target, none)) return target;
@@ -35,7 +36,7 @@ fs::path behind_links(fs::path target) {
       throw input_error(
           "is a file that is open, which would be replaced; choose another output (standard output "
           "is -)")
-          .at({target.string(), 0, {}});
+          .at({asked.string(), 0, {}});
     }
     const fs::path next = fs::read_symlink(target, failed);
     if (failed) break;

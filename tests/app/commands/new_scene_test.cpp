@@ -7,6 +7,7 @@
 
 #include "film/prepared_film.h"
 #include "support/expect_error.h"
+#include "support/full_disk.h"
 #include "support/run.h"
 
 namespace polhode {
@@ -70,6 +71,16 @@ TEST_P(NewScene, NothingIsReplaced) {
       [&] { write_new(GetParam().name, first); }, "--output", "is already there");
   EXPECT_EQ(test::read_text(first), "my own");
   EXPECT_EQ(folder_.entries(), 1);
+}
+
+// a disk that is full after the first of two files
+TEST(NewKinds, AllFilesOrNone) {
+  const test::TemporaryFolder folder;
+  constexpr rlim_t kMoreThanTheFirst = 1024;
+  EXPECT_EQ(
+      test::with_full_disk(kMoreThanTheFirst, [&] { write_new("film", folder / "film.toml"); }),
+      test::Outcome::environment);
+  EXPECT_EQ(folder.entries(), 0);
 }
 
 // a name that polhode would not take, or that the scene beside it needs; and a scene that was there
