@@ -72,7 +72,7 @@ std::string with_marked_definitions(const std::string& text) {
       if (found.length(kCaret) > 0 && notes < kInPlane) {
         line.insert(end, bytes_of(private_character(notes++)) + " ");
       } else if (found.length(kCaret) == 0 && places < kInPlane) {
-        line.insert(end, bytes_of(private_character(kInPlane + places++)));
+        line.insert(end, bytes_of(private_character(kInPlane + places++)) + "/");
       }
     }
     all += line + "\n";

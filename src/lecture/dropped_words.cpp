@@ -5,11 +5,13 @@
 #include <cctype>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "lecture/deck_fields.h"
@@ -114,6 +116,17 @@ class TreeReader {
   std::set<std::string> said_;           // classes that pandoc knows by other marks, too
 };
 
+// Whether an entity is a letter that words have among others: "&ouml;", "&#246;".
+bool is_accented(std::string_view entity) {
+  constexpr std::string_view kNames[] = {
+      "acute;", "grave;", "uml;", "circ;", "tilde;", "ring;", "cedil;", "slash;", "caron;", "lig;"};
+  return entity.starts_with("&#") ||
+         (entity.starts_with('&') &&
+          std::any_of(std::begin(kNames), std::end(kNames), [&](std::string_view name) {
+            return entity.ends_with(name);
+          }));
+}
+
 // A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
 // and references, entities; blanks stand in their place.
 std::string without_marks(const std::string& line) {
@@ -133,11 +146,11 @@ std::string without_marks(const std::string& line) {
   for (std::sregex_iterator i(line.begin(), line.end(), marks), end; i != end; ++i) {
     auto from = static_cast<std::size_t>(i->position());
     std::size_t to = from + static_cast<std::size_t>(i->length());
-    // an entity is part of a word, which is another one than what stands here
-    const bool is_entity = line[from] == '&';
-    while (is_entity && from > 0 && is_word(from - 1))
+    // an accented letter is part of a word, which is another one than what stands here
+    const bool is_letter = is_accented(std::string_view(line).substr(from, to - from));
+    while (is_letter && from > 0 && is_word(from - 1))
       --from;
-    while (is_entity && is_word(to))
+    while (is_letter && is_word(to))
       ++to;
     std::fill(out.begin() + static_cast<std::ptrdiff_t>(from),
               out.begin() + static_cast<std::ptrdiff_t>(to),

@@ -169,6 +169,11 @@ TEST(DroppedWords, AreFoundBesideFootnotesAndReferencesThatAreUsedTwice) {
             Lost());
   EXPECT_EQ(dropped("Old K&ouml;nig 50\\%\n\n[^b]: König 50%\n\n[^c]: Old K\n"),
             (Lost{"3 50", "5 Old", "5 K"}));
+  // what touches a space stays a word, and places of references are their own words
+  EXPECT_EQ(dropped("a&nbsp;b\n\n[^b]: a c\n\n| b |\n|---|\n| http://d.org | b |\n"),
+            (Lost{"3 a", "3 c", "7 b"}));
+  EXPECT_EQ(dropped("[a][0] [b][0] http://c.org\n\n[0]: http://d.org\n\n[1]: https://e.org\n"),
+            (Lost{"5 https", "5 e", "5 org"}));
 }
 
 TEST(DroppedWords, AreNoneInAWholeDeck) {
