@@ -97,7 +97,8 @@ std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spo
   std::set<unsigned long> found;
   try {
     add_private_characters(found, read_markdown(with_marks));
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.fault() != Fault::input) throw;
     return read;
   }
   for (std::size_t i = 0; i < marked; ++i)
@@ -109,7 +110,8 @@ Json tree_with_marks(const std::string& text, const Json& tree) {
   if (text.find("]:") == std::string::npos || !has_repeats(tree)) return tree;
   try {
     return read_markdown(with_marked_definitions(text));
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.fault() != Fault::input) throw;
     return tree;  // too much for pandoc with them
   }
 }
