@@ -17,6 +17,7 @@
 #include "lecture/line_finder.h"
 #include "lecture/pandoc.h"
 #include "lecture/slips.h"
+#include "lecture/word_list.h"
 
 namespace polhode {
 namespace {
@@ -478,9 +479,8 @@ void refuse_lone_returns(const std::string& text, const std::string& name) {
 std::vector<Error> what_was_dropped(const std::string& text,
                                     const Json& tree,
                                     const std::string& name) {
-  constexpr std::size_t kShown = 10, kCounted = 1000;
-  const std::vector<DroppedWord> all = dropped_words(text, tree, kCounted);
-  const std::size_t shown = std::min(all.size(), kShown);
+  const std::vector<DroppedWord> all = dropped_words(text, tree, kCountedWords);
+  const std::size_t shown = std::min(all.size(), kNamedWords);
   std::map<int, std::string> dropped;  // by lines
   for (std::size_t i = 0; i < shown; ++i) {
     std::string& words = dropped[all[i].line];
@@ -495,8 +495,7 @@ std::vector<Error> what_was_dropped(const std::string& text,
   }
   if (shown < all.size()) {
     remarks.push_back(
-        input_error("and from here on pandoc leaves out {} more words",
-                    all.size() < kCounted ? std::to_string(all.size() - shown) : "many")
+        input_error("and from here on pandoc leaves out {} more words", how_many_more(all.size()))
             .at({name, all[shown].line, {}}));
   }
   return remarks;

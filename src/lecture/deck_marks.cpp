@@ -106,13 +106,13 @@ std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spo
   return read;
 }
 
-Json tree_with_marks(const std::string& text, const Json& tree) {
-  if (text.find("]:") == std::string::npos || !has_repeats(tree)) return tree;
+std::optional<Json> tree_with_marks(const std::string& text, const Json& tree) {
+  if (text.find("]:") == std::string::npos || !has_repeats(tree)) return std::nullopt;
   try {
     return read_markdown(with_marked_definitions(text));
   } catch (const Error& error) {
     if (error.fault() != Fault::input) throw;
-    return tree;  // too much for pandoc with them
+    return std::nullopt;  // too much for pandoc with them
   }
 }
 

@@ -27,9 +27,10 @@ std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spo
 // What a deck defines once, and pandoc's tree has as often as it is used: the words of a footnote,
 // and the place to which a reference leads.
 enum class Definition { footnote, place };
-// The tree of a deck (as read_markdown() in lecture/pandoc.h returns it), with a mark at the
-// beginning of each definition if any might be used more than once, unless pandoc cannot read that.
-Json tree_with_marks(const std::string& text, const Json& tree);
+// The tree of a deck (as read_markdown() in lecture/pandoc.h returns it) with a mark at the
+// beginning of each definition. None if nothing in its `tree` is used more than once, or if pandoc
+// cannot read the deck with marks.
+std::optional<Json> tree_with_marks(const std::string& text, const Json& tree);
 // The mark of a definition in that part of a tree; none if it has none.
 std::optional<unsigned long> mark_of(const Json& part, Definition kind);
 

@@ -23,8 +23,8 @@
 namespace polhode {
 namespace {
 
-// The words of pandoc's tree that stand in the text of the deck, each as often as there; `tree`:
-// as tree_with_marks() returns it.
+// The words of pandoc's tree that stand in the text of the deck, each as often as there; `tree`
+// may have marks (lecture/deck_marks.h).
 class TreeReader {
  public:
   TreeReader(const std::string& text, const Json& tree) {
@@ -127,6 +127,10 @@ bool is_accented(std::string_view entity) {
           }));
 }
 
+void blank(std::string& line, std::size_t from, std::size_t to) {
+  line.replace(from, to - from, to - from, ' ');
+}
+
 // A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
 // and references, entities; blanks stand in their place.
 std::string without_marks(const std::string& line) {
@@ -152,9 +156,7 @@ std::string without_marks(const std::string& line) {
       --from;
     while (is_letter && is_word(to))
       ++to;
-    std::fill(out.begin() + static_cast<std::ptrdiff_t>(from),
-              out.begin() + static_cast<std::ptrdiff_t>(to),
-              ' ');
+    blank(out, from, to);
   }
   return out;
 }
@@ -165,15 +167,10 @@ std::string without_marks_in_all(const std::string& text) {
   std::istringstream in(text);
   bool in_key = false;  // of a reference that goes on in the next line
   for (std::string line; std::getline(in, line);) {
-    const auto blank = [&](std::size_t from, std::size_t to) {
-      std::fill(line.begin() + static_cast<std::ptrdiff_t>(from),
-                line.begin() + static_cast<std::ptrdiff_t>(to),
-                ' ');
-    };
-    if (in_key) blank(0, line.find(']') + 1);
+    if (in_key) blank(line, 0, line.find(']') + 1);
     const std::size_t key = line.rfind("][");
     in_key = key != std::string::npos && line.find(']', key + 1) == std::string::npos;
-    if (in_key) blank(key, line.size());
+    if (in_key) blank(line, key, line.size());
     all += without_marks(line) + "\n";
   }
   return all;
@@ -188,7 +185,8 @@ std::vector<DroppedWord> dropped_words(const std::string& text,
   WordList written;
   written.add(bare);
   std::map<std::string, std::size_t, std::less<>> missing;  // how often
-  const TreeReader read(text, tree_with_marks(text, tree));
+  const std::optional<Json> with_marks = tree_with_marks(text, tree);
+  const TreeReader read(text, with_marks ? *with_marks : tree);
   for (const MissingWord& one : written.missing_in(read.words, most))
     missing[one.word] = one.times;
   if (missing.empty()) return {};

@@ -27,6 +27,7 @@
 #include "lecture/quotes.h"
 #include "lecture/sliders.h"
 #include "lecture/turning.h"
+#include "lecture/word_list.h"
 
 namespace polhode {
 namespace {
@@ -178,12 +179,11 @@ void tell_lost_words(const LectureWork& work,
                      const std::string& document,
                      DocumentForm form) {
   if (!work.deck.problems.empty()) return;
-  constexpr std::size_t kShown = 10, kCounted = 1000;
-  std::vector<std::string> lost = lost_words(work.deck, document, form, kCounted);
+  std::vector<std::string> lost = lost_words(work.deck, document, form, kCountedWords);
   if (lost.empty()) return;
-  if (lost.size() > kShown) {
-    const std::string more = lost.size() < kCounted ? std::to_string(lost.size() - kShown) : "many";
-    lost.resize(kShown);
+  if (lost.size() > kNamedWords) {
+    const std::string more = how_many_more(lost.size());
+    lost.resize(kNamedWords);
     lost.back() += fmt::format(" and {} more", more);
   }
   spdlog::warn("{}: lacks what the deck has, which this program or pandoc has lost: {}",

@@ -72,9 +72,12 @@ std::vector<std::string_view> split_words(std::string_view text, Letters letters
     }
     at += length;
   }
-  at = std::min(at, text.size());
   end_word();
   return words;
+}
+
+std::string how_many_more(std::size_t words) {
+  return words < kCountedWords ? std::to_string(words - kNamedWords) : "many";
 }
 
 void WordList::add(std::string_view text) {

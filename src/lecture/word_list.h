@@ -22,6 +22,11 @@ struct MissingWord {
   std::size_t times = 0;
 };
 
+// How many missing words a warning names, and how many are counted.
+inline constexpr std::size_t kNamedWords = 10, kCountedWords = 1000;
+// How many of so many words, more than kNamedWords, it does not name: "7", or "many".
+std::string how_many_more(std::size_t words);
+
 // A list of words, which are runs of letters, digits and symbols. All else stands between words.
 class WordList {
  public:

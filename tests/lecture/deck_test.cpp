@@ -185,6 +185,7 @@ TEST(Deck, FieldsAreTexts) {
            {"title: yes", "title is no text; in quotes, as in title: \"yes\", it is one"},
            {"date: 11.10", "date is a number, which would be shown as 11.1; put it in quotes"},
            {"subtitle: A\nsubtitle: B", "subtitle is given twice; leave one out"},
+           {"title: A\n---\n\nb\n\n---\ntitle: C", "title is given twice; leave one out"},
            {"title: 007", "title is a number, which would be shown as 7"},
            {"title: 12345678901234567890", "shown as 1."}}) {
     EXPECT_TRUE(problem(field).starts_with("deck.md:3: ")) << problem(field);
