@@ -114,6 +114,9 @@ AtomicFile::AtomicFile(const fs::path& target)
         "choose another output")
         .at(place);
   }
+  // what only some may read stays so from its first byte on
+  struct stat its = {};
+  if (stat(target_.c_str(), &its) == 0) fchmod(lock_, (its.st_mode & 0777) | S_IRUSR | S_IWUSR);
   unfinished_.emplace(part_);
 }
 

@@ -48,6 +48,17 @@ TEST_F(AtomicFileTest, AppearsWholeOnCommit) {
   EXPECT_EQ(files_in_folder(), 1u);
 }
 
+TEST_F(AtomicFileTest, WhatOnlySomeMayReadStaysSo) {
+  for (const mode_t mode : {0600U, 0640U, 0664U}) {
+    std::ofstream(target_) << "old";
+    ASSERT_EQ(chmod(target_.c_str(), mode), 0);
+    AtomicFile file(target_);
+    EXPECT_EQ(static_cast<mode_t>(fs::status(file.part()).permissions()), mode);
+    file.commit_with("new");
+    EXPECT_EQ(static_cast<mode_t>(fs::status(target_).permissions()), mode);
+  }
+}
+
 TEST_F(AtomicFileTest, WhatHadTheNameGetsItBack) {
   for (const bool is_new : {true, false}) {
     fs::remove(target_);
