@@ -43,7 +43,7 @@ struct LectureData {
 class DataFolder {
  public:
   // Writes all of it, but no file has its name before commit(). Throws Error (input) as
-  // trusted_file() (lecture/sandbox.h), named_files() (scene/scene.h), check_unchanged(),
+  // trusted_file() (lecture/deck/sandbox.h), named_files() (scene/scene.h), check_unchanged(),
   // read_file() and AtomicFile (base/system/atomic_file.h) do, (environment) if a folder cannot be
   // made or the disk is full.
   DataFolder(const LectureData& data, const std::filesystem::path& folder);

@@ -20,9 +20,9 @@ struct LectureResult {
 // Makes all documents; they appear together when all are ready. Rendered media are kept in
 // DIR/media and reused while they are valid, also after an error; those that the deck no longer
 // needs are deleted at the end. A picture that cannot be made is one of the problems, not an Error,
-// unless the program is interrupted. Throws Error (input) as read_deck (lecture/deck.h),
-// find_reveal (lecture/pages.h) and trusted_file (lecture/sandbox.h) do, naming --to for an unknown
-// document, naming --output for a folder that cannot be written, and as AtomicFile
+// unless the program is interrupted. Throws Error (input) as read_deck (lecture/deck/deck.h),
+// find_reveal (lecture/documents/pages.h) and trusted_file (lecture/deck/sandbox.h) do, naming --to
+// for an unknown document, naming --output for a folder that cannot be written, and as AtomicFile
 // (base/system/atomic_file.h) does; (environment) naming --to for an output that this machine
 // cannot make, without pandoc, and if a program fails or the disk is full; (interrupted).
 //

@@ -13,7 +13,7 @@
 namespace polhode {
 
 // A kind of document. To add one: a row in lecture_outputs() and a function
-// in lecture/documents.cpp.
+// in lecture/documents/documents.cpp.
 struct LectureOutput {
   std::string name;  // value of --to
   std::string file;  // file name in the output folder
@@ -28,7 +28,7 @@ struct LectureJob {
   std::filesystem::path deck;  // a Markdown file
   std::string output;          // folder, created if needed; empty: output/DECK_lecture
   std::string to;  // names of documents, separated by commas; empty: all that this machine can make
-  bool allow_outside = false;  // see DeckRoot (lecture/sandbox.h)
+  bool allow_outside = false;  // see DeckRoot (lecture/deck/sandbox.h)
   LectureSettings settings;
   // Products made at the same time; 0: one per processor. Charts and stability maps are made one by
   // one after the others, because they measure times or use all processors themselves.

@@ -15,10 +15,10 @@
 #include "base/system/scratch_folder.h"
 #include "film/overrides.h"
 #include "film/render_plan.h"
-#include "lecture/notices.h"
-#include "lecture/pandoc.h"
-#include "lecture/quotes.h"
-#include "lecture/sliders.h"
+#include "lecture/deck/pandoc.h"
+#include "lecture/deck/quotes.h"
+#include "lecture/documents/notices.h"
+#include "lecture/documents/sliders.h"
 #include "scene/scene_file.h"
 
 namespace polhode {

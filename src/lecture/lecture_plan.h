@@ -14,12 +14,12 @@
 #include "base/error.h"
 #include "base/json.h"
 #include "film/output/shard.h"
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
+#include "lecture/documents/pages.h"
+#include "lecture/documents/turning.h"
 #include "lecture/lecture_job.h"
 #include "lecture/media.h"
-#include "lecture/pages.h"
 #include "lecture/products.h"
-#include "lecture/turning.h"
 
 namespace polhode {
 

@@ -17,8 +17,8 @@
 #include "film/frame_times.h"
 #include "film/solved_scene.h"
 #include "frame/timeline.h"
-#include "lecture/sliders.h"
-#include "lecture/turning.h"
+#include "lecture/documents/sliders.h"
+#include "lecture/documents/turning.h"
 #include "scene/scene_file.h"
 
 namespace polhode {

@@ -8,7 +8,7 @@
 
 #include "film/overrides.h"
 #include "film/render_plan.h"
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 #include "lecture/media.h"
 
 namespace polhode {
@@ -23,7 +23,7 @@ struct LectureSettings {
   std::string backend = "auto";     // for open_context() (render/context.h)
 };
 
-// A scene of the deck, checked by trusted_scene() (lecture/sandbox.h) and loaded.
+// A scene of the deck, checked by trusted_scene() (lecture/deck/sandbox.h) and loaded.
 struct DeckScene {
   std::string name;            // as the deck names it
   std::filesystem::path file;  // its path
@@ -58,8 +58,8 @@ Product film_product(const DeckPicture& picture,
                      const LectureSettings& settings);
 // A film, and what it shows as a model to turn by hand, over the same part of the motion. Facts:
 // those of a film, "glb" (glTF, app/commands/export.h), "viewer" (viewer_data() in
-// lecture/turning.h, as JSON). `rights`: author and licence of the deck, for the notices of the
-// model.
+// lecture/documents/turning.h, as JSON). `rights`: author and licence of the deck, for the notices
+// of the model.
 struct Rights {
   std::string author, licence;  // empty: none
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Decks, from the JSON tree that pandoc makes of them. The bytes of the tree also stand for the
 // text of the deck, in which lines are looked up.
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 #include "base/error.h"
 #include "fuzz/harness.h"
-#include "lecture/pandoc.h"
-#include "lecture/quotes.h"
+#include "lecture/deck/pandoc.h"
+#include "lecture/deck/quotes.h"
 
 namespace polhode {
 namespace {

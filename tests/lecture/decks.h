@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode::test {
 

@@ -8,9 +8,9 @@
 
 #include "app/commands/inspect.h"
 #include "base/json.h"
-#include "lecture/deck.h"
-#include "lecture/quotes.h"
-#include "lecture/sandbox.h"
+#include "lecture/deck/deck.h"
+#include "lecture/deck/quotes.h"
+#include "lecture/deck/sandbox.h"
 #include "scene/scene_file.h"
 #include "support/run.h"
 

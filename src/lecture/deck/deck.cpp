@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Longer than most: one walk over the tree of pandoc, each kind of block in a short function.
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,12 +12,12 @@
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
 #include "image/png.h"
-#include "lecture/deck_fields.h"
-#include "lecture/dropped_words.h"
-#include "lecture/line_finder.h"
-#include "lecture/pandoc.h"
-#include "lecture/slips.h"
-#include "lecture/word_list.h"
+#include "lecture/deck/deck_fields.h"
+#include "lecture/deck/dropped_words.h"
+#include "lecture/deck/line_finder.h"
+#include "lecture/deck/pandoc.h"
+#include "lecture/deck/slips.h"
+#include "lecture/deck/word_list.h"
 
 namespace polhode {
 namespace {

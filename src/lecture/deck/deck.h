@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "base/json.h"
-#include "lecture/picture_classes.h"
-#include "lecture/sandbox.h"
-#include "lecture/tree.h"
+#include "lecture/deck/picture_classes.h"
+#include "lecture/deck/sandbox.h"
+#include "lecture/deck/tree.h"
 
 namespace polhode {
 
@@ -37,7 +37,7 @@ struct Deck {
   std::string file;  // as the user named it
   DeckRoot root;
   Json api_version = {1, 22};   // pandoc's version of the tree format
-  Json meta = Json::object();   // see lecture/deck_fields.h
+  Json meta = Json::object();   // see lecture/deck/deck_fields.h
   Json blocks = Json::array();  // blocks of pandoc's tree, with a kPictureNode for each picture
   std::vector<DeckPicture> pictures;
   std::vector<std::string> images;  // files of ordinary pictures, relative to the deck's folder
@@ -51,13 +51,13 @@ struct Deck {
 };
 
 // Reads a deck of at most 4 MiB. Faulty parts are left out and reported in Deck::problems.
-// allow_outside: see DeckRoot (lecture/sandbox.h). Throws Error (input), with the file as place, if
-// it cannot be read as a deck; (environment) without pandoc; (interrupted).
+// allow_outside: see DeckRoot (lecture/deck/sandbox.h). Throws Error (input), with the file as
+// place, if it cannot be read as a deck; (environment) without pandoc; (interrupted).
 Deck read_deck(const std::filesystem::path& file, bool allow_outside);
 // Does the same for a text in memory of any size; `name` is the file name for messages. Errors that
 // it throws have no place.
 Deck parse_deck(const std::string& text, const std::string& name, const DeckRoot& root);
-// The same from pandoc's tree of that text, as parse_tree() in lecture/pandoc.h returns it.
+// The same from pandoc's tree of that text, as parse_tree() in lecture/deck/pandoc.h returns it.
 Deck deck_of_tree(Json tree,
                   const std::string& text,
                   const std::string& name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/deck_fields.h"
+#include "lecture/deck/deck_fields.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,8 +7,8 @@
 
 #include "base/nearest.h"
 #include "base/numbers.h"
-#include "lecture/line_finder.h"
-#include "lecture/tree.h"
+#include "lecture/deck/line_finder.h"
+#include "lecture/deck/tree.h"
 
 namespace polhode {
 namespace {

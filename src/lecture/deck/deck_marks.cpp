@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/deck_marks.h"
+#include "lecture/deck/deck_marks.h"
 
 #include <algorithm>
 #include <regex>
@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "lecture/pandoc.h"
-#include "lecture/tree.h"
+#include "lecture/deck/pandoc.h"
+#include "lecture/deck/tree.h"
 
 namespace polhode {
 namespace {
@@ -58,7 +58,6 @@ bool has_repeats(const Json& tree) {
 // The deck with a character of its own at the beginning of each footnote (of the first plane) and
 // of each place to which a reference leads (of the second).
 std::string with_marked_definitions(const std::string& text) {
-  constexpr std::size_t kLong = 2000;
   static const std::regex definition(
       R"(^[\s>]{0,40}(([-*+:]|\(?[0-9A-Za-z]{1,9}[.)])\s{1,9}){0,3}\[(\^?)[^\]]{1,80}\]:\s{0,20}<?)");
   constexpr int kCaret = 3;
@@ -67,7 +66,7 @@ std::string with_marked_definitions(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     std::smatch found;
-    if (line.size() <= kLong && std::regex_search(line, found, definition)) {
+    if (line.size() <= kLongestSearched && std::regex_search(line, found, definition)) {
       const auto end = static_cast<std::size_t>(found.length());
       if (found.length(kCaret) > 0 && notes < kInPlane) {
         line.insert(end, bytes_of(private_character(notes++)) + " ");

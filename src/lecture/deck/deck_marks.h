@@ -14,6 +14,10 @@
 
 namespace polhode {
 
+// Bytes of the longest line that is searched for what marks something: that takes a microsecond for
+// each.
+inline constexpr std::size_t kLongestSearched = 2000;
+
 // A word at a place in the text of a deck, bytes from its start.
 struct Spot {
   std::size_t at = 0;
@@ -27,7 +31,7 @@ std::vector<bool> are_read(const std::string& text, const std::vector<Spot>& spo
 // What a deck defines once, and pandoc's tree has as often as it is used: the words of a footnote,
 // and the place to which a reference leads.
 enum class Definition { footnote, place };
-// The tree of a deck (as read_markdown() in lecture/pandoc.h returns it) with a mark at the
+// The tree of a deck (as read_markdown() in lecture/deck/pandoc.h returns it) with a mark at the
 // beginning of each definition. None if nothing in its `tree` is used more than once, or if pandoc
 // cannot read the deck with marks.
 std::optional<Json> tree_with_marks(const std::string& text, const Json& tree);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/dropped_words.h"
+#include "lecture/deck/dropped_words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -14,17 +14,17 @@
 #include <string_view>
 #include <utility>
 
-#include "lecture/deck_fields.h"
-#include "lecture/deck_marks.h"
-#include "lecture/sandbox.h"
-#include "lecture/tree.h"
-#include "lecture/word_list.h"
+#include "lecture/deck/deck_fields.h"
+#include "lecture/deck/deck_marks.h"
+#include "lecture/deck/sandbox.h"
+#include "lecture/deck/tree.h"
+#include "lecture/deck/word_list.h"
 
 namespace polhode {
 namespace {
 
 // The words of pandoc's tree that stand in the text of the deck, each as often as there; `tree`
-// may have marks (lecture/deck_marks.h).
+// may have marks (lecture/deck/deck_marks.h).
 class TreeReader {
  public:
   TreeReader(const std::string& text, const Json& tree) {
@@ -134,8 +134,7 @@ void blank(std::string& line, std::size_t from, std::size_t to) {
 // A line of Markdown without words that only mark something: numbers of lists, keys of footnotes
 // and references, entities; blanks stand in their place.
 std::string without_marks(const std::string& line) {
-  constexpr std::size_t kLong = 2000;  // a search takes a microsecond for each byte
-  if (line.size() > kLong) return line;
+  if (line.size() > kLongestSearched) return line;
   static const std::regex marks(
       R"(^[\s>]{0,40}([Tt]able:|[-*+]\s{1,4}\[[xX]\]))"
       // lists may begin in lists, definitions, footnotes and cells

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/formulas.h"
+#include "lecture/deck/formulas.h"
 
 #include <algorithm>
 #include <regex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/line_finder.h"
+#include "lecture/deck/line_finder.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/picture_classes.h"
+#include "lecture/deck/picture_classes.h"
 
 namespace polhode {
 namespace {

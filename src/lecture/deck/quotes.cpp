@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/quotes.h"
+#include "lecture/deck/quotes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include "base/nearest.h"
 #include "base/units.h"
-#include "lecture/formulas.h"
-#include "lecture/line_finder.h"
+#include "lecture/deck/formulas.h"
+#include "lecture/deck/line_finder.h"
 
 namespace polhode {
 namespace {
@@ -38,23 +38,23 @@ struct OtherUnit {
   const char* text;
   double factor;
 };
-constexpr std::array<OtherUnit, 17> kOthers = {{{"rad", "deg", "°", 180.0 / kPi},
-                                                {"rad/s", "deg_per_s", "°/s", 180.0 / kPi},
-                                                {"rad/s", "rpm", "rpm", 30.0 / kPi},
-                                                {"rad/s", "hz", "Hz", 0.5 / kPi},
-                                                {"s", "ms", "ms", 1e3},
-                                                {"s", "us", "µs", 1e6},
-                                                {"s", "min", "min", 1.0 / 60.0},
-                                                {"s", "h", "h", 1.0 / 3600.0},
-                                                {"s", "d", "d", 1.0 / 86400.0},
-                                                {"m", "cm", "cm", 1e2},
-                                                {"m", "mm", "mm", 1e3},
-                                                {"kg", "g", "g", 1e3},
-                                                {"kg m²", "g_cm2", "g cm²", 1e7},
-                                                {"kg m²", "kg_cm2", "kg cm²", 1e4},
-                                                {"J", "mJ", "mJ", 1e3},
-                                                {"J", "kJ", "kJ", 1e-3},
-                                                {"1/s", "per_min", "1/min", 60.0}}};
+constexpr std::array<OtherUnit, 17> kOtherUnits = {{{"rad", "deg", "°", 180.0 / kPi},
+                                                    {"rad/s", "deg_per_s", "°/s", 180.0 / kPi},
+                                                    {"rad/s", "rpm", "rpm", 30.0 / kPi},
+                                                    {"rad/s", "hz", "Hz", 0.5 / kPi},
+                                                    {"s", "ms", "ms", 1e3},
+                                                    {"s", "us", "µs", 1e6},
+                                                    {"s", "min", "min", 1.0 / 60.0},
+                                                    {"s", "h", "h", 1.0 / 3600.0},
+                                                    {"s", "d", "d", 1.0 / 86400.0},
+                                                    {"m", "cm", "cm", 1e2},
+                                                    {"m", "mm", "mm", 1e3},
+                                                    {"kg", "g", "g", 1e3},
+                                                    {"kg m²", "g_cm2", "g cm²", 1e7},
+                                                    {"kg m²", "kg_cm2", "kg cm²", 1e4},
+                                                    {"J", "mJ", "mJ", 1e3},
+                                                    {"J", "kJ", "kJ", 1e-3},
+                                                    {"1/s", "per_min", "1/min", 60.0}}};
 
 // all paths into the answer, with its lists by number; for finding and for suggestions
 void collect(const Json& value, const std::string& path, std::vector<std::string>& paths) {
@@ -270,7 +270,7 @@ Quoted quoted(const Json& inspection, const Quote& quote) {
   } else if (!quote.unit.empty()) {
     std::vector<std::string> names = {"none"};
     const OtherUnit* other = nullptr;
-    for (const OtherUnit& row : kOthers) {
+    for (const OtherUnit& row : kOtherUnits) {
       if (row.own != unit) continue;
       names.emplace_back(row.name);
       if (row.name == quote.unit) other = &row;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/slips.h"
+#include "lecture/deck/slips.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/nearest.h"
-#include "lecture/tree.h"
+#include "lecture/deck/tree.h"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/json.h"
-#include "lecture/line_finder.h"
+#include "lecture/deck/line_finder.h"
 
 namespace polhode {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/tree.h"
+#include "lecture/deck/tree.h"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/word_list.h"
+#include "lecture/deck/word_list.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,25 +19,26 @@ constexpr Range kLatin[] = {
 
 // All others, and symbols; not spaces, dashes, quotes and what else stands between words, nor signs
 // by which Markdown marks something.
-constexpr Range kOthers[] = {{0xa2, 0xaa},
-                             {0xac, 0xac},
-                             {0xae, 0xb6},
-                             {0xb8, 0xba},
-                             {0xbc, 0xbe},
-                             {0xd7, 0xd7},
-                             {0xf7, 0xf7},
-                             {0x250, 0x1fff},
-                             {0x2030, 0x2034},  // thousandths, minutes
-                             {0x2070, 0x260f},  // not boxes of lists, which are controls in pages
-                             {0x2613, 0x2dff},
-                             {0x3005, 0x3007},
-                             {0x3041, 0xfdff},
-                             {0xfe70, 0xfefc},
-                             {0xff10, 0xff19},
-                             {0xff21, 0xff3a},
-                             {0xff41, 0xff5a},
-                             {0xff66, 0xffdc},
-                             {0x10000, 0x10ffff}};
+constexpr Range kOtherCharacters[] = {
+    {0xa2, 0xaa},
+    {0xac, 0xac},
+    {0xae, 0xb6},
+    {0xb8, 0xba},
+    {0xbc, 0xbe},
+    {0xd7, 0xd7},
+    {0xf7, 0xf7},
+    {0x250, 0x1fff},
+    {0x2030, 0x2034},  // thousandths, minutes
+    {0x2070, 0x260f},  // not boxes of lists, which are controls in pages
+    {0x2613, 0x2dff},
+    {0x3005, 0x3007},
+    {0x3041, 0xfdff},
+    {0xfe70, 0xfefc},
+    {0xff10, 0xff19},
+    {0xff21, 0xff3a},
+    {0xff41, 0xff5a},
+    {0xff66, 0xffdc},
+    {0x10000, 0x10ffff}};
 
 // U+FE0E, which pandoc writes behind arrows in pages: they are no pictures
 constexpr std::string_view kAsText = "\xef\xb8\x8e";
@@ -65,7 +66,7 @@ std::vector<std::string_view> split_words(std::string_view text, Letters letters
     const std::size_t length = std::max<std::size_t>(1, utf8_length(text, at));
     const unsigned long character = character_at(text, at);
     const bool goes_on =
-        is_in(kLatin, character) || (letters == Letters::all && is_in(kOthers, character));
+        is_in(kLatin, character) || (letters == Letters::all && is_in(kOtherCharacters, character));
     if (!goes_on) {
       end_word();
       from = at + length;

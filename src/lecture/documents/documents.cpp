@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/documents.h"
+#include "lecture/documents/documents.h"
 
 #include <algorithm>
 #include <functional>
@@ -8,11 +8,11 @@
 
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
-#include "lecture/formulas.h"
-#include "lecture/latex.h"
-#include "lecture/line_finder.h"
-#include "lecture/office_slides.h"
-#include "lecture/pandoc.h"
+#include "lecture/deck/formulas.h"
+#include "lecture/deck/line_finder.h"
+#include "lecture/deck/pandoc.h"
+#include "lecture/documents/latex.h"
+#include "lecture/documents/office_slides.h"
 
 namespace polhode {
 namespace {

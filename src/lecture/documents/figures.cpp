@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/figures.h"
+#include "lecture/documents/figures.h"
 
 #include <algorithm>
 
 #include "base/base64.h"
 #include "html/escape.h"
-#include "lecture/qr_code.h"
-#include "lecture/quotes.h"
+#include "lecture/deck/quotes.h"
+#include "lecture/documents/qr_code.h"
 
 namespace polhode {
 namespace {

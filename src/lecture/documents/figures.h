@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 
@@ -32,9 +32,10 @@ Json beamer_blocks(const Figure& figure);   // LaTeX: a poster
 std::string viewer_link(const DeckPicture& picture);
 
 // A table (a block) of values of `inspection`, the result of inspection() (app/commands/inspect.h)
-// of the scene that the deck calls `scene`: those in `keys` (as in Quote::key in lecture/quotes.h,
-// separated by spaces); if `keys` is empty, the kind, the mass, the principal moments and all
-// derived values. Throws Error (input), without a place, as quoted() does.
+// of the scene that the deck calls `scene`: those in `keys` (as in Quote::key in
+// lecture/deck/quotes.h, separated by spaces); if `keys` is empty, the kind, the mass, the
+// principal moments and all derived values. Throws Error (input), without a place, as quoted()
+// does.
 Json number_table(const Json& inspection, const std::string& scene, const std::string& keys);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/latex.h"
+#include "lecture/documents/latex.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
-#include "lecture/formulas.h"
+#include "lecture/deck/formulas.h"
 
 namespace polhode {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 

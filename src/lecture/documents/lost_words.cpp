@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/lost_words.h"
+#include "lecture/documents/lost_words.h"
 
 #include <cctype>
 #include <cstdio>
@@ -12,8 +12,8 @@
 #include <libxml/parser.h>
 #include <minizip/unzip.h>
 
-#include "lecture/sandbox.h"
-#include "lecture/word_list.h"
+#include "lecture/deck/sandbox.h"
+#include "lecture/deck/word_list.h"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/notices.h"
+#include "lecture/documents/notices.h"
 
 #include <algorithm>
 #include <sstream>

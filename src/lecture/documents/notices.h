@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lecture/pages.h"
-#include "lecture/turning.h"
+#include "lecture/documents/pages.h"
+#include "lecture/documents/turning.h"
 
 namespace polhode {
 
@@ -22,7 +22,7 @@ bool has_pages(const std::vector<std::string>& outputs);
 // The notices for these outputs, as plain text; to be called only if has_pages(outputs). reveal:
 // what the slides contain, not used without slides; three: what page and slides contain, if
 // anything; formula_font: whether the pages contain the font for formulas; computes: whether page
-// and slides contain what computes motions (find_page_core() in lecture/sliders.h).
+// and slides contain what computes motions (find_page_core() in lecture/documents/sliders.h).
 std::string notices(const std::vector<std::string>& outputs,
                     const std::optional<Reveal>& reveal,
                     bool formula_font,

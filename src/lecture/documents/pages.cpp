@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/pages.h"
+#include "lecture/documents/pages.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +13,7 @@
 #include "base/version.h"
 #include "html/escape.h"
 #include "html/page_parts.h"
-#include "lecture/script_folder.h"
+#include "lecture/documents/script_folder.h"
 
 namespace polhode {
 namespace {

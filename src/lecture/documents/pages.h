@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/system/child_process.h"
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 
@@ -18,9 +18,9 @@ struct Reveal {
   std::string js;       // contents of dist/reveal.js, safe inside a <script> element
   std::string licence;  // its LICENSE file with the copyright notice; empty if missing
 };
-// The first folder of find_script_folder() (lecture/script_folder.h), with POLHODE_REVEAL and the
-// name reveal.js, that has dist/reveal.js and dist/reveal.css; absent if there is none. Throws
-// Error (input) if one of its files cannot be read.
+// The first folder of find_script_folder() (lecture/documents/script_folder.h), with POLHODE_REVEAL
+// and the name reveal.js, that has dist/reveal.js and dist/reveal.css; absent if there is none.
+// Throws Error (input) if one of its files cannot be read.
 std::optional<Reveal> find_reveal();
 
 // A style sheet that contains the font for formulas (Latin Modern Math, found by fc-match); empty
@@ -39,8 +39,8 @@ struct DeckWords {
 DeckWords words_of(const Deck& deck);
 
 // Complete HTML pages. `body` is pandoc's HTML of the text, `contents` that of its table of
-// contents; `viewers` what viewer_blocks() (lecture/turning.h) returns. The pages load nothing from
-// the network and run only their own scripts. Throw Error (interrupted).
+// contents; `viewers` what viewer_blocks() (lecture/documents/turning.h) returns. The pages load
+// nothing from the network and run only their own scripts. Throw Error (interrupted).
 std::string lecture_page(const DeckWords& words,
                          const std::string& body,
                          const std::string& contents,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/qr_code.h"
+#include "lecture/documents/qr_code.h"
 
 #include <memory>
 #include <qrencode.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/script_folder.h"
+#include "lecture/documents/script_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "base/system/atomic_file.h"
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 namespace {

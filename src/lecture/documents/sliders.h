@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/commands/export.h"
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 namespace polhode {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/turning.h"
+#include "lecture/documents/turning.h"
 
 #include <algorithm>
 
 #include "base/base64.h"
 #include "base/system/atomic_file.h"
 #include "html/escape.h"
-#include "lecture/script_folder.h"
-#include "lecture/sliders.h"
+#include "lecture/documents/script_folder.h"
+#include "lecture/documents/sliders.h"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/deck.h"
+#include "lecture/deck/deck.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

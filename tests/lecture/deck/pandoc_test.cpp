@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/pandoc.h"
+#include "lecture/deck/pandoc.h"
 
 #include <cstdlib>
 

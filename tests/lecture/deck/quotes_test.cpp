@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/quotes.h"
+#include "lecture/deck/quotes.h"
 
 #include <gtest/gtest.h>
 

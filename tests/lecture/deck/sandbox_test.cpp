@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/sandbox.h"
+#include "lecture/deck/sandbox.h"
 
 #include <filesystem>
 

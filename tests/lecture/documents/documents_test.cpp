@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/documents.h"
+#include "lecture/documents/documents.h"
 
 #include <regex>
 #include <set>
@@ -8,9 +8,9 @@
 
 #include "base/system/child_process.h"
 #include "image/png.h"
+#include "lecture/deck/quotes.h"
 #include "lecture/decks.h"
-#include "lecture/lost_words.h"
-#include "lecture/quotes.h"
+#include "lecture/documents/lost_words.h"
 #include "support/flat_image.h"
 #include "support/run.h"
 #include "support/words.h"

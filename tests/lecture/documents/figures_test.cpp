@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/figures.h"
+#include "lecture/documents/figures.h"
 
 #include <gtest/gtest.h>
 

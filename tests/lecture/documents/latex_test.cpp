@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/latex.h"
+#include "lecture/documents/latex.h"
 
 #include <gtest/gtest.h>
 
+#include "lecture/deck/pandoc.h"
 #include "lecture/decks.h"
-#include "lecture/documents.h"
-#include "lecture/pandoc.h"
+#include "lecture/documents/documents.h"
 #include "support/words.h"
 
 namespace polhode {

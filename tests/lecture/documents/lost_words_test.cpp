@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/lost_words.h"
+#include "lecture/documents/lost_words.h"
 
 #include <gtest/gtest.h>
 
+#include "lecture/deck/dropped_words.h"
+#include "lecture/deck/pandoc.h"
 #include "lecture/decks.h"
-#include "lecture/documents.h"
-#include "lecture/dropped_words.h"
-#include "lecture/pandoc.h"
+#include "lecture/documents/documents.h"
 #include "support/run.h"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/office_slides.h"
+#include "lecture/documents/office_slides.h"
 
 #include <gtest/gtest.h>
 

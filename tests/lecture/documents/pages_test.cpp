@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/pages.h"
+#include "lecture/documents/pages.h"
 
 #include <cmath>
 #include <cstdlib>

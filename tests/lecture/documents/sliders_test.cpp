@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/sliders.h"
+#include "lecture/documents/sliders.h"
 
 #include <gtest/gtest.h>
 

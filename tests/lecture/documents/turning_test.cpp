@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lecture/turning.h"
+#include "lecture/documents/turning.h"
 
 #include <algorithm>
 #include <cmath>
