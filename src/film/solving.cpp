@@ -7,7 +7,9 @@
 
 #include "base/system/interrupt.h"
 #include "film/error_places.h"
-#include "frame/compose.h"
+#include "frame/attitude_tolerance.h"
+#include "frame/body_look.h"
+#include "frame/theme.h"
 #include "motion/ensemble.h"
 
 namespace polhode {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
@@ -104,169 +103,6 @@ bool travels(const Scenery& scenery) {
   return std::any_of(times.begin(), times.end(), [&](double t) {
     return (scenery.motion.at(t).reference_S - start).norm() > 2.0 * scenery.scale.body;
   });
-}
-
-// the tip and the rim of an arrow's head (S, m); empty for an arrow of no length
-std::vector<Vec3> outline_of_head(const ArrowGlyph& arrow) {
-  constexpr int kAround = 12;
-  const Vec3 along = arrow.tip - arrow.from;
-  const double length = along.norm();
-  if (!(length > 0.0)) return {};
-  const ArrowShape shape = fitting(arrow.shape, length);
-  const Mat3 turn = turn_between(Vec3::UnitZ(), along / length).toRotationMatrix();
-  std::vector<Vec3> points = {arrow.tip};
-  for (int k = 0; k < kAround; ++k) {
-    const double angle = 2.0 * kPi * k / kAround;
-    const Vec3 rim(shape.head_radius * std::cos(angle),
-                   shape.head_radius * std::sin(angle),
-                   -shape.head_length);
-    points.push_back(arrow.tip + turn * rim);
-  }
-  return points;
-}
-
-// Whether a vector hides a point from the eye: it passes before it, or around it.
-bool hides(const ArrowGlyph& arrow, const Vec3& point, const Camera& camera) {
-  const Vec3 along = arrow.tip - arrow.from;
-  const double length = along.norm();
-  if (!(length > 0.0)) return false;
-  const Vec3 axis = along / length;
-  const ArrowShape shape = fitting(arrow.shape, length);
-  // where the line of sight is nearest to the axis
-  const Vec3 sight = (point - camera.eye()).normalized();
-  const Vec3 across = axis.cross(sight);
-  const double sine2 = across.squaredNorm();
-  if (sine2 < 1e-12) return false;
-  const Vec3 between = camera.eye() - arrow.from;
-  const double at = sight.cross(across).dot(between) / sine2;
-  const double far = axis.cross(across).dot(between) / sine2;
-  if (at < 0.0 || at > length) return false;
-  const double of_head = (length - at) / shape.head_length;
-  const double radius = of_head < 1.0 ? of_head * shape.head_radius : shape.shaft_radius;
-  const double off = std::abs(between.dot(across)) / std::sqrt(sine2);
-  return off < radius && far - radius < (point - camera.eye()).norm();
-}
-
-// How much of the head of the vector that a label names is not hidden by other vectors, 0..1: the
-// name of one of which nothing is seen would be read as that of the other.
-double uncovered(const LabelGlyph& label,
-                 const std::vector<ArrowGlyph>& arrows,
-                 const Camera& camera) {
-  constexpr double kLeast = 0.35, kInFull = 0.65;
-  if (!label.of_arrow) return 1.0;
-  const auto own = std::find_if(
-      arrows.begin(), arrows.end(), [&](const ArrowGlyph& arrow) { return arrow.tip == label.at; });
-  if (own == arrows.end() || own->rim) return 1.0;
-  const std::vector<Vec3> points = outline_of_head(*own);
-  if (points.empty()) return 1.0;
-  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
-    return std::none_of(arrows.begin(), arrows.end(), [&](const ArrowGlyph& other) {
-      return &other != &*own && hides(other, point, camera);
-    });
-  });
-  const double part = static_cast<double>(seen) / static_cast<double>(points.size());
-  return std::clamp((part - kLeast) / (kInFull - kLeast), 0.0, 1.0);
-}
-
-TextRoom around(const Vec2& point, double radius) {
-  return {point.x() - radius, point.y() - radius, point.x() + radius, point.y() + radius};
-}
-
-// the smallest rectangle that holds both
-TextRoom both(const TextRoom& a, const TextRoom& b) {
-  return {std::min(a.left, b.left),
-          std::min(a.top, b.top),
-          std::max(a.right, b.right),
-          std::max(a.bottom, b.bottom)};
-}
-
-// the rectangles around what labels must not cover, as the camera sees it
-std::vector<TextRoom> marks_of(const Glyphs& glyphs, const Camera& camera) {
-  std::vector<TextRoom> marks;
-  for (const ArrowGlyph& arrow : glyphs.arrows) {
-    const std::vector<Vec3> points = outline_of_head(arrow);
-    const bool seen = std::all_of(
-        points.begin(), points.end(), [&](const Vec3& point) { return camera.sees(point); });
-    if (points.empty() || !seen) continue;
-    TextRoom room = around(camera.project(points.front()), 0.0);
-    for (const Vec3& point : points)
-      room = both(room, around(camera.project(point), 0.0));
-    marks.push_back(room);
-  }
-  for (const MarkGlyph& mark : glyphs.marks) {
-    if (!camera.sees(mark.at)) continue;
-    marks.push_back(
-        around(camera.project(mark.at), mark.radius * camera.pixels_per_metre(mark.at)));
-  }
-  return marks;
-}
-
-// rims of cones, arcs and curves, in straight pieces
-std::vector<TextShaft> curves_of(const Glyphs& glyphs, const Camera& camera) {
-  constexpr int kPiecesOfRim = 24, kPiecesOfArc = 8;
-  std::vector<TextShaft> curves;
-  const auto add = [&](int pieces, const std::function<Vec3(double)>& point_at) {
-    for (int k = 0; k < pieces; ++k) {
-      const Vec3 from = point_at(1.0 * k / pieces), to = point_at((k + 1.0) / pieces);
-      if (camera.sees(from) && camera.sees(to))
-        curves.push_back({camera.project(from), camera.project(to)});
-    }
-  };
-  for (const Cone& cone : glyphs.cones) {
-    const Vec3 across = cone.slant * std::sin(cone.half_angle) * cone.axis.unitOrthogonal();
-    const Vec3 middle = cone.apex + cone.slant * std::cos(cone.half_angle) * cone.axis;
-    add(kPiecesOfRim, [&](double part) -> Vec3 {
-      return middle + Eigen::AngleAxisd(2.0 * kPi * part, cone.axis) * across;
-    });
-  }
-  for (const ArcGlyph& arc : glyphs.arcs)
-    add(kPiecesOfArc, [&](double part) { return point_of(arc, part); });
-  for (const RodGlyph& rod : glyphs.rods)
-    add(1, [&](double part) -> Vec3 { return rod.from + part * (rod.to - rod.from); });
-  for (const LineGlyph& line : glyphs.lines)
-    add(1, [&](double part) -> Vec3 { return line.from + part * (line.to - line.from); });
-  return curves;
-}
-
-// nothing if the camera does not see all of it
-std::optional<SeenCircle> seen_circle(const CircleGlyph& circle, const Camera& camera) {
-  const Vec3 ends[] = {circle.center + circle.half_a,
-                       circle.center - circle.half_a,
-                       circle.center + circle.half_b,
-                       circle.center - circle.half_b};
-  Vec2 seen[4];
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!camera.sees(ends[i])) return {};
-    seen[i] = camera.project(ends[i]);
-  }
-  return SeenCircle{0.25 * (seen[0] + seen[1] + seen[2] + seen[3]),
-                    0.5 * (seen[0] - seen[1]),
-                    0.5 * (seen[2] - seen[3])};
-}
-
-// Of a curve as the camera sees it, the point that is farthest in a direction (a unit vector,
-// pixels). What reaches nearly as far counts too, so that the point moves smoothly with the curve.
-std::optional<Vec2> farthest_seen(const std::vector<Vec3>& curve,
-                                  const Vec2& direction,
-                                  const Camera& camera) {
-  constexpr double kNear = 0.01;  // of how far the curve reaches
-  std::vector<Vec2> points;
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const Vec3& point : curve) {
-    if (!camera.sees(point)) return {};
-    points.push_back(camera.project(point));
-    least = std::min(least, direction.dot(points.back()));
-    most = std::max(most, direction.dot(points.back()));
-  }
-  if (!(most > least)) return {};
-  Vec2 sum = Vec2::Zero();
-  double weights = 0.0;
-  for (const Vec2& point : points) {
-    const double weight = std::exp((direction.dot(point) - most) / (kNear * (most - least)));
-    sum += weight * point;
-    weights += weight;
-  }
-  return sum / weights;
 }
 
 Camera make_camera(const CameraSpec& spec,
@@ -395,7 +231,7 @@ CameraView Composer::camera_view(double film, double end) const {
   seen_now.list.background = scenery_.theme.background;
   seen_now.list.view.light_ground = is_light(scenery_.theme.background);
   add_items(glyphs, meshes_, drawing_, camera.eye(), seen_now.list);
-  seen_now.names = labels_of(glyphs, camera);
+  seen_now.names = seen_labels(glyphs, camera, scenery_);
   seen_now.way_to_body = way_to_body(sample, film, camera);
   return seen_now;
 }
@@ -412,48 +248,19 @@ LabelView Composer::label_view(double film, double end) const {
   const double t = std::min(staging_.timeline.motion_time(film), end);
   const Sample sample = scenery_.motion.at(t);
   const Camera camera = camera_at(film);
-  LabelView view = labels_of(glyphs_of(sample, film, false), camera);
+  LabelView view = seen_labels(glyphs_of(sample, film, false), camera, scenery_);
   const bool any_circle =
       std::any_of(view.labels.begin(), view.labels.end(), [](const SeenLabel& label) {
         return label.circle.has_value();
       });
-  if (any_circle && shows("body")) view.body = outline_of_body(sample, camera);
+  if (any_circle && shows("body")) {
+    std::vector<Vec3> hull_S;
+    hull_S.reserve(scenery_.hull_B.size());
+    for (const Vec3& point_B : scenery_.hull_B)
+      hull_S.push_back(point_position(scenery_.motion.model(), sample, point_B));
+    view.body = seen_outline(hull_S, camera);
+  }
   return view;
-}
-
-// support points in directions of the picture
-std::vector<Vec2> Composer::outline_of_body(const Sample& sample, const Camera& camera) const {
-  constexpr int kDirections = 24;
-  std::vector<Vec2> points;
-  for (const Vec3& point_B : scenery_.hull_B) {
-    const Vec3 point = point_position(scenery_.motion.model(), sample, point_B);
-    if (!camera.sees(point)) return {};
-    points.push_back(camera.project(point));
-  }
-  std::vector<Vec2> outline;
-  for (int k = 0; k < kDirections && !points.empty(); ++k) {
-    const double angle = 2.0 * kPi * k / kDirections;
-    const Vec2 direction(std::cos(angle), std::sin(angle));
-    outline.push_back(
-        *std::max_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
-          return a.dot(direction) < b.dot(direction);
-        }));
-  }
-  return outline;
-}
-
-LabelView Composer::labels_of(const Glyphs& glyphs, const Camera& camera) const {
-  LabelView names;
-  for (const LabelGlyph& label : glyphs.labels) {
-    if (!camera.sees(label.at)) continue;
-    const double presence = uncovered(label, glyphs.arrows, camera);
-    if (presence <= 0.0) continue;
-    names.labels.push_back(seen(label, camera));
-    names.labels.back().fade *= static_cast<float>(presence);
-  }
-  names.marks = marks_of(glyphs, camera);
-  names.curves = curves_of(glyphs, camera);
-  return names;
 }
 
 // does anything that is shown stand in space, so that a camera should too?
@@ -632,32 +439,6 @@ double Composer::next_cut(double film) const {
     return !reached(film, rig.begins) && rig.move <= 0.0;
   });
   return cut == rigs_.end() ? std::numeric_limits<double>::infinity() : cut->begins;
-}
-
-SeenLabel Composer::seen(const LabelGlyph& label, const Camera& camera) const {
-  const Vec2 at = camera.project(label.at);
-  // a little way along; where that is towards the eye, the label stands above
-  const Vec3 step = 0.05 * scenery_.scale.body * label.away.stableNormalized();
-  const Vec2 along = camera.project(label.at + step) - at;
-  const double pixel = 0.05 * scenery_.scale.body * camera.pixels_per_metre(label.at);
-  const Vec2 away = along + 0.1 * pixel * Vec2(0.0, -1.0);
-  const Vec2 from = camera.sees(label.at - label.away) ? camera.project(label.at - label.away) : at;
-  SeenLabel seen{from,
-                 at,
-                 away.normalized(),
-                 label.markup,
-                 readable(label.color, scenery_.theme.background),
-                 label.fade,
-                 label.of_arrow,
-                 label.size};
-  if (label.circle) seen.circle = seen_circle(*label.circle, camera);
-  const Vec2 up_right = Vec2(1.0, -1.0).normalized();
-  if (const std::optional<Vec2> corner = farthest_seen(label.curve, up_right, camera)) {
-    seen.away = up_right;
-    seen.from = *corner;
-    seen.at = *corner + label.away.norm() * camera.pixels_per_metre(label.at) * up_right;
-  }
-  return seen;
 }
 
 std::vector<double> Composer::film_times() const {
@@ -843,35 +624,6 @@ std::optional<Error> Composer::warning_of_unseen() const {
         .at({{}, 0, shot ? fmt::format("shots[{}]", *shot) : "camera"});
   }
   return {};
-}
-
-double attitude_tolerance(const CameraSpec& camera,
-                          double pixels,
-                          const DrawnReach& drawn,
-                          PictureSize size) {
-  // an automatic camera keeps everything that is drawn inside the frame, so a radian moves a point
-  // by at most half a diagonal
-  const double half_diagonal = 0.5 * std::hypot(size.width, size.height);
-  const double zoom = std::max(camera.zoom, 1.0);
-  if (!camera.eye) return pixels / (half_diagonal * zoom);
-  const double reach = std::max(kReachOfVectors * drawn.body, drawn.points);
-  const double distance = (*camera.eye - camera.target.value_or(Vec3::Zero())).norm();
-  if (!(distance > 0.0)) {
-    throw input_error("must differ from camera.target").at({{}, 0, "camera.eye"});
-  }
-  double least = distance;
-  for (const Vec3& place : drawn.places) {
-    const Vec3 away = *camera.eye - place;
-    // of a camera that goes round the vertical, when it is nearest
-    const Vec3 middle = camera.target.value_or(drawn.places.front());
-    const double around =
-        std::abs((*camera.eye - middle).head<2>().norm() - (place - middle).head<2>().norm());
-    least = std::min(least, camera.orbit != 0.0 ? std::hypot(around, away.z()) : away.norm());
-    if (camera.follow != "auto" && camera.follow != "none") break;
-  }
-  const double nearest = std::max(least - reach, 0.05 * least);
-  const double focal_px = camera.zoom * 0.5 * size.height / std::tan(0.5 * camera.fov);
-  return pixels * nearest / (focal_px * reach);
 }
 
 }  // namespace polhode

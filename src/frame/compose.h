@@ -10,37 +10,10 @@
 
 #include "base/error.h"
 #include "frame/elements.h"
-#include "frame/labels.h"
+#include "frame/seen_labels.h"
 #include "frame/timeline.h"
 
 namespace polhode {
-
-// A circle as a camera sees it, nearly: the ellipse with these half axes; pixels likewise.
-struct SeenCircle {
-  Vec2 center, half_a, half_b;
-};
-
-// A label as a camera sees it. Positions are in pixels from the upper left corner of the camera's
-// picture, x to the right, y down.
-struct SeenLabel {
-  Vec2 from;  // foot of the vector that it names; `at` if it names a point or the foot is not seen
-  Vec2 at;
-  Vec2 away;                              // unit vector from `at` towards the label
-  std::string markup;                     // see text/typesetter.h
-  glm::vec3 color;                        // sRGB-encoded, 0..1
-  float fade = 1.0f;                      // multiplies the opacity
-  bool of_arrow = false;                  // it names an arrow whose tip is `at`
-  double size = 1.0;                      // of its type, in that of names of vectors
-  std::optional<SeenCircle> circle = {};  // that it names
-};
-
-// The labels that a camera sees at one moment, and what they must not cover.
-struct LabelView {
-  std::vector<SeenLabel> labels;
-  std::vector<TextRoom> marks;         // around heads of arrows and marked points, pixels likewise
-  std::vector<TextShaft> curves = {};  // pieces of rims of cones and of arcs, pixels likewise
-  std::vector<Vec2> body = {};         // its convex outline, likewise, if a circle has a name
-};
 
 // What a camera sees at one moment.
 struct CameraView {
@@ -168,9 +141,6 @@ class Composer {
     std::vector<Cone> cones;  // all that were seen
   };
   Largest largest_on_screen() const;
-  SeenLabel seen(const LabelGlyph& label, const Camera& camera) const;
-  LabelView labels_of(const Glyphs& glyphs, const Camera& camera) const;
-  std::vector<Vec2> outline_of_body(const Sample& sample, const Camera& camera) const;
   std::optional<Vec2> way_to_body(const Sample& sample, double film, const Camera& camera) const;
 
   Scenery scenery_;
@@ -183,23 +153,5 @@ class Composer {
   std::vector<Rig> rigs_;  // in the order in which they come
   Ball body_B_;            // around the body, in B
 };
-
-// How far drawn things are from the body's reference point.
-struct DrawnReach {
-  double body = 0.0;              // body_radius() (frame/body_look.h), m
-  double points = 0.0;            // the farthest of show.points and show.trail_points, m
-  std::vector<Vec3> places = {};  // where the reference point is seen, S, m
-};
-
-// The attitude error, rad, that moves no drawn point by more than `pixels` (positive) in a picture
-// of that size. An automatic camera keeps all points in the picture; for one with camera.eye,
-// points are taken to be as far from the target and from `places` as those of the scene reach, and
-// vectors kReachOfVectors times as far as the body. A target that is not given counts as the
-// origin. A camera that moves with the body stays as far from it as it is from the first place.
-// Throws Error (input), naming camera.eye, if the camera is at its target.
-double attitude_tolerance(const CameraSpec& camera,
-                          double pixels,
-                          const DrawnReach& drawn,
-                          PictureSize size);
 
 }  // namespace polhode

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kHalo = 0.075;  // of the font
 constexpr double kShrink = 0.95;
-constexpr double kSmallest = 0.2;
+constexpr double kSmallestType = 0.2;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ TextStyle fitted(const Typesetter& typesetter,
     const TextBox box = typesetter.measure(markup, style);
     return box.width <= width && box.height <= height;
   };
-  while (!fits(0.0) && !fits(width) && style.size * kShrink >= kSmallest * wanted) {
+  while (!fits(0.0) && !fits(width) && style.size * kShrink >= kSmallestType * wanted) {
     style.size *= kShrink;
     style.halo *= kShrink;
   }

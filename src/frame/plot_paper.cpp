@@ -20,7 +20,7 @@ constexpr double kCurve = 0.125;             // width of curves
 constexpr double kThin = 0.05;               // width of axes
 constexpr double kBetween = 0.8;             // names of curves
 constexpr double kSample = 1.6;              // width of a curve's sample, below its name
-constexpr double kSmallest = 0.5;            // of type in a heading, rather than a whole name
+constexpr double kSmallestHeading = 0.5;     // of type in a heading, rather than a whole name
 constexpr std::size_t kLeastBytes = 20;      // of a name that is shortened
 constexpr double kGrid = 0.22, kAxis = 0.9;  // opacities
 
@@ -113,7 +113,7 @@ void PlotPaper::add_heading(const std::string& title,
   std::size_t most = kLeastBytes;
   for (const PlotEntry& entry : whole)
     most = std::max(most, entry.name.size());
-  while (most > kLeastBytes && width_of_all() * kSmallest > row.width) {
+  while (most > kLeastBytes && width_of_all() * kSmallestHeading > row.width) {
     --most;
     for (std::size_t i = 0; i < entries.size(); ++i)
       entries[i].name = shortened(whole[i].name, most);

@@ -56,12 +56,12 @@ struct StoryStep {
 // The default direction (S) towards an automatic camera, above the horizontal.
 inline const Vec3 kDefaultDirection(0.82, 0.46, 0.34);
 
-// What is drawn: the [show] table.
 // Other names for vectors, plain text; absent: the usual one.
 struct VectorNames {
   std::optional<std::string> omega, momentum, torque, gravity, frame_rotation, x, y, z;
 };
 
+// What is drawn: the [show] table.
 struct ShowSpec {
   // Whether an element (frame/elements.h) is drawn, by its name; absent: Element::by_default
   // decides.

@@ -12,19 +12,19 @@ namespace {
 
 // all around, in wide and in upright rectangles: inside, at an edge, on the ray from the middle
 TEST(Chevron, StandsAtTheEdgeAndInside) {
-  constexpr double kSize = 20.0;
+  constexpr double kLength = 20.0;
   for (const TextRoom& frame : {TextRoom{10, 20, 650, 300}, TextRoom{0, 0, 120, 700}}) {
     for (int k = 0; k < 72; ++k) {
       const double angle = 2.0 * kPi * k / 72;
       const Vec2 way(std::cos(angle), std::sin(angle));
-      const Chevron chevron = chevron_in(frame, way, kSize);
+      const Chevron chevron = chevron_in(frame, way, kLength);
       const TextRoom room = chevron.room();
       const double least = std::min({room.left - frame.left,
                                      room.top - frame.top,
                                      frame.right - room.right,
                                      frame.bottom - room.bottom});
       EXPECT_GE(least, -1e-9) << k;
-      EXPECT_LE(least, kSize + 1e-9) << k;
+      EXPECT_LE(least, kLength + 1e-9) << k;
       const Vec2 from_middle = chevron.tip - frame.center();
       EXPECT_NEAR((from_middle.normalized() - way).norm(), 0.0, 1e-9) << k;
     }
