@@ -34,10 +34,11 @@ struct SolveWatch {
 Solved solve_watched(const Scene& scene, const SolveWatch& watch);
 
 // The attitude error that numerics.accuracy allows, rad. Pixels are converted by
-// attitude_tolerance() (frame/attitude_tolerance.h), for the one of the scene's cameras (shots too) that
-// asks for most, picture size, size of the body and points. `places`: where the reference point is
-// seen, S, m; empty: where it starts. Throws Error (input) as start_state (motion/motion.h),
-// body_look (frame/body_look.h), make_theme (frame/theme.h) and attitude_tolerance do.
+// attitude_tolerance() (frame/attitude_tolerance.h), for the one of the scene's cameras (shots too)
+// that asks for most, picture size, size of the body and points. `places`: where the reference
+// point is seen, S, m; empty: where it starts. Throws Error (input) as start_state
+// (motion/motion.h), body_look (frame/body_look.h), make_theme (frame/theme.h) and
+// attitude_tolerance do.
 double accuracy_in_radians(const Scene& scene,
                            const BodyModel& model,
                            const std::vector<Vec3>& places = {});
