@@ -20,5 +20,12 @@ TEST(ForeignJson, IsNullUnlessItIsJsonOfFewLevels) {
   EXPECT_TRUE(parse_foreign_json(R"({"a": {"b": )" + nested(kDeep) + "}}").is_null());
 }
 
+TEST(ForeignJson, IsNullWhereAKeyStandsTwice) {
+  EXPECT_TRUE(
+      parse_foreign_json(R"({"a": 1, "b": [{"a": 2}, {"a": 3}], "c": {"a": 4}})").is_object());
+  EXPECT_TRUE(parse_foreign_json(R"({"a": 1, "b": 2, "a": 1})").is_null());
+  EXPECT_TRUE(parse_foreign_json(R"({"b": [{"a": {}, "a": []}]})").is_null());
+}
+
 }  // namespace
 }  // namespace polhode

@@ -263,6 +263,12 @@ TEST_F(Verify, AReportThatWasTamperedWithIsFound) {
   expect("a.mp4", 1, "was altered: trusted is ");
   with([](Json& r) { r["doubts"].push_back("bad"); });
   expect("a.mp4", 1, "was altered: doubts is []");
+  with([](Json& r) { r["verdict"] = "exact"; });
+  expect("a.mp4", 1, "was altered: verdict is nothing that it tells");
+  with([](Json& r) { r["stages"]["draw"]["gpu_s"] = 1; });
+  expect("a.mp4", 1, "was altered: stages.draw.gpu_s is nothing");
+  write_text(folder_ / "r.json", "{\"trusted\": false, " + report.dump().substr(1));
+  expect("a.mp4", 2, "is not a report");
   with([](Json& r) { r["accuracy_rad"] = 1.0; });
   expect("a.mp4", 1, "was altered: accuracy_rad is ");
   with([](Json& r) { r.erase("edges"); });

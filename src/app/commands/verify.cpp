@@ -271,6 +271,25 @@ DifferenceInWords compare_values(const std::string& path,
   return fmt::format("{} is {}, and not {}", path, one_line(is.dump()), one_line(says.dump()));
 }
 
+// A key that a report has and the one of the same film has not; scenes are held against their hash.
+DifferenceInWords unknown_key(const std::string& path, const Json& says, const Json& is) {
+  if (says.is_array() && is.is_array() && says.size() == is.size()) {
+    for (std::size_t i = 0; i < is.size(); ++i) {
+      DifferenceInWords found = unknown_key(fmt::format("{}[{}]", path, i), says[i], is[i]);
+      if (!found.empty()) return found;
+    }
+  }
+  if (!says.is_object() || !is.is_object()) return {};
+  for (const auto& [key, value] : says.items()) {
+    if (key == "scene") continue;
+    const std::string inside = fmt::format("{}{}{}", path, path.empty() ? "" : ".", key);
+    if (!is.contains(key)) return fmt::format("{} is nothing that it tells", one_line(inside));
+    DifferenceInWords found = unknown_key(inside, value, is.at(key));
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
 // what a report says of its film and what cannot be another now; the frames, the scene and the
 // versions are held against each other elsewhere
 DifferenceInWords compare_reports(const Json& reported, const Json& made) {
@@ -306,7 +325,8 @@ DifferenceInWords compare_reports(const Json& reported, const Json& made) {
     says[key] = reported.value(key, Json());
     is[key] = made.value(key, Json());
   }
-  return compare_values("", "", says, is);
+  DifferenceInWords difference = compare_values("", "", says, is);
+  return difference.empty() ? unknown_key("", reported, made) : difference;
 }
 
 // there must be something to compare
