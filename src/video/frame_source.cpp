@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/system/files.h"
 #include "base/system/overwriting.h"
@@ -134,11 +133,18 @@ std::unique_ptr<FrameSource> open_folder(const std::string& name) {
   return std::make_unique<PictureSource>(SourceKind::folder, std::move(entries));
 }
 
+// Whether the pattern would write a number so; numbers may have any size, as times do.
+bool is_number_of(const NumberedName& pattern, const std::string& digits) {
+  const auto width = static_cast<std::size_t>(std::max(1, pattern.width));
+  return digits.find_first_not_of("0123456789") == std::string::npos &&
+         (digits.size() == width || (digits.size() > width && digits[0] != '0'));
+}
+
 std::unique_ptr<FrameSource> open_numbered(const std::string& name) {
   const NumberedName pattern = parse_numbered_name(name);
   const fs::path folder = fs::path(name).has_parent_path() ? fs::path(name).parent_path() : ".";
   const std::string before = fs::path(pattern.before).filename().string();
-  std::vector<int> numbers;
+  std::vector<PictureSource::Entry> entries;
   std::error_code failed;
   if (!fs::is_directory(folder, failed)) {
     throw input_error("the folder '{}' does not exist", folder.string()).at({name, 0, {}});
@@ -149,18 +155,17 @@ std::unique_ptr<FrameSource> open_numbered(const std::string& name) {
         !found.ends_with(pattern.after)) {
       continue;
     }
-    const std::optional<int> number = parse_integer(std::string_view(found).substr(
-        before.size(), found.size() - before.size() - pattern.after.size()));
-    if (!number || *number < 0) continue;
-    // only what the pattern itself would write
-    if (fs::path(pattern.of(*number)).filename() == file.filename()) numbers.push_back(*number);
+    const std::string digits =
+        found.substr(before.size(), found.size() - before.size() - pattern.after.size());
+    if (!is_number_of(pattern, digits)) continue;
+    // without zeros before it, by which pictures have their partners
+    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+    entries.push_back({digits.substr(first), pattern.before + digits + pattern.after});
   }
-  if (numbers.empty()) throw input_error("the picture does not exist").at({name, 0, {}});
-  std::sort(numbers.begin(), numbers.end());
-  std::vector<PictureSource::Entry> entries;
-  entries.reserve(numbers.size());
-  for (const int number : numbers)
-    entries.push_back({std::to_string(number), pattern.of(number)});
+  if (entries.empty()) throw input_error("the picture does not exist").at({name, 0, {}});
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return comes_before(a.label, b.label);
+  });
   return std::make_unique<PictureSource>(SourceKind::numbered, std::move(entries));
 }
 

@@ -56,7 +56,12 @@ TEST_F(FrameSourceNames, ANumberedNameIsEveryNumberThatItWouldWrite) {
     picture(name, 10);
   EXPECT_EQ(labels("f_%03d.png"), (Labels{"7", "10", "1000"}));
   EXPECT_EQ(labels("f_%d.png"), (Labels{"7", "1000"}));
-  refuses("g_%03d.png", "picture does not exist");
+  // of any size
+  for (const char* name :
+       {"g_12345678901234567890123.png", "g_2147483648.png", "g_000.png", "g_0.png"})
+    picture(name, 10);
+  EXPECT_EQ(labels("g_%03d.png"), (Labels{"0", "2147483648", "12345678901234567890123"}));
+  refuses("h_%03d.png", "picture does not exist");
   refuses("nowhere/f_%03d.png", "does not exist");
 }
 
