@@ -270,10 +270,22 @@ int wait_for(const fs::path& folder, const BatchJob& batch, ProgressKind kind, s
   return state.made ? 0 : static_cast<int>(Fault::check_failed);
 }
 
+// What a process has open is something else in a task.
+void refuse_open_files(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    const std::string file = argument.substr(argument.find('=') + 1);  // of --option=FILE
+    const bool is_open =
+        file.starts_with("/dev/fd/") || file.starts_with("/dev/std") || file.starts_with("/proc/");
+    if (is_open && is_there(file))
+      throw input_error("is not the same in a task; name a file that stays").at({file, 0, {}});
+  }
+}
+
 }  // namespace
 
 SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   check_slurm_options(job.slurm);
+  refuse_open_files(job.arguments);
   const fs::path folder = job_folder_of(work.output);
   if (folder.string().find('\\') != std::string::npos) {
     throw input_error("Slurm takes no backslash in the name of a folder")
@@ -284,9 +296,9 @@ SubmitResult submit(const SubmitJob& job, const DividedWork& work) {
   DividedWork measured = work;
   measured.start_s += seconds_of([&] { run_child({own_program(), "--version"}, ""); });
   if (job.tasks > std::min<long>(work.pieces, job.most_tasks)) {
-    throw input_error("there are {} {}, and at most {} tasks; got {}",
-                      work.pieces,
+    throw input_error("must be at most the number of {}, {}, and at most {}; got {}",
                       work.things,
+                      work.pieces,
                       job.most_tasks,
                       job.tasks)
         .at({{}, 0, "--tasks"});

@@ -192,6 +192,19 @@ TEST_F(Submit, ShowsItsScriptsWithoutSlurm) {
   EXPECT_EQ(folder_.entries(), 1);
 }
 
+// a task has others
+TEST_F(Submit, TakesNoFileThatAProcessHasOpen) {
+  write_program("sbatch", "echo 12");
+  const Ran ran = run_polhode(
+      fmt::format("submit stability /dev/fd/7 -o {} --cells 4x4 --methods rk4 --turns 3 7<{}",
+                  at("maps"),
+                  at("scene.toml")),
+      in_bin());
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("/dev/fd/7: is not the same in a task"), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps.job"));
+}
+
 TEST_F(Submit, SaysWhatToInstall) {
   std::filesystem::create_directory(folder_ / "bin");
   std::filesystem::create_symlink("/usr/bin/gnuplot", folder_ / "bin/gnuplot");
@@ -347,7 +360,7 @@ TEST_F(Submit, TellsBadInputBeforeAnythingIsQueued) {
       {"submit --partition 'a b' render " + scene, "--partition: must be one word"},
       {"submit --tasks 0 render " + scene, "--tasks: must be greater than 0"},
       {"submit --dry-run --tasks 9 section " + scene + " --starts 3 -o " + at("s"),
-       "--tasks: there are 4 motions"},
+       "--tasks: must be at most the number of motions, 4"},
       {"submit chart --pictures " + scene, "--pictures: cannot be divided"},
       {"status " + at("nothing"), "is not the folder of a job"},
       {"cancel " + at("nothing"), "is not the folder of a job"}};
