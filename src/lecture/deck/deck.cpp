@@ -11,10 +11,10 @@
 #include "base/numbers.h"
 #include "base/system/atomic_file.h"
 #include "base/utf8.h"
-#include "image/png.h"
 #include "lecture/deck/deck_fields.h"
 #include "lecture/deck/dropped_words.h"
 #include "lecture/deck/line_finder.h"
+#include "lecture/deck/own_pictures.h"
 #include "lecture/deck/pandoc.h"
 #include "lecture/deck/slips.h"
 #include "lecture/deck/word_list.h"
@@ -39,23 +39,6 @@ const PictureClass* find_class(const std::string& name) {
     if (row.name == name) return &row;
   }
   return nullptr;
-}
-
-// Throws Error (input), without a place, if a browser would find no picture of this kind in a file.
-void require_picture(const std::filesystem::path& file, const std::string& ending) {
-  const std::string bytes = read_input(file);
-  if (ending == ".png") {
-    try {
-      decode_png(bytes, "");
-    } catch (const Error& error) {
-      throw input_error("'{}': {}", file.filename().string(), error.message());
-    }
-    return;
-  }
-  const bool right = ending == ".svg"    ? bytes.find("<svg") != std::string::npos
-                     : ending == ".webp" ? bytes.starts_with("RIFF") && bytes.find("WEBP") == 8
-                                         : bytes.starts_with("\xff\xd8\xff");
-  if (!right) throw input_error("'{}' is no {} file", file.filename().string(), ending);
 }
 
 // "../Free top.toml" to "Free-top"
@@ -285,8 +268,7 @@ class Reader {
       }
       const std::string file = percent_decoded(target);
       const std::string ending = std::filesystem::path(file).extension();
-      if (ending != ".png" && ending != ".jpg" && ending != ".jpeg" && ending != ".svg" &&
-          ending != ".webp")
+      if (!is_picture_ending(ending))
         throw input_error("'{}' is neither a picture (.png, .jpg, .svg, .webp) nor a scene", file);
       require_picture(trusted_file(deck_.root, deck_.root.folder, file), ending);
       read(image["c"][1]);

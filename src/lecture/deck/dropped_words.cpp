@@ -160,8 +160,36 @@ std::string without_marks(const std::string& line) {
   return out;
 }
 
+// How many bytes of a label of an example begin there: letters, digits, "_" and "-".
+std::size_t label_length(std::string_view text) {
+  const auto end = std::find_if(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return std::isalnum(byte) == 0 && byte < 0x80 && c != '_' && c != '-';
+  });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
+// The labels of numbered examples: "(@mass) It is kept."
+std::set<std::string_view> example_labels(std::string_view text) {
+  std::set<std::string_view> labels;
+  for (std::size_t at = text.find("(@"); at != std::string_view::npos; at = text.find("(@", at + 1))
+    labels.insert(text.substr(at + 2, label_length(text.substr(at + 2))));
+  return labels;
+}
+
+// Blanks in a line what refers to them: "@mass", for which a number stands.
+void blank_references(std::string& line, const std::set<std::string_view>& labels) {
+  for (std::size_t at = line.find('@'); at != std::string::npos; at = line.find('@', at + 1)) {
+    const bool is_in_word = at > 0 && label_length(std::string_view(line).substr(at - 1, 1)) > 0;
+    const std::size_t length = label_length(std::string_view(line).substr(at + 1));
+    if (!is_in_word && labels.contains(std::string_view(line).substr(at + 1, length)))
+      blank(line, at, at + 1 + length);
+  }
+}
+
 // The same of a whole deck; bytes keep their places.
 std::string without_marks_in_all(const std::string& text) {
+  const std::set<std::string_view> labels = example_labels(text);
   std::string all;
   std::istringstream in(text);
   bool in_key = false;  // of a reference that goes on in the next line
@@ -170,6 +198,7 @@ std::string without_marks_in_all(const std::string& text) {
     const std::size_t key = line.rfind("][");
     in_key = key != std::string::npos && line.find(']', key + 1) == std::string::npos;
     if (in_key) blank(line, key, line.size());
+    blank_references(line, labels);
     all += without_marks(line) + "\n";
   }
   return all;

@@ -6,13 +6,18 @@
 #include <map>
 #include <set>
 
+#include <fmt/ranges.h>
+
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
+#include "lecture/deck/characters.h"
 #include "lecture/deck/formulas.h"
 #include "lecture/deck/line_finder.h"
 #include "lecture/deck/pandoc.h"
+#include "lecture/deck/word_list.h"
 #include "lecture/documents/latex.h"
 #include "lecture/documents/office_slides.h"
+#include "text/typesetter.h"
 
 namespace polhode {
 namespace {
@@ -20,6 +25,20 @@ namespace {
 std::string without_spaces(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; });
   return text;
+}
+
+// The characters that no font here has, in words: a handout is set here, other documents where they
+// are read.
+std::vector<std::string> characters_without_font(const Deck& deck) {
+  const Typesetter typesetter;
+  std::vector<std::string> list = characters_of(deck);
+  std::erase_if(list, [&](const std::string& one) {
+    // behind a letter, on which accents may stand
+    return one.size() == 1 || typesetter.missing_letters("a" + one) == 0;
+  });
+  for (std::string& one : list)
+    one = with_code_point(one);
+  return list;
 }
 
 constexpr const char* kNoFormula = "[a formula that cannot be read]";
@@ -407,6 +426,20 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
 
 std::vector<std::string> document_warnings(const Deck& deck, const std::string& output) {
   std::vector<std::string> list;
+  if (output == "handout") {
+    std::vector<std::string> missing = characters_without_font(deck);
+    const std::size_t count = missing.size();
+    if (count > kNamedWords) {
+      missing.resize(kNamedWords);
+      missing.back() += fmt::format(" and {} more", how_many_more(count));
+    }
+    if (count > 0) {
+      list.push_back(
+          fmt::format("no font here has {}, which become boxes; install one that has them, such as "
+                      "fonts-noto-cjk for Chinese, Japanese and Korean",
+                      fmt::join(missing, ", ")));
+    }
+  }
   if (output != "beamer" && output != "pptx") return list;
   for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
     if (is_for_pages_only(image)) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
+#include "lecture/deck/characters.h"
 #include "lecture/deck/formulas.h"
 
 namespace polhode {
@@ -146,25 +147,6 @@ bool is_in_fonts(const std::string& character) {
       {"\u2126", "\u2127"}, {"\u2190", "\u2193"}, {"\u27e8", "\u27e9"}, {"\ufb00", "\ufb06"}};
   return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
     return character >= range.first && character <= range.last;
-  });
-}
-
-void for_each_character(const std::string& text,
-                        const std::function<void(const std::string&)>& visit) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = std::max<std::size_t>(1, utf8_length(text, i));
-    visit(text.substr(i, length));
-    i += length;
-  }
-}
-
-// Calls `visit` with the texts of a tree that are set as they are: words, code, formulas.
-void for_each_set_text(const Json& tree, const std::function<void(const std::string&)>& visit) {
-  for_each_node(tree, [&](const Json& node) {
-    const std::string type = node["t"];
-    if (type == "Str") visit(node["c"].get<std::string>());
-    if (type == "Code" || type == "CodeBlock" || type == "Math")
-      visit(node["c"][1].get<std::string>());
   });
 }
 
@@ -317,7 +299,10 @@ class Setter {
       node["c"][1] = tex;
     } else if (type == "Code") {
       // that of a language cannot stand in titles, captions and notes
+      const std::string place = node["c"][0][0];
       node["c"][0] = Json::array({"", Json::array(), Json::array()});
+      // pandoc gives code no name there
+      if (!place.empty()) node = named("Span", place, Json::array({node}));
     } else if (type == "CodeBlock") {
       set_code(node);
     } else {
@@ -499,19 +484,12 @@ Json for_latex(Json tree) {
 }
 
 std::vector<std::string> characters_without_latex(const Deck& deck) {
-  std::vector<std::string> list;
-  std::set<std::string> seen;
-  const auto look = [&](const std::string& text) {
-    for_each_character(text, [&](const std::string& one) {
-      if (is_in_fonts(one) || math_of_characters().contains(one) || !seen.insert(one).second)
-        return;
-      list.push_back(fmt::format("{} ({})", one, code_point(one, 0)));
-    });
-  };
-  for_each_set_text(deck.meta, look);
-  for_each_set_text(deck.blocks, look);
-  for (const DeckPicture& picture : deck.pictures)
-    for_each_set_text(picture.caption, look);
+  std::vector<std::string> list = characters_of(deck);
+  std::erase_if(list, [](const std::string& one) {
+    return is_in_fonts(one) || math_of_characters().contains(one);
+  });
+  for (std::string& one : list)
+    one = with_code_point(one);
   return list;
 }
 

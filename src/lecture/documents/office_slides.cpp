@@ -104,19 +104,25 @@ class Layout {
       if (is_header && !figure_.is_null()) next_slide();
       Json words = block;
       const Json figures = take_figures(words);
-      if (figures.empty() || has_words(words)) add_words(words);
+      if (figures.empty() || has_words(words)) {
+        add_words(words);
+      } else {
+        around_.push_back(words);
+      }
       for (const Json& figure : figures)
         add(figure);
     }
   }
 
   OfficeSlides finished() {
+    lead_here(Json::array());
     end_slide();
     return std::move(slides_);
   }
 
  private:
   void begin_slide(const Json& title) {
+    lead_here(Json::array());
     end_slide();
     title_ = title;
     const Json figures = title["t"] == "Header" ? take_figures(title_["c"][2]) : Json::array();
@@ -147,10 +153,15 @@ class Layout {
       add(one);
   }
 
-  // links to what is in it lead to this slide
-  void lead_here(Json& tree) {
+  // links to what is in it, and to what stood around it, lead to this slide
+  void lead_here(const Json& tree) {
+    name_places_of(tree);
+    name_places_of(std::exchange(around_, Json::array()));
+  }
+
+  void name_places_of(const Json& tree) {
     if (title_id_.empty()) return;
-    for_each_node(tree, [&](Json& node) {
+    for_each_node(tree, [&](const Json& node) {
       const Json* attributes = attributes_of(node);
       const std::string place = node["t"] == kPictureNode
                                     ? deck_.pictures[node["c"].get<std::size_t>()].place
@@ -174,12 +185,15 @@ class Layout {
       words_.push_back(pair);
       is_full_ = true;
     }
+    if (in_pairs == 0) around_.push_back(named("Div", columns["c"][0][0], Json::array()));
     for (std::size_t i = in_pairs; i < all.size(); ++i)
       add_blocks_of(all[i]);
   }
 
   void add_blocks_of(const Json& column) {
-    for (const Json& block : is_div(column, "column") ? column["c"][1] : Json::array({column}))
+    const bool is_column = is_div(column, "column");
+    if (is_column) around_.push_back(named("Div", column["c"][0][0], Json::array()));
+    for (const Json& block : is_column ? column["c"][1] : Json::array({column}))
       add(block);
   }
 
@@ -229,8 +243,10 @@ class Layout {
   // what the slide has so far
   Json words_ = Json::array(), notes_ = Json::array();
   Json figure_ = nullptr;  // a picture or a table
-  bool boxed_ = false;     // are there words in a box
-  bool is_full_ = false;   // of columns, or the title of a part
+  // What stands around the next of these and is left out.
+  Json around_ = Json::array();
+  bool boxed_ = false;    // are there words in a box
+  bool is_full_ = false;  // of columns, or the title of a part
 };
 
 }  // namespace

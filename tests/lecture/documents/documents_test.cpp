@@ -385,6 +385,22 @@ TEST(Documents, WhatTheyLackIsTold) {
                 "pdflatex has no \u4e2d (U+4E2D); lualatex has, with a font that has it"}));
 }
 
+// a letter of no script has no font anywhere
+TEST(Documents, HandoutsTellOfLettersThatNoFontHas) {
+  EXPECT_TRUE(document_warnings(deck_of("Ä é e\u0301 Ω → x\n"), "handout").empty());
+  const std::string told =
+      "no font here has \U000ffffd (U+FFFFD), which become boxes; install one that has them, such "
+      "as fonts-noto-cjk for Chinese, Japanese and Korean";
+  EXPECT_EQ(document_warnings(deck_of("a \U000ffffd \U000ffffd\n"), "handout"),
+            std::vector<std::string>{told});
+  std::string many;
+  for (int i = 0; i < 12; ++i)
+    many += "\xf3\xbf\xbe" + std::string(1, static_cast<char>(0x80 + i)) + " ";
+  const std::vector<std::string> of_many = document_warnings(deck_of(many), "handout");
+  ASSERT_EQ(of_many.size(), 1U);
+  EXPECT_TRUE(has(of_many[0], "(U+FFF89) and 2 more, which")) << of_many[0];
+}
+
 TEST(Documents, FormulasThatNobodyCanReadAreTakenOut) {
   const std::string text = "Fine: $x^2$\n\nBad: $\\frac{1}$\n\n![c $\\frac{2}$](s.toml){.film}\n";
   Deck deck = deck_of(text);

@@ -71,6 +71,13 @@ TEST(Latex, HasCodeInNotesAndFootnotesAsWords) {
   EXPECT_FALSE(has(tex, "erbatim}"));
 }
 
+TEST(Latex, HasCodeToWhichLinksLead) {
+  const std::string tex = tex_of("## A\n\n`a`{#b .c} [d](#b)\n");
+  EXPECT_TRUE(has(tex, "\\hypertarget{b}{\\texttt{a}}") ||
+              has(tex, "\\protect\\hypertarget{b}{}{\\texttt{a}}"))
+      << tex.substr(tex.find("{A}"));
+}
+
 TEST(Latex, HasOnlyLanguagesThatBabelHas) {
   EXPECT_TRUE(has(tex_of("---\nlang: de-CH\n---\n\nA\n"), "german"));
   EXPECT_TRUE(has(tex_of("---\nlang: fr-CA\n---\n\nA\n"), "french"));

@@ -122,5 +122,21 @@ TEST(OfficeSlides, AreWhereLinksToTheirPlacesLead) {
   EXPECT_EQ(slides.titles.at("d"), "two");
 }
 
+// around pictures and tables, which pandoc takes out of boxes
+TEST(OfficeSlides, AreWhereLinksToTheirBoxesLead) {
+  const OfficeSlides slides = office_slides(deck_of(
+      "## One\n\nWords.\n\n::: {#a}\n![A](s.toml){.still}\n\n" + std::string(kTable) +
+      "\n:::\n\n## Two\n\n::::: {.columns #b}\n:::: {.column #c}\n" + kTable + "\n" + kTable +
+      "\n::::\n:::: {.column #d}\nWords.\n::::\n:::::\n\n"
+      "::: {#e}\n::: notes\nN\n:::\n:::\n\n## Three\n\nEnd.\n"));
+  const std::map<std::string, std::string> wanted = {{"a", "one"},
+                                                     {"s", "one"},
+                                                     {"b", "two"},
+                                                     {"c", "two"},
+                                                     {"d", "slide-again-2"},
+                                                     {"e", "slide-again-2"}};
+  EXPECT_EQ(slides.titles, wanted);
+}
+
 }  // namespace
 }  // namespace polhode

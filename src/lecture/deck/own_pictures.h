@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Pictures that a deck brings along, as files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace polhode {
+
+// The endings that they may have, each with its dot: ".png".
+bool is_picture_ending(const std::string& ending);
+
+// Reads a file with one of these endings. Throws Error (input), without a place, if a browser would
+// show none of it or a part: if it is of another kind, cut off (PNG also if damaged), an SVG that
+// is no XML, or one without its namespace; and as read_input() (base/system/atomic_file.h) does.
+void require_picture(const std::filesystem::path& file, const std::string& ending);
+
+}  // namespace polhode
