@@ -11,7 +11,9 @@ std::string full_line(const std::string& message, const Place& place) {
   if (!place.file.empty()) line += place.file + ":";
   if (place.line > 0) line += fmt::format("{}:", place.line);
   if (!line.empty()) line += ' ';
-  if (!place.key.empty()) line += place.key + ": ";
+  // keys may be as long as somebody writes them
+  constexpr std::size_t kLongestKey = 500;
+  if (!place.key.empty()) line += cut(place.key, kLongestKey) + ": ";
   return one_line(line + message);
 }
 

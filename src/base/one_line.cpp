@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.h"
+
 namespace polhode {
 
 std::string one_line(const std::string& text) {
@@ -17,6 +19,13 @@ std::string one_line(const std::string& text) {
     }
   }
   return out;
+}
+
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && is_continuation(text, most))
+    --most;
+  return std::string(text.substr(0, most)) + "...";
 }
 
 }  // namespace polhode

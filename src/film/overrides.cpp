@@ -21,7 +21,10 @@ double positive(double value) {
 void apply(const Overrides& overrides, Scene& scene) {
   // runs `set`, and remembers where the value of the key comes from; its errors name the option
   const auto replace = [&](const char* key, const char* option, const auto& set) {
-    at_place({{}, 0, option}, set);
+    at_place({{}, 0, option}, [&] {
+      refuse_swept(scene, key);
+      set();
+    });
     scene.options[key] = {{}, 0, option};
   };
   NumericsSpec& numerics = scene.numerics;

@@ -2,13 +2,16 @@
 #include "scene/film_file.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/at_place.h"
+#include "base/numbers.h"
 #include "base/system/files.h"
 #include "scene/key_path.h"
 #include "scene/reader.h"
@@ -52,6 +55,24 @@ void add_changes(const toml::table& table,
   }
 }
 
+// Those of one place in their order: what they change as a whole before what is in it. Throws Error
+// (input) if two give one value, whatever its unit.
+Changes in_order(Changes changes) {
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+    return a.path.size() < b.path.size();
+  });
+  std::map<std::string, std::string> seen;  // paths as they are spelled, by those without units
+  for (const Change& change : changes) {
+    const auto [other, is_new] = seen.emplace(without_suffixes(change.path), change.path);
+    if (is_new) continue;
+    if (other->second == change.path)
+      throw input_error("'{}' is given twice", change.path).at(change.place);
+    throw input_error("give only one of '{}' and '{}'", other->second, change.path)
+        .at(change.place);
+  }
+  return changes;
+}
+
 bool is_key_of_film(const std::string& name) {
   const KeyList& keys = keys_of<FilmFile>();
   return std::any_of(
@@ -83,7 +104,7 @@ Changes take_common(toml::table& tree, const std::string& file) {
   }
   for (const auto& [name, line] : names)
     tree.erase(name);
-  return changes;
+  return in_order(std::move(changes));
 }
 
 FilmFile film_of(const toml::table& tree, const std::string& file) {
@@ -141,6 +162,7 @@ std::vector<Asked> panels_of(const FilmFile& film,
         file, line_of(tree["panel"][i]["scene"]), fmt::format("panel[{}].scene", i)};
     Asked panel{spec.scene, spec.caption, {}, names_scene};
     add_changes(spec.set, "", {file, line, fmt::format("panel[{}].set", i)}, panel.changes);
+    panel.changes = in_order(std::move(panel.changes));
     panels.push_back(std::move(panel));
   }
   if (film.sweep) {
@@ -212,6 +234,47 @@ void check_panel(const Scene& scene) {
     refuse_at("video.loop", input_error("several motions do not close at one time"));
 }
 
+// A sweep names its values in the headings of its panels, and all panels last equally long.
+void refuse_in_sweep(const SweepSpec& sweep, const Place& at_key, const Changes& from_options) {
+  if (is_within(sweep.key, "motion.duration"))
+    throw input_error("'{}' is one for the whole film; set it beside [sweep]", sweep.key)
+        .at(at_key);
+  for (const Change& change : from_options)
+    at_place(change.place, [&] { refuse_overlap(sweep.key, change.path); });
+}
+
+// A setting of what is different in one panel: "panel[1].set.motion.duration".
+struct PanelSetting {
+  std::size_t panel;
+  std::string path;  // "motion.duration"
+};
+std::optional<PanelSetting> in_panel(const std::string& key) {
+  constexpr std::string_view kBegin = "panel[", kEnd = "].set.";
+  if (!key.starts_with(kBegin)) return {};
+  const std::size_t end = key.find(kEnd, kBegin.size());
+  if (end == std::string::npos) return {};
+  const std::optional<int> panel =
+      parse_integer(std::string_view(key).substr(kBegin.size(), end - kBegin.size()));
+  if (!panel || *panel < 0) return {};
+  return PanelSetting{static_cast<std::size_t>(*panel), key.substr(end + kEnd.size())};
+}
+
+// The changes that it makes; a table is merged, as it is in the file.
+Changes changes_of(const PanelSetting& in, const Setting& setting, const Place& place) {
+  toml::table holder;
+  at_place(place, [&] { replace_value(holder, "value", setting.value); });
+  const toml::node& value = *holder.get("value");
+  Changes changes;
+  if (value.is_table()) {
+    add_changes(*value.as_table(), in.path, place, changes);
+  } else {
+    changes.push_back(put(in.path, value, place));
+  }
+  for (Change& change : changes)
+    change.place = place;
+  return changes;
+}
+
 // whether the changes give a value to the key, or to a table around it
 bool is_given(const Changes& changes, const char* key) {
   return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
@@ -229,10 +292,16 @@ Scene load_film(toml::table tree,
                 const std::filesystem::path& file,
                 const std::vector<Setting>& settings) {
   Changes from_options, of_film;
+  std::map<std::size_t, Changes> of_panels;
   for (const Setting& setting : settings) {
     const std::string first = setting.key.substr(0, setting.key.find_first_of(".["));
     const Change change = change_of(setting);
-    if (is_key_of_film(first)) {
+    const toml::array* panels = tree["panel"].as_array();
+    const std::optional<PanelSetting> inside = in_panel(setting.key);
+    if (inside && panels != nullptr && inside->panel < panels->size()) {
+      for (Change& one : changes_of(*inside, setting, change.place))
+        of_panels[inside->panel].push_back(std::move(one));
+    } else if (is_key_of_film(first)) {
       at_place(change.place, [&] { change.apply(tree); });
       of_film.push_back(change);
     } else {
@@ -248,9 +317,16 @@ Scene load_film(toml::table tree,
     }
   }();
 
+  if (film.sweep) {
+    const Place at_key{file.string(), line_of(std::as_const(tree)["sweep"]["key"]), "sweep.key"};
+    refuse_in_sweep(*film.sweep, at_key, from_options);
+  }
+
   std::vector<ScenePanel> panels;
   double longest = 0.0;
   for (Asked& asked : panels_of(film, tree, file.string())) {
+    const Changes& more = of_panels[panels.size()];
+    asked.changes.insert(asked.changes.end(), more.begin(), more.end());
     refuse_shared(asked.changes, film.cameras == "same");
     // values of the film, of the panel, and of the command line
     Changes changes = common;

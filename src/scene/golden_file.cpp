@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "scene/reader.h"
 #include "scene/scene_tree.h"

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/name_list.h"
+#include "base/one_line.h"
 #include "base/units.h"
 #include "scene/toml_text.h"
 
@@ -21,16 +22,21 @@ struct PathPart {
   long index = -1;  // in the list of the part before; -1: a key
 };
 std::vector<PathPart> parts_of(const std::string& path) {
+  constexpr std::size_t kMost = 100;  // trees are walked by functions that call themselves
+  constexpr std::size_t kShown = 60;
+  const Error no_key =
+      input_error("'{}' is not a key; write motion.spin.body[2] or the like", cut(path, kShown));
   std::vector<PathPart> parts;
   for (std::size_t i = 0; i < path.size();) {
+    if (parts.size() == kMost)
+      throw input_error("'{}' has more than {} parts", cut(path, kShown), kMost);
     if (path[i] == '[') {
       const std::size_t end = path.find(']', i);
       const std::string inside = path.substr(i + 1, end == std::string::npos ? end : end - i - 1);
       const bool digits = !inside.empty() && inside.size() < 6 &&
                           (inside == "0" || inside.front() != '0') &&
                           inside.find_first_not_of("0123456789") == std::string::npos;
-      if (end == std::string::npos || !digits)
-        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
+      if (end == std::string::npos || !digits) throw no_key;
       parts.push_back({"", std::stol(inside)});
       i = end + 1;
     } else {
@@ -40,8 +46,7 @@ std::vector<PathPart> parts_of(const std::string& path) {
           std::all_of(path.begin() + static_cast<std::ptrdiff_t>(i),
                       path.begin() + static_cast<std::ptrdiff_t>(end),
                       [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
-      if (end == i || !bare)
-        throw input_error("'{}' is not a key; write motion.spin.body[2] or the like", path);
+      if (end == i || !bare) throw no_key;
       parts.push_back({path.substr(i, end - i), -1});
       i = end;
     }

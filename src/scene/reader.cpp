@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/nearest.h"
+#include "base/one_line.h"
 #include "scene/other_words.h"
 #include "scene/toml_text.h"
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/scene_tree.h"
+
 namespace polhode {
 
 std::vector<std::string> mesh_names(const Scene& scene) {
@@ -46,6 +48,11 @@ void refuse_panels(const Scene& scene) {
                     scene.panels.size(),
                     scene.panels.front().scene.file)
       .at({scene.film_file, 0, {}});
+}
+
+void refuse_swept(const Scene& scene, const std::string& key) {
+  for (const auto& [changed, place] : scene.options)
+    if (place.key.starts_with("sweep.")) refuse_overlap(changed, key);
 }
 
 int line_of(const Scene& scene, const std::string& key) {

@@ -75,6 +75,12 @@ bool is_within(const std::string& path, const std::string& around) {
          (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
 }
 
+void refuse_overlap(const std::string& swept, const std::string& key) {
+  if (!is_within(key, swept) && !is_within(swept, key)) return;
+  throw input_error("the sweep changes '{}'; give it other values: --set 'sweep.values=[…]'",
+                    swept);
+}
+
 toml::table read_tree(const std::filesystem::path& file) {
   return parse_toml(read_input(file, kLargestScene), file.string());
 }

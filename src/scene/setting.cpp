@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/name_list.h"
+#include "base/one_line.h"
 #include "scene/toml_text.h"
 
 namespace polhode {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "base/utf8.h"
 
 namespace polhode {
@@ -64,13 +65,6 @@ std::string short_message(std::string_view description) {
 }
 
 }  // namespace
-
-std::string cut(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return std::string(text);
-  while (most > 0 && is_continuation(text, most))
-    --most;
-  return std::string(text.substr(0, most)) + "...";
-}
 
 toml::table parse_toml(std::string_view text, const std::string& name, const std::string& least) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {

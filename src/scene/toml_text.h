@@ -22,8 +22,4 @@ toml::table parse_toml(std::string_view text,
                        const std::string& name,
                        const std::string& least = "a scene needs at least a [body] table");
 
-// At most the first `most` bytes of a user's text, for messages, followed by "..." if something is
-// cut off. Never splits a UTF-8 character.
-std::string cut(std::string_view text, std::size_t most = 40);
-
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include "base/at_place.h"
 #include "base/color.h"
 #include "base/nearest.h"
+#include "base/one_line.h"
 #include "base/utf8.h"
 #include "scene/keys.h"
 #include "scene/other_words.h"

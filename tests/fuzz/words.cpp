@@ -11,6 +11,7 @@
 #include "base/name_list.h"
 #include "base/nearest.h"
 #include "base/numbers.h"
+#include "base/one_line.h"
 #include "base/utf8.h"
 #include "film/output/shard.h"
 #include "fuzz/harness.h"

@@ -88,6 +88,49 @@ TEST_F(FilmFiles, ASweepIsAPanelForEachValue) {
   EXPECT_EQ(this->film(sweep).panels[0].caption, "motion.spin.body[2] = 5");
 }
 
+// the heading of a panel would tell another value
+TEST_F(FilmFiles, WhatASweepChangesIsNotSetOtherwise) {
+  const std::string sweep =
+      "[sweep]\nscene = \"a.toml\"\nkey = \"motion.spin.body[2]\"\nvalues = [5, 10.5]\n";
+  for (const char* key : {"motion.spin.body[2]", "motion.spin.body", "motion.spin", "motion"}) {
+    test::expect_input_error(
+        [&] {
+          film(sweep, {{key, "1"}});
+        },
+        fmt::format("--set {}", key),
+        "the sweep changes 'motion.spin.body[2]'");
+  }
+  EXPECT_EQ((*film(sweep, {{"motion.spin.body[0]", "1"}}).panels[1].scene.motion.spin.body)[2],
+            10.5);
+  EXPECT_EQ(film(sweep, {{"sweep.values", "[3]"}}).panels[0].caption, "motion.spin.body[2] = 3");
+}
+
+// with a path or a table there, in another unit or around it
+TEST_F(FilmFiles, SettingsOfAPanelReplaceWhatItSets) {
+  const auto spin = [&](const std::string& set, const Setting& setting) {
+    return *film(kTwo + "set = " + set + "\n", {setting}).panels[1].scene.motion.spin.body;
+  };
+  const std::string key = "panel[1].set.motion.spin.body";
+  for (const char* set : {"{ \"motion.spin.body[2]\" = 7 }",
+                          "{ motion = { spin = { body = [1, 2, 3] } } }",
+                          "{ \"motion.spin\" = { body = [1, 2, 3] } }",
+                          "{}"}) {
+    EXPECT_EQ(spin(set, {key, "[4, 5, 6]"}), Vec3(4, 5, 6)) << set;
+    EXPECT_EQ(spin(set, {key + "[2]", "8"})[2], 8.0) << set;
+    EXPECT_EQ(spin(set, {"panel[1].set.motion", "{ spin = { body = [4, 5, 6] } }"}), Vec3(4, 5, 6))
+        << set;
+  }
+  EXPECT_EQ(spin("{ \"motion.spin\" = { body = [1, 2, 3] }, \"motion.spin.body[2]\" = 9 }",
+                 {"panel[1].set.motion.duration", "2"}),
+            Vec3(1, 2, 9));
+  test::expect_input_error(
+      [&] {
+        film(kTwo, {{"panel[2].set.motion.duration", "2"}});
+      },
+      "--set panel[2].set.motion.duration",
+      "no value at");
+}
+
 // whatever changes a pixel changes the hash, and nothing else does
 TEST_F(FilmFiles, HashesFollowWhatIsShown) {
   const std::string before = scene_hash(film(kTwo));
@@ -138,6 +181,20 @@ TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
       std::string::npos);
   EXPECT_NE(why(kTwo + "set = { \"camera.fov_deg\" = 20 }\n").find("or set cameras = \"own\""),
             std::string::npos);
+  // as is what lasts as long in all
+  EXPECT_EQ(why("[sweep]\nscene = \"a.toml\"\nkey = \"motion.duration\"\nvalues = [1, 2]\n"),
+            "film.toml:3: sweep.key: 'motion.duration' is one for the whole film; set it beside "
+            "[sweep]");
+  // nobody could say which counts
+  EXPECT_EQ(why(kTwo + "set = { \"body.solid.mass\" = 1, body = { solid = { mass = 2 } } }\n"),
+            "film.toml:5: panel[1].set.body.solid.mass: 'body.solid.mass' is given twice");
+  EXPECT_NE(why(kTwo + "[motion]\nduration = 1\nduration_ms = 2\n").find("give only one of"),
+            std::string::npos);
+  std::string deep = "a";
+  for (int i = 0; i < 120'000; ++i)
+    deep += ".a";
+  EXPECT_NE(why(kTwo + "set = { \"" + deep + "\" = 1 }\n").find("has more than 100 parts"),
+            std::string::npos);
   std::string many;
   for (int i = 0; i < 10; ++i)
     many += "[[panel]]\nscene = \"a.toml\"\n";
@@ -149,7 +206,7 @@ TEST_F(FilmFiles, ChangesAreToBlameForWhatTheyBring) {
   const std::string sweep = "[sweep]\nscene = \"a.toml\"\n";
   EXPECT_EQ(why(sweep + "key = \"motion.spinn.body[2]\"\nvalues = [1]\n"),
             "film.toml:3: sweep.key: the scene has no value at 'motion.spinn.body[2]'");
-  EXPECT_EQ(why(sweep + "key = \"motion.duration\"\nvalues = [1,\n2,\n-3]\n"),
+  EXPECT_EQ(why(sweep + "key = \"body.solid.mass\"\nvalues = [1,\n2,\n-3]\n"),
             "film.toml:6: sweep.values[2]: must be greater than 0, got -3");
   EXPECT_EQ(why(kTwo + "set = { \"motion.spinn.body\" = [1, 2, 3] }\n"),
             "film.toml:5: panel[1].set.motion.spinn.body: motion.spinn: unknown key (did you mean "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/one_line.h"
 #include "scene/toml_text.h"
 
 #include <string>

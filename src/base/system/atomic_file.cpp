@@ -54,6 +54,18 @@ bool keeps_its_name(const fs::path& target, const fs::path& folder) {
          (folders.st_mode & S_ISVTX) != 0 && its.st_uid != user && folders.st_uid != user;
 }
 
+// Gives a new file the owner, the group and the mode of the one that it will replace, as far as the
+// user may: what only some may read stays so from its first byte on.
+void keep_readers(int file, const fs::path& replaced) {
+  struct stat its = {};
+  if (stat(replaced.c_str(), &its) != 0) return;
+  mode_t mode = (its.st_mode & 0777) | S_IRUSR | S_IWUSR;
+  const bool has_group =
+      fchown(file, its.st_uid, its.st_gid) == 0 || fchown(file, geteuid(), its.st_gid) == 0;
+  if (!has_group) mode &= ~static_cast<mode_t>(S_IRWXG);
+  fchmod(file, mode);
+}
+
 fs::path part_of(const fs::path& target) {
   fs::path part = target;
   part += ".part";
@@ -114,9 +126,7 @@ AtomicFile::AtomicFile(const fs::path& target)
         "choose another output")
         .at(place);
   }
-  // what only some may read stays so from its first byte on
-  struct stat its = {};
-  if (stat(target_.c_str(), &its) == 0) fchmod(lock_, (its.st_mode & 0777) | S_IRUSR | S_IWUSR);
+  keep_readers(lock_, target_);
   unfinished_.emplace(part_);
 }
 

@@ -59,6 +59,17 @@ TEST_F(AtomicFileTest, WhatOnlySomeMayReadStaysSo) {
   }
 }
 
+TEST_F(AtomicFileTest, OwnerAndGroupStay) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+  std::ofstream(target_) << "old";
+  ASSERT_EQ(chown(target_.c_str(), 1500, 1234), 0);
+  AtomicFile(target_).commit_with("new");
+  struct stat its = {};
+  ASSERT_EQ(stat(target_.c_str(), &its), 0);
+  EXPECT_EQ(its.st_uid, 1500U);
+  EXPECT_EQ(its.st_gid, 1234U);
+}
+
 TEST_F(AtomicFileTest, WhatHadTheNameGetsItBack) {
   for (const bool is_new : {true, false}) {
     fs::remove(target_);
