@@ -18,6 +18,7 @@
 #include "base/system/unfinished.h"
 #include "chart/gnuplot.h"
 #include "lecture/data.h"
+#include "lecture/deck/own_pictures.h"
 #include "lecture/deck/pandoc.h"
 #include "lecture/deck/quotes.h"
 #include "lecture/deck/word_list.h"
@@ -149,7 +150,7 @@ void copy_images(LectureWork& work, Media& media) {
   std::map<std::string, std::string>& copies = work.images;
   for (const std::string& image : work.deck.images) {
     const std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
-    const std::string ending = fs::path(image).extension().string();
+    const std::string ending = picture_ending(image);
     const Product copy{
         "picture", bytes + ending, [&](const fs::path& folder, const std::string& stem) {
           write_file(folder / (stem + ending), bytes);

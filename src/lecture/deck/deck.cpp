@@ -267,7 +267,7 @@ class Reader {
             target);
       }
       const std::string file = percent_decoded(target);
-      const std::string ending = std::filesystem::path(file).extension();
+      const std::string ending = picture_ending(file);
       if (!is_picture_ending(ending))
         throw input_error("'{}' is neither a picture (.png, .jpg, .svg, .webp) nor a scene", file);
       require_picture(trusted_file(deck_.root, deck_.root.folder, file), ending);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/deck/own_pictures.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 
 #include "base/error.h"
+#include "base/name_list.h"
+#include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "image/png.h"
 
@@ -34,58 +39,136 @@ std::string wrong_with_png(const std::string& bytes) {
   return {};
 }
 
+std::size_t number_at(std::string_view bytes, std::size_t at) {
+  return std::size_t{256} * byte_at(bytes, at) + byte_at(bytes, at + 1);
+}
+
+// Whether a browser reads a frame whose bytes, from its marker on, are these: Huffman codes in
+// order or progressive, 8 bits, of some size, in grey, three colours or four.
+bool is_usual_frame(std::string_view bytes) {
+  constexpr int kFirst = 0xc0, kLast = 0xc2, kBits = 8;
+  constexpr std::size_t kHead = 10;
+  if (bytes.size() < kHead) return false;
+  const int marker = byte_at(bytes, 1), colours = byte_at(bytes, 9);
+  return marker >= kFirst && marker <= kLast && byte_at(bytes, 4) == kBits &&
+         number_at(bytes, 5) > 0 && number_at(bytes, 7) > 0 &&
+         (colours == 1 || colours == 3 || colours == 4);
+}
+
 // Goes from marker to marker, ISO/IEC 10918-1, annex B: most begin a segment that tells its length;
 // behind that of a scan come its bytes, among which 0xff stands before 0 and restarts alone.
 std::string wrong_with_jpeg(const std::string& bytes) {
-  constexpr int kFirstRestart = 0xd0, kStart = 0xd8, kEnd = 0xd9, kScan = 0xda;
+  constexpr int kFirstRestart = 0xd0, kLastRestart = 0xd7, kEnd = 0xd9, kScan = 0xda;
   if (!bytes.starts_with("\xff\xd8\xff")) return "is no .jpg file";
-  bool has_scan = false;
+  bool has_frame = false, has_scan = false;
   for (std::size_t at = 2; at + 1 < bytes.size();) {
     const int marker = byte_at(bytes, at + 1);
     const bool is_marker = byte_at(bytes, at) == 0xff && marker != 0 && marker != 0xff;
-    const bool is_alone = marker >= kFirstRestart && marker <= kStart;
+    const bool is_alone = marker >= kFirstRestart && marker <= kLastRestart;
     if (!is_marker || is_alone) {
       at += is_marker ? 2 : 1;
       continue;
     }
     if (marker == kEnd) return has_scan ? "" : "has no picture in it";
     if (at + 3 >= bytes.size()) break;
+    // other markers of that row are tables, and what browsers do not know
+    const bool is_frame = (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xcc;
+    if (is_frame && !is_usual_frame(std::string_view(bytes).substr(at)))
+      return "is a JPEG of a kind that browsers do not show";
+    has_frame = has_frame || is_frame;
+    if (marker == kScan && !has_frame) return "is damaged: its picture has no size";
     has_scan = has_scan || marker == kScan;
-    at += 2 + std::size_t{256} * byte_at(bytes, at + 2) + byte_at(bytes, at + 3);
+    at += 2 + number_at(bytes, at + 2);
   }
   return kCutOff;
 }
 
-// https://developers.google.com/speed/webp/docs/riff_container: its length behind "RIFF", without
-// these eight bytes
+// https://developers.google.com/speed/webp/docs/riff_container: chunks, each with its length behind
+// four letters, in one that is called RIFF.
 std::string wrong_with_webp(const std::string& bytes) {
-  constexpr std::size_t kHead = 20;  // with that of the first chunk
-  if (!bytes.starts_with("RIFF") || bytes.find("WEBP") != 8) return "is no .webp file";
-  std::size_t length = 8;
-  for (std::size_t i = 0; i < 4; ++i)
-    length += std::size_t{byte_at(bytes, 4 + i)} << (8 * i);
-  return bytes.size() < kHead || bytes.size() < length ? kCutOff : "";
+  constexpr std::size_t kHead = 8, kName = 4;
+  const auto length_at = [&](std::size_t at) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      length += std::size_t{byte_at(bytes, at + kName + i)} << (8 * i);
+    return length;
+  };
+  if (!bytes.starts_with("RIFF") || bytes.find("WEBP") != kHead) return "is no .webp file";
+  if (bytes.size() < kHead + length_at(0)) return kCutOff;
+  bool has_picture = false;
+  for (std::size_t at = kHead + kName; at + kHead <= bytes.size();) {
+    const std::string_view name = std::string_view(bytes).substr(at, kName);
+    const std::size_t end = at + kHead + length_at(at);
+    const bool is_picture = name == "VP8 " || name == "VP8L" || name == "ANMF";
+    if (is_picture && end > bytes.size()) return kCutOff;
+    has_picture = has_picture || is_picture;
+    at = end + end % 2;
+  }
+  return has_picture ? "" : "has no picture in it";
 }
 
+// the name of a node or an attribute without its prefix
+template <class Named>
+std::string_view name_of(const Named* named) {
+  return reinterpret_cast<const char*>(named->name);
+}
+
+// What is wrong with an element and what is beside and in it: for the picture of a page browsers
+// look neither for other files nor for what a document type defines elsewhere.
+std::string wrong_in(const xmlNode* node) {
+  for (; node != nullptr; node = node->next) {
+    if (node->type == XML_ENTITY_REF_NODE && xmlGetDocEntity(node->doc, node->name) == nullptr)
+      return fmt::format("has &{}; in it, which it does not define", name_of(node));
+    if (node->type != XML_ELEMENT_NODE) continue;
+    const bool may_lead_away = name_of(node) == "a";
+    for (const xmlAttr* one = node->properties; one != nullptr; one = one->next) {
+      if (may_lead_away || name_of(one) != "href" || one->children == nullptr) continue;
+      const xmlChar* value = one->children->content;
+      const std::string link = value == nullptr ? "" : reinterpret_cast<const char*>(value);
+      if (link.empty() || link.starts_with('#') || link.starts_with("data:")) continue;
+      return fmt::format("needs another file, {}, which browsers do not show in it; embed it",
+                         cut(link));
+    }
+    if (std::string wrong = wrong_in(node->children); !wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+// Browsers read an SVG that is shown in a page as UTF-8, whatever it says of itself, unless it
+// begins with the mark of UTF-16.
 std::string wrong_with_svg(const std::string& bytes) {
-  if (bytes.find("<svg") == std::string::npos && bytes.find(":svg") == std::string::npos)
-    return "is no .svg file";
   constexpr std::size_t kLargest = 10'000'000;  // libxml2 takes no longer texts
   if (bytes.size() > kLargest) return {};
+  const bool is_wide = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+  const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> parser(xmlNewParserCtxt(),
+                                                                            &xmlFreeParserCtxt);
   const std::unique_ptr<xmlDoc, decltype(&xmlFreeDoc)> tree(
-      xmlReadMemory(bytes.data(),
-                    static_cast<int>(bytes.size()),
-                    nullptr,
-                    nullptr,
-                    XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING),
+      xmlCtxtReadMemory(parser.get(),
+                        bytes.data(),
+                        static_cast<int>(bytes.size()),
+                        nullptr,
+                        is_wide ? nullptr : "UTF-8",
+                        XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING),
       &xmlFreeDoc);
+  // limits of libxml2, such as elements in 256 others
+  if (parser->errNo == XML_ERR_INTERNAL_ERROR) return {};
   const xmlNode* root = tree == nullptr ? nullptr : xmlDocGetRootElement(tree.get());
-  if (root == nullptr) return "is no XML, as an SVG is";
-  // drawing programs name it by an entity
+  const bool is_xml = parser->wellFormed != 0 && parser->nsWellFormed != 0;
+  if (root == nullptr || !is_xml || (!is_wide && bytes.find('\0') != std::string::npos)) {
+    const xmlError* error = xmlCtxtGetLastError(parser.get());
+    if (error == nullptr || error->message == nullptr) return "is no XML, as an SVG is";
+    return fmt::format(
+        "is no XML, as an SVG is: line {}: {}", error->line, trimmed(error->message, "\n"));
+  }
+  constexpr std::string_view kSvg = "http://www.w3.org/2000/svg";
+  const bool has_space = root->ns != nullptr && root->ns->href != nullptr;
+  const std::string_view space = has_space ? reinterpret_cast<const char*>(root->ns->href) : "";
+  // drawing programs name it by an entity, which stays as it is here
   const bool is_svg =
-      std::string_view(reinterpret_cast<const char*>(root->name)).ends_with("svg") &&
-      bytes.find("http://www.w3.org/2000/svg") != std::string::npos;
-  return is_svg ? "" : "does not begin with <svg xmlns=\"http://www.w3.org/2000/svg\">";
+      name_of(root) == "svg" &&
+      (space == kSvg || (space.starts_with('&') && bytes.find(kSvg) != std::string::npos));
+  if (!is_svg) return fmt::format("does not begin with <svg xmlns=\"{}\">", kSvg);
+  return wrong_in(root);
 }
 
 struct Row {
@@ -105,6 +188,14 @@ const Row* find_row(const std::string& ending) {
 }
 
 }  // namespace
+
+std::string picture_ending(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return ending;
+}
 
 bool is_picture_ending(const std::string& ending) {
   return find_row(ending) != nullptr;

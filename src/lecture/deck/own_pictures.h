@@ -7,7 +7,9 @@
 
 namespace polhode {
 
-// The endings that they may have, each with its dot: ".png".
+// The ending of a file in small letters, ".jpg" of "IMG_1.JPG".
+std::string picture_ending(const std::string& file);
+// Those that they may have.
 bool is_picture_ending(const std::string& ending);
 
 // Reads a file with one of these endings. Throws Error (input), without a place, if a browser would

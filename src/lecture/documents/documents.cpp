@@ -13,6 +13,7 @@
 #include "lecture/deck/characters.h"
 #include "lecture/deck/formulas.h"
 #include "lecture/deck/line_finder.h"
+#include "lecture/deck/own_pictures.h"
 #include "lecture/deck/pandoc.h"
 #include "lecture/deck/word_list.h"
 #include "lecture/documents/latex.h"
@@ -44,7 +45,8 @@ std::vector<std::string> characters_without_font(const Deck& deck) {
 constexpr const char* kNoFormula = "[a formula that cannot be read]";
 
 bool is_for_pages_only(const std::string& image) {
-  return image.ends_with(".svg") || image.ends_with(".webp");
+  const std::string ending = picture_ending(image);
+  return ending == ".svg" || ending == ".webp";
 }
 
 // A picture alone with its caption below, as this version of pandoc has figures.

@@ -30,6 +30,14 @@ class OwnPictures : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
+// as cameras write them
+TEST_F(OwnPictures, MayHaveEndingsInCapitals) {
+  EXPECT_EQ(picture_ending("a/IMG_1.JPG"), ".jpg");
+  EXPECT_TRUE(is_picture_ending(".jpeg"));
+  EXPECT_FALSE(is_picture_ending(".gif"));
+  EXPECT_EQ(picture_ending("a"), "");
+}
+
 TEST_F(OwnPictures, OfPngAreWhole) {
   write_png(folder_ / "b.png", Image(3, 2), false);
   const std::string whole = test::read_text(folder_ / "b.png");
@@ -42,39 +50,81 @@ TEST_F(OwnPictures, OfPngAreWhole) {
 TEST_F(OwnPictures, OfJpegAreWhole) {
   const std::string inside = "\xff\xd8\xff\xda\0\2x\xff\xd9"s;
   const std::string start = "\xff\xd8\xff\xe1\0"s + static_cast<char>(inside.size() + 2) + inside;
+  const std::string frame = "\xff\xc2\0\x0b\x08\0\1\0\1\1\1\x11\0"s;
   const std::string scan = "\xff\xff\xda\0\3\1pixels\xff\0more\xff\xd0more"s;
-  EXPECT_EQ(wrong_with(".jpg", start + scan + scan + "\xff\xd9"), "nothing");
-  EXPECT_EQ(wrong_with(".jpeg", start + scan + "\xff\xd9 and more"), "nothing");
+  EXPECT_EQ(wrong_with(".jpg", start + frame + scan + scan + "\xff\xd9"), "nothing");
+  EXPECT_EQ(wrong_with(".jpeg", start + frame + scan + "\xff\xd9 and more"), "nothing");
   EXPECT_EQ(wrong_with(".jpg", start + "\xff\xd9"), "'a.jpg' has no picture in it");
+  EXPECT_EQ(wrong_with(".jpg", start + scan + "\xff\xd9"),
+            "'a.jpg' is damaged: its picture has no size");
   EXPECT_EQ(wrong_with(".jpg", "picture"), "'a.jpg' is no .jpg file");
-  const std::string whole = start + scan + "\xff\xd9";
-  for (std::size_t length = 3; length < whole.size(); ++length)
-    EXPECT_EQ(wrong_with(".jpg", whole.substr(0, length)),
-              "'a.jpg' is cut off: it ends before its picture does")
-        << length;
+  const std::string whole = start + frame + scan + "\xff\xd9";
+  for (std::size_t length = 3; length < whole.size(); ++length) {
+    // a frame that ends in its first bytes is of no kind
+    const std::string wrong = wrong_with(".jpg", whole.substr(0, length));
+    EXPECT_TRUE(wrong == "'a.jpg' is cut off: it ends before its picture does" ||
+                wrong == "'a.jpg' is a JPEG of a kind that browsers do not show")
+        << length << wrong;
+  }
+  // without losses, 12 bits, no size, two colours
+  for (const auto& [at, byte] :
+       {std::pair(1, '\xc3'), std::pair(4, '\x0c'), std::pair(8, '\0'), std::pair(9, '\2')}) {
+    std::string other = frame;
+    other[static_cast<std::size_t>(at)] = byte;
+    EXPECT_EQ(wrong_with(".jpg", start + other + scan + "\xff\xd9"),
+              "'a.jpg' is a JPEG of a kind that browsers do not show");
+  }
 }
 
 TEST_F(OwnPictures, OfWebpAreWhole) {
-  const std::string whole = "RIFF\x10\0\0\0WEBPVP8L\4\0\0\0abcd"s;
+  const std::string chunk = "VP8L\4\0\0\0abcd"s;
+  const std::string whole = "RIFF\x1a\0\0\0WEBPICCP\1\0\0\0x\0"s + chunk;
   EXPECT_EQ(wrong_with(".webp", whole), "nothing");
   EXPECT_EQ(wrong_with(".webp", "RIFF and others"), "'a.webp' is no .webp file");
-  for (const std::size_t length : {12U, 20U, 23U})
-    EXPECT_EQ(wrong_with(".webp", whole.substr(0, length)),
-              "'a.webp' is cut off: it ends before its picture does");
+  EXPECT_EQ(wrong_with(".webp", "RIFF\4\0\0\0WEBP"s), "'a.webp' has no picture in it");
+  const std::string cut_off = "'a.webp' is cut off: it ends before its picture does";
+  for (const std::size_t length : {12U, 20U, 33U})
+    EXPECT_EQ(wrong_with(".webp", whole.substr(0, length)), cut_off);
+  EXPECT_EQ(wrong_with(".webp", "RIFF\x0e\0\0\0WEBP"s + chunk.substr(0, 10)), cut_off);
 }
 
 TEST_F(OwnPictures, OfSvgAreXmlOfTheirKind) {
-  const std::string right = "<svg xmlns=\"http://www.w3.org/2000/svg\"><g/></svg>";
-  EXPECT_EQ(wrong_with(".svg", right), "nothing");
-  EXPECT_EQ(wrong_with(".svg",
-                       "<?xml version=\"1.0\"?><!DOCTYPE svg [<!ENTITY s "
-                       "\"http://www.w3.org/2000/svg\">]><s:svg xmlns:s=\"&s;\"/>"),
-            "nothing");
-  EXPECT_EQ(wrong_with(".svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><g>"),
-            "'a.svg' is no XML, as an SVG is");
-  EXPECT_EQ(wrong_with(".svg", "<svg/>"),
-            "'a.svg' does not begin with <svg xmlns=\"http://www.w3.org/2000/svg\">");
-  EXPECT_EQ(wrong_with(".svg", "<html/>"), "'a.svg' is no .svg file");
+  const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+  const std::string linked = " xmlns:xlink=\"http://www.w3.org/1999/xlink\"><image xlink:href=\"";
+  const std::string old_type =
+      "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" "
+      "\"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd\">";
+  std::string nested;
+  for (int i = 0; i < 300; ++i)
+    nested = "<g>" + nested + "</g>";
+  for (const std::string& right :
+       {head + "><g/></svg>",
+        "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + head + "/>",
+        old_type + head + "><a href=\"https://a.org\">&amp;</a></svg>",
+        "<!DOCTYPE svg [<!ENTITY s \"http://www.w3.org/2000/svg\">"
+        "<!ENTITY t \"T\">]><svg xmlns=\"&s;\">&t;</svg>"s,
+        head + linked + "data:image/png;base64,AA\"/></svg>",
+        head + linked + "#a\"/></svg>",
+        head + ">" + nested + "</svg>",
+        "\xff\xfe<\0s\0v\0g\0 \0x\0m\0l\0n\0s\0=\0\"\0h\0t\0t\0p\0:\0/\0/\0"
+        "w\0w\0w\0.\0w\0003\0.\0o\0r\0g\0/\0002\0000\0000\0000\0/\0s\0v\0g\0"
+        "\"\0/\0>\0"s})
+    EXPECT_EQ(wrong_with(".svg", right), "nothing") << right;
+  const std::pair<std::string, const char*> wrong[] = {
+      {head + "><g>", "is no XML, as an SVG is: line 1: "},
+      {head + "><image xlink:href=\"#a\"/></svg>", "line 1: Namespace prefix xlink for href"},
+      {head + ">\xfc</svg>", "is no XML"},
+      {head + "/>\0"s, "is no XML"},
+      {old_type + head + ">&eacute;</svg>", "has &eacute; in it, which it does not define"},
+      {head + linked + "b.jpg\"/></svg>", "needs another file, b.jpg, which"},
+      {"<svg/>", "does not begin with <svg xmlns=\"http://www.w3.org/2000/svg\">"},
+      {"<svg xmlns=\"http://www.w3.org/2000/svgs\"/>", "does not begin with <svg"},
+      {"<html/>", "does not begin with <svg"},
+      {"words", "is no XML"},
+      {"", "is no XML"}};
+  for (const auto& [bytes, says] : wrong)
+    EXPECT_NE(wrong_with(".svg", bytes).find(says), std::string::npos)
+        << bytes << wrong_with(".svg", bytes);
 }
 
 }  // namespace
