@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/one_line.h"
 #include "scene/toml_text.h"
 
 #include <string>
@@ -109,13 +108,6 @@ TEST(Text, RefusesWordsThatFillNoPicture) {
   EXPECT_EQ(error_of("title = \"" + std::string(2000, 'a') + "\"\n" + kBody), "");
   const std::string error = error_of("title = \"" + std::string(2001, 'a') + "\"\n" + kBody);
   EXPECT_NE(error.find("title: is a text of 2001 bytes; at most 2000"), std::string::npos) << error;
-}
-
-TEST(Text, CutsBetweenCharacters) {
-  EXPECT_EQ(cut("abc", 3), "abc");
-  EXPECT_EQ(cut("abcd", 3), "abc...");
-  EXPECT_EQ(cut("ab\xC3\xA9", 3), "ab...");
-  EXPECT_EQ(cut("\xF0\x9F\x98\x80", 3), "...");
 }
 
 }  // namespace
