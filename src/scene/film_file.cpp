@@ -236,9 +236,10 @@ void check_panel(const Scene& scene) {
 
 // A sweep names its values in the headings of its panels, and all panels last equally long.
 void refuse_in_sweep(const SweepSpec& sweep, const Place& at_key, const Changes& from_options) {
-  if (is_within(sweep.key, "motion.duration"))
+  if (is_within(sweep.key, "motion.duration")) {
     throw input_error("'{}' is one for the whole film; set it beside [sweep]", sweep.key)
         .at(at_key);
+  }
   for (const Change& change : from_options)
     at_place(change.place, [&] { refuse_overlap(sweep.key, change.path); });
 }
