@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/at_place.h"
 #include "frame/theme.h"
@@ -22,7 +23,7 @@ void apply(const Overrides& overrides, Scene& scene) {
   // runs `set`, and remembers where the value of the key comes from; its errors name the option
   const auto replace = [&](const char* key, const char* option, const auto& set) {
     at_place({{}, 0, option}, [&] {
-      refuse_swept(scene, key);
+      refuse_given_for_panels(scene, key);
       set();
     });
     scene.options[key] = {{}, 0, option};
@@ -40,8 +41,13 @@ void apply(const Overrides& overrides, Scene& scene) {
         return place != scene.options.end() && place->second.file.empty();
       };
       if (*overrides.method != numerics.method) {
-        if (!is_set("numerics.step")) numerics.step.reset();
-        if (!is_set("numerics.tolerance")) numerics.tolerance.reset();
+        const auto leave_out = [&](const char* name, std::optional<double>& value) {
+          if (is_set(name)) return;
+          if (value) refuse_given_for_panels(scene, name);
+          value.reset();
+        };
+        leave_out("numerics.step", numerics.step);
+        leave_out("numerics.tolerance", numerics.tolerance);
       }
       numerics.method = *overrides.method;
       numerics.compare.clear();

@@ -2,6 +2,7 @@
 #include "scene/film_file.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,6 +59,11 @@ void add_changes(const toml::table& table,
 // Those of one place in their order: what they change as a whole before what is in it. Throws Error
 // (input) if two give one value, whatever its unit.
 Changes in_order(Changes changes) {
+  constexpr std::size_t kMost = 1000;
+  if (changes.size() > kMost) {
+    throw input_error("sets {} values; at most {} are allowed", changes.size(), kMost)
+        .at(changes.front().place);
+  }
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
     return a.path.size() < b.path.size();
   });
@@ -234,6 +240,16 @@ void check_panel(const Scene& scene) {
     refuse_at("video.loop", input_error("several motions do not close at one time"));
 }
 
+// Where a film has a duration for all.
+void refuse_own_duration(const Changes& changes) {
+  for (const Change& change : changes) {
+    if (is_within("motion.duration", change.path)) {
+      throw input_error("'motion.duration' is given for the whole film; leave one out")
+          .at(change.place);
+    }
+  }
+}
+
 // A sweep names its values in the headings of its panels, and all panels last equally long.
 void refuse_in_sweep(const SweepSpec& sweep, const Place& at_key, const Changes& from_options) {
   if (is_within(sweep.key, "motion.duration")) {
@@ -323,16 +339,21 @@ Scene load_film(toml::table tree,
     refuse_in_sweep(*film.sweep, at_key, from_options);
   }
 
+  const bool own_duration =
+      is_given(common, "motion.duration") || is_given(from_options, "motion.duration");
   std::vector<ScenePanel> panels;
   double longest = 0.0;
-  for (Asked& asked : panels_of(film, tree, file.string())) {
-    const Changes& more = of_panels[panels.size()];
-    asked.changes.insert(asked.changes.end(), more.begin(), more.end());
-    refuse_shared(asked.changes, film.cameras == "same");
-    // values of the film, of the panel, and of the command line
+  for (const Asked& asked : panels_of(film, tree, file.string())) {
+    const Changes& of_panel = of_panels[panels.size()];
+    // values of the film, of the panel, of the command line, and of that for this panel
     Changes changes = common;
-    changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());
-    changes.insert(changes.end(), from_options.begin(), from_options.end());
+    for (const Changes* more :
+         std::initializer_list<const Changes*>{&asked.changes, &from_options, &of_panel})
+      changes.insert(changes.end(), more->begin(), more->end());
+    for (const Changes* own : {&asked.changes, &of_panel})
+      refuse_shared(*own, film.cameras == "same");
+    if (is_given(common, "motion.duration")) refuse_own_duration(asked.changes);
+    if (own_duration) refuse_own_duration(of_panel);
     const std::filesystem::path scene_file = file.parent_path() / asked.scene;
     if (!is_there(scene_file))
       throw input_error("the file '{}' does not exist", asked.scene).at(asked.names_scene);
@@ -352,8 +373,6 @@ Scene load_film(toml::table tree,
 
   // one clock, one story, one size, one look: those of the first, unless the film gives them to all
   const Scene first = panels.front().scene;
-  const bool own_duration =
-      is_given(common, "motion.duration") || is_given(from_options, "motion.duration");
   for (ScenePanel& panel : panels) {
     panel.scene.video = first.video;
     panel.scene.theme = first.theme;

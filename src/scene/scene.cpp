@@ -50,9 +50,13 @@ void refuse_panels(const Scene& scene) {
       .at({scene.film_file, 0, {}});
 }
 
-void refuse_swept(const Scene& scene, const std::string& key) {
-  for (const auto& [changed, place] : scene.options)
+void refuse_given_for_panels(const Scene& scene, const std::string& key) {
+  for (const auto& [changed, place] : scene.options) {
     if (place.key.starts_with("sweep.")) refuse_overlap(changed, key);
+    const bool overlaps = is_within(changed, key) || is_within(key, changed);
+    if (place.key.starts_with("--set panel[") && overlaps)
+      throw input_error("cannot be given beside '{}'", place.key);
+  }
 }
 
 int line_of(const Scene& scene, const std::string& key) {

@@ -61,8 +61,9 @@ double shown_duration(const Scene& scene);
 void refuse_panels(const Scene& scene);
 
 // Throws Error (input), without a place, if the sweep of a film file changes this key of the scene,
-// a key in it or one around it: the heading of a panel tells the value of the sweep.
-void refuse_swept(const Scene& scene, const std::string& key);
+// a key in it or one around it, for the heading of a panel tells the value of the sweep; likewise
+// if a setting gives it for one panel.
+void refuse_given_for_panels(const Scene& scene, const std::string& key);
 
 // Calls `work` on a scene and on the scenes of its panels.
 template <class AnyScene, class Work>

@@ -123,6 +123,15 @@ TEST_F(FilmFiles, SettingsOfAPanelReplaceWhatItSets) {
   EXPECT_EQ(spin("{ \"motion.spin\" = { body = [1, 2, 3] }, \"motion.spin.body[2]\" = 9 }",
                  {"panel[1].set.motion.duration", "2"}),
             Vec3(1, 2, 9));
+  // it is narrower than one for all
+  for (const bool first : {true, false}) {
+    const Setting all = {"motion.spin.body[2]", "5"}, one = {key + "[2]", "6"};
+    const Scene both = film(kTwo, first ? std::vector{one, all} : std::vector{all, one});
+    EXPECT_EQ((*both.panels[0].scene.motion.spin.body)[2], 5.0);
+    EXPECT_EQ((*both.panels[1].scene.motion.spin.body)[2], 6.0);
+    EXPECT_THROW(refuse_given_for_panels(both.panels[1].scene, "motion.spin"), Error);
+    EXPECT_NO_THROW(refuse_given_for_panels(both.panels[0].scene, "motion.spin"));
+  }
   test::expect_input_error(
       [&] {
         film(kTwo, {{"panel[2].set.motion.duration", "2"}});
@@ -189,6 +198,14 @@ TEST_F(FilmFiles, WhatIsWrongIsToldWhereItStands) {
   EXPECT_EQ(why(kTwo + "set = { \"body.solid.mass\" = 1, body = { solid = { mass = 2 } } }\n"),
             "film.toml:5: panel[1].set.body.solid.mass: 'body.solid.mass' is given twice");
   EXPECT_NE(why(kTwo + "[motion]\nduration = 1\nduration_ms = 2\n").find("give only one of"),
+            std::string::npos);
+  EXPECT_EQ(why(kTwo + "set = { \"motion.duration\" = 1 }\n[motion]\nduration = 2\n"),
+            "film.toml:5: panel[1].set.motion.duration: 'motion.duration' is given for the whole "
+            "film; leave one out");
+  std::string many_keys = "k0 = 1";
+  for (int i = 1; i < 1001; ++i)
+    many_keys += fmt::format(", k{} = 1", i);
+  EXPECT_NE(why(kTwo + "set = { " + many_keys + " }\n").find("sets 1001 values; at most 1000"),
             std::string::npos);
   std::string deep = "a";
   for (int i = 0; i < 120'000; ++i)
