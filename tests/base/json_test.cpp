@@ -25,6 +25,10 @@ TEST(ForeignJson, IsNullWhereAKeyStandsTwice) {
       parse_foreign_json(R"({"a": 1, "b": [{"a": 2}, {"a": 3}], "c": {"a": 4}})").is_object());
   EXPECT_TRUE(parse_foreign_json(R"({"a": 1, "b": 2, "a": 1})").is_null());
   EXPECT_TRUE(parse_foreign_json(R"({"b": [{"a": {}, "a": []}]})").is_null());
+  std::string many = "{\"k\": 0";
+  for (int i = 0; i < 300'000; ++i)
+    many += ", \"k" + std::to_string(i) + "\": 0";
+  EXPECT_TRUE(parse_foreign_json(many + "}").is_null());
 }
 
 }  // namespace

@@ -268,7 +268,11 @@ DifferenceInWords compare_values(const std::string& path,
   } else if (says == is) {
     return {};
   }
-  return fmt::format("{} is {}, and not {}", path, one_line(is.dump()), one_line(says.dump()));
+  constexpr std::size_t kShown = 200;
+  const auto shown = [](const Json& value) {
+    return cut(one_line(value.dump()), kShown);
+  };
+  return fmt::format("{} is {}, and not {}", path, shown(is), shown(says));
 }
 
 // A key that a report has and the one of the same film has not; scenes are held against their hash.
@@ -283,7 +287,7 @@ DifferenceInWords unknown_key(const std::string& path, const Json& says, const J
   for (const auto& [key, value] : says.items()) {
     if (key == "scene") continue;
     const std::string inside = fmt::format("{}{}{}", path, path.empty() ? "" : ".", key);
-    if (!is.contains(key)) return fmt::format("{} is nothing that it tells", one_line(inside));
+    if (!is.contains(key)) return fmt::format("{} is nothing that it tells", cut(one_line(inside)));
     DifferenceInWords found = unknown_key(inside, value, is.at(key));
     if (!found.empty()) return found;
   }

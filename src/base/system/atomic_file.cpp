@@ -12,6 +12,7 @@
 
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 
 #include "base/error.h"
 #include "base/system/overwriting.h"
@@ -54,15 +55,21 @@ bool keeps_its_name(const fs::path& target, const fs::path& folder) {
          (folders.st_mode & S_ISVTX) != 0 && its.st_uid != user && folders.st_uid != user;
 }
 
-// Gives a new file the owner, the group and the mode of the one that it will replace, as far as the
-// user may: what only some may read stays so from its first byte on.
+// Gives a new file the owner, the group, the mode and the list of users (acl(5)) of the one that it
+// will replace, as far as the user may: what only some may read stays so from its first byte on.
 void keep_readers(int file, const fs::path& replaced) {
   struct stat its = {};
   if (stat(replaced.c_str(), &its) != 0) return;
   mode_t mode = (its.st_mode & 0777) | S_IRUSR | S_IWUSR;
   const bool has_group =
       fchown(file, its.st_uid, its.st_gid) == 0 || fchown(file, geteuid(), its.st_gid) == 0;
-  if (!has_group) mode &= ~static_cast<mode_t>(S_IRWXG);
+  // where there is a list of users, the bits of the group are the most that these may have
+  constexpr const char* kList = "system.posix_acl_access";
+  std::array<char, 4096> list{};
+  const ssize_t length = getxattr(replaced.c_str(), kList, list.data(), list.size());
+  const bool has_list =
+      length <= 0 || fsetxattr(file, kList, list.data(), static_cast<std::size_t>(length), 0) == 0;
+  if (!has_group || !has_list) mode &= ~static_cast<mode_t>(S_IRWXG);
   fchmod(file, mode);
 }
 
