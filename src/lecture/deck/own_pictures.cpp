@@ -17,6 +17,7 @@
 #include "base/one_line.h"
 #include "base/system/atomic_file.h"
 #include "image/png.h"
+#include "video/picture_check.h"
 
 namespace polhode {
 namespace {
@@ -24,6 +25,7 @@ namespace {
 // what is wrong with the bytes of a picture, as a part of a sentence; "": nothing
 using Check = std::string (*)(const std::string& bytes);
 
+constexpr char kDamaged[] = "is damaged";
 constexpr char kCutOff[] = "is cut off: it ends before its picture does";
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
@@ -55,12 +57,29 @@ bool is_usual_frame(std::string_view bytes) {
          (colours == 1 || colours == 3 || colours == 4);
 }
 
+// Whether a scan has only colours of its frame; both from their markers on.
+bool has_colours_of(std::string_view scan, std::string_view frame) {
+  constexpr std::size_t kCount = 4, kFirst = 5, kInFrame = 10;
+  const std::size_t count = scan.size() > kCount ? byte_at(scan, kCount) : 0;
+  if (count == 0 || scan.size() < kFirst + 2 * count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    bool is_there = false;
+    for (std::size_t k = kInFrame; k < frame.size(); k += 3)
+      is_there = is_there || frame[k] == scan[kFirst + 2 * i];
+    if (!is_there) return false;
+  }
+  return true;
+}
+
 // Goes from marker to marker, ISO/IEC 10918-1, annex B: most begin a segment that tells its length;
 // behind that of a scan come its bytes, among which 0xff stands before 0 and restarts alone.
 std::string wrong_with_jpeg(const std::string& bytes) {
   constexpr int kFirstRestart = 0xd0, kLastRestart = 0xd7, kEnd = 0xd9, kScan = 0xda;
   if (!bytes.starts_with("\xff\xd8\xff")) return "is no .jpg file";
-  bool has_frame = false, has_scan = false;
+  constexpr std::size_t kMostPixels = 100'000'000;  // that are decoded here, as a test
+  bool has_scan = false;
+  std::size_t pixels = 0;
+  std::string_view frame;
   for (std::size_t at = 2; at + 1 < bytes.size();) {
     const int marker = byte_at(bytes, at + 1);
     const bool is_marker = byte_at(bytes, at) == 0xff && marker != 0 && marker != 0xff;
@@ -69,16 +88,27 @@ std::string wrong_with_jpeg(const std::string& bytes) {
       at += is_marker ? 2 : 1;
       continue;
     }
-    if (marker == kEnd) return has_scan ? "" : "has no picture in it";
+    if (marker == kEnd) {
+      if (!has_scan) return "has no picture in it";
+      return pixels <= kMostPixels && is_damaged(bytes, CodedPicture::jpeg) ? kDamaged : "";
+    }
     if (at + 3 >= bytes.size()) break;
     // other markers of that row are tables, and what browsers do not know
     const bool is_frame = (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xcc;
     if (is_frame && !is_usual_frame(std::string_view(bytes).substr(at)))
       return "is a JPEG of a kind that browsers do not show";
-    has_frame = has_frame || is_frame;
-    if (marker == kScan && !has_frame) return "is damaged: its picture has no size";
+    if (is_frame && pixels > 0) return kDamaged;
+    const std::size_t end = at + 2 + number_at(bytes, at + 2);
+    if (end > bytes.size()) break;
+    const std::string_view segment = std::string_view(bytes).substr(at, end - at);
+    if (is_frame) {
+      pixels = number_at(bytes, at + 5) * number_at(bytes, at + 7);
+      frame = segment;
+    }
+    if (marker == kScan && pixels == 0) return "is damaged: its picture has no size";
+    if (marker == kScan && !has_colours_of(segment, frame)) return kDamaged;
     has_scan = has_scan || marker == kScan;
-    at += 2 + number_at(bytes, at + 2);
+    at = end;
   }
   return kCutOff;
 }
@@ -95,16 +125,19 @@ std::string wrong_with_webp(const std::string& bytes) {
   };
   if (!bytes.starts_with("RIFF") || bytes.find("WEBP") != kHead) return "is no .webp file";
   if (bytes.size() < kHead + length_at(0)) return kCutOff;
-  bool has_picture = false;
+  bool has_picture = false, moves = false;
   for (std::size_t at = kHead + kName; at + kHead <= bytes.size();) {
     const std::string_view name = std::string_view(bytes).substr(at, kName);
     const std::size_t end = at + kHead + length_at(at);
     const bool is_picture = name == "VP8 " || name == "VP8L" || name == "ANMF";
     if (is_picture && end > bytes.size()) return kCutOff;
+    if (is_picture && end > kHead + length_at(0)) return kDamaged;
     has_picture = has_picture || is_picture;
+    moves = moves || name == "ANMF";  // which libav does not know
     at = end + end % 2;
   }
-  return has_picture ? "" : "has no picture in it";
+  if (!has_picture) return "has no picture in it";
+  return !moves && is_damaged(bytes, CodedPicture::webp) ? kDamaged : "";
 }
 
 // the name of a node or an attribute without its prefix

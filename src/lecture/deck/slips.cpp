@@ -84,6 +84,11 @@ bool is_html(const std::string& words) {
   return false;
 }
 
+std::string letters_of(std::string text) {
+  std::erase_if(text, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
+  return text;
+}
+
 Error would_be_shown(const std::string& words, std::string_view why) {
   return input_error("'{}' would be shown as it stands: {}", words, why);
 }
@@ -97,7 +102,33 @@ void SlipFinder::look_at(const Json& node, bool in_header) {
   if (type == "Para" || type == "Plain") look_at_words(node["c"]);
   if (type == "Header") look_at_words(node["c"][2]);
   if (type == "Str") look_at_word(node["c"], in_header);
+  if (type == "LineBlock") {
+    for (const Json& line : node["c"])
+      look_for_notes(line);
+  } else if (type == "Emph" || type == "Strong" || type == "Strikeout" || type == "Underline" ||
+             type == "SmallCaps") {
+    look_for_notes(node["c"]);
+  }
   if (type != "Div") look_at_classes(node);
+}
+
+// A box of notes that begins where no box can: in a line of verses or of a table that is none, in
+// bold.
+void SlipFinder::look_for_notes(const Json& inlines) {
+  for (std::size_t i = 0; i + 1 < inlines.size(); ++i) {
+    if (inlines[i]["t"] != "Str" || !inlines[i]["c"].get<std::string>().starts_with(":::"))
+      continue;
+    std::size_t next = i + 1;
+    while (next + 1 < inlines.size() && inlines[next]["t"] == "Space")
+      ++next;
+    if (inlines[next]["t"] != "Str" || !is_almost(letters_of(inlines[next]["c"]), "notes"))
+      continue;
+    if (std::exchange(mark_told_, true)) return;
+    const std::string words = inlines[i]["c"];
+    tell_(line_of_mark(inlines, i),
+          would_be_shown(words, "a box begins behind an empty line, with a line of its own"));
+    return;
+  }
 }
 
 void SlipFinder::look_at_words(const Json& inlines) {
@@ -130,6 +161,7 @@ void SlipFinder::look_at_words(const Json& inlines) {
             would_be_shown(words, "a picture ends with ')' and its settings with '}'"));
     }
   }
+  look_for_notes(inlines);
 }
 
 // What the deck has marked as words (\<br\>, \\alpha) stands otherwise there, and is shown.

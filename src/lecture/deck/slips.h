@@ -28,6 +28,7 @@ class SlipFinder {
 
  private:
   void look_at_words(const Json& inlines);
+  void look_for_notes(const Json& inlines);
   void look_at_word(const std::string& words, bool in_header);
   void look_at_classes(const Json& node);
   int line_of_mark(const Json& inlines, std::size_t from);

@@ -253,6 +253,13 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
     const Deck deck = deck_of(fmt::format("::: {{{}}}\nB\n:::\n", classes));
     EXPECT_EQ(deck.blocks[0]["c"][0][1], Json::array({"notes"})) << classes;
   }
+  // where no box can begin
+  for (const char* bad : {"| ::: notes\n| B\n| :::\n",
+                          "**::: notes**\n\nB\n",
+                          "C | ::: {.notes} |\n",
+                          "*a ::: note*\n"})
+    EXPECT_TRUE(test::has(problem_of(bad), "would be shown as it stands")) << bad;
+  EXPECT_EQ(problem_of("`::: notes` begins a box. ::: x\n"), "none");
   EXPECT_TRUE(test::has(problem_of(good + "::: notes\nB is said\n"), "deck.md:7:"));
   EXPECT_EQ(problem_of(good + "::: note\nB\n:::\n"),
             "deck.md:7: 'note' means nothing to a deck (did you mean 'notes'?)");

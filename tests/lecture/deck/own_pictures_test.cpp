@@ -12,6 +12,25 @@ namespace {
 
 using namespace std::string_literals;
 
+// a grey JPEG of 8x8 pixels behind its first marker, and a WebP of 2x2 pixels, by libjpeg and
+// libwebp
+constexpr const char* kJpegTables =
+    "ffdb0043001b12141714111b1716171e1c1b2028422b28252528513a3d3042605565645f555d5b6a7899"
+    "816a7190735b5d85b586909ea3abadab6780bcc9baa6c799a8aba4";
+constexpr const char* kJpegFrame = "ffc0000b080008000801011100";
+constexpr const char* kJpegScan =
+    "ffc40014000100000000000000000000000000000004ffc4001410010000000000000000000000000000"
+    "0000ffda0008010100003f0023ffd9";
+constexpr const char* kWebp =
+    "524946461e000000574542505650384c110000002f0140000007508f22d7a3ff8188e87f0000";
+
+std::string from_hex(const std::string& digits) {
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return bytes;
+}
+
 class OwnPictures : public ::testing::Test {
  protected:
   // what is wrong with a picture of these bytes; "nothing"
@@ -46,19 +65,20 @@ TEST_F(OwnPictures, OfPngAreWhole) {
             "'a.png' is not a whole PNG picture: it ends before its last chunk");
 }
 
-// segments of these bytes, with a smaller picture in the first one, as cameras have it
+// with a smaller picture in its first segment, as cameras have it
 TEST_F(OwnPictures, OfJpegAreWhole) {
   const std::string inside = "\xff\xd8\xff\xda\0\2x\xff\xd9"s;
   const std::string start = "\xff\xd8\xff\xe1\0"s + static_cast<char>(inside.size() + 2) + inside;
-  const std::string frame = "\xff\xc2\0\x0b\x08\0\1\0\1\1\1\x11\0"s;
-  const std::string scan = "\xff\xff\xda\0\3\1pixels\xff\0more\xff\xd0more"s;
-  EXPECT_EQ(wrong_with(".jpg", start + frame + scan + scan + "\xff\xd9"), "nothing");
-  EXPECT_EQ(wrong_with(".jpeg", start + frame + scan + "\xff\xd9 and more"), "nothing");
+  const std::string tables = from_hex(kJpegTables), frame = from_hex(kJpegFrame);
+  const std::string scan = from_hex(kJpegScan);
+  const std::string whole = start + tables + frame + scan;
+  EXPECT_EQ(wrong_with(".jpg", whole), "nothing");
+  EXPECT_EQ(wrong_with(".jpeg", whole + " and more"), "nothing");
   EXPECT_EQ(wrong_with(".jpg", start + "\xff\xd9"), "'a.jpg' has no picture in it");
-  EXPECT_EQ(wrong_with(".jpg", start + scan + "\xff\xd9"),
+  EXPECT_EQ(wrong_with(".jpg", start + tables + scan),
             "'a.jpg' is damaged: its picture has no size");
+  EXPECT_EQ(wrong_with(".jpg", start + tables + frame + frame + scan), "'a.jpg' is damaged");
   EXPECT_EQ(wrong_with(".jpg", "picture"), "'a.jpg' is no .jpg file");
-  const std::string whole = start + frame + scan + "\xff\xd9";
   for (std::size_t length = 3; length < whole.size(); ++length) {
     // a frame that ends in its first bytes is of no kind
     const std::string wrong = wrong_with(".jpg", whole.substr(0, length));
@@ -68,24 +88,37 @@ TEST_F(OwnPictures, OfJpegAreWhole) {
   }
   // without losses, 12 bits, no size, two colours
   for (const auto& [at, byte] :
-       {std::pair(1, '\xc3'), std::pair(4, '\x0c'), std::pair(8, '\0'), std::pair(9, '\2')}) {
+       {std::pair(1, '\xc3'), std::pair(4, '\x0c'), std::pair(6, '\0'), std::pair(9, '\2')}) {
     std::string other = frame;
     other[static_cast<std::size_t>(at)] = byte;
-    EXPECT_EQ(wrong_with(".jpg", start + other + scan + "\xff\xd9"),
+    EXPECT_EQ(wrong_with(".jpg", start + tables + other + scan),
               "'a.jpg' is a JPEG of a kind that browsers do not show");
+  }
+  // a table of Huffman's of no class, and a scan of a colour that the frame has not
+  for (const auto& [at, byte] : {std::pair(4, '\x54'), std::pair(49, '\7')}) {
+    std::string other = scan;
+    other[static_cast<std::size_t>(at)] = byte;
+    EXPECT_EQ(wrong_with(".jpg", start + tables + frame + other), "'a.jpg' is damaged") << at;
   }
 }
 
 TEST_F(OwnPictures, OfWebpAreWhole) {
-  const std::string chunk = "VP8L\4\0\0\0abcd"s;
-  const std::string whole = "RIFF\x1a\0\0\0WEBPICCP\1\0\0\0x\0"s + chunk;
+  const std::string whole = from_hex(kWebp);
   EXPECT_EQ(wrong_with(".webp", whole), "nothing");
   EXPECT_EQ(wrong_with(".webp", "RIFF and others"), "'a.webp' is no .webp file");
   EXPECT_EQ(wrong_with(".webp", "RIFF\4\0\0\0WEBP"s), "'a.webp' has no picture in it");
   const std::string cut_off = "'a.webp' is cut off: it ends before its picture does";
   for (const std::size_t length : {12U, 20U, 33U})
     EXPECT_EQ(wrong_with(".webp", whole.substr(0, length)), cut_off);
-  EXPECT_EQ(wrong_with(".webp", "RIFF\x0e\0\0\0WEBP"s + chunk.substr(0, 10)), cut_off);
+  const auto with = [&](std::size_t at, char byte) {
+    std::string other = whole;
+    other[at] = byte;
+    return wrong_with(".webp", other);
+  };
+  EXPECT_EQ(with(16, '\x7f'), cut_off);               // the length of its chunk
+  EXPECT_EQ(with(4, '\x10'), "'a.webp' is damaged");  // its own
+  EXPECT_EQ(with(20, 'x'), "'a.webp' is damaged");    // the signature of its picture
+  EXPECT_EQ(with(12, 'X'), "'a.webp' has no picture in it");
 }
 
 TEST_F(OwnPictures, OfSvgAreXmlOfTheirKind) {
