@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "scene/scene_tree.h"
-
 namespace polhode {
 
 std::vector<std::string> mesh_names(const Scene& scene) {
@@ -48,15 +46,6 @@ void refuse_panels(const Scene& scene) {
                     scene.panels.size(),
                     scene.panels.front().scene.file)
       .at({scene.film_file, 0, {}});
-}
-
-void refuse_given_for_panels(const Scene& scene, const std::string& key) {
-  for (const auto& [changed, place] : scene.options) {
-    if (place.key.starts_with("sweep.")) refuse_overlap(changed, key);
-    const bool overlaps = is_within(changed, key) || is_within(key, changed);
-    if (place.key.starts_with("--set panel[") && overlaps)
-      throw input_error("cannot be given beside '{}'", place.key);
-  }
 }
 
 int line_of(const Scene& scene, const std::string& key) {

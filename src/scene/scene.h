@@ -60,11 +60,6 @@ double shown_duration(const Scene& scene);
 // Throws Error (input), with the film file, for a scene with panels; for what works on one motion.
 void refuse_panels(const Scene& scene);
 
-// Throws Error (input), without a place, if the sweep of a film file changes this key of the scene,
-// a key in it or one around it, for the heading of a panel tells the value of the sweep; likewise
-// if a setting gives it for one panel.
-void refuse_given_for_panels(const Scene& scene, const std::string& key);
-
 // Calls `work` on a scene and on the scenes of its panels.
 template <class AnyScene, class Work>
 void for_each_scene(AnyScene& scene, const Work& work) {

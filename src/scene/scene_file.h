@@ -54,4 +54,9 @@ Scene parse_scene(std::string_view text,
 // load_scene does for these files.
 std::vector<std::string> named_files(const std::filesystem::path& file);
 
+// Throws Error (input), without a place, if the sweep of a film file changes this key of the scene,
+// a key in it or one around it, for the heading of a panel tells the value of the sweep; likewise
+// if a setting gives it for one panel.
+void refuse_given_for_panels(const Scene& scene, const std::string& key);
+
 }  // namespace polhode
