@@ -180,16 +180,11 @@ void tell_lost_words(const LectureWork& work,
                      const std::string& document,
                      DocumentForm form) {
   if (!work.deck.problems.empty()) return;
-  std::vector<std::string> lost = lost_words(work.deck, document, form, kCountedWords);
+  const std::vector<std::string> lost = lost_words(work.deck, document, form, kCountedWords);
   if (lost.empty()) return;
-  if (lost.size() > kNamedWords) {
-    const std::string more = how_many_more(lost.size());
-    lost.resize(kNamedWords);
-    lost.back() += fmt::format(" and {} more", more);
-  }
   spdlog::warn("{}: lacks what the deck has, which this program or pandoc has lost: {}",
                file_of(output),
-               fmt::join(lost, ", "));
+               named_words(lost));
 }
 
 std::string make_document(const std::string& output,

@@ -77,8 +77,7 @@ std::vector<std::string> named_files(const std::filesystem::path& file) {
 void refuse_given_for_panels(const Scene& scene, const std::string& key) {
   for (const auto& [changed, place] : scene.options) {
     if (place.key.starts_with("sweep.")) refuse_overlap(changed, key);
-    const bool overlaps = is_within(changed, key) || is_within(key, changed);
-    if (place.key.starts_with("--set panel[") && overlaps)
+    if (place.key.starts_with("--set panel[") && keys_overlap(changed, key))
       throw input_error("cannot be given beside '{}'", place.key);
   }
 }

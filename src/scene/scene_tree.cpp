@@ -75,8 +75,12 @@ bool is_within(const std::string& path, const std::string& around) {
          (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
 }
 
+bool keys_overlap(const std::string& one, const std::string& other) {
+  return is_within(one, other) || is_within(other, one);
+}
+
 void refuse_overlap(const std::string& swept, const std::string& key) {
-  if (!is_within(key, swept) && !is_within(swept, key)) return;
+  if (!keys_overlap(swept, key)) return;
   throw input_error("the sweep changes '{}'; give it other values: --set 'sweep.values=[…]'",
                     swept);
 }

@@ -31,8 +31,9 @@ Error blamed(const Error& error, const std::vector<Change>& changes);
 // Whether a path leads to a key or inside of it, in whatever units they are spelled.
 bool is_within(const std::string& path, const std::string& around);
 
-// Throws Error (input), without a place, if one of the two keys leads to the other or inside of it,
-// and `swept` is that of a sweep.
+// Whether one of the two keys leads to the other or inside of it.
+bool keys_overlap(const std::string& one, const std::string& other);
+// Throws Error (input), without a place, if the two keys overlap; `swept` is that of a sweep.
 void refuse_overlap(const std::string& swept, const std::string& key);
 
 // The tree of a scene file. Throws Error (input) as read_file (base/system/atomic_file.h) and

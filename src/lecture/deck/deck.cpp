@@ -332,10 +332,8 @@ class Reader {
   void tell_unknown_class(const std::string& name, const std::set<std::string>& meant) {
     int line = lines_.next("::: " + name + "\n");
     if (line == 0) line = lines_.next("." + name + "}");
-    std::string letters = name;
-    std::erase_if(letters, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
     for (const std::string& one : meant) {
-      if (!is_almost(letters, one)) continue;
+      if (!is_almost(letters_of(name), one)) continue;
       tell(line, input_error("'{}' means nothing to a deck (did you mean '{}'?)", name, one));
       return;
     }

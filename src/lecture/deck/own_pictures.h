@@ -13,8 +13,9 @@ std::string picture_ending(const std::string& file);
 bool is_picture_ending(const std::string& ending);
 
 // Reads a file with one of these endings. Throws Error (input), without a place, if a browser would
-// show none of it or a part: if it is of another kind, cut off (PNG also if damaged), an SVG that
-// is no XML, or one without its namespace; and as read_input() (base/system/atomic_file.h) does.
+// show none of it or a part: if it is of another kind, cut off or found damaged, an SVG that is no
+// XML, has another namespace or needs other files; and as read_input() (base/system/atomic_file.h)
+// does.
 void require_picture(const std::filesystem::path& file, const std::string& ending);
 
 }  // namespace polhode

@@ -84,16 +84,16 @@ bool is_html(const std::string& words) {
   return false;
 }
 
-std::string letters_of(std::string text) {
-  std::erase_if(text, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
-  return text;
-}
-
 Error would_be_shown(const std::string& words, std::string_view why) {
   return input_error("'{}' would be shown as it stands: {}", words, why);
 }
 
 }  // namespace
+
+std::string letters_of(std::string mark) {
+  std::erase_if(mark, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
+  return mark;
+}
 
 SlipFinder::SlipFinder(LineFinder& lines, Tell tell) : lines_(lines), tell_(std::move(tell)) {}
 

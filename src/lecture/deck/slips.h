@@ -12,6 +12,9 @@
 
 namespace polhode {
 
+// The letters of a mark, such as "{.notes}", without its signs.
+std::string letters_of(std::string mark);
+
 // Tells of each slip once, in the order of the deck.
 class SlipFinder {
  public:

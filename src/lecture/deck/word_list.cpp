@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/utf8.h"
 
 namespace polhode {
@@ -79,6 +82,15 @@ std::vector<std::string_view> split_words(std::string_view text, Letters letters
 
 std::string how_many_more(std::size_t words) {
   return words < kCountedWords ? std::to_string(words - kNamedWords) : "many";
+}
+
+std::string named_words(std::vector<std::string> words) {
+  if (words.size() > kNamedWords) {
+    const std::string more = how_many_more(words.size());
+    words.resize(kNamedWords);
+    words.back() += fmt::format(" and {} more", more);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 void WordList::add(std::string_view text) {

@@ -26,6 +26,8 @@ struct MissingWord {
 inline constexpr std::size_t kNamedWords = 10, kCountedWords = 1000;
 // How many of so many words, more than kNamedWords, it does not name: "7", or "many".
 std::string how_many_more(std::size_t words);
+// The words as it names them: "a, b", or of many the first ones, "…, j and 7 more".
+std::string named_words(std::vector<std::string> words);
 
 // A list of words, which are runs of letters, digits and symbols. All else stands between words.
 class WordList {

@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include <fmt/ranges.h>
-
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
 #include "lecture/deck/characters.h"
@@ -429,17 +427,12 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
 std::vector<std::string> document_warnings(const Deck& deck, const std::string& output) {
   std::vector<std::string> list;
   if (output == "handout") {
-    std::vector<std::string> missing = characters_without_font(deck);
-    const std::size_t count = missing.size();
-    if (count > kNamedWords) {
-      missing.resize(kNamedWords);
-      missing.back() += fmt::format(" and {} more", how_many_more(count));
-    }
-    if (count > 0) {
+    const std::vector<std::string> missing = characters_without_font(deck);
+    if (!missing.empty()) {
       list.push_back(
           fmt::format("no font here has {}, which become boxes; install one that has them, such as "
                       "fonts-noto-cjk for Chinese, Japanese and Korean",
-                      fmt::join(missing, ", ")));
+                      named_words(missing)));
     }
   }
   if (output != "beamer" && output != "pptx") return list;

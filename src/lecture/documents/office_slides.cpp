@@ -159,6 +159,11 @@ class Layout {
     name_places_of(std::exchange(around_, Json::array()));
   }
 
+  // a box, but not what is in it
+  void leave_out(const Json& box) {
+    around_.push_back(named("Div", box["c"][0][0], Json::array()));
+  }
+
   void name_places_of(const Json& tree) {
     if (title_id_.empty()) return;
     for_each_node(tree, [&](const Json& node) {
@@ -185,14 +190,14 @@ class Layout {
       words_.push_back(pair);
       is_full_ = true;
     }
-    if (in_pairs == 0) around_.push_back(named("Div", columns["c"][0][0], Json::array()));
+    if (in_pairs == 0) leave_out(columns);
     for (std::size_t i = in_pairs; i < all.size(); ++i)
       add_blocks_of(all[i]);
   }
 
   void add_blocks_of(const Json& column) {
     const bool is_column = is_div(column, "column");
-    if (is_column) around_.push_back(named("Div", column["c"][0][0], Json::array()));
+    if (is_column) leave_out(column);
     for (const Json& block : is_column ? column["c"][1] : Json::array({column}))
       add(block);
   }
