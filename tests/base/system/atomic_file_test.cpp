@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 
 #include "base/error.h"
 #include "support/full_disk.h"
@@ -68,6 +69,27 @@ TEST_F(AtomicFileTest, OwnerAndGroupStay) {
   ASSERT_EQ(stat(target_.c_str(), &its), 0);
   EXPECT_EQ(its.st_uid, 1500U);
   EXPECT_EQ(its.st_gid, 1234U);
+}
+
+// the mode alone would give the group what the list gives one user
+TEST_F(AtomicFileTest, ListsOfUsersStay) {
+  // acl(5) as the kernel has it: version 2, then kind, rights and number of each, little-endian
+  const std::string nobody = "\xff\xff\xff\xff";
+  const std::string list = std::string("\2\0\0\0", 4) + std::string("\1\0\6\0", 4) + nobody +
+                           std::string("\2\0\6\0\x92\x10\0\0", 8) + std::string("\4\0\0\0", 4) +
+                           nobody + std::string("\x10\0\6\0", 4) + nobody +
+                           std::string("\x20\0\0\0", 4) + nobody;
+  const char* const name = "system.posix_acl_access";
+  std::ofstream(target_) << "old";
+  if (setxattr(target_.c_str(), name, list.data(), list.size(), 0) != 0)
+    GTEST_SKIP() << "this file system has no lists";
+  AtomicFile(target_).commit_with("new");
+  std::string kept(200, '\0');
+  const ssize_t length = getxattr(target_.c_str(), name, kept.data(), kept.size());
+  ASSERT_GT(length, 0);
+  kept.resize(static_cast<std::size_t>(length));
+  EXPECT_EQ(kept, list);
+  EXPECT_EQ(read_file(target_), "new");
 }
 
 TEST_F(AtomicFileTest, WhatHadTheNameGetsItBack) {
