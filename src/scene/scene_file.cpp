@@ -74,6 +74,12 @@ std::vector<std::string> named_files(const std::filesystem::path& file) {
   return names;
 }
 
+void refuse_given(const Scene& scene, const std::string& key, const std::string& why) {
+  for (const auto& [given, place] : scene.options) {
+    if (is_within(given, key)) throw input_error("{}", why).at({{}, 0, given});
+  }
+}
+
 void refuse_given_for_panels(const Scene& scene, const std::string& key) {
   for (const auto& [changed, place] : scene.options) {
     if (place.key.starts_with("sweep.")) refuse_overlap(changed, key);

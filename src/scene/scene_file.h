@@ -54,6 +54,9 @@ Scene parse_scene(std::string_view text,
 // load_scene does for these files.
 std::vector<std::string> named_files(const std::filesystem::path& file);
 
+// Throws Error (input), with the key, if an option has set `key` or something in it. why: "is ...".
+void refuse_given(const Scene& scene, const std::string& key, const std::string& why);
+
 // Throws Error (input), without a place, if the sweep of a film file changes this key of the scene,
 // a key in it or one around it, for the heading of a panel tells the value of the sweep; likewise
 // if a setting gives it for one panel.

@@ -21,6 +21,7 @@
 #include "motion/solution_method.h"
 #include "motion/stepper_table.h"
 #include "scene/canonical.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {
@@ -44,6 +45,7 @@ Task make_task(const std::filesystem::path& file,
   const Scene& scene = task.scene;
   with_place(scene, [&] {
     refuse_numerics(scene, "for charts of methods", {"numerics.accuracy"});
+    refuse_given(scene, "motion.ensemble", "is not for charts of methods, of one motion each");
     const BodyModel model = with_needed_degrees(make_model(scene.body, scene.motion));
     const State start = start_state(model, scene.motion);
     task.problem = {model, start, scene.motion.duration};

@@ -12,6 +12,7 @@
 #include "film/prepared_film.h"
 #include "motion/derived.h"
 #include "motion/scales.h"
+#include "scene/scene_file.h"
 
 namespace polhode {
 namespace {
@@ -172,9 +173,19 @@ Json inspection(const Solved& solved) {
   return facts;
 }
 
+// What inspect tells is of the motion itself, which no step or tolerance of the methods that a
+// scene compares changes.
+void refuse_for_compared(const Scene& scene) {
+  if (scene.numerics.compare.empty()) return;
+  for (const char* key : {"numerics.step", "numerics.tolerance"}) {
+    refuse_given(scene, key, "is for the methods that the scene compares; give --method as well");
+  }
+}
+
 std::string inspect(const InspectJob& job) {
   const Scene scene = load_with_overrides(job.scene, job.overrides);
   const auto checked = [](const Scene& one) {
+    with_place(one, [&] { refuse_for_compared(one); });
     Solved solved = solve_alone(one, ProgressKind::automatic);
     check_film(solved);
     return solved;

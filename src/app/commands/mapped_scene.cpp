@@ -118,6 +118,10 @@ MappedScene make_place(const std::filesystem::path& file,
     std::vector<std::string> used = {"numerics.step"};
     if (job.x == used.front() || job.y == used.front()) used.clear();  // the map changes it
     refuse_numerics(place.scene, "for maps of stability", used);
+    refuse_given(
+        place.scene, "motion.duration", "is not for maps of stability, whose runs last --turns");
+    refuse_given(
+        place.scene, "motion.ensemble", "is not for maps of stability, which are of one motion");
     const BodyModel model = with_needed_degrees(make_model(place.scene.body, place.scene.motion));
     place.methods =
         able_methods(methods, job.methods, model, file.string(), why_not_by_fixed_steps);

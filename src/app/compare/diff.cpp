@@ -101,7 +101,9 @@ Sides prepare(const DiffJob& job, const ScratchFolder& scratch) {
   if (!is_scene(job.actual) && !is_scene(job.reference)) {
     for (const auto& [given, option] : {std::pair{job.still.has_value(), "--still"},
                                         {job.overrides.size.has_value(), "--size"},
-                                        {job.overrides.fps.has_value(), "--fps"}}) {
+                                        {job.overrides.fps.has_value(), "--fps"},
+                                        {!job.text, "--no-text"},
+                                        {job.backend != DiffJob{}.backend, "--backend"}}) {
       if (given)
         throw input_error("is for scenes, but neither side is a scene").at({{}, 0, option});
     }

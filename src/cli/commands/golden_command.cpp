@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
+
+#include <fmt/ranges.h>
 
 #include "app/compare/golden_run.h"
 #include "app/compare/golden_show.h"
@@ -33,15 +36,18 @@ void refuse_others(const std::string& action, const GoldenJob& job) {
   const struct {
     bool given;
     const char* option;
-    const char* action;
-  } options[] = {{!job.html.empty(), "--html", "run"},
-                 {job.output != GoldenJob{}.output, "--output", "run"},
-                 {!job.cause.empty(), "--cause", "update"},
-                 {job.all, "--all", "update"},
-                 {job.allow_dirty, "--allow-dirty", "update"}};
+    std::vector<std::string> actions;
+  } options[] = {{!job.html.empty(), "--html", {"run"}},
+                 {job.output != GoldenJob{}.output, "--output", {"run"}},
+                 {!job.cause.empty(), "--cause", {"update"}},
+                 {job.all, "--all", {"update"}},
+                 {job.allow_dirty, "--allow-dirty", {"update"}},
+                 {job.jobs != GoldenJob{}.jobs, "--jobs", {"run", "update"}},
+                 {job.backend != GoldenJob{}.backend, "--backend", {"run", "update"}}};
   for (const auto& one : options) {
-    if (!one.given || action == one.action) continue;
-    throw input_error("is for golden {}, not for golden {}", one.action, action)
+    const auto& of = one.actions;
+    if (!one.given || std::find(of.begin(), of.end(), action) != of.end()) continue;
+    throw input_error("is for golden {}, not for golden {}", fmt::join(of, " and "), action)
         .at({{}, 0, one.option});
   }
 }
@@ -83,11 +89,11 @@ Action define_golden(CLI::App& command) {
   add_progress(command, *progress);
   return [=] {
     const GoldenAction& chosen = find_action(*action);
-    refuse_others(*action, *job);
     if (*jobs && **jobs < 1) {
       throw input_error("must be at least 1, got {}", **jobs).at({{}, 0, "--jobs"});
     }
     job->jobs = jobs->value_or(0);
+    refuse_others(*action, *job);
     job->progress = progress_of(*progress);
     const GoldenResult result = chosen.run(*job);
     print_out(result.text);

@@ -84,6 +84,16 @@ bool is_html(const std::string& words) {
   return false;
 }
 
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+// "{.notes}" and what follows to "notes"
+std::string first_letters(const std::string& words) {
+  const auto begin = std::find_if(words.begin(), words.end(), is_letter);
+  return {begin, std::find_if_not(begin, words.end(), is_letter)};
+}
+
 Error would_be_shown(const std::string& words, std::string_view why) {
   return input_error("'{}' would be shown as it stands: {}", words, why);
 }
@@ -91,7 +101,7 @@ Error would_be_shown(const std::string& words, std::string_view why) {
 }  // namespace
 
 std::string letters_of(std::string mark) {
-  std::erase_if(mark, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; });
+  std::erase_if(mark, [](char c) { return !is_letter(c); });
   return mark;
 }
 
@@ -109,24 +119,41 @@ void SlipFinder::look_at(const Json& node, bool in_header) {
              type == "SmallCaps") {
     look_for_notes(node["c"]);
   }
+  if (type == "Note") look_for_boxes(node["c"]);
   if (type != "Div") look_at_classes(node);
 }
 
+// Boxes of notes in a footnote, which LaTeX would show.
+void SlipFinder::look_for_boxes(const Json& footnote) {
+  for_each_node(footnote, [&](const Json& box) {
+    if (!is_div(box, "notes")) return;
+    int line = 0;
+    for_each_node(box, [&](const Json& node) {
+      if (line == 0 && (node["t"] == "Para" || node["t"] == "Plain"))
+        line = line_of_mark(node["c"], 0);
+    });
+    tell_(line, input_error("a footnote has no notes for the speaker; put their box behind it"));
+  });
+}
+
 // A box of notes that begins where no box can: in a line of verses or of a table that is none, in
-// bold.
+// bold, behind a line end that is none for pandoc (U+2028).
 void SlipFinder::look_for_notes(const Json& inlines) {
-  for (std::size_t i = 0; i + 1 < inlines.size(); ++i) {
-    if (inlines[i]["t"] != "Str" || !inlines[i]["c"].get<std::string>().starts_with(":::"))
-      continue;
+  for (std::size_t i = 0; i < inlines.size(); ++i) {
+    if (inlines[i]["t"] != "Str") continue;
+    const std::string words = inlines[i]["c"];
+    const std::size_t mark = words.find(":::");
+    if (mark == std::string::npos) continue;
     std::size_t next = i + 1;
     while (next + 1 < inlines.size() && inlines[next]["t"] == "Space")
       ++next;
-    if (inlines[next]["t"] != "Str" || !is_almost(letters_of(inlines[next]["c"]), "notes"))
-      continue;
+    std::string name = first_letters(words.substr(mark));
+    if (name.empty() && next < inlines.size() && inlines[next]["t"] == "Str")
+      name = first_letters(inlines[next]["c"]);
+    if (!is_almost(name, "notes")) continue;
     if (std::exchange(mark_told_, true)) return;
-    const std::string words = inlines[i]["c"];
     tell_(line_of_mark(inlines, i),
-          would_be_shown(words, "a box begins behind an empty line, with a line of its own"));
+          would_be_shown(":::", "a box begins behind an empty line, with a line of its own"));
     return;
   }
 }

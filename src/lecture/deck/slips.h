@@ -25,13 +25,14 @@ class SlipFinder {
 
   // Looks at one node of pandoc's tree, not at those within it; call it for all. In lines of words:
   // boxes that are none, misspelt quotes of numbers, pictures without an end, classes of nothing.
-  // In each word: HTML and LaTeX. Elsewhere the class for the speaker's words (.notes) on what is
-  // no box.
+  // In each word: HTML and LaTeX. In footnotes: boxes of notes. Elsewhere the class for the
+  // speaker's words (.notes) on what is no box.
   void look_at(const Json& node, bool in_header);
 
  private:
   void look_at_words(const Json& inlines);
   void look_for_notes(const Json& inlines);
+  void look_for_boxes(const Json& footnote);
   void look_at_word(const std::string& words, bool in_header);
   void look_at_classes(const Json& node);
   int line_of_mark(const Json& inlines, std::size_t from);

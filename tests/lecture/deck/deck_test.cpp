@@ -257,9 +257,14 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
   for (const char* bad : {"| ::: notes\n| B\n| :::\n",
                           "**::: notes**\n\nB\n",
                           "C | ::: {.notes} |\n",
+                          "A\u2028::: notes\u2028B\u2028:::\n",
+                          "A\u0085:::{.notes}\u0085B\n",
                           "*a ::: note*\n"})
     EXPECT_TRUE(test::has(problem_of(bad), "would be shown as it stands")) << bad;
   EXPECT_EQ(problem_of("`::: notes` begins a box. ::: x\n"), "none");
+  // or where LaTeX would show it
+  EXPECT_EQ(problem_of("A[^1]\n\n[^1]: B\n\n    ::: notes\n    C is said\n    :::\n"),
+            "deck.md:6: a footnote has no notes for the speaker; put their box behind it");
   EXPECT_TRUE(test::has(problem_of(good + "::: notes\nB is said\n"), "deck.md:7:"));
   EXPECT_EQ(problem_of(good + "::: note\nB\n:::\n"),
             "deck.md:7: 'note' means nothing to a deck (did you mean 'notes'?)");
