@@ -62,7 +62,7 @@ void states_at(const std::vector<double>& times,
     stop_if_interrupted();
     State now = s;
     const double t = static_cast<double>(i) * h;
-    if (times[k] - t > 1e-9 * h) stepper.step_within(t, times[k] - t, h, now);
+    if (times[k] - t > 1e-9 * h) stepper.part_of_step(t, times[k] - t, h, now);
     if (!visit(k, now)) return;
   }
 }

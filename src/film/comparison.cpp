@@ -94,6 +94,47 @@ Motion held(const Motion& motion, double end, const MotionSpec& spec) {
   return {motion.model(), std::make_shared<const Held>(motion, end), spec};
 }
 
+// A method that fails, as far as it comes: by halving, over whole steps where they are given, and
+// else over time. start: shown where not even one step can be taken.
+Contender until_failure(const Scene& scene,
+                        const BodyModel& model,
+                        const Motion& start,
+                        const std::string& method,
+                        double allowed_rad) {
+  const NumericsSpec numerics = numerics_of(scene, method);
+  const double whole = scene.motion.duration;
+  const double h = numerics.step.value_or(0.0);
+  double comes = 0.0, fails = whole;
+  std::optional<Simulation> found;
+  for (int i = 0; i < kHalvings && (fails - comes) > 1e-9 * whole; ++i) {
+    double middle = 0.5 * (comes + fails);
+    if (h > 0.0) {
+      const double first = std::round(comes / h), last = std::ceil(fails / h * (1.0 - 1e-12));
+      if (last - first < 1.5) break;
+      middle = std::floor(0.5 * (first + last)) * h;
+    }
+    try {
+      found = simulate_by(scene, model, method, middle, allowed_rad);
+      comes = middle;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::check_failed) throw;
+      fails = middle;
+    }
+  }
+  if (found) {
+    // of steps that were refined, too, the partial one at the end is part of what fails
+    const double step = found->report.step.value_or(0.0);
+    const double end = step > 0.0 ? std::floor(comes / step * (1.0 + 1e-12)) * step : comes;
+    if (end > 0.0)
+      return {method, found->report, held(found->motion, end, scene.motion), end, {}, {}};
+  }
+  SimulationReport report;
+  report.method = method;
+  report.step = numerics.step;
+  report.tolerance = numerics.tolerance;
+  return {method, report, held(start, 0.0, scene.motion), 0.0, {}, {}};
+}
+
 // "+12.3 %", "-3e-12"
 std::string relative(double value) {
   if (value == 0.0) return "+0";
@@ -161,34 +202,11 @@ Contender Comparison::run(const Scene& scene,
     return {method, found.report, found.motion, whole, {}, {}};
   } catch (const Error& error) {
     if (error.fault() != Fault::check_failed) throw;
-    // it fails: how far does it come?
-    double comes = 0.0;
-    double fails = whole;
-    std::optional<Simulation> found;
-    for (int i = 0; i < kHalvings && (fails - comes) > 1e-9 * whole; ++i) {
-      const double middle = 0.5 * (comes + fails);
-      try {
-        found = simulate_by(scene, model, method, middle, allowed_rad_);
-        comes = middle;
-      } catch (const Error& again) {
-        if (again.fault() != Fault::check_failed) throw;
-        fails = middle;
-      }
-    }
-    // not even one step: the panel shows the start
-    if (!found) {
-      SimulationReport report;
-      const NumericsSpec numerics = numerics_of(scene, method);
-      report.method = method;
-      report.step = numerics.step;
-      report.tolerance = numerics.tolerance;
-      return {method, report, held(start, 0.0, scene.motion), 0.0, error.message(), {}};
-    }
-    // the last whole step: the partial one behind it is part of what fails
-    const double h = found->report.step.value_or(0.0);
-    const double end = h > 0.0 ? std::floor(comes / h * (1.0 + 1e-12)) * h : comes;
-    return {
-        method, found->report, held(found->motion, end, scene.motion), end, error.message(), {}};
+    Contender failed = until_failure(scene, model, start, method, allowed_rad_);
+    failed.failure = error.message();
+    failed.report.reliability.doubts.insert(failed.report.reliability.doubts.begin(),
+                                            "the method failed before the end of the motion");
+    return failed;
   }
 }
 

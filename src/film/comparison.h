@@ -15,9 +15,11 @@ namespace polhode {
 
 // The run of one method of numerics.compare.
 struct Contender {
-  std::string method;       // as in numerics.compare, one of method_names()
-  SimulationReport report;  // if the first step failed: method, step and tolerance only
-  Motion motion;            // stands still after `end`
+  std::string method;  // as in numerics.compare, one of method_names()
+  // of the run until `end`, with a doubt if it failed; if the first step did: method, step and
+  // tolerance only
+  SimulationReport report;
+  Motion motion;        // stands still after `end`
   double end = 0.0;     // s of motion: how far the method came; the whole duration unless it failed
   std::string failure;  // why it failed; empty: it did not
   // s of motion: the first frame with an attitude error over the allowed one or, without a

@@ -100,7 +100,8 @@ class GridTrajectory final : public Trajectory {
   State at(double t) const override {
     const long index = last_grid_time(t);
     State s = grid_state(index);
-    if (time(index) != t) stepper->step_within(time(index), t - time(index), step_length(index), s);
+    if (time(index) != t)
+      stepper->part_of_step(time(index), t - time(index), step_length(index), s);
     return s;
   }
 
@@ -238,8 +239,13 @@ Integration integrate_fixed(const StepperInfo& method,
         if (i % grid->stride == 0) grid->states.push_back(now);
         drift.look_at(now);
       });
-  // the partial step to the end
-  const State end = grid->at(duration);
+  // the partial step to the end; a motion that is shorter than a step has no other to be told by
+  State end = s;
+  if (grid->last > 0) {
+    end = grid->at(duration);
+  } else {
+    grid->stepper->step_within(0.0, duration, h, end);
+  }
   refuse_nan(end, method, duration);
   drift.look_at(end);
   return {grid, {walk.steps, 0, walk.work.evaluations, drift.worst(), {}}};

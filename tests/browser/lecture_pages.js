@@ -76,7 +76,7 @@ const check = async (name, work) => {
   await check("the look changes, and stays", async () => {
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const before = await paper();
-    await page.click("#polhode-look");
+    await page.click("#Polhode-look");
     assert.notStrictEqual(await paper(), before);
     await accessible();
     await shot("page-dark");

@@ -126,6 +126,42 @@ TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
   EXPECT_NE(dmv.failure.find("no solution"), std::string::npos) << dmv.failure;
   EXPECT_NE(comparison.notes(dmv, 1.0, false).stamp, "");
   EXPECT_EQ(*comparison.attitude_error(dmv, 0.0), 0.0);
+  const Json row = comparison.report()[0];
+  EXPECT_EQ(row["steps"], 0);
+  EXPECT_EQ(row["attitude_error_rad"], nullptr);
+  EXPECT_EQ(row["trusted"], false);
+}
+
+// a step that has no solution though a shorter one has: no part of it is a motion of its own
+TEST(Comparison, AStepThatIsLongerThanItsSolutionsIsNoStep) {
+  Scene scene = load_scene(test::scene_path("compare_fast_top"));
+  scene.numerics.compare = {"gauss4", "exact"};
+  scene.numerics.step = 0.02;
+  const Comparison comparison(solve(scene), kFrame);
+  EXPECT_EQ(comparison.contenders()[0].end, 0.0);
+  EXPECT_EQ(comparison.report()[0]["trusted"], false);
+  EXPECT_EQ(comparison.report()[0]["error_estimate_rad"], nullptr);
+}
+
+// A method comes as far as its whole steps, as it does alone, though parts of these have no
+// solution.
+TEST(Comparison, AMethodComesAsFarAsItsWholeSteps) {
+  Scene scene = load_scene(test::scene_path("t_handle"));
+  scene.numerics.compare = {"implicit_midpoint", "exact"};
+  for (const double step : {0.4, 0.45, 0.496, 0.5}) {
+    scene.numerics.step = step;
+    const Comparison comparison(solve(scene), kFrame);
+    const Contender& one = comparison.contenders()[0];
+    EXPECT_NE(one.failure.find(fmt::format("at t = {:g} s with step {} s", one.end, step)),
+              std::string::npos)
+        << one.end << ": " << one.failure;
+    EXPECT_GT(one.end, 0.9);
+    EXPECT_EQ(static_cast<double>(one.report.record.steps) * step, one.end);
+    EXPECT_FALSE(one.report.reliability.doubts.empty());
+    const double momentum = one.motion.at(0.0).L_S.norm();
+    for (double t = 0.0; t < one.end; t += 0.01)
+      EXPECT_NEAR(one.motion.at(t).L_S.norm(), momentum, 1e-12 * momentum);
+  }
 }
 
 // nothing that was tried took a step, so it is not known what "auto" would have been

@@ -173,6 +173,31 @@ TEST(FixedSteps, ABlowUpIsReportedWithItsTime) {
       "not a number at t = 5");
 }
 
+// A step may have a solution where a part of it has none.
+TEST(FixedSteps, AreKnownWithinWhereverTheyHaveASolution) {
+  const BodyModel model = free_body({1.0, 2.0, 3.0});
+  State start;
+  start.y = Vec3(0.05, 18.0, 0.15);
+  const StepperInfo& midpoint = find_stepper("implicit_midpoint");
+  constexpr double kStep = 0.5;
+  const auto found = integrate_fixed(midpoint, model, start, 2.0 * kStep, kStep).trajectory;
+  const auto stepper = midpoint.make(model, momentum_scale(model, start));
+  int without = 0;
+  for (double t = 0.001; t < kStep; t += 0.001) {
+    State part = start;
+    try {
+      stepper->step_within(0.0, t, kStep, part);
+      EXPECT_TRUE(same_bits(found->at(t), part)) << t;
+    } catch (const Error&) {
+      ++without;
+    }
+    EXPECT_NEAR(found->at(t).y.norm(), start.y.norm(), 1e-10) << t;
+    EXPECT_NEAR(energy(model, found->at(t)), energy(model, start), 1e-8) << t;
+  }
+  EXPECT_GT(without, 10);
+  EXPECT_LT(without, 400);
+}
+
 TEST(AdaptiveSteps, ErrorFollowsTheToleranceAndDriftIsRecorded) {
   const Problem p = heavy_asymmetric();
   const State exact = TaylorOracle(p.model, p.start).at(10.0L);

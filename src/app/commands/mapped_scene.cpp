@@ -14,6 +14,7 @@
 #include "motion/scales.h"
 #include "motion/solution_method.h"
 #include "motion/step_limit.h"
+#include "scene/key_path.h"
 #include "scene/scene_file.h"
 
 namespace polhode {
@@ -89,6 +90,10 @@ MapAxis make_axis(const MappedScene& place,
     throw input_error("changes nothing: {}", why).at({{}, 0, fmt::format("{} {}", option, key)});
   };
   if (key == "motion.duration") refuse("--turns says how long each run is");
+  if (key != kStepKey && without_suffixes(key) == kStepKey) {
+    throw input_error("steps are in seconds here; give {}", kStepKey)
+        .at({{}, 0, fmt::format("{} {}", option, key)});
+  }
   if (key != kSpinKey && key != kStepKey && !changes_motion(key))
     refuse("runs depend on spin, numerics.step and the keys of [body] and [motion]");
   MapAxis axis;

@@ -94,8 +94,11 @@ Made write_preview(const PreviewJob& job) {
     lay_over(sheet, typesetter.set(plain_text(words), style, x, y));
   };
   const std::string name = plan.scene.title.empty() ? job.scene.stem().string() : plan.scene.title;
-  write(fmt::format(
-            "{}   {:.1f} s, {} frames", one_line(name), frames.count / frames.rate, frames.count),
+  write(fmt::format("{}   {:.1f} s, {} frame{}",
+                    one_line(name),
+                    frames.count / frames.rate,
+                    frames.count,
+                    frames.count == 1 ? "" : "s"),
         22.0,
         kGap,
         12);

@@ -409,7 +409,9 @@ Verified verify(const VerifyJob& job) {
   if (difference.empty()) difference = compare_outputs(again);
   if (difference.empty()) difference = compare_captions(again);
   if (!difference.empty()) return {false, fmt::format("{}: {}", output, difference)};
-  return {true, fmt::format("{}: all {} frames are the same", output, again.count)};
+  const std::string frames =
+      again.count == 1 ? "the frame is" : fmt::format("all {} frames are", again.count);
+  return {true, fmt::format("{}: {} the same", output, frames)};
 }
 
 }  // namespace polhode

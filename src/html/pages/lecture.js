@@ -148,7 +148,7 @@ addEventListener("hashchange", followLink);
 followLink();
 
 // the look: as the system has it, or turned over
-const look = document.getElementById("polhode-look");
+const look = document.getElementById("Polhode-look");
 const root = document.documentElement;
 const kept = () => {
   try { return localStorage.getItem("polhode-look"); } catch { return null; }

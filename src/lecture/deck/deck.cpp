@@ -296,6 +296,8 @@ class Reader {
     const std::string target = link["c"][2][0];
     try {
       check_link(target);
+      if (percent_decoded(target).find("{inspect:") != std::string::npos)
+        throw input_error("the address of a link quotes no numbers; write them there");
       // scripts of the page find "#film=a&t=2", a time of a film, and "#/3", a slide
       if (target.starts_with("#") && !target.starts_with("#/") &&
           target.find('=') == std::string::npos) {

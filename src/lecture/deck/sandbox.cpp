@@ -32,8 +32,9 @@ std::filesystem::path trusted_file(const DeckRoot& root,
   if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
     throw input_error("a file name is empty or has control characters");
   const std::filesystem::path asked = name;
-  const bool upwards = std::find(asked.begin(), asked.end(), "..") != asked.end();
-  if (!root.allow_outside && (asked.is_absolute() || upwards)) {
+  const std::filesystem::path within =
+      (from.lexically_relative(root.folder) / asked).lexically_normal();
+  if (!root.allow_outside && (asked.is_absolute() || *within.begin() == "..")) {
     throw input_error(
         "'{}' leaves the deck's folder; put the file inside it, or give --allow-outside", name);
   }

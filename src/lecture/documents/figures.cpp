@@ -128,14 +128,13 @@ Json picture_blocks(const DeckPicture& picture,
                     const std::string& link,
                     const std::string& title) {
   const Json no_attributes = Json::array({"", Json::array(), Json::array()});
-  Json described = Json::array();  // beside a caption
-  if (!title.empty() && picture.settings.contains("alt"))
+  Json described = Json::array();  // beside a caption, or without one
+  if (!title.empty() && (picture.caption.empty() || picture.settings.contains("alt")))
     described.push_back(Json::array({"alt", title}));
-  Json image = {{"t", "Image"},
-                {"c",
-                 {Json::array({picture.place, Json::array(), described}),
-                  picture.caption.empty() ? string_inlines(alt_of(picture)) : picture.caption,
-                  {file, title}}}};
+  Json image = {
+      {"t", "Image"},
+      {"c",
+       {Json::array({picture.place, Json::array(), described}), picture.caption, {file, title}}}};
   if (link.empty()) return Json::array({paragraph(Json::array({image}))});
   const Json linked = {{"t", "Link"}, {"c", {no_attributes, Json::array({image}), {link, ""}}}};
   return Json::array({paragraph(Json::array({linked}))});

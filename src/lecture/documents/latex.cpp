@@ -251,6 +251,21 @@ std::string with_escapes(const std::string& tex) {
 
 constexpr const char* kLineBreak = "LineBreak";
 
+// Whether LaTeX would read an inline as an argument of what stands before it: of \\ ([, *) or, as
+// a title, of \begin{frame} ({).
+bool is_like_an_argument(const Json& inline_node) {
+  const std::string type = inline_node["t"];
+  if (type == "Span") return true;
+  if (type != "Str") return false;
+  const std::string words = inline_node["c"];
+  return words.starts_with('[') || words.starts_with('*');
+}
+
+// ends what stands before it
+Json end_of_command() {
+  return {{"t", "RawInline"}, {"c", {"latex", "\\relax"}}};
+}
+
 // Walks through a tree and makes of it what pdflatex can set.
 class Setter {
  public:
@@ -269,6 +284,10 @@ class Setter {
     Json out = Json::array();
     for (Json& child : list) {
       const std::string type = child.is_object() ? child.value("t", "") : "";
+      const bool is_first =
+          out.empty() || (out.back().is_object() && out.back()["t"] == kLineBreak);
+      if (is_first && titles_ == 0 && !type.empty() && is_like_an_argument(child))
+        out.push_back(end_of_command());
       if (type == "Str") {
         for (Json& word : latex_words(child["c"].get<std::string>()))
           out.push_back(std::move(word));

@@ -126,16 +126,17 @@ std::string lecture_page(const DeckWords& words,
                          const std::string& body,
                          const std::string& contents,
                          const std::string& viewers) {
+  // names with a capital letter are none that pandoc gives to titles
   std::string inside =
-      "<a class=\"skip\" href=\"#polhode-text\">To the text</a>\n<header class=\"top\">\n" +
+      "<a class=\"skip\" href=\"#Polhode-text\">To the text</a>\n<header class=\"top\">\n" +
       title_block(words) +
-      "<div class=\"tools\"><button type=\"button\" id=\"polhode-look\" "
+      "<div class=\"tools\"><button type=\"button\" id=\"Polhode-look\" "
       "hidden>Look</button></div>\n</header>\n";
   inside +=
       "<nav class=\"contents\" aria-label=\"Contents\"><details "
       "open><summary>Contents</summary>\n" +
       contents + "</details></nav>\n";
-  inside += "<main id=\"polhode-text\">\n" + body + "</main>\n<footer>";
+  inside += "<main id=\"Polhode-text\">\n" + body + "</main>\n<footer>";
   if (!words.licence.empty())
     inside += fmt::format("{} · ", shown(words, "licence", words.licence));
   inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;

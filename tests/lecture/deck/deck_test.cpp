@@ -272,6 +272,11 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
             "deck.md:7: 'colmns' means nothing to a deck (did you mean 'columns'?)");
 }
 
+TEST(Deck, AddressesOfLinksQuoteNoNumbers) {
+  EXPECT_EQ(problem_of("# A\n\n[b](https://c.d/?e={inspect:f.toml#mass|%.3f})\n"),
+            "deck.md:3: the address of a link quotes no numbers; write them there");
+}
+
 // elsewhere they would be shown to all
 TEST(Deck, WordsForTheSpeakerAreInBoxesAlone) {
   const std::string good = "## A\n\n::: {.notes}\nSay.\n:::\n\n";

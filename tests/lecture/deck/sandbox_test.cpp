@@ -57,6 +57,13 @@ TEST(Sandbox, MeshesOfScenesStayThereToo) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("leaves the deck's folder"), std::string::npos);
   }
+  // through another folder of the deck
+  std::filesystem::create_directory(outer / "deck/a");
+  write_text(outer / "deck/m.obj", "v 0 0 0\n");
+  std::filesystem::rename(outer / "deck/s.toml", outer / "deck/a/s.toml");
+  EXPECT_NO_THROW(trusted_scene({outer / "deck", false}, "a/s.toml"));
+  EXPECT_NO_THROW(trusted_scene({outer / "deck", false}, "a/../a/s.toml"));
+  EXPECT_THROW(trusted_scene({outer / "deck", false}, "a/../../deck/a/s.toml"), Error);
 }
 
 TEST(Sandbox, NamesAreEncodedForAddresses) {

@@ -85,6 +85,18 @@ TEST(Latex, HasOnlyLanguagesThatBabelHas) {
 }
 
 // they are written to files
+// a title of the frame, and a star or an argument of the line break
+TEST(Latex, HasWordsThatAreNoArgumentsOfCommands) {
+  const std::string tex = tex_of(
+      "## A\n\nb\n\n---\n\n[c] d\n\ne\\\n\\* f\n\n| g\n| [h]\n\n"
+      "| i | j |\n|---|---|\n| \\*\\* | k |\n\n---\n\n[l]{#m} *n*\n");
+  EXPECT_TRUE(has(tex, "\\begin{frame}\n\\relax{[}c{]} d")) << tex.substr(tex.find("begin{doc"));
+  EXPECT_TRUE(has(tex, "e\\\\\n\\relax* f"));
+  EXPECT_TRUE(has(tex, "g\\\\\n\\relax{[}h{]}"));
+  EXPECT_TRUE(has(tex, "\\relax** & k"));
+  EXPECT_TRUE(has(tex, "\\begin{frame}\n\\relax\\protect\\hypertarget{m}"));
+}
+
 TEST(Latex, HasTitlesThatCanBeCopied) {
   const std::string tex =
       tex_of("# A $\\begin{array}{c}a\\\\\\hline b\\end{array}$ $\\underline{c}$\n");

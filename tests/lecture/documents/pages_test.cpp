@@ -83,7 +83,7 @@ TEST(Pages, RunTheirOwnScriptsAlone) {
 TEST(Pages, HaveWhatTheirReadersNeed) {
   const std::string page = lecture_page(hostile_words(), "<p>b</p>", "<ul>contents</ul>");
   EXPECT_LT(page.find("<ul>contents</ul>"), page.find("<main id=\"main\">"));
-  EXPECT_TRUE(has(page, "href=\"#polhode-text\""));
+  EXPECT_TRUE(has(page, "href=\"#Polhode-text\""));
   EXPECT_TRUE(has(page, "CC &lt;0&gt; · polhode "));
   EXPECT_FALSE(has(handout_page({}, "b"), "<script")) << "paper runs nothing";
   const std::string slides = slides_page({}, "b", {"4", "/* reveal */", "reveal()", ""});
