@@ -55,6 +55,10 @@ void states_at(const std::vector<double>& times,
                State s,
                double h,
                const Visit& visit) {
+  if (State end = s; h > times.back()) {
+    // parts of a step may have solutions where the step has none
+    stepper.step_within(0.0, times.back(), h, end);
+  }
   long i = 0;
   for (std::size_t k = 0; k < times.size(); ++k) {
     for (; (static_cast<double>(i) + 1.0) * h <= times[k] * (1.0 + 1e-12); ++i)

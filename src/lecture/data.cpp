@@ -25,9 +25,9 @@ struct Source {
   fs::path file;
 };
 
-// Where files of a deck go in source/: where they stood. Those from elsewhere go by their names; if
-// such a name is taken, all files of its folder go into a folder of their own, so that a scene
-// still has its meshes beside it.
+// Where files of a deck go in source/: where they stood. Those from elsewhere, which are named by
+// an absolute path or with "..", go by their names; if such a name is taken, all files of its
+// folder go into a folder of their own, so that a scene still has its meshes beside it.
 class Places {
  public:
   explicit Places(const std::vector<Source>& sources) {
@@ -66,9 +66,11 @@ class Places {
 
  private:
   static fs::path normal(const std::string& name) { return fs::path(name).lexically_normal(); }
+  // links change what ".." leads to
   static bool is_elsewhere(const std::string& name) {
-    const fs::path path = normal(name);
-    return path.is_absolute() || path.begin() == path.end() || *path.begin() == "..";
+    const fs::path path = name;
+    return path.is_absolute() || path.empty() ||
+           std::find(path.begin(), path.end(), "..") != path.end();
   }
   static fs::path folder_of(const Source& source) {
     std::error_code ignored;  // the file was found: so is its folder

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/system/interrupt.h"
+#include "motion/deviation.h"
 #include "motion/scales.h"
 #include "motion/stepper_table.h"
 #include "motion/walk.h"
@@ -198,6 +199,14 @@ class GridTrajectory final : public Trajectory {
   KeptStates states;
 };
 
+// Drift within steps is more than at their ends where these are long.
+void look_within(const GridTrajectory& grid, double duration, DriftWatch& drift) {
+  constexpr int kFewSteps = 64;
+  if (grid.last >= kFewSteps) return;
+  for (const State& s : grid.at_each(scattered_times(duration, kFewSteps)))
+    drift.look_at(s);
+}
+
 }  // namespace
 
 Error too_many_steps(const StepperInfo& method, double duration, double needed, long most) {
@@ -248,6 +257,7 @@ Integration integrate_fixed(const StepperInfo& method,
   }
   refuse_nan(end, method, duration);
   drift.look_at(end);
+  look_within(*grid, duration, drift);
   return {grid, {walk.steps, 0, walk.work.evaluations, drift.worst(), {}}};
 }
 
@@ -289,6 +299,7 @@ Integration integrate_adaptive(const StepperInfo& method,
         throw too_many_steps(method, duration, static_cast<double>(steps) * duration / t, most);
       });
   grid->last = static_cast<long>(grid->times.size()) - 1;
+  look_within(*grid, duration, drift);
   return {grid, {walk.steps, walk.rejected, walk.work.evaluations, drift.worst(), {}}};
 }
 

@@ -27,7 +27,7 @@ struct IntegrationRecord {
   long steps = 0;
   long rejected = 0;     // steps of an adaptive method that were repeated with a shorter step
   long evaluations = 0;  // as Work counts them
-  Drift drift;           // the largest over the grid times
+  Drift drift;           // the largest over the grid times and, of few steps, within them
   std::vector<ContactRecord> events = {};  // on a table, in order
   double left_out_rad = 0.0;  // of the motion of a body that is laid on a face (ContactChange)
 };

@@ -68,6 +68,16 @@ TEST(Stability, SolverFailedAndNotANumber) {
   EXPECT_TRUE(std::isnan(lost.error_rad));
 }
 
+// a step that is longer than the run counts as one of its length, though parts of it have solutions
+TEST(Stability, AStepLongerThanTheRunMayHaveNoSolution) {
+  const StabilityProblem p =
+      problem({free_body({1, 1.3, 1.6}), {Quat::Identity(), {1, 7.8, 3.2}}}, 0.49);
+  for (const double step : {0.3, 0.85, 2.4})
+    EXPECT_EQ(tried("dmv2", p, step).outcome, RunOutcome::solver_failed) << step;
+  EXPECT_NE(tried("dmv2", p, 0.1).outcome, RunOutcome::solver_failed);
+  EXPECT_NE(tried("rk4", p, 2.4).outcome, RunOutcome::solver_failed);
+}
+
 // without a reference the invariants speak
 TEST(Stability, WithoutAReferenceInvariantsDecide) {
   const StabilityProblem p = problem({heavy_body({0.6, 0.8, 1.0}, {0.3, -0.5, 0.7}),

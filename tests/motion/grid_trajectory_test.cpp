@@ -173,6 +173,22 @@ TEST(FixedSteps, ABlowUpIsReportedWithItsTime) {
       "not a number at t = 5");
 }
 
+// as far as frames show it
+TEST(FixedSteps, DriftIsTheLargestWithinLongStepsToo) {
+  const BodyModel model = free_body({0.99, 1.97, 1.33});
+  State start;
+  start.y = Vec3(-2.4, -4.75, -17.5);
+  for (const double duration : {0.77, 1.5, 5.0}) {
+    const Integration found = integrate_fixed(find_stepper("cf4"), model, start, duration, 0.98);
+    DriftWatch shown(model, start);
+    for (int i = 0; i <= 1000; ++i)
+      shown.look_at(found.trajectory->at(duration * i / 1000.0));
+    const double told = found.record.drift.energy.value(), most = shown.worst().energy.value();
+    EXPECT_GT(most, 0.01) << duration;
+    EXPECT_NEAR(told, most, 0.05 * most) << duration;
+  }
+}
+
 // A step may have a solution where a part of it has none.
 TEST(FixedSteps, AreKnownWithinWhereverTheyHaveASolution) {
   const BodyModel model = free_body({1.0, 2.0, 3.0});

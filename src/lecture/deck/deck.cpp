@@ -293,11 +293,14 @@ class Reader {
   }
 
   void read_link(Json& link) {
-    const std::string target = link["c"][2][0];
+    const std::string target = link["c"][2][0], title = link["c"][2][1];
     try {
       check_link(target);
-      if (percent_decoded(target).find("{inspect:") != std::string::npos)
-        throw input_error("the address of a link quotes no numbers; write them there");
+      for (const auto& [what, text] :
+           {std::pair{"address", percent_decoded(target)}, {"title", title}}) {
+        if (text.find("{inspect:") != std::string::npos)
+          throw input_error("the {} of a link quotes no numbers; write them there", what);
+      }
       // scripts of the page find "#film=a&t=2", a time of a film, and "#/3", a slide
       if (target.starts_with("#") && !target.starts_with("#/") &&
           target.find('=') == std::string::npos) {

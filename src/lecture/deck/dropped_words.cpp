@@ -136,9 +136,9 @@ void blank(std::string& line, std::size_t from, std::size_t to) {
 std::string without_marks(const std::string& line) {
   if (line.size() > kLongestSearched) return line;
   static const std::regex marks(
-      R"(^[\s>]{0,40}([Tt]able:|[-*+]\s{1,4}\[[xX]\]))"
+      R"(^[\s>]{0,40}[Tt]able:|(^|\|)[\s>]{0,40}[-*+]\s{1,4}\[[xX]\])"
       // lists may begin in lists, definitions, footnotes and cells
-      R"(|^[\s>]{0,40}(([-*+:~|]|\[\^[^\]\s]{1,80}\]:|\(?([0-9]{1,9}|[A-Za-z]|[ivxlcdm]{1,9}|[IVXLCDM]{1,9})[.)])\s{1,9}){1,6})"
+      R"(|(^|\|)[\s>]{0,40}(([-*+:~|]|\[\^[^\]\s]{1,80}\]:|\(?([0-9]{1,18}|[A-Za-z]|[ivxlcdm]{1,9}|[IVXLCDM]{1,9})[.)])\s{1,9}){1,6})"
       R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\[[^\]]{0,80}\])"
       R"(|^[\s>]{0,40}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
   std::string out = line;

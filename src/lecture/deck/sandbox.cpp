@@ -32,11 +32,14 @@ std::filesystem::path trusted_file(const DeckRoot& root,
   if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
     throw input_error("a file name is empty or has control characters");
   const std::filesystem::path asked = name;
-  const std::filesystem::path within =
-      (from.lexically_relative(root.folder) / asked).lexically_normal();
-  if (!root.allow_outside && (asked.is_absolute() || *within.begin() == "..")) {
-    throw input_error(
-        "'{}' leaves the deck's folder; put the file inside it, or give --allow-outside", name);
+  const bool upwards = std::find(asked.begin(), asked.end(), "..") != asked.end();
+  if (!root.allow_outside && (asked.is_absolute() || upwards)) {
+    const auto within = (from.lexically_relative(root.folder) / asked).lexically_normal();
+    const bool leaves = asked.is_absolute() || *within.begin() == "..";
+    throw input_error("'{}' {}, or give --allow-outside",
+                      name,
+                      leaves ? "leaves the deck's folder; put the file inside it"
+                             : "has '..'; put the file into the folder that names it, or below");
   }
   std::filesystem::path file = from / asked;
   std::error_code failed;

@@ -2,6 +2,7 @@
 #include "lecture/deck/tree.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,50 @@ void walk(Node& tree, const Visit& visit) {
   if (!tree.is_array() && !tree.is_object()) return;
   for (Node& child : tree)
     walk(child, visit);
+}
+
+// "xiv"; digits where Romans had no letters
+std::string roman(std::size_t number) {
+  constexpr std::pair<std::size_t, const char*> kLetters[] = {{1000, "m"},
+                                                              {900, "cm"},
+                                                              {500, "d"},
+                                                              {400, "cd"},
+                                                              {100, "c"},
+                                                              {90, "xc"},
+                                                              {50, "l"},
+                                                              {40, "xl"},
+                                                              {10, "x"},
+                                                              {9, "ix"},
+                                                              {5, "v"},
+                                                              {4, "iv"},
+                                                              {1, "i"}};
+  if (number == 0 || number > 3999) return std::to_string(number);
+  std::string out;
+  for (const auto& [value, letters] : kLetters)
+    for (; number >= value; number -= value)
+      out += letters;
+  return out;
+}
+
+// "a" to "z", then "aa"
+std::string in_letters(std::size_t number) {
+  if (number == 0) return "0";
+  std::string out;
+  for (; number > 0; number = (number - 1) / 26)
+    out.insert(out.begin(), static_cast<char>('a' + (number - 1) % 26));
+  return out;
+}
+
+// style: pandoc's name, such as "LowerRoman"
+std::string number_in_style(std::size_t number, const std::string& style) {
+  std::string out = style.ends_with("Roman")   ? roman(number)
+                    : style.ends_with("Alpha") ? in_letters(number)
+                                               : std::to_string(number);
+  if (style.starts_with("Upper")) {
+    for (char& c : out)
+      c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return out;
 }
 
 template <class Node>
@@ -229,12 +274,45 @@ const Json& items_of(const Json& list) {
 }
 
 Json mark_of(const Json& list, std::size_t item) {
-  // where its numbers begin
-  const bool ordered = list["t"] == "OrderedList";
-  Json mark =
-      string_inlines(ordered ? fmt::format("{}.", list["c"][0][0].get<std::size_t>() + item) : "•");
-  mark.push_back({{"t", "Space"}});
-  return mark;
+  std::string mark = "•";
+  if (list["t"] == "OrderedList") {
+    // where its numbers begin, how they are written, and what is around them
+    const Json& numbering = list["c"][0];
+    const std::string around = numbering[2]["t"];
+    mark = number_in_style(numbering[0].get<std::size_t>() + item, numbering[1]["t"]) +
+           (around.find("Paren") != std::string::npos ? ")" : ".");
+    if (around == "TwoParens") mark.insert(0, "(");
+  }
+  Json words = string_inlines(mark);
+  words.push_back({{"t", "Space"}});
+  return words;
+}
+
+Json blocks_of_list(const Json& list) {
+  Json blocks = Json::array();
+  const auto add = [&](const Json& all) {
+    blocks.insert(blocks.end(), all.begin(), all.end());
+  };
+  if (list["t"] == "DefinitionList") {
+    for (const Json& item : list["c"]) {
+      blocks.push_back(paragraph(item[0]));
+      for (const Json& definition : item[1])
+        add(definition);
+    }
+    return blocks;
+  }
+  const Json& items = items_of(list);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Json item = items[i], words = mark_of(list, i);
+    if (!item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para")) {
+      words.insert(words.end(), item[0]["c"].begin(), item[0]["c"].end());
+      item[0] = paragraph(words);
+    } else {
+      item.insert(item.begin(), paragraph(words));
+    }
+    add(item);
+  }
+  return blocks;
 }
 
 Json inlines_of(const Json& blocks, const Json& between) {

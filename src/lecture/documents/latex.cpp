@@ -292,7 +292,8 @@ class Setter {
         for (Json& word : latex_words(child["c"].get<std::string>()))
           out.push_back(std::move(word));
       } else if (is_list(type) && lists_ >= kDeepest) {
-        add_flattened(out, child);
+        Json items = blocks_of_list(child);
+        add_blocks(out, items);
       } else if (type == "BlockQuote" && quotations_ >= kDeepest) {
         add_blocks(out, child["c"]);
       } else if (titles_ > 0 && type == "Span" && child["c"][0][0] != "") {
@@ -356,31 +357,6 @@ class Setter {
 
   static bool is_list(const std::string& type) {
     return type == "BulletList" || type == "OrderedList" || type == "DefinitionList";
-  }
-
-  // the items of a list as paragraphs
-  void add_flattened(Json& out, Json& list) {
-    if (list["t"] == "DefinitionList") {
-      for (Json& item : list["c"]) {
-        Json blocks = Json::array({paragraph(item[0])});
-        for (Json& definition : item[1])
-          blocks.insert(blocks.end(), definition.begin(), definition.end());
-        add_blocks(out, blocks);
-      }
-      return;
-    }
-    Json items = items_of(list);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      Json& item = items[i];
-      Json words = mark_of(list, i);
-      if (!item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para")) {
-        words.insert(words.end(), item[0]["c"].begin(), item[0]["c"].end());
-        item[0] = paragraph(words);
-      } else {
-        item.insert(item.begin(), paragraph(words));
-      }
-      add_blocks(out, item);
-    }
   }
 
   void add_blocks(Json& out, Json& blocks) {

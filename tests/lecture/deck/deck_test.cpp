@@ -275,6 +275,8 @@ TEST(Deck, BoxesThatAreNoneAreRefusedWithTheirLine) {
 TEST(Deck, AddressesOfLinksQuoteNoNumbers) {
   EXPECT_EQ(problem_of("# A\n\n[b](https://c.d/?e={inspect:f.toml#mass|%.3f})\n"),
             "deck.md:3: the address of a link quotes no numbers; write them there");
+  EXPECT_EQ(problem_of("# A\n\n[b](https://c.d \"E {inspect:f.toml#mass}\")\n"),
+            "deck.md:3: the title of a link quotes no numbers; write them there");
 }
 
 // elsewhere they would be shown to all

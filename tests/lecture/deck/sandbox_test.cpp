@@ -61,9 +61,15 @@ TEST(Sandbox, MeshesOfScenesStayThereToo) {
   std::filesystem::create_directory(outer / "deck/a");
   write_text(outer / "deck/m.obj", "v 0 0 0\n");
   std::filesystem::rename(outer / "deck/s.toml", outer / "deck/a/s.toml");
-  EXPECT_NO_THROW(trusted_scene({outer / "deck", false}, "a/s.toml"));
-  EXPECT_NO_THROW(trusted_scene({outer / "deck", false}, "a/../a/s.toml"));
-  EXPECT_THROW(trusted_scene({outer / "deck", false}, "a/../../deck/a/s.toml"), Error);
+  try {
+    trusted_scene({outer / "deck", false}, "a/s.toml");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("'../m.obj' has '..'; put the file"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_NO_THROW(trusted_scene({outer / "deck", true}, "a/s.toml"));
 }
 
 TEST(Sandbox, NamesAreEncodedForAddresses) {

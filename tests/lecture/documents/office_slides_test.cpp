@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lecture/decks.h"
+#include "lecture/documents/office_lists.h"
 
 namespace polhode {
 namespace {
@@ -95,6 +96,64 @@ TEST(OfficeSlides, HaveTablesAndTitlesOutOfWhatIsAround) {
             "2f2(3f)");
   EXPECT_EQ(shape("## One\n\n::: box\n![Cap](s.toml){.still}\n:::\n"), "2f");
   EXPECT_EQ(shape("## One\n\n| a | b |\n|---|---|\n| IMAGE | d |\n"), "2f2f");
+}
+
+// the blocks of a deck as PowerPoint gets them, "1" to "9" for the first number of a list, "_" for
+// an empty line, "w" for other words, and what is in a box in brackets
+std::string numbers_of(const Json& blocks) {
+  std::string numbers;
+  for (const Json& block : blocks) {
+    const std::string type = block["t"];
+    if (type == "OrderedList") {
+      numbers += std::to_string(block["c"][0][0].get<int>());
+      for (const Json& item : block["c"][1])
+        numbers += item.size() > 1 ? "(" + numbers_of(item) + ")" : "";
+    } else if (type == "Div") {
+      numbers += "[" + numbers_of(block["c"][1]) + "]";
+    } else if (type == "BlockQuote") {
+      numbers += ">" + numbers_of(block["c"]);
+    } else if (type != "Header") {
+      numbers += plain_text(block["c"]) == "\u00a0" ? "_" : "w";
+    }
+  }
+  return numbers;
+}
+
+// PowerPoint counts on where paragraphs with numbers follow each other
+TEST(OfficeSlides, HaveListsThatBeginAgain) {
+  const auto numbers = [](const std::string& text) {
+    return numbers_of(with_numbers_of_lists(office_slides(deck_of("## A\n\n" + text)).blocks));
+  };
+  const std::string list = "1. a\n2. b\n\n";
+  EXPECT_EQ(numbers(list + "c\n\n" + list), "1w1");
+  EXPECT_EQ(numbers(list + "::: notes\nd\n:::\n\n" + list), "1_1[w]");
+  EXPECT_EQ(numbers(list + "![e](s.toml){.still}\n\n" + list),
+            "[[1_1]["
+            "w]]");
+  EXPECT_EQ(numbers("> 1. a\n> 2. b\n\n" + list), ">1_1");
+  EXPECT_EQ(numbers("::: incremental\n" + list + ":::\n\n" + list), "[1]_1");
+  EXPECT_EQ(numbers(list + "::: incremental\n" + list + "\n\nc\n\n" + list + ":::\n\n"), "1_[1w1]");
+  EXPECT_EQ(numbers(list + "::: notes\nd\n:::\n\n3. c\n"), "13[w]");
+  EXPECT_EQ(numbers("1. a\n\n    1. b\n\n    c\n\n    1. d\n2. e\n"), "1(w1w1)");
+  const std::string columns = "::: column\n" + list + ":::\n";
+  EXPECT_EQ(numbers(":::: columns\n" + columns + columns + "::::\n"), "[[1][1]]");
+}
+
+TEST(OfficeSlides, HaveNumbersThatPowerPointDoesNotCount) {
+  const auto words = [](const std::string& text) {
+    std::string all;
+    for (const Json& block : with_numbers_of_lists(office_slides(deck_of(text)).blocks))
+      for_each_node(block, [&](const Json& node) {
+        if (node["t"] == "Para" || node["t"] == "Plain") all += plain_text(node["c"]) + "|";
+      });
+    return all;
+  };
+  EXPECT_EQ(words("0. a\n1. b\n"), "0. a|1. b|");
+  EXPECT_EQ(words("32768) a\n"), "32768) a|");
+  EXPECT_EQ(words("32767. a\n"), "a|");
+  EXPECT_EQ(words("::: notes\n3. a\n4. b\n\n   c) d\n:::\n"), "3. a|4. b|c) d|");
+  EXPECT_EQ(words("::: notes\n(xiv) a\n(xv) b\n:::\n"), "(xiv) a|(xv) b|");
+  EXPECT_EQ(words("::: notes\nZ.  a\nAA. b\n:::\n"), "Z. a AA. b|");
 }
 
 TEST(OfficeSlides, HaveNotesOutOfLists) {
