@@ -66,12 +66,17 @@ std::vector<FilmMetadata::Chapter> chapters_of(const Scene& scene,
   }
   for (const auto& [start, title] : titles_of_story(told, frames))
     chapters.push_back({start, title});
-  const auto add_shots = [&](const std::vector<ShotSpec>& shots, double since) {
+  const auto add_shots = [&](std::vector<ShotSpec> shots, double since) {
+    std::stable_sort(shots.begin(), shots.end(), [](const ShotSpec& a, const ShotSpec& b) {
+      return a.at < b.at;
+    });
+    std::map<int, std::string> names;  // of those that are seen in a frame: the last ones
     for (const ShotSpec& shot : shots) {
-      if (shot.name.empty()) continue;
       const double begins = told.film_time(since + shot.at);  // behind a pause
-      chapters.push_back({frames.frame_at(begins), one_line(shot.name)});
+      names[frames.frame_at(begins)] = one_line(shot.name);
     }
+    for (const auto& [start, name] : names)
+      if (!name.empty()) chapters.push_back({start, name});
   };
   if (scene.in_turn) {
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include <fmt/ranges.h>
 
+#include "base/numbers.h"
 #include "base/system/log.h"
 #include "film/error_places.h"
 #include "film/unused_settings.h"
@@ -23,29 +24,60 @@ void warn_at(const Scene& scene, const char* key, const Error& warning) {
   spdlog::warn("{}", placed(scene, warning.at({{}, 0, key})).what());
 }
 
-// the wheels of coaches in films; `scene`: of the motion, which may be one of several in turn
+// By how much the body turns from t for `step` (s), rad: about axes that stay in the body or in
+// space; what it turns to and fro does not count.
+double turned_within(const Motion& motion, double t, double step) {
+  constexpr double kFine = 0.1;  // rad of what it turns at its speed at the start
+  const double parts = std::clamp(std::ceil(motion.at(t).w_B.norm() * step / kFine), 16.0, 400.0);
+  const double part = step / parts;
+  Vec3 in_body = Vec3::Zero(), in_space = Vec3::Zero();
+  for (double i = 0.5; i < parts; ++i) {
+    const Sample now = motion.at(t + i * part);
+    in_body += part * now.w_B;
+    in_space += part * now.w_S;
+  }
+  return std::max(in_body.norm(), in_space.norm());
+}
+
+// a part of a motion, s
+struct ShownPart {
+  double from = 0.0, to = 0.0;
+};
+
+// what a film shows of the motion of one panel; of panels in turn, each begins where that before it
+// ends
+ShownPart shown_of(const Scene& film, const FrameTimes& frames, std::size_t panel) {
+  if (!film.in_turn) return {frames.from, frames.to};
+  const double begins = static_cast<double>(panel) * film.motion.duration;
+  return {std::max(0.0, frames.from - begins), std::min(film.motion.duration, frames.to - begins)};
+}
+
+// the wheels of coaches in films; `scene`: of the motion, which may be one of several
 void warn_of_backward_turning(const Scene& scene,
                               const Motion& motion,
                               const FrameTimes& frames,
-                              bool in_turn) {
+                              const ShownPart& shown) {
   constexpr double kBlurring = kPi;  // an angle of the shutter beyond which nothing seems to turn
   if (frames.count < 2 || scene.video.shutter >= kBlurring) return;
-  double fastest = 0.0;
+  const double step = frames.motion_step();
+  double most = 0.0;  // from frame to frame, rad
+  const auto look_at = [&](double t) {
+    const double begins = shown.from + std::floor((t - shown.from) / step) * step;
+    if (t < shown.from || up_to(shown.to, begins + step) > shown.to) return;
+    // few are so fast
+    if (motion.at(t).w_B.norm() * step > std::max(most, kPi))
+      most = std::max(most, turned_within(motion, begins, step));
+  };
   const int looks = std::min(frames.count, 200);
-  for (int i = 0; i < looks; ++i) {
-    const double shown = frames.from + (frames.to - frames.from) * i / looks;
-    // of panels in turn, each shows the whole motion
-    const double t = in_turn ? motion.duration() * i / looks : shown;
-    fastest = std::max(fastest, motion.at(t).w_B.norm());
-  }
-  for (const double t : framing_times(motion)) {
-    if (in_turn || (t >= frames.from && t <= frames.to))
-      fastest = std::max(fastest, motion.at(t).w_B.norm());
-  }
-  const std::optional<std::string> words = turns_backwards(fastest, frames.motion_step());
+  for (int i = 0; i < looks; ++i)
+    look_at(shown.from + (shown.to - shown.from) * i / looks);
+  for (const double t : framing_times(motion))
+    look_at(t);
+  const double fastest = most / step;
+  const std::optional<std::string> words = turns_backwards(fastest, step);
   if (!words) return;
   constexpr double kMargin = 1.02;
-  const double slower = kMargin * fastest * frames.motion_step() / kPi;
+  const double slower = kMargin * most / kPi;
   const double enough = std::ceil(slower * frames.rate);
   const std::string faster =
       enough <= kMostFramesPerSecond ? fmt::format("a video.fps of {:.0f} or more, ", enough) : "";
@@ -249,49 +281,84 @@ void warn_of_what_never_comes(const Scene& scene, const std::vector<FilmPanel>& 
   }
 }
 
-// shots and steps in the time of the last frame, behind which there is none
+// The parts of a film in which its panels follow one another, or all of it.
+std::size_t parts_of(const Scene& scene) {
+  return scene.in_turn ? scene.panels.size() : 1;
+}
+
+// shots and steps in the time of the last frame of all parts, behind which there is none
 void warn_of_what_comes_too_late(const Scene& scene, const FrameTimes& frames) {
   const Timeline& timeline = frames.timeline;
   const double last = frames.film_time(frames.count - 1);
-  // a part of a film is no reason, nor are panels in turn, of which another follows
+  // a part of a film is no reason
   const double missed = timeline.film_duration() - last;
-  if (scene.in_turn || frames.count < 2 || missed > 1.5 / frames.rate) return;
-  const auto look_at = [&](const std::string& key, double begins) {
-    if (reached(last, begins)) return;
+  if (frames.count < 2 || missed > 1.5 / frames.rate) return;
+  const std::size_t parts = parts_of(scene);
+  const auto end_of = [&](std::size_t part) {
+    const double turn = timeline.film_duration() / static_cast<double>(parts);
+    return part + 1 < parts ? frames.frame_at(static_cast<double>(part + 1) * turn) : frames.count;
+  };
+  // film_time: of what begins at a time of the motion
+  const auto look_at = [&](const std::string& key, double at, const auto& film_time) {
+    for (std::size_t part = 0; part < parts; ++part) {
+      const double begins = film_time(static_cast<double>(part) * scene.motion.duration + at);
+      if (frames.frame_at(begins) < end_of(part)) return;
+    }
     const Error warning = input_error("is never seen: the last frame shows {:.6g} s of the motion",
-                                      timeline.motion_time(last));
+                                      timeline.motion_time(frames.film_time(end_of(0) - 1)));
     warn_at(scene, key.c_str(), warning);
   };
-  for (std::size_t i = 0; i < scene.shots.size(); ++i)
-    look_at(fmt::format("shots[{}].at", i), timeline.film_time(scene.shots[i].at));
+  for (std::size_t i = 0; i < scene.shots.size(); ++i) {
+    look_at(fmt::format("shots[{}].at", i), scene.shots[i].at, [&](double motion) {
+      return timeline.film_time(motion);
+    });
+  }
   for (std::size_t i = 0; i < scene.story.size(); ++i) {
     const StoryStep& step = scene.story[i];
-    if (step.hold == 0.0)
-      look_at(fmt::format("story[{}].at", i), timeline.first_film_time(step.at));
+    if (step.hold > 0.0) continue;
+    look_at(fmt::format("story[{}].at", i), step.at, [&](double motion) {
+      return timeline.first_film_time(motion);
+    });
   }
 }
 
 // words that others replace before the next frame
 void warn_of_captions_between_frames(const Scene& scene, const FrameTimes& frames) {
-  if (scene.in_turn || frames.count < 2) return;
+  if (frames.count < 2) return;
   const std::vector<StoryStep>& steps = frames.timeline.steps();
   const std::vector<double>& starts = frames.timeline.starts();
+  // as the scene has them, which may be in any order, and in every part of the film
+  const auto written_at = [&](const StoryStep& said) {
+    const auto written =
+        std::find_if(scene.story.begin(), scene.story.end(), [&](const StoryStep& step) {
+          for (std::size_t part = 0; part < parts_of(scene); ++part) {
+            const double at = step.at + static_cast<double>(part) * scene.motion.duration;
+            if (at == said.at && step.caption == said.caption) return true;
+          }
+          return false;
+        });
+    return written - scene.story.begin();
+  };
+  std::map<std::ptrdiff_t, bool> seen;  // by the index in the story: in any part
   const StoryStep* said = nullptr;
   double since = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!steps[i].caption) continue;
     const StoryStep* before = std::exchange(said, &steps[i]);
     const double began = std::exchange(since, starts[i]);
-    if (before == nullptr || before->caption->empty() || began < frames.first) continue;
+    if (before == nullptr || before->caption->empty()) continue;
     const int frame = frames.frame_at(began);
-    if (frame >= frames.count || !reached(frames.film_time(frame), since)) continue;
-    // steps of a scene may be in any order
-    const auto written =
-        std::find_if(scene.story.begin(), scene.story.end(), [&](const StoryStep& step) {
-          return step.at == before->at && step.caption == before->caption;
-        });
+    // a part ends without words, in the time of its last frame too
+    const bool is_cut = began < frames.first || frame >= frames.count ||
+                        (scene.in_turn && steps[i].caption->empty());
+    const bool is_seen = is_cut || !reached(frames.film_time(frame), since);
+    bool& in_any = seen[written_at(*before)];
+    in_any = in_any || is_seen;
+  }
+  for (const auto& [index, is_seen] : seen) {
+    if (is_seen) continue;
     warn_at(scene,
-            fmt::format("story[{}].caption", written - scene.story.begin()).c_str(),
+            fmt::format("story[{}].caption", index).c_str(),
             input_error("is never seen: other words take its place before the next frame"));
   }
 }
@@ -460,7 +527,7 @@ void warn_of_film(const std::vector<Solved>& solved, const FrameTimes& frames, c
     const auto composers = composers_of(panels, i, solved.size());
     for (const Error& warning : warnings_of_all(composers))
       spdlog::warn("{}", placed(one.scene, warning).what());
-    warn_of_backward_turning(one.scene, one.simulation.motion, frames, scene.in_turn);
+    warn_of_backward_turning(one.scene, one.simulation.motion, frames, shown_of(scene, frames, i));
     if (!scene.in_turn) warn_of_running_contact(one.scene, *panels[i].composer, frames);
   }
 }

@@ -149,6 +149,32 @@ TEST_F(SeveralScenes, InTurnAreLookedAtWithinTheirMotions) {
   EXPECT_EQ(ran.err.find("from frame to frame"), std::string::npos) << ran.err;
 }
 
+// a pendulum that swings twice a frame is within its swing at all frames, though fast between them
+TEST_F(SeveralScenes, InTurnAreLookedAtInFramesThatTheyShow) {
+  write_text(folder_ / "swing.toml",
+             "[body]\nsolid = { kind = \"rod\", length = 0.05, radius = 0.001, mass = 1 }\n"
+             "pivot = [0, 0, 0.025]\n[motion]\nhold = \"pivot\"\nduration = 1\n"
+             "attitude = { zxz_deg = [0, 40, 0] }\n");
+  write_text(
+      folder_ / "spin.toml",
+      "[body]\nmoments = [1, 1, 2]\n[motion]\nduration = 1\nspin = { body = [0, 0, 300] }\n");
+  write_text(folder_ / "film.toml",
+             "arrange = \"in_turn\"\n[[panel]]\nscene = \"swing.toml\"\n"
+             "[[panel]]\nscene = \"spin.toml\"\n[video]\nsize = \"64x36\"\nfps = 2\n"
+             "[[story]]\nat = 0.6\ncaption = \"late\"\n");
+  const auto told = [&](const std::string& options) {
+    const Ran ran =
+        run_polhode(fmt::format("render {} -o {} {}", at("film.toml"), at("a.mp4"), options));
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.err;
+  };
+  EXPECT_EQ(told("--to 1").find("from frame to frame"), std::string::npos) << told("--to 1");
+  const std::string whole = told("");
+  EXPECT_NE(whole.find("video.fps: the body turns by 8594 degrees"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("story[0].at: is never seen"), std::string::npos) << whole;
+  EXPECT_EQ(told("--fps 10").find("is never seen"), std::string::npos);
+}
+
 TEST_F(SeveralScenes, ArePreviewedButHaveNoOneMotion) {
   run(fmt::format("preview {} -o {}", at("film.toml"), at("sheet.png")));
   for (const char* command : {"simulate -o -", "chart", "stability"}) {

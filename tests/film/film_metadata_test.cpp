@@ -69,6 +69,26 @@ TEST(FilmMetadata, AShotAtAPauseFollowsIt) {
 }
 
 // of several words in one frame those are the chapter's that are seen
+// of shots that begin before the next frame the last one is seen, whatever their order in the scene
+TEST(FilmMetadata, ChaptersAreOfShotsThatAreSeen) {
+  const auto titles = [](const std::vector<std::pair<double, std::string>>& shots) {
+    Case one({});
+    for (const auto& [at, name] : shots) {
+      ShotSpec shot;
+      shot.at = at;
+      shot.name = name;
+      one.scene.shots.push_back(shot);
+    }
+    std::string all;
+    for (const FilmMetadata::Chapter& chapter : one.metadata().chapters)
+      all += fmt::format("{} {}|", chapter.start, chapter.title);
+    return all;
+  };
+  EXPECT_EQ(titles({{1.01, "side"}, {1.02, "top"}, {2.0, "end"}}), "0 Title|11 top|20 end|");
+  EXPECT_EQ(titles({{1.0, "one"}, {1.0, "two"}}), "0 Title|10 two|");
+  EXPECT_EQ(titles({{1.02, ""}, {1.01, "side"}, {2.0, "end"}}), "0 Title|20 end|");
+}
+
 TEST(FilmMetadata, ChaptersHaveTheWordsOfTheirFrame) {
   const auto titles = [](const std::vector<StoryStep>& story) {
     std::vector<std::string> found;

@@ -135,19 +135,23 @@ void blank(std::string& line, std::size_t from, std::size_t to) {
 // and references, entities; blanks stand in their place.
 std::string without_marks(const std::string& line) {
   if (line.size() > kLongestSearched) return line;
+  // lists may begin in lists, definitions, quotations, footnotes and cells, with boxes of tasks
   static const std::regex marks(
-      R"(^[\s>]{0,40}[Tt]able:|(^|\|)[\s>]{0,40}[-*+]\s{1,4}\[[xX]\])"
-      // lists may begin in lists, definitions, footnotes and cells
-      R"(|(^|\|)[\s>]{0,40}(([-*+:~|]|\[\^[^\]\s]{1,80}\]:|\(?([0-9]{1,18}|[A-Za-z]|[ivxlcdm]{1,9}|[IVXLCDM]{1,9})[.)])\s{1,9}){1,6})"
+      R"(^[Tt]able:)"
+      R"(|(^|\|)[\s>]{0,40}(([-*+:~|>]|\[\^[^\]\s]{1,80}\]:|\(@[^\s)]{0,40}\)|\(?([0-9]{1,18}|[A-Za-z]|[ivxlcdm]{1,9}|[IVXLCDM]{1,9})[.)])(\s{1,9}|$)){1,6}(\[[xX]\])?)"
       R"(|\(@[^\s)]{0,40}\)|\[\^[^\]\s]{1,80}\]:?|\]\[[^\]]{0,80}\])"
-      R"(|^[\s>]{0,40}\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
+      R"(|^\[[^\]]{1,80}\]:|&#?[0-9A-Za-z]{1,10};|\bclass=)");
   std::string out = line;
   const auto is_word = [&](std::size_t at) {
     return at < line.size() && (std::isalnum(static_cast<unsigned char>(line[at])) != 0 ||
                                 static_cast<unsigned char>(line[at]) >= 0x80);
   };
-  for (std::sregex_iterator i(line.begin(), line.end(), marks), end; i != end; ++i) {
-    auto from = static_cast<std::size_t>(i->position());
+  const std::size_t begin = std::min(line.find_first_not_of(" \t>"), line.size());
+  for (std::sregex_iterator i(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), marks),
+       end;
+       i != end;
+       ++i) {
+    auto from = begin + static_cast<std::size_t>(i->position());
     std::size_t to = from + static_cast<std::size_t>(i->length());
     // an accented letter is part of a word, which is another one than what stands here
     const bool is_letter = is_accented(std::string_view(line).substr(from, to - from));

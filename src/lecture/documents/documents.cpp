@@ -481,7 +481,7 @@ std::string make_pptx(const Deck& deck,
   Json blocks = filled(slides, figure_of, office_blocks);
   say_what_pages_show(blocks);  // in captions, too
   say_notes(blocks);
-  blocks = with_numbers_of_lists(blocks);
+  settle_numbers_of_lists(blocks);
   Json tree = with_lettered_formulas(deck.tree(blocks));
   describe_by_titles(tree);
   lead_to_titles(tree, layout.titles);

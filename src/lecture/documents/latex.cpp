@@ -291,7 +291,7 @@ class Setter {
       if (type == "Str") {
         for (Json& word : latex_words(child["c"].get<std::string>()))
           out.push_back(std::move(word));
-      } else if (is_list(type) && lists_ >= kDeepest) {
+      } else if (is_list(type) && (lists_ >= kDeepest || !can_be_counted(child))) {
         Json items = blocks_of_list(child);
         add_blocks(out, items);
       } else if (type == "BlockQuote" && quotations_ >= kDeepest) {
@@ -325,20 +325,32 @@ class Setter {
       if (!place.empty()) node = named("Span", place, Json::array({node}));
     } else if (type == "CodeBlock") {
       set_code(node);
+    } else if (type == "Header" && lists_ + quotations_ + tables_ > 0) {
+      // sections are not shown there
+      node = paragraph(Json::array(
+          {named("Span", node["c"][1][0], Json::array({{{"t", "Strong"}, {"c", node["c"][2]}}}))}));
+      set(node["c"]);
     } else {
-      // footnotes of beamer are one paragraph
-      if (type == "Note")
-        node["c"] = Json::array({paragraph(inlines_of(node["c"], {{"t", kLineBreak}}))});
+      // footnotes of beamer are one paragraph, and in tables lines of their own do not wrap
+      if (type == "Note") {
+        const Json between = {{"t", tables_ > 0 ? "Space" : kLineBreak}};
+        node["c"] = Json::array({paragraph(inlines_of(node["c"], between))});
+        for_each_node(node, [&](Json& inside) {
+          if (inside["t"] == kLineBreak) inside = between;
+        });
+      }
       const bool is_argument = type == "Div" && is_div(node, "notes");
       arguments_ += is_argument ? 1 : 0;
       lists_ += is_list(type) ? 1 : 0;
       titles_ += type == "Header" ? 1 : 0;
       quotations_ += type == "BlockQuote" ? 1 : 0;
+      tables_ += type == "Table" ? 1 : 0;
       for (auto& [key, value] : node.items()) {
         if (key != "t") set(value);
       }
       titles_ -= type == "Header" ? 1 : 0;
       quotations_ -= type == "BlockQuote" ? 1 : 0;
+      tables_ -= type == "Table" ? 1 : 0;
       lists_ -= is_list(type) ? 1 : 0;
       arguments_ -= is_argument ? 1 : 0;
     }
@@ -355,6 +367,15 @@ class Setter {
     }
   }
 
+  // letters end at z, and numbers where those of TeX do
+  static bool can_be_counted(const Json& list) {
+    if (list["t"] != "OrderedList") return true;
+    constexpr std::size_t kLetters = 26, kMost = 100'000'000;
+    const std::string style = list["c"][0][1]["t"];
+    const std::size_t end = list["c"][0][0].get<std::size_t>() + items_of(list).size();
+    return end <= (style.ends_with("Alpha") ? kLetters + 1 : kMost);
+  }
+
   static bool is_list(const std::string& type) {
     return type == "BulletList" || type == "OrderedList" || type == "DefinitionList";
   }
@@ -364,8 +385,8 @@ class Setter {
     out.insert(out.end(), blocks.begin(), blocks.end());
   }
 
-  int arguments_ = 0;                            // of commands of TeX, around what is set
-  int lists_ = 0, quotations_ = 0, titles_ = 0;  // around it
+  int arguments_ = 0;  // of commands of TeX, around what is set
+  int lists_ = 0, quotations_ = 0, tables_ = 0, titles_ = 0;  // around it
 };
 
 // What commands need in the preamble, beside amsmath and amssymb.

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "lecture/documents/office_lists.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "lecture/deck/tree.h"
 
 namespace polhode {
 namespace {
 
-constexpr long kGreatestStart = 32767;  // ECMA-376 part 1, 20.1.10.81: ST_TextBulletStartAtNum
+// ECMA-376 part 1, 20.1.10.81 (ST_TextBulletStartAtNum) and 20.1.10.82 (ST_TextIndentLevelType)
+constexpr long kGreatestStart = 32767;
+constexpr int kLevels = 9;
 
-bool is_ordered(const Json& block) {
-  return block["t"] == "OrderedList";
+bool is_ordered(const Json& node) {
+  return node["t"] == "OrderedList";
 }
 
+// Whether PowerPoint counts the items: each has words, which bear the number.
 bool can_be_counted(const Json& list) {
   const long start = list["c"][0][0];
-  return start >= 1 && start <= kGreatestStart;
+  const Json& items = items_of(list);
+  return start >= 1 && start <= kGreatestStart &&
+         std::all_of(items.begin(), items.end(), [](const Json& item) {
+           return !item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para");
+         });
 }
 
 // Where a list begins or ends what is seen of a block: how it is numbered. Null: no such list.
@@ -32,47 +42,66 @@ bool would_be_one(const Json& above, const Json& below) {
   return !numbering.is_null() && numbering == numbering_at(below, false);
 }
 
+// Walks through a tree; lists and boxes stand in lists of blocks alone.
 class Numbers {
  public:
-  Json of(const Json& blocks, bool in_notes, bool in_columns = false) const {
-    Json out = Json::array();
-    for (Json block : blocks) {
-      if (is_ordered(block) && (in_notes || !can_be_counted(block))) {
-        for (Json& one : of(blocks_of_list(block), in_notes))
-          out.push_back(std::move(one));
-        continue;
-      }
-      settle_inside(block, in_notes);
-      if (!in_columns && !out.empty() && would_be_one(out.back(), block))
-        out.push_back(paragraph(string_inlines("\u00a0")));
-      out.push_back(std::move(block));
+  void settle(Json& tree) {
+    if (tree.is_array()) {
+      settle_list(tree);
+    } else if (tree.is_object() && tree.contains("c")) {
+      settle_inside(tree);
     }
-    return out;
   }
 
  private:
-  void settle_inside(Json& block, bool in_notes) const {
-    const std::string type = block["t"];
-    Json& content = block["c"];
-    if (type == "Div") {
-      content[1] = of(content[1], in_notes || is_div(block, "notes"), is_div(block, "columns"));
-    } else if (type == "BlockQuote") {
-      content = of(content, in_notes);
-    } else if (type == "BulletList" || type == "OrderedList") {
-      for (Json& item : type == "BulletList" ? content : content[1])
-        item = of(item, in_notes);
-    } else if (type == "DefinitionList") {
-      for (Json& item : content)
-        for (Json& definition : item[1])
-          definition = of(definition, in_notes);
-    }
+  static bool is_list(const Json& child) {
+    return child.is_object() && (child["t"] == "OrderedList" || child["t"] == "BulletList");
   }
+
+  bool becomes_words(const Json& list) const {
+    return levels_ >= kLevels || (is_ordered(list) && (in_notes_ || !can_be_counted(list)));
+  }
+
+  void settle_list(Json& list) {
+    const bool are_columns = std::exchange(in_columns_, false);
+    Json out = Json::array();
+    for (Json& child : list) {
+      if (is_list(child) && becomes_words(child)) {
+        Json blocks = blocks_of_list(child);
+        settle(blocks);
+        out.insert(out.end(), blocks.begin(), blocks.end());
+        continue;
+      }
+      settle(child);
+      const bool follows = !are_columns && !out.empty() && out.back().is_object() &&
+                           child.is_object() && would_be_one(out.back(), child);
+      if (follows) out.push_back(paragraph(string_inlines("\u00a0")));
+      out.push_back(std::move(child));
+    }
+    list = std::move(out);
+  }
+
+  void settle_inside(Json& node) {
+    const bool was_in_notes = std::exchange(in_notes_, in_notes_ || is_div(node, "notes"));
+    levels_ += is_list(node) ? 1 : 0;
+    if (node["t"] == "Div") {
+      in_columns_ = is_div(node, "columns");
+      settle(node["c"][1]);
+    } else {
+      settle(node["c"]);
+    }
+    levels_ -= is_list(node) ? 1 : 0;
+    in_notes_ = was_in_notes;
+  }
+
+  bool in_notes_ = false, in_columns_ = false;  // is that what is settled, or settled next
+  int levels_ = 0;                              // of lists around it
 };
 
 }  // namespace
 
-Json with_numbers_of_lists(const Json& blocks) {
-  return Numbers().of(blocks, false);
+void settle_numbers_of_lists(Json& blocks) {
+  Numbers().settle(blocks);
 }
 
 }  // namespace polhode

@@ -6,10 +6,11 @@
 
 namespace polhode {
 
-// Slides (blocks of pandoc's tree) whose lists have the numbers of the deck: between two that
+// Gives the lists of slides (blocks of pandoc's tree) the numbers of the deck: between two that
 // PowerPoint would count as one, since they follow each other in a box of text, stands an empty
-// line. Lists in notes for the speaker, whose numbers would begin again at each item, and those
-// that begin beyond what PowerPoint counts from become paragraphs with their numbers as words.
-Json with_numbers_of_lists(const Json& blocks);
+// line. What it cannot count becomes paragraphs with their numbers as words: lists in notes for
+// the speaker, which begin again at each item, lists with an item that does not begin with words,
+// and those that begin or are nested beyond what its files hold.
+void settle_numbers_of_lists(Json& blocks);
 
 }  // namespace polhode

@@ -99,6 +99,36 @@ TEST(Latex, HasWordsThatAreNoArgumentsOfCommands) {
               has(tex, "\\begin{frame}\n\\relax\\phantomsection\\label{m}"));
 }
 
+// beamer shows no sections within a slide
+TEST(Latex, HasTitlesWithinWhatIsOnSlidesAsWords) {
+  const std::string tex = tex_of(
+      "## A\n\n> ### B {#b}\n>\n> c\n\n- #### D\n\n  e\n\nF\n\n:   ### G\n\n    [h](#b)\n\n"
+      "+---------+\n| i       |\n+=========+\n| ### J   |\n|         |\n| k       "
+      "|\n+---------+\n");
+  const std::string slides = tex.substr(tex.find("begin{document}"));
+  EXPECT_FALSE(has(slides, "section{") || has(slides, "paragraph{")) << slides;
+  for (const char* title : {"B", "D", "G", "J"})
+    EXPECT_TRUE(has(tex, "\\textbf{" + std::string(title) + "}")) << title;
+}
+
+// lines in cells do not wrap, and stand beyond the page
+TEST(Latex, HasFootnotesOfTablesInOneLine) {
+  const std::string tex =
+      tex_of("| A | b |\n|---|---|\n| c[^1] | d |\n\n[^1]: E:\n\n    1. f\\\n       g\n    2. h\n");
+  EXPECT_TRUE(has(tex, "\\footnotetext<.->{E: 1. f g 2. h}") || has(tex, "{E: 1. f g 2. h}"))
+      << tex.substr(tex.find("begin{doc"));
+  EXPECT_FALSE(has(tex, "vtop"));
+}
+
+TEST(Latex, HasNumbersThatItDoesNotCount) {
+  std::string list;
+  for (int i = 0; i < 28; ++i)
+    list += i == 0 ? "a) x\n" : "b) x\n";
+  const std::string tex = tex_of(list + "\nB\n\n99999999999. y\n");
+  EXPECT_TRUE(has(tex, "z) x") && has(tex, "aa) x") && has(tex, "ab) x"));
+  EXPECT_TRUE(has(tex, "99999999999. y"));
+}
+
 TEST(Latex, HasTitlesThatCanBeCopied) {
   const std::string tex =
       tex_of("# A $\\begin{array}{c}a\\\\\\hline b\\end{array}$ $\\underline{c}$\n");
