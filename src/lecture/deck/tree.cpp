@@ -40,9 +40,10 @@ std::string roman(std::size_t number) {
                                                               {1, "i"}};
   if (number == 0 || number > 3999) return std::to_string(number);
   std::string out;
-  for (const auto& [value, letters] : kLetters)
+  for (const auto& [value, letters] : kLetters) {
     for (; number >= value; number -= value)
       out += letters;
+  }
   return out;
 }
 
