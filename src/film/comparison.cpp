@@ -161,6 +161,7 @@ std::string percent(double part) {
     return (value > 0.0 && !zero ? "+" : "") + number + " %";
   }
   const char* sign = value < 0.0 ? "\u2212" : "+";
+  if (!std::isfinite(value)) return fmt::format("{}\u221e %", sign);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
   return fmt::format("{}{:.0f}\u00b7{} %",
                      sign,

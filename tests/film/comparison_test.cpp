@@ -132,6 +132,16 @@ TEST(Comparison, AMethodWithoutASingleStepShowsTheStart) {
   EXPECT_EQ(row["trusted"], false);
 }
 
+// energies beyond what numbers hold
+TEST(Comparison, DriftsWithoutEndAreShownAsThat) {
+  Scene scene = load_scene(test::scene_path("compare_fast_top"));
+  scene.numerics.compare = {"explicit_euler", "exact"};
+  scene.numerics.step = 0.02;
+  const Comparison comparison(solve(scene), kFrame);
+  const PanelNotes notes = comparison.notes(comparison.contenders()[0], 1.0, false);
+  EXPECT_NE(notes.figures.find("energy +\u221e %"), std::string::npos) << notes.figures;
+}
+
 // a step that has no solution though a shorter one has: no part of it is a motion of its own
 TEST(Comparison, AStepThatIsLongerThanItsSolutionsIsNoStep) {
   Scene scene = load_scene(test::scene_path("compare_fast_top"));
