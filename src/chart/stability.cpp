@@ -55,8 +55,9 @@ void states_at(const std::vector<double>& times,
                State s,
                double h,
                const Visit& visit) {
-  if (State end = s; h > times.back()) {
-    // parts of a step may have solutions where the step has none
+  if (h > times.back()) {
+    // its parts may have solutions where it has none
+    State end = s;
     stepper.step_within(0.0, times.back(), h, end);
   }
   long i = 0;

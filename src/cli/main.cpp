@@ -7,6 +7,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -146,6 +147,12 @@ int run_to_exit_code(int argc, char** argv) {
     return fail(error);
   } catch (const std::bad_alloc&) {
     return fail(Error(Fault::environment, "out of memory"));
+  } catch (const std::system_error& error) {
+    const bool lacks = error.code() == std::errc::resource_unavailable_try_again;
+    return fail(
+        environment_error("{}: {}",
+                          lacks ? "a thread cannot be started (ulimit -u, -v)" : "unexpected",
+                          error.what()));
   } catch (const std::exception& error) {
     return fail(Error(Fault::environment, std::string("unexpected: ") + error.what()));
   }

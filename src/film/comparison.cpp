@@ -17,7 +17,7 @@ namespace polhode {
 namespace {
 
 constexpr double kFinerTruth = 1e-3;  // of what the scene allows, where there is no closed form
-constexpr int kHalvings = 40;         // of the time in which a method fails
+constexpr double kFinestEnd = 1e-9;   // of the motion: how finely it is told where a method fails
 
 // closed forms and the automatic choice take neither
 bool is_stepper(const std::string& method) {
@@ -94,8 +94,8 @@ Motion held(const Motion& motion, double end, const MotionSpec& spec) {
   return {motion.model(), std::make_shared<const Held>(motion, end), spec};
 }
 
-// A method that fails, as far as it comes: by halving, over whole steps where they are given, and
-// else over time. start: shown where not even one step can be taken.
+// A method that fails, as far as it comes: by halving, to a whole step where steps are given.
+// start: shown where not even one step can be taken.
 Contender until_failure(const Scene& scene,
                         const BodyModel& model,
                         const Motion& start,
@@ -103,18 +103,13 @@ Contender until_failure(const Scene& scene,
                         double allowed_rad) {
   const NumericsSpec numerics = numerics_of(scene, method);
   const double whole = scene.motion.duration;
-  const double h = numerics.step.value_or(0.0);
-  double comes = 0.0, fails = whole;
+  const double unit = numerics.step.value_or(kFinestEnd * whole);
+  double comes = 0.0, fails = std::ceil(whole / unit * (1.0 - 1e-12));  // units
   std::optional<Simulation> found;
-  for (int i = 0; i < kHalvings && (fails - comes) > 1e-9 * whole; ++i) {
-    double middle = 0.5 * (comes + fails);
-    if (h > 0.0) {
-      const double first = std::round(comes / h), last = std::ceil(fails / h * (1.0 - 1e-12));
-      if (last - first < 1.5) break;
-      middle = std::floor(0.5 * (first + last)) * h;
-    }
+  while (fails - comes > 1.5) {
+    const double middle = std::floor(0.5 * (comes + fails));
     try {
-      found = simulate_by(scene, model, method, middle, allowed_rad);
+      found = simulate_by(scene, model, method, middle * unit, allowed_rad);
       comes = middle;
     } catch (const Error& error) {
       if (error.fault() != Fault::check_failed) throw;
@@ -124,7 +119,8 @@ Contender until_failure(const Scene& scene,
   if (found) {
     // of steps that were refined, too, the partial one at the end is part of what fails
     const double step = found->report.step.value_or(0.0);
-    const double end = step > 0.0 ? std::floor(comes / step * (1.0 + 1e-12)) * step : comes;
+    const double came = comes * unit;
+    const double end = step > 0.0 ? std::floor(came / step * (1.0 + 1e-12)) * step : came;
     if (end > 0.0)
       return {method, found->report, held(found->motion, end, scene.motion), end, {}, {}};
   }

@@ -66,12 +66,7 @@ class Places {
 
  private:
   static fs::path normal(const std::string& name) { return fs::path(name).lexically_normal(); }
-  // links change what ".." leads to
-  static bool is_elsewhere(const std::string& name) {
-    const fs::path path = name;
-    return path.is_absolute() || path.empty() ||
-           std::find(path.begin(), path.end(), "..") != path.end();
-  }
+  static bool is_elsewhere(const std::string& name) { return name.empty() || may_leave(name); }
   static fs::path folder_of(const Source& source) {
     std::error_code ignored;  // the file was found: so is its folder
     return fs::weakly_canonical(fs::absolute(source.file, ignored).parent_path(), ignored);

@@ -55,11 +55,11 @@ Error too_many_steps(const StepperInfo& method, double duration, double needed, 
 // Fixed steps h (s, positive) from 0 to the last multiple of h within duration (s, positive). From
 // one grid time to the next and after the last one, at() makes one partial step from the preceding
 // grid time (several where that has no solution, Stepper::part_of_step), so it is as accurate as
-// the method and returns unit quaternions. Memory is bounded:
-// every k-th state is kept (at most about 100,000), and at() repeats fewer than k steps. The method
-// must be able to integrate the model (why_not). Throws Error (input), without a key, for more than
-// kMostSteps or effort.most_steps; (check_failed), with the time in the message, if a step has no
-// solution or a state is not finite; (interrupted).
+// the method and returns unit quaternions. Memory is bounded: every k-th state is kept (at most
+// about 100,000), and at() repeats fewer than k steps. The method must be able to integrate the
+// model (why_not). Throws Error (input), without a key, for more than kMostSteps or
+// effort.most_steps; (check_failed), with the time in the message, if a step has no solution or a
+// state is not finite; (interrupted).
 Integration integrate_fixed(const StepperInfo& method,
                             const BodyModel& model,
                             const State& start,

@@ -89,8 +89,8 @@ class Stepper {
   // Advances s to what the method says of a moment within a step of `whole` (s), h after its
   // beginning at the time t: by default what a step of h gives.
   virtual void step_within(double t, double h, double whole, State& s) const;
-  // The same, and where that has no solution, though the whole step has one, as several shorter
-  // parts, one after the other. Throws Error as step() does.
+  // The same, and where that has no solution, as several shorter parts, one after the other. Throws
+  // Error as step() does.
   void part_of_step(double t, double h, double whole, State& s) const;
   // Takes `count` such parts of steps that have nothing to do with each other.
   virtual void leap(const Leap* leaps, int count) const;

@@ -7,6 +7,7 @@ extern "C" {
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
@@ -109,6 +110,7 @@ class FilmReader::Implementation {
     check_libav(avcodec_parameters_to_context(decoder_.get(), &track),
                 "cannot read the film's header");
     decoder_->thread_count = 0;
+    watch(*decoder_, told_);
     // a damaged frame is an error, not something to be guessed at; that of some decoders would end
     // the program by an assertion, and is flagged as well
     const bool may_explode = !is_of_mpeg4(track.codec_id);
@@ -218,10 +220,8 @@ class FilmReader::Implementation {
   bool decode() {
     while (true) {
       const int received = avcodec_receive_frame(decoder_.get(), decoded_.get());
-      if (received == 0) {
-        refuse_guesses();
-        return true;
-      }
+      if (received == 0 || received == AVERROR_EOF) refuse_guesses();
+      if (received == 0) return true;
       if (received == AVERROR_EOF) return false;
       if (received != AVERROR(EAGAIN)) refuse_damage(received);
       send_packet();
@@ -255,9 +255,11 @@ class FilmReader::Implementation {
   }
 
   // Some decoders (ProRes) pass on a picture of which parts could not be decoded; what stands there
-  // is what the memory held before, which may be the right picture.
+  // is what the memory held before, which may be the right picture. Others (H.264, where memory
+  // lacks) tell the log alone.
   void refuse_guesses() const {
-    if (decoded_->decode_error_flags != 0 || (decoded_->flags & AV_FRAME_FLAG_CORRUPT) != 0) {
+    if (told_ || decoded_->decode_error_flags != 0 ||
+        (decoded_->flags & AV_FRAME_FLAG_CORRUPT) != 0) {
       refuse_damage(AVERROR_INVALIDDATA);
     }
   }
@@ -427,7 +429,8 @@ class FilmReader::Implementation {
 
   std::string file_;
   LibavInput input_;
-  AVStream* stream_ = nullptr;  // owned by the input
+  AVStream* stream_ = nullptr;      // owned by the input
+  std::atomic<bool> told_ = false;  // whether the decoder has told of an error
   Owned<AVCodecContext> decoder_;
   Owned<AVPacket> packet_;
   Owned<AVFrame> decoded_;

@@ -128,6 +128,24 @@ TEST(Environment, AFilmIsNotDamagedWhereMemoryLacks) {
   }
 }
 
+// decoders that get no memory tell the log alone, and pass on another picture, or none
+TEST(Environment, FilmsDoNotDifferWhereMemoryLacks) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer wants to be loaded first";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string film = "'" + (folder / "a.mp4") + "'";
+  ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' -o " + film).code, 0);
+  for (int at = 1200; at < 2800; at += 40) {
+    const Ran ran = run_polhode("diff " + film + " " + film,
+                                "POLHODE_LACKS=memory POLHODE_LACKS_AT=" + std::to_string(at) +
+                                    " LD_PRELOAD='" POLHODE_LACKING "'");
+    EXPECT_NE(ran.code, 1) << at << ran.out;
+    EXPECT_EQ(ran.err.find("has more"), std::string::npos) << at << ran.err;
+  }
+}
+
 // letters of fonts that cannot be opened would be boxes
 TEST(Environment, AFewOpenFilesAreToldBeforeTheyLack) {
 #ifdef __SANITIZE_ADDRESS__

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Loaded before all other libraries (LD_PRELOAD), makes one function of theirs fail as it would on
 // a machine that lacks something. POLHODE_LACKS names it; see `lacks` below.
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -73,6 +74,15 @@ void* mmap(void* at, size_t bytes, int protection, int flags, int file, off_t of
   }
   return next<void*(void*, size_t, int, int, int, off_t)>("mmap")(
       at, bytes, protection, flags, file, offset);
+}
+
+// the POLHODE_LACKS_AT-th piece of memory that a library takes
+int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes) noexcept {
+  static std::atomic<int> taken = 0;
+  static const bool is_meant = lacks("memory");
+  static const int at = is_meant ? std::atoi(std::getenv("POLHODE_LACKS_AT")) : 0;
+  if (is_meant && taken++ == at) return ENOMEM;
+  return next<int(void**, std::size_t, std::size_t)>("posix_memalign")(memory, alignment, bytes);
 }
 
 // room on the disk

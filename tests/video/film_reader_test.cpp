@@ -428,6 +428,28 @@ TEST(FilmReader, DamagedMpeg4IsRefused) {
   }
 }
 
+// libav's decoder of GIF tells the log of damage, and passes on what it has of the picture
+TEST(FilmReader, DamagedGifIsRefused) {
+  const TemporaryFolder folder;
+  make_foreign("testsrc=s=64x48:r=10:d=1", folder / "whole.gif", "-c:v gif -pix_fmt rgb8");
+  EXPECT_NO_THROW(read_whole(folder / "whole.gif"));
+  const std::string bytes = test::read_text(folder / "whole.gif");
+  int damaged = 0, tried = 0;
+  constexpr std::size_t kHeader = 1100, kDamage = 40;
+  for (std::size_t at = kHeader; at + kDamage < bytes.size(); at += 37) {
+    std::string altered = bytes;
+    altered.replace(at, kDamage, kDamage, '\377');
+    test::write_text(folder / "damaged.gif", altered);
+    ++tried;
+    try {
+      read_whole(folder / "damaged.gif");
+    } catch (const Error&) {
+      ++damaged;
+    }
+  }
+  EXPECT_GE(damaged, tried * 3 / 4) << tried;
+}
+
 TEST(FilmReader, MatroskaThatEndsInItsHeaderIsNoFilm) {
   const TemporaryFolder folder;
   make_foreign("color=gray:s=16x16", folder / "whole.mkv");

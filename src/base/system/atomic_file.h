@@ -27,12 +27,11 @@ class AtomicFile {
  public:
   // Creates and locks NAME.part, with the owner, group, mode and list of users (acl(5)) of NAME, if
   // that is there, as far as the user may give them. If NAME is a symbolic link, the file it points
-  // to is meant. Throws
-  // Error (input) if the folder is missing or cannot be written, if NAME is a folder, a device,
-  // write-protected, protected (base/system/overwriting.h) or a link in /proc, as /dev/fd/3 is, or
-  // somebody else's in a folder like /tmp, if NAME.part is a link of either kind or no regular
-  // file, or if another run is writing it, and as system_error() (base/system/system_error.h) does
-  // if it cannot be created.
+  // to is meant. Throws Error (input) if the folder is missing or cannot be written, if NAME is a
+  // folder, a device, write-protected, protected (base/system/overwriting.h) or a link in /proc, as
+  // /dev/fd/3 is, or somebody else's in a folder like /tmp, if NAME.part is a link of either kind
+  // or no regular file, or if another run is writing it, and as system_error()
+  // (base/system/system_error.h) does if it cannot be created.
   explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;

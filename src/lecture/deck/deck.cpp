@@ -146,12 +146,11 @@ class Reader {
   // Titles in boxes begin no slides, where pandoc would end the box; in notes they are words.
   void settle_title(Json& header) const {
     constexpr int kWithoutSlide = 3;
-    Json& content = header["c"];
+    Json& level = header["c"][0];
     if (in_notes_) {
-      const Json strong = {{"t", "Strong"}, {"c", content[2]}};
-      header = paragraph(Json::array({named("Span", content[1][0], Json::array({strong}))}));
-    } else if (content[0] < kWithoutSlide) {
-      content[0] = kWithoutSlide;
+      header = title_as_words(header);
+    } else if (level < kWithoutSlide) {
+      level = kWithoutSlide;
     }
   }
 

@@ -26,14 +26,17 @@ bool is_inside(const std::filesystem::path& file, const std::filesystem::path& f
 
 }  // namespace
 
+bool may_leave(const std::filesystem::path& name) {
+  return name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
+}
+
 std::filesystem::path trusted_file(const DeckRoot& root,
                                    const std::filesystem::path& from,
                                    const std::string& name) {
   if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
     throw input_error("a file name is empty or has control characters");
   const std::filesystem::path asked = name;
-  const bool upwards = std::find(asked.begin(), asked.end(), "..") != asked.end();
-  if (!root.allow_outside && (asked.is_absolute() || upwards)) {
+  if (!root.allow_outside && may_leave(asked)) {
     const auto within = (from.lexically_relative(root.folder) / asked).lexically_normal();
     const bool leaves = asked.is_absolute() || *within.begin() == "..";
     throw input_error("'{}' {}, or give --allow-outside",

@@ -13,11 +13,14 @@ struct DeckRoot {
   bool allow_outside = false;    // the user trusts the deck: files anywhere are allowed
 };
 
+// Whether a name may lead out of the folder that it is relative to: it is absolute or has "..",
+// whose meaning symbolic links change.
+bool may_leave(const std::filesystem::path& name);
+
 // The path of a file that a deck or one of its scenes names: from / name. `from` is the folder that
 // the name is relative to, that of the deck or of the scene. Throws Error (input), without a place,
 // for a name that is empty or has control characters, for a file that is missing or not a regular
-// file, and, unless root.allow_outside, for one that leaves the deck's folder (by an absolute name
-// or by a symbolic link) or has "..", whose meaning symbolic links would change.
+// file, and, unless root.allow_outside, for one that may_leave() or does by a symbolic link.
 std::filesystem::path trusted_file(const DeckRoot& root,
                                    const std::filesystem::path& from,
                                    const std::string& name);

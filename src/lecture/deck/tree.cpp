@@ -289,6 +289,10 @@ Json mark_of(const Json& list, std::size_t item) {
   return words;
 }
 
+bool begins_with_words(const Json& item) {
+  return !item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para");
+}
+
 Json blocks_of_list(const Json& list) {
   Json blocks = Json::array();
   const auto add = [&](const Json& all) {
@@ -305,7 +309,7 @@ Json blocks_of_list(const Json& list) {
   const Json& items = items_of(list);
   for (std::size_t i = 0; i < items.size(); ++i) {
     Json item = items[i], words = mark_of(list, i);
-    if (!item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para")) {
+    if (begins_with_words(item)) {
       words.insert(words.end(), item[0]["c"].begin(), item[0]["c"].end());
       item[0] = paragraph(words);
     } else {
@@ -314,6 +318,11 @@ Json blocks_of_list(const Json& list) {
     add(item);
   }
   return blocks;
+}
+
+Json title_as_words(const Json& header) {
+  const Json strong = {{"t", "Strong"}, {"c", header["c"][2]}};
+  return paragraph(Json::array({named("Span", header["c"][1][0], Json::array({strong}))}));
 }
 
 Json inlines_of(const Json& blocks, const Json& between) {

@@ -54,8 +54,12 @@ void describe(Json& image);
 // them, an array of inlines: "2. " or "• ".
 const Json& items_of(const Json& list);
 Json mark_of(const Json& list, std::size_t item);
+// Whether an item begins with words, which its mark can stand before.
+bool begins_with_words(const Json& item);
 // A list, one of definitions too, as blocks: its items with their marks before them.
 Json blocks_of_list(const Json& list);
+// A title as a paragraph of strong words, to which links lead.
+Json title_as_words(const Json& header);
 
 // Blocks as one paragraph, where a document has no room for more: the inlines of all, with
 // `between` (an inline) between paragraphs, lines, items and rows; cells of tables have " | "

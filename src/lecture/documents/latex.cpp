@@ -327,33 +327,37 @@ class Setter {
       set_code(node);
     } else if (type == "Header" && lists_ + quotations_ + tables_ > 0) {
       // sections are not shown there
-      node = paragraph(Json::array(
-          {named("Span", node["c"][1][0], Json::array({{{"t", "Strong"}, {"c", node["c"][2]}}}))}));
+      node = title_as_words(node);
       set(node["c"]);
     } else {
-      // footnotes of beamer are one paragraph, and in tables lines of their own do not wrap
-      if (type == "Note") {
-        const Json between = {{"t", tables_ > 0 ? "Space" : kLineBreak}};
-        node["c"] = Json::array({paragraph(inlines_of(node["c"], between))});
-        for_each_node(node, [&](Json& inside) {
-          if (inside["t"] == kLineBreak) inside = between;
-        });
-      }
-      const bool is_argument = type == "Div" && is_div(node, "notes");
-      arguments_ += is_argument ? 1 : 0;
-      lists_ += is_list(type) ? 1 : 0;
-      titles_ += type == "Header" ? 1 : 0;
-      quotations_ += type == "BlockQuote" ? 1 : 0;
-      tables_ += type == "Table" ? 1 : 0;
+      if (type == "Note") set_footnote(node);
+      int* const around = depth_of(node);
+      if (around != nullptr) ++*around;
       for (auto& [key, value] : node.items()) {
         if (key != "t") set(value);
       }
-      titles_ -= type == "Header" ? 1 : 0;
-      quotations_ -= type == "BlockQuote" ? 1 : 0;
-      tables_ -= type == "Table" ? 1 : 0;
-      lists_ -= is_list(type) ? 1 : 0;
-      arguments_ -= is_argument ? 1 : 0;
+      if (around != nullptr) --*around;
     }
+  }
+
+  // How deep what is in a node stands in its kind; null: that does not count.
+  int* depth_of(const Json& node) {
+    const std::string type = node.value("t", "");
+    if (type == "Div" && is_div(node, "notes")) return &arguments_;
+    if (is_list(type)) return &lists_;
+    if (type == "Header") return &titles_;
+    if (type == "BlockQuote") return &quotations_;
+    return type == "Table" ? &tables_ : nullptr;
+  }
+
+  // footnotes of beamer are one paragraph, and in tables lines of their own do not wrap
+  void set_footnote(Json& note) const {
+    const Json space = {{"t", "Space"}}, line_break = {{"t", kLineBreak}};
+    note["c"] = Json::array({paragraph(inlines_of(note["c"], tables_ > 0 ? space : line_break))});
+    if (tables_ == 0) return;
+    for_each_node(note, [&](Json& inside) {
+      if (inside["t"] == kLineBreak) inside = space;
+    });
   }
 
   // what is an argument of TeX holds no lines as they are; what would end a slide has a language,

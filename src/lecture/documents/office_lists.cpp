@@ -22,9 +22,7 @@ bool can_be_counted(const Json& list) {
   const long start = list["c"][0][0];
   const Json& items = items_of(list);
   return start >= 1 && start <= kGreatestStart &&
-         std::all_of(items.begin(), items.end(), [](const Json& item) {
-           return !item.empty() && (item[0]["t"] == "Plain" || item[0]["t"] == "Para");
-         });
+         std::all_of(items.begin(), items.end(), begins_with_words);
 }
 
 // Where a list begins or ends what is seen of a block: how it is numbered. Null: no such list.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "video/libav/libav.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "base/system/interrupt.h"
@@ -15,14 +17,23 @@
 namespace polhode {
 namespace {
 
-void log_libav(void*, int level, const char* format, va_list arguments) {
+// If `who` is a decoder that is watched, it has told of an error. Decoders with several threads
+// have copies of their context.
+void note_error(void* who) {
+  if (who == nullptr || *static_cast<const AVClass* const*>(who) != avcodec_get_class()) return;
+  void* told = static_cast<AVCodecContext*>(who)->opaque;
+  if (told != nullptr) *static_cast<std::atomic<bool>*>(told) = true;
+}
+
+// libav calls this where no exception may pass, also when memory lacks.
+void log_libav(void* who, int level, const char* format, va_list arguments) {
   if (level > AV_LOG_WARNING) return;
+  if (level <= AV_LOG_ERROR) note_error(who);
   char text[512];
   std::vsnprintf(text, sizeof text, format, arguments);
-  std::string line = text;
-  while (!line.empty() && line.back() == '\n') {
-    line.pop_back();
-  }
+  std::string_view line = text;
+  while (line.ends_with('\n'))
+    line.remove_suffix(1);
   if (!line.empty()) spdlog::info("ffmpeg: {}", line);
 }
 
@@ -94,6 +105,10 @@ Owned<AVFrame> new_frame(int width, int height, AVPixelFormat format) {
 
 void quieten_libav() {
   av_log_set_callback(log_libav);
+}
+
+void watch(AVCodecContext& decoder, std::atomic<bool>& told) {
+  decoder.opaque = &told;
 }
 
 }  // namespace polhode

@@ -13,6 +13,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -106,5 +107,10 @@ Owned<AVFrame> new_frame(int width, int height, AVPixelFormat format);
 // Sends libav's warnings and errors to the log, where --verbose shows them, and drops the rest. It
 // holds for the whole process and may be called more than once.
 void quieten_libav();
+
+// Sets `told`, which must outlive the decoder, when the decoder tells the log of an error. Some
+// decoders do, and then pass on a wrong picture, or none, without another word. For decoders that
+// are not open yet, after quieten_libav().
+void watch(AVCodecContext& decoder, std::atomic<bool>& told);
 
 }  // namespace polhode
