@@ -41,8 +41,9 @@ void settle_mesa();
 
 // Opens the named back end, one of backend_names(), on the calling thread. Throws Error (input),
 // naming --backend, for an unknown name; (environment) if there is no context, the limit of memory
-// (ulimit -v) is below 768 MiB or LP_NATIVE_VECTOR_WIDTH asks for vectors that make Mesa crash.
-// With "auto" the message has the reason of each back end. Calls settle_mesa().
+// (ulimit -v) is below what Mesa needs (1 GiB and more) or LP_NATIVE_VECTOR_WIDTH asks for vectors
+// that make Mesa crash. With "auto" the message has the reason of each back end. Calls
+// settle_mesa().
 std::unique_ptr<Context> open_context(const std::string& backend);
 
 // Open one back end on the calling thread, for the table. Throw Error (environment) that says what

@@ -92,7 +92,7 @@ TEST(Environment, LittleMemoryIsToldInOneLine) {
 #endif
   const TemporaryFolder folder;
   write_text(folder / "scene.toml", test::kSmallScene);
-  for (const std::string limit : {"200000", "300000", "400000", "600000"}) {
+  for (const std::string limit : {"200000", "300000", "400000", "600000", "900000"}) {
     const Ran ran =
         run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
                     "ulimit -v " + limit + ";");
@@ -200,6 +200,24 @@ TEST(Environment, WhatLibrariesLackIsToldInOneLine) {
     if (captions) {
       EXPECT_EQ(test::read_text(folder / "a.mp4"), "old");
     }
+  }
+}
+
+// a film is not damaged because no thread can decode it
+TEST(Environment, ThreadsThatCannotBeStartedAreTold) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer wants to be loaded first";
+#endif
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", test::kSmallScene);
+  for (const char* name : {"a.mp4", "a-%d.png"}) {
+    const std::string output = "'" + (folder / name) + "'";
+    ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' -o " + output).code, 0);
+    const Ran ran = run_polhode("diff " + output + " " + output,
+                                "POLHODE_LACKS=threads LD_PRELOAD='" POLHODE_LACKING "'");
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_EQ(lines_of_polhode(ran.err), 1) << ran.err;
+    EXPECT_EQ(ran.err.find("unexpected"), std::string::npos) << ran.err;
   }
 }
 

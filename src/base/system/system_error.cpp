@@ -9,7 +9,7 @@
 namespace polhode {
 
 Fault fault_of(int reason) {
-  constexpr int kLacks[] = {ENOMEM, EMFILE, ENFILE, ENOSPC, EDQUOT, EIO};
+  constexpr int kLacks[] = {ENOMEM, EAGAIN, EMFILE, ENFILE, ENOSPC, EDQUOT, EIO};
   const bool lacks = std::find(std::begin(kLacks), std::end(kLacks), reason) != std::end(kLacks);
   return lacks ? Fault::environment : Fault::input;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "lecture/deck/quantities.h"
 
 namespace polhode {
 namespace {
@@ -173,31 +174,58 @@ bool has_operand_at_end(std::string_view before) {
   return !end_is(before, others);
 }
 
-// Throws Error (input), without a place, for units of siunitx that pandoc reads as others.
-void refuse_misread_units(const std::string& tex) {
-  static const std::regex power(
-      R"(\\(square|cubic)\s{0,9}\\(yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|hecto|kilo|mega)"
-      R"(|giga|tera|peta|exa|zetta|yotta)(?![A-Za-z]))");
-  static const std::regex ten(R"(\\de[ck]a(?![A-Za-z]))");
-  static const std::regex metre(
-      R"(\\met(re|er)\s{0,9}\\(?!per|squared|cubed|tothe|raiseto|of|cancel)[a-z]{2,20})");
-  static const std::regex complex(R"(\\(num|SI|qty)\{[^{}]{0,99}i\})");
+// Throws Error (input), without a place, for matrices that LaTeX has only with a further package.
+void refuse_foreign_matrices(const std::string& tex) {
+  static const std::regex matrix(R"(\\begin\{([bBpvV]?(small)?matrix)\*\})");
   std::smatch found;
-  if (std::regex_search(tex, found, power)) {
-    throw input_error("'{}' is read as a power of the prefix alone; put \\{} behind the unit",
-                      found.str(),
-                      found.str(1) == "square" ? "squared" : "cubed");
+  if (std::regex_search(tex, found, matrix))
+    throw input_error("{}* is not known; write {}", found.str(1), found.str(1));
+}
+
+// Rows as pandoc reads them: it shows the star of \\*, which allows no new page, and the position
+// of an environment, [t], as parts of the formula, and takes brackets behind the end of a row for
+// its distance, though TeX does so only where a length is in them. TeX may look for a position
+// behind blanks.
+std::string with_plain_rows(const std::string& tex) {
+  static const std::regex position(R"((\\begin\{(aligned|gathered|alignedat|array)\})\[[tbc]\])");
+  static const std::regex bracket(R"((\\begin\{(aligned|gathered)\})\s+\[)");
+  static const std::regex length(
+      R"(^\s*\[\s*(-?\s*[0-9.]+\s*(pt|mm|cm|in|ex|em|mu|bp|pc|sp|dd|cc)|\\jot|\\[a-z]{1,20}skip(amount)?)\s*\])");
+  const std::string shown =
+      std::regex_replace(std::regex_replace(tex, position, "$1"), bracket, "$1 {}[");
+  const std::vector<bool> words = words_in(shown);
+  std::string out;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    out += shown[i];
+    if (shown[i] != '\\' || i + 1 == shown.size()) continue;
+    out += shown[++i];
+    if (shown[i] != '\\' || words[i]) continue;
+    if (shown.compare(i + 1, 1, "*") == 0) ++i;
+    const std::size_t next = shown.find_first_not_of(" \t\n", i + 1);
+    if (next == std::string::npos) continue;
+    const auto rest = shown.cbegin() + static_cast<std::ptrdiff_t>(i) + 1;
+    if (std::regex_search(rest, shown.cend(), length)) {
+      i = next - 1;
+    } else if (shown[next] == '[' || shown[next] == '*') {
+      out += " {}";
+      i = next - 1;
+    }
   }
-  if (std::regex_search(tex, found, ten))
-    throw input_error("'{}' is read as a tenth; write the number without it", found.str());
-  if (std::regex_search(tex, found, metre)) {
-    throw input_error(
-        "'{}' would be shown as a thousandth; put \\met{} last", found.str(), found.str(1));
+  return out;
+}
+
+// A blank behind a character such as \% in words is one, which pandoc forgets.
+std::string with_blanks(const std::string& tex) {
+  const std::vector<bool> words = words_in(tex);
+  std::string out;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    out += tex[i];
+    if (tex[i] != '\\' || i + 1 == tex.size()) continue;
+    out += tex[++i];
+    const bool is_character = std::string_view("%&#_{}$").find(tex[i]) != std::string_view::npos;
+    if (is_character && words[i] && tex.compare(i + 1, 1, " ") == 0) out += "{}";
   }
-  if (std::regex_search(tex, found, complex)) {
-    throw input_error(
-        "'{}' is no number that can be read; write it without \\{}", found.str(), found.str(1));
-  }
+  return out;
 }
 
 // A comma in braces belongs to its number, which pandoc forgets: 1{,}5.
@@ -288,8 +316,8 @@ std::string whole_formula(const std::string& tex) {
       throw input_error("'{}' is no part of a formula", out.substr(i, 2));
     ++i;
   }
-  refuse_misread_units(out);
-  return with_decimal_commas(out);
+  refuse_foreign_matrices(out);
+  return with_blanks(with_plain_rows(with_decimal_commas(plain_quantities(out))));
 }
 
 // Text of the deck is escaped, so that what looks like an element is pandoc's own.
@@ -313,8 +341,8 @@ std::string part_of_formula(const std::string& tex,
                             std::string_view before,
                             std::string_view behind,
                             bool among_words) {
-  const bool is_simple =
-      tex.find_first_not_of("0123456789.") == std::string::npos || tex.front() == '(';
+  const bool is_simple = tex.find_first_not_of("0123456789.") == std::string::npos ||
+                         (tex.front() == '(' && tex.back() == ')');
   const bool is_subtracted = tex.front() == '-' && !among_words && has_operand_at_end(before);
   return is_subtracted || (!is_simple && is_raised(before, behind)) ? "{\\left(" + tex + "\\right)}"
                                                                     : "{" + tex + "}";

@@ -216,7 +216,8 @@ Quote parse_quote(const std::string& words) {
   // formulas in tables keep the stroke before a bar
   const std::size_t stroke = inside.find("\\|");
   if (stroke != std::string::npos) inside.erase(stroke, 1);
-  const std::size_t hash = inside.rfind('#');
+  std::size_t hash = inside.rfind('#', inside.rfind('|'));  // a format may have one by mistake
+  if (hash == std::string::npos) hash = inside.rfind('#');
   if (hash == std::string::npos || hash == 0)
     throw input_error("'{}' does not name a number; write {{inspect:scene.toml#key}}", words);
   Quote quote;

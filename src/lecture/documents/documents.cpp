@@ -252,7 +252,8 @@ void leave_out_pauses(Json& tree) {
 void describe_by_titles(Json& tree) {
   for_each_node(tree["blocks"], [](Json& node) {
     if (node["t"] != "Image") return;
-    if (const std::optional<std::string> alt = alt_of_image(node)) node["c"][2][1] = *alt;
+    const std::string words = alt_of_image(node).value_or(plain_text(node["c"][1]));
+    if (!words.empty()) node["c"][2][1] = words;
   });
 }
 

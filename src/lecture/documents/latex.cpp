@@ -135,17 +135,17 @@ const std::map<std::string, std::string>& math_of_characters() {
 
 // Whether pdflatex with the encodings T1 and TS1 has it in text.
 bool is_in_fonts(const std::string& character) {
-  struct Range {
+  struct Span {
     const char *first, *last;
   };
-  constexpr Range kRanges[] = {
+  constexpr Span kRanges[] = {
       {"\x01", "\x7f"},     {"\u00a0", "\u017e"}, {"\u0192", "\u0192"}, {"\u01c4", "\u01d4"},
       {"\u0218", "\u021b"}, {"\u02c6", "\u02c7"}, {"\u02d8", "\u02d9"}, {"\u02db", "\u02dd"},
       {"\u1e9e", "\u1e9e"}, {"\u2010", "\u2016"}, {"\u2018", "\u201a"}, {"\u201c", "\u201e"},
       {"\u2020", "\u2022"}, {"\u2026", "\u2026"}, {"\u2030", "\u2031"}, {"\u2039", "\u203b"},
       {"\u20ac", "\u20ac"}, {"\u2103", "\u2103"}, {"\u2116", "\u2117"}, {"\u2122", "\u2122"},
       {"\u2126", "\u2127"}, {"\u2190", "\u2193"}, {"\u27e8", "\u27e9"}, {"\ufb00", "\ufb06"}};
-  return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+  return std::any_of(std::begin(kRanges), std::end(kRanges), [&](const Span& range) {
     return character >= range.first && character <= range.last;
   });
 }
@@ -331,6 +331,7 @@ class Setter {
       set(node["c"]);
     } else {
       if (type == "Note") set_footnote(node);
+      hide_brackets(node);
       int* const around = depth_of(node);
       if (around != nullptr) ++*around;
       for (auto& [key, value] : node.items()) {
@@ -348,6 +349,24 @@ class Setter {
     if (type == "Header") return &titles_;
     if (type == "BlockQuote") return &quotations_;
     return type == "Table" ? &tables_ : nullptr;
+  }
+
+  // what pandoc may write as an optional argument, \item[…] or \caption[…], ends at the first ]
+  // that is not in braces
+  static void hide_brackets(Json& node) {
+    const std::string type = node.value("t", "");
+    const auto hide = [](Json& words) {
+      for_each_node(words, [](Json& inside) {
+        if (inside["t"] != "Math") return;
+        std::string& tex = inside["c"][1].get_ref<std::string&>();
+        if (tex.find(']') != std::string::npos) tex = "{" + tex + "}";
+      });
+    };
+    if (type == "Header") hide(node["c"][2]);
+    if (type == "Image" || type == "Table") hide(node["c"][1]);
+    if (type != "DefinitionList") return;
+    for (Json& item : node["c"])
+      hide(item[0]);
   }
 
   // footnotes of beamer are one paragraph, and in tables lines of their own do not wrap

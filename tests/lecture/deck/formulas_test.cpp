@@ -27,7 +27,7 @@ TEST(Formulas, HaveTheirNumbersAtTheEndOfTheirRows) {
 TEST(Formulas, HaveNothingThatPandocSkips) {
   EXPECT_EQ(whole_formula("a % } \\] \\input{b}\n+ c % d"), "a \n+ c ");
   EXPECT_EQ(whole_formula("a \\% b \\text{5 % c \\% $d % e\n$}"),
-            "a \\% b \\text{5 \\% c \\% $d \n$}");
+            "a \\% b \\text{5 \\%{} c \\%{} $d \n$}");
   EXPECT_EQ(whole_formula("a \\label{ \\] \\evil }b"), "a b");
   for (const char* end : {"a \\] b", "\\( a", "\\begin{x}\\)", "\\mathrm{\\[}"})
     EXPECT_THROW(whole_formula(end), Error) << end;
@@ -59,6 +59,53 @@ TEST(WholeFormula, HasNoUnitsThatWouldBeOthers) {
                           R"(\square x)",
                           R"(\num{1.5e3})"})
     EXPECT_EQ(whole_formula(tex), tex);
+}
+
+// siunitx prints them so, pandoc 1.2 ± .3 × 10⁻⁴ or nothing before the power
+TEST(WholeFormula, HasNumbersWithDoubtsWrittenOut) {
+  EXPECT_EQ(whole_formula(R"(\num{6.67430(15)e-11})"), R"({6.67430(15)\times 10^{-11}})");
+  EXPECT_EQ(whole_formula(R"(a \num{1,2(3)}{b})"), R"(a {1.2(3)}{b})");
+  EXPECT_EQ(whole_formula(R"(\SI{-1.2(3)e4}{\metre} b)"),
+            R"({-1.2(3)\times 10^{4}}\,\si{\metre} b)");
+  EXPECT_EQ(whole_formula(R"(\num{e5} + \num{-e5})"), R"({10^{5}} + {-10^{5}})");
+  for (const char* tex : {R"(\num{1.5e-3})", R"(\SI{2}{\kilo\gram})", R"(\num{1,5})", R"(\num{})"})
+    EXPECT_EQ(whole_formula(tex), tex);
+}
+
+// readers would take W/m²K for W/(m²K)
+TEST(WholeFormula, HasNoUnitsBehindFractions) {
+  for (const char* tex : {R"(\SI{5}{\watt\per\metre\squared\kelvin})",
+                          R"(\si{\joule\per\kilo\gram\kelvin})",
+                          R"(\unit{\per\second\metre})"})
+    EXPECT_THROW(whole_formula(tex), Error) << tex;
+  for (const char* tex : {R"(\SI{5}{\watt\per\metre\squared\per\kelvin})",
+                          R"(\SI{5}{\kelvin\watt\per\square\metre})",
+                          R"(\si{\kilo\gram\metre\squared\per\second})",
+                          R"(\unit{\per\milli\second})"})
+    EXPECT_EQ(whole_formula(tex), tex);
+}
+
+// pandoc shows stars and positions, and takes brackets of a row for its distance
+TEST(WholeFormula, HasRowsAsTexReadsThem) {
+  EXPECT_EQ(whole_formula(R"(a \\* b)"), R"(a \\ b)");
+  EXPECT_EQ(whole_formula(R"(a \\ [b,c] \\  *d)"), R"(a \\ {}[b,c] \\ {}*d)");
+  EXPECT_EQ(whole_formula("a \\\\\n[b,c]"), "a \\\\ {}[b,c]");
+  EXPECT_EQ(whole_formula(R"(a \\[\omega] b)"), R"(a \\ {}[\omega] b)");
+  EXPECT_EQ(whole_formula(R"(a \\ [2 mm] b \\[-1.5ex] c \\ [\jot] d)"),
+            R"(a \\[2 mm] b \\[-1.5ex] c \\[\jot] d)");
+  EXPECT_EQ(whole_formula(R"(\begin{aligned}[t] a \end{aligned})"),
+            R"(\begin{aligned} a \end{aligned})");
+  EXPECT_EQ(whole_formula(R"(\begin{alignedat}[b]{2} a \end{alignedat})"),
+            R"(\begin{alignedat}{2} a \end{alignedat})");
+  EXPECT_EQ(whole_formula(R"(\begin{aligned} [t] &= b \end{aligned})"),
+            R"(\begin{aligned} {}[t] &= b \end{aligned})");
+  EXPECT_EQ(whole_formula(R"(\text{a \\ [b]})"), R"(\text{a \\ [b]})");
+  EXPECT_THROW(whole_formula(R"(\begin{bmatrix*}[r] 1 \end{bmatrix*})"), Error);
+}
+
+// pandoc forgets it
+TEST(WholeFormula, HasBlanksBehindCharactersInWords) {
+  EXPECT_EQ(whole_formula(R"(\text{50\% of a \& b} \% c)"), R"(\text{50\%{} of a \&{} b} \% c)");
 }
 
 TEST(WholeFormula, KeepsCommasInNumbers) {

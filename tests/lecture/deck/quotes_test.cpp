@@ -88,6 +88,7 @@ TEST(Quotes, WrongOnesSayWhy) {
   EXPECT_NE(why("kind|%.3g").find("'kind' is no number; leave out '|%.3g'"), std::string::npos);
   EXPECT_NE(why("conserved|%.3g").find("'conserved' has no number here"), std::string::npos);
   EXPECT_NE(why("events").find("'events' has no number here"), std::string::npos);
+  EXPECT_NE(why("flip_time|%#.3g").find("not a number format"), std::string::npos);
   EXPECT_NE(why("flip_time|%.999999g").find("not a number format"), std::string::npos);
   EXPECT_NE(why("flip_time|%.3g,rpm").find("cannot be converted"), std::string::npos);
   EXPECT_THROW(parse_quote("{inspect:nothing}"), Error);

@@ -46,7 +46,7 @@ TEST(Latex, HasFormulasThatItCanSet) {
       "$\\text{50 % of a_b & c^d # $e_1$} f_1 \\%$ and $g % h\n+ i$\n\n"
       "$$\\begin{align*} a &= b\\\\ c &= d\\end{align*}$$\n\n"
       "$$\\begin{eqnarray} a &=& b\\end{eqnarray}$$\n\n$\\bm{a} = \\mathscr{L}$\n");
-  EXPECT_TRUE(has(tex, "\\(\\text{50 \\% of a\\_b \\& c\\^{}d \\# $e_1$} f_1 \\%\\)"));
+  EXPECT_TRUE(has(tex, "\\(\\text{50 \\%{} of a\\_b \\& c\\^{}d \\# $e_1$} f_1 \\%\\)"));
   EXPECT_TRUE(has(tex, "\\(g") && !has(tex, "% h"));
   EXPECT_TRUE(has(tex, "\\[\\begin{aligned} a &= b\\\\ c &= d\\end{aligned}\\]"));
   EXPECT_TRUE(has(tex, "\\[\\begin{array}{rcl} a &=& b\\end{array}\\]"));
@@ -134,6 +134,15 @@ TEST(Latex, HasTitlesThatCanBeCopied) {
       tex_of("# A $\\begin{array}{c}a\\\\\\hline b\\end{array}$ $\\underline{c}$\n");
   EXPECT_TRUE(has(tex, "\\(\\begin{array}{c}a\\\\ b\\end{array}\\)")) << tex;
   EXPECT_TRUE(has(tex, "\\robustify{\\underline}"));
+}
+
+// there ] would end the argument
+TEST(Latex, HasBracketsOfFormulasInBracesWhereTheyAreArguments) {
+  const std::string tex = tex_of(
+      "# Part $[a]$^[foot]\n\n## A\n\n$x \\in [0,1]$\n:   closed\n\n"
+      "| a | b |\n|---|---|\n| c | d |\n\n: Table $[c]$^[foot]\n");
+  for (const char* hidden : {"\\item[\\({x \\in [0,1]}\\)]", "\\({[a]}\\)", "\\({[c]}\\)"})
+    EXPECT_TRUE(has(tex, hidden)) << hidden << tex.substr(tex.find("begin{document}"));
 }
 
 // pandoc leaves words that have a name out of running heads
