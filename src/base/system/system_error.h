@@ -9,7 +9,8 @@
 namespace polhode {
 
 // The fault, by the errno of the call: (environment) if memory, threads, disk space or open files
-// lack or a device fails; else (input), such as for a file that does not exist or may not be written.
+// lack or a device fails; else (input), such as for a file that does not exist or may not be
+// written.
 Fault fault_of(int reason);
 
 // An Error of that fault without a place, "WHAT: REASON", such as "cannot be read: Permission
