@@ -257,6 +257,24 @@ void describe_by_titles(Json& tree) {
   });
 }
 
+// LaTeX has no captions in tables and footnotes: there those of scenes follow their pictures.
+// Tables of numbers have theirs.
+void add_captions(Json& tree, const Deck& deck, bool has_room = true) {
+  if (tree.is_object() && tree.contains("c"))
+    add_captions(tree["c"], deck, has_room && may_hold_figures(tree));
+  if (!tree.is_array()) return;
+  Json out = Json::array();
+  for (Json& child : tree) {
+    add_captions(child, deck, has_room);
+    out.push_back(child);
+    if (has_room || !child.is_object() || child.value("t", "") != kPictureNode) continue;
+    const DeckPicture& picture = deck.pictures[child["c"].get<std::size_t>()];
+    if (picture.kind != PictureKind::inspect && !picture.caption.empty())
+      out.push_back(paragraph(picture.caption));
+  }
+  tree = std::move(out);
+}
+
 // Words for the speaker are text on the page: the page is what a student reads.
 Json with_notes_as_text(Json blocks) {
   for_each_node(blocks, [](Json& node) {
@@ -455,6 +473,7 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {
   Deck slides = deck;
   slides.blocks = latex_slides(deck);
+  add_captions(slides.blocks, deck);
   Json blocks = filled(slides, figure_of, beamer_blocks);
   say_what_pages_show(blocks);
   leave_room_for_captions(blocks);
