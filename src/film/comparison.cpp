@@ -230,6 +230,11 @@ std::optional<double> Comparison::first_error(const Contender& one, double frame
 }
 
 PanelNotes Comparison::notes(const Contender& one, double t, bool with_details) const {
+  // what it shows is the start, of which an error would say nothing
+  if (one.end == 0.0 && !one.failure.empty()) {
+    const std::vector<std::string> details(with_details ? 1 : 0, "no steps");
+    return {title_of(one.report.method), "no step could be taken", details, "ended at 0.00 s"};
+  }
   const double known = std::min(t, one.end);
   const Drift now = drift_at(one.motion, known);
   const std::optional<double> error = attitude_error(one, known);

@@ -188,6 +188,7 @@ TEST(Comparison, AnAutomaticChoiceThatFailsHasATitle) {
   ASSERT_FALSE(notes.details.empty());
   EXPECT_EQ(notes.details[0].substr(0, 8), "no steps");
   EXPECT_EQ(notes.stamp, "ended at 0.00 s");
+  EXPECT_EQ(notes.figures, "no step could be taken");
 }
 
 // the T-handle: the linearly implicit scheme damps the tumbling, the explicit one feeds it

@@ -13,39 +13,6 @@
 namespace polhode {
 namespace {
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-}
-
-// Brackets that need not grow are told so: browsers give those that may grow the width of large
-// ones.
-void settle_brackets(std::string& formula) {
-  // its TeX is in it
-  if (formula.find("\\left") == std::string::npos && formula.find("\\begin") == std::string::npos)
-    replace_all(formula, "stretchy=\"true\"", "stretchy=\"false\"");
-}
-
-// Letters inside an upright style are told so one by one: browsers have only that.
-void settle_letters(std::string& formula) {
-  const std::string style = "<mstyle", end = "</mstyle>", letter = "<mi>",
-                    upright = "<mi mathvariant=\"normal\">";
-  std::vector<bool> styles;  // those that are open, and whether they are upright
-  for (std::size_t i = formula.find('<'); i != std::string::npos; i = formula.find('<', i + 1)) {
-    if (formula.compare(i, style.size(), style) == 0) {
-      const std::size_t close = formula.find('>', i);
-      styles.push_back(formula.substr(i, close - i).find("mathvariant=\"normal\"") !=
-                       std::string::npos);
-    } else if (formula.compare(i, end.size(), end) == 0 && !styles.empty()) {
-      styles.pop_back();
-    } else if (formula.compare(i, letter.size(), letter) == 0 &&
-               std::find(styles.begin(), styles.end(), true) != styles.end()) {
-      formula.replace(i, letter.size(), upright);
-    }
-  }
-}
-
 // where the brace is that closes the one at `open`; npos: nowhere
 std::size_t end_of_group(const std::string& tex, std::size_t open) {
   int depth = 0;
@@ -180,6 +147,35 @@ void refuse_foreign_matrices(const std::string& tex) {
   std::smatch found;
   if (std::regex_search(tex, found, matrix))
     throw input_error("{}* is not known; write {}", found.str(1), found.str(1));
+}
+
+// Throws Error (input), without a place, for what pandoc would leave out or show as other letters.
+void refuse_misread_parts(const std::string& tex) {
+  static const std::regex operators(R"(\\mathop(?![A-Za-z]))");
+  static const std::regex good(
+      R"(\\mathop\s*\{\s*([A-Za-z ]+|\\[A-Za-z]+|\\(mathrm|mathbf|mathsf|text)\s*\{[A-Za-z .]*\})\s*\})");
+  for (std::sregex_iterator found(tex.begin(), tex.end(), operators), end; found != end; ++found) {
+    if (!std::regex_search(tex.begin() + found->position(0),
+                           tex.end(),
+                           good,
+                           std::regex_constants::match_continuous))
+      throw input_error("of \\mathop only words are read; write the formula without it");
+  }
+  static const std::regex letters(R"(\\[ij](?![A-Za-z])|\\[~^]\{\s*\})");
+  const std::vector<bool> words = words_in(tex);
+  for (std::sregex_iterator found(tex.begin(), tex.end(), letters), end; found != end; ++found) {
+    if (words[static_cast<std::size_t>(found->position(0))])
+      throw input_error("'{}' in words is not read; write the letter itself", found->str());
+  }
+}
+
+// Delimiters that have a size, as pandoc reads those of \left: \bigl. is none, \bigl< is an angle.
+std::string with_plain_delimiters(const std::string& tex) {
+  static const std::regex none(R"(\\[bB]igg?[lmr]?\s*\.)"), open(R"((\\[bB]igg?[lmr]?)\s*<)"),
+      close(R"((\\[bB]igg?[lmr]?)\s*>)");
+  const std::string angled =
+      std::regex_replace(std::regex_replace(tex, open, "$1\\langle "), close, "$1\\rangle ");
+  return std::regex_replace(angled, none, "{}");
 }
 
 // Rows as pandoc reads them: it shows the star of \\*, which allows no new page, and the position
@@ -317,24 +313,9 @@ std::string whole_formula(const std::string& tex) {
     ++i;
   }
   refuse_foreign_matrices(out);
-  return with_blanks(with_plain_rows(with_decimal_commas(plain_quantities(out))));
-}
-
-// Text of the deck is escaped, so that what looks like an element is pandoc's own.
-std::string formulas_for_browsers(const std::string& html) {
-  const std::string last = "</math>";
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = html.find("<math"); at != std::string::npos;
-       at = html.find("<math", from)) {
-    out += html.substr(from, at - from);
-    from = std::min(html.find(last, at), html.size() - last.size()) + last.size();
-    std::string formula = html.substr(at, from - at);
-    settle_brackets(formula);
-    settle_letters(formula);
-    out += formula;
-  }
-  return out + html.substr(from);
+  refuse_misread_parts(out);
+  out = with_decimal_commas(plain_quantities(out));
+  return with_blanks(with_plain_rows(with_plain_delimiters(out)));
 }
 
 std::string part_of_formula(const std::string& tex,

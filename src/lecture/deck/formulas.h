@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Formulas as pandoc and browsers understand them.
+// Formulas as pandoc understands them.
 #pragma once
 
 #include <string>
@@ -29,9 +29,5 @@ std::string part_of_formula(const std::string& tex,
                             std::string_view before,
                             std::string_view behind,
                             bool among_words);
-
-// A page of pandoc's whose MathML looks in browsers as it does in TeX: brackets that need not grow
-// keep their width, upright letters stand upright.
-std::string formulas_for_browsers(const std::string& html);
 
 }  // namespace polhode

@@ -22,8 +22,13 @@ void refuse_misread_units(const std::string& tex) {
   static const std::regex power(
       fmt::format(R"(\\(square|cubic)\s{{0,9}}\\({})(?![A-Za-z]))", kPrefixes));
   static const std::regex ten(R"(\\de[ck]a(?![A-Za-z]))");
+  // units whose sign is that of a prefix
   static const std::regex metre(
-      R"(\\met(re|er)\s{0,9}\\(?!per|squared|cubed|tothe|raiseto|of|cancel)[a-z]{2,20})");
+      R"((^|[^a-z\s]|\\(?!square|cubic)[a-z]{1,20})\s{0,9}(\\(metre|meter|m|tesla|T|hour|day)))"
+      R"(\s{0,9}\\(?!per|squared|cubed|tothe|raiseto|of|cancel)[A-Za-z]{1,20})");
+  static const std::regex others(
+      R"(\\(decibel|clight|electronmass|bohr|hartree|(num|SI|qty)(list|product))(?![A-Za-z]))");
+  static const std::regex options(R"(\\(num|SI|qty|si|unit)\s{0,9}\[\s{0,9}[^\]\s])");
   static const std::regex complex(R"(\\(num|SI|qty)\{[^{}]{0,99}i\})");
   std::smatch found;
   if (std::regex_search(tex, found, power)) {
@@ -34,9 +39,14 @@ void refuse_misread_units(const std::string& tex) {
   if (std::regex_search(tex, found, ten))
     throw input_error("'{}' is read as a tenth; write the number without it", found.str());
   if (std::regex_search(tex, found, metre)) {
-    throw input_error(
-        "'{}' would be shown as a thousandth; put \\met{} last", found.str(), found.str(1));
+    const std::string unit = found.str(2), units = found.str().substr(found.str(1).size());
+    throw input_error("'{}' would be shown as a prefix; put {} last", units, unit);
   }
+  if (std::regex_search(tex, found, others))
+    throw input_error("'{}' would be shown otherwise; write its sign or its list out", found.str());
+  if (std::regex_search(tex, found, options))
+    throw input_error("options of \\{} are not read; write the number as it is to be shown",
+                      found.str(1));
   if (std::regex_search(tex, found, complex)) {
     throw input_error(
         "'{}' is no number that can be read; write it without \\{}", found.str(), found.str(1));

@@ -84,7 +84,7 @@ void check_link(const std::string& target) {
 
 void check_formula(const std::string& tex) {
   // pandoc refuses what it does not know; these it might know, and a TeX program surely does
-  constexpr std::array<std::string_view, 33> kRefused = {"input",
+  constexpr std::array<std::string_view, 36> kRefused = {"input",
                                                          "include",
                                                          "openin",
                                                          "openout",
@@ -115,6 +115,9 @@ void check_formula(const std::string& tex) {
                                                          "href",
                                                          "url",
                                                          "providecommand",
+                                                         "newenvironment",
+                                                         "renewenvironment",
+                                                         "DeclareMathOperator",
                                                          "newwrite",
                                                          "begingroup"};
   if (tex.find("^^") != std::string::npos || std::any_of(tex.begin(), tex.end(), [](char c) {

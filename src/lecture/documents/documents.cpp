@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "base/system/atomic_file.h"
@@ -15,6 +16,7 @@
 #include "lecture/deck/pandoc.h"
 #include "lecture/deck/word_list.h"
 #include "lecture/documents/latex.h"
+#include "lecture/documents/mathml.h"
 #include "lecture/documents/office_lists.h"
 #include "lecture/documents/office_slides.h"
 #include "text/typesetter.h"
@@ -246,6 +248,15 @@ void leave_out_pauses(Json& tree) {
   }
   for (Json& child : tree)
     leave_out_pauses(child);
+}
+
+// pandoc writes \tfrac on one line there, without the brackets that this would need
+void write_whole_fractions(Json& tree) {
+  static const std::regex small(R"(\\tfrac(?![A-Za-z]))");
+  for_each_node(tree["blocks"], [](Json& node) {
+    if (node["t"] == "Math")
+      node["c"][1] = std::regex_replace(node["c"][1].get<std::string>(), small, "\\frac");
+  });
 }
 
 // pandoc describes pictures by their titles in PowerPoint
@@ -503,6 +514,7 @@ std::string make_pptx(const Deck& deck,
   say_notes(blocks);
   settle_numbers_of_lists(blocks);
   Json tree = with_lettered_formulas(deck.tree(blocks));
+  write_whole_fractions(tree);
   describe_by_titles(tree);
   lead_to_titles(tree, layout.titles);
   const ScratchFolder scratch;

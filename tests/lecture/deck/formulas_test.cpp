@@ -34,15 +34,6 @@ TEST(Formulas, HaveNothingThatPandocSkips) {
   EXPECT_NO_THROW(whole_formula("a \\\\[2pt] \\text{b \\(c\\)} \\left[ d \\right)"));
 }
 
-TEST(Formulas, HaveUprightLettersOneByOne) {
-  EXPECT_EQ(
-      formulas_for_browsers("<p><mi>a</mi></p><math><mi>a</mi><mstyle mathvariant=\"normal\">"
-                            "<mi>b</mi><mstyle><mi>c</mi></mstyle></mstyle><mi>d</mi></math>"),
-      "<p><mi>a</mi></p><math><mi>a</mi><mstyle mathvariant=\"normal\"><mi "
-      "mathvariant=\"normal\">b</mi><mstyle><mi "
-      "mathvariant=\"normal\">c</mi></mstyle></mstyle><mi>d</mi></math>");
-}
-
 // pandoc reads them as other quantities
 TEST(WholeFormula, HasNoUnitsThatWouldBeOthers) {
   for (const char* tex : {R"(\SI{7.9}{\gram\per\cubic\centi\metre})",
@@ -101,6 +92,27 @@ TEST(WholeFormula, HasRowsAsTexReadsThem) {
             R"(\begin{aligned} {}[t] &= b \end{aligned})");
   EXPECT_EQ(whole_formula(R"(\text{a \\ [b]})"), R"(\text{a \\ [b]})");
   EXPECT_THROW(whole_formula(R"(\begin{bmatrix*}[r] 1 \end{bmatrix*})"), Error);
+}
+
+TEST(WholeFormula, HasNothingThatPandocReadsInPart) {
+  for (const char* tex : {R"(\mathop{\frac{a}{b}})",
+                          R"(\mathop{a_1})",
+                          R"(\text{Mart\'\i nez})",
+                          R"(\text{a\~{}b})",
+                          R"(\num[round-precision=2]{0.0123})",
+                          R"(\SI{3}{\decibel})",
+                          R"(\SI{3}{\m\K})",
+                          R"(\SI{3}{\tesla\metre})",
+                          R"(\numlist{1;2})"})
+    EXPECT_THROW(whole_formula(tex), Error) << tex;
+  for (const char* tex : {R"(\mathop{\mathrm{grad}} f)",
+                          R"(\mathop{max}_x)",
+                          R"(\SI{3}{\square\metre\kelvin})",
+                          R"(\SI{3}{\gram\kelvin})",
+                          R"(\text{a}\i)"})
+    EXPECT_EQ(whole_formula(tex), tex);
+  EXPECT_EQ(whole_formula(R"(\bigl.f\bigr|_0 \Bigl<x\Bigr>)"),
+            R"({}f\bigr|_0 \Bigl\langle x\Bigr\rangle )");
 }
 
 // pandoc forgets it

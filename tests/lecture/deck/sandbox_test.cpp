@@ -114,6 +114,9 @@ TEST(Sandbox, FormulasAreMathematics) {
                           "\\let\\a",
                           "{\\write18{ls}}",
                           "\\href{a}{b}",
+                          "\\renewenvironment{sin}{a}{}",
+                          "\\newenvironment{a}{b}{c}",
+                          "\\DeclareMathOperator*{\\a}{b}",
                           "a\\,\\csname x"}) {
     SCOPED_TRACE(tex);
     test::expect_input_error([&] { check_formula(tex); }, "", "is not allowed in a formula");
