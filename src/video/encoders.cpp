@@ -120,8 +120,11 @@ void configure_apng(const EncoderSettings&, AVCodecContext&, LibavOptions& optio
   options.set("pred", "mixed");
 }
 
-void configure_gif(const EncoderSettings&, AVCodecContext& c, LibavOptions&) {
+void configure_gif(const EncoderSettings&, AVCodecContext& c, LibavOptions& options) {
   c.time_base = {1, 100};  // the format knows hundredths of a second
+  // Without "offsetting", which cuts off what is clear around a picture: for its left and right it
+  // does not look at the last row.
+  options.set("gifflags", "transdiff");
 }
 
 Error unknown_codec(const FilmFormat& format, const std::string& codec) {

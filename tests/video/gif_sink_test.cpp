@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "video/gif_sink.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "video/every_format.h"
+#include "video/film_reader.h"
 
 namespace polhode {
 namespace {
@@ -43,6 +45,31 @@ TEST(GifSink, ShowsFramesAtTheirTimes) {
       const int x = (7 + 2 * static_cast<int>(k)) % 64;
       EXPECT_NEAR(film.frames[k].at(x, 23)[0], 240, 6) << k;
     }
+  }
+}
+
+// the last row that has something is wider than those above, which libav would cut off
+TEST(GifSink, KeepsTheLowestRowOfWhatIsThere) {
+  const Way gif{find_film_format("a.gif"), &find_encoder(*find_film_format("a.gif"), "")};
+  const TemporaryFolder folder;
+  SinkJob job = job_for(folder, gif);
+  job.transparent = true;
+  Image image(job.width, job.height);
+  for (int y = 10; y <= 30; ++y) {
+    const int half = y == 30 ? 20 : 4;
+    for (int x = 32 - half; x < 32 + half; ++x)
+      std::fill_n(image.at(x, y), 4, std::uint8_t{255});
+  }
+  const std::unique_ptr<FrameSink> sink = make_gif_sink(job);
+  sink->push(image);
+  sink->finish();
+  FilmReader reader(job.output);
+  Image shown;
+  double time = 0.0;
+  ASSERT_TRUE(reader.next(shown, time));
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x)
+      ASSERT_EQ(shown.at(x, y)[3], image.at(x, y)[3]) << x << " " << y;
   }
 }
 

@@ -175,7 +175,11 @@ std::string with_plain_delimiters(const std::string& tex) {
       close(R"((\\[bB]igg?[lmr]?)\s*>)");
   const std::string angled =
       std::regex_replace(std::regex_replace(tex, open, "$1\\langle "), close, "$1\\rangle ");
-  return std::regex_replace(angled, none, "{}");
+  // those that it knows of all sizes and brackets
+  static const std::regex large(R"(\\Big[lmr](?![A-Za-z]))"),
+      middle(R"(\\(big|bigg|Bigg)m(?![A-Za-z]))");
+  return std::regex_replace(
+      std::regex_replace(std::regex_replace(angled, none, "{}"), large, "\\Big"), middle, "\\$1");
 }
 
 // Rows as pandoc reads them: it shows the star of \\*, which allows no new page, and the position
@@ -199,8 +203,8 @@ std::string with_plain_rows(const std::string& tex) {
     if (shown.compare(i + 1, 1, "*") == 0) ++i;
     const std::size_t next = shown.find_first_not_of(" \t\n", i + 1);
     if (next == std::string::npos) continue;
-    const auto rest = shown.cbegin() + static_cast<std::ptrdiff_t>(i) + 1;
-    if (std::regex_search(rest, shown.cend(), length)) {
+    const std::string rest = shown.substr(i + 1, kFar);
+    if (std::regex_search(rest, length, std::regex_constants::match_continuous)) {
       i = next - 1;
     } else if (shown[next] == '[' || shown[next] == '*') {
       out += " {}";

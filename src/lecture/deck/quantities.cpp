@@ -44,9 +44,10 @@ void refuse_misread_units(const std::string& tex) {
   }
   if (std::regex_search(tex, found, others))
     throw input_error("'{}' would be shown otherwise; write its sign or its list out", found.str());
-  if (std::regex_search(tex, found, options))
+  if (std::regex_search(tex, found, options)) {
     throw input_error("options of \\{} are not read; write the number as it is to be shown",
                       found.str(1));
+  }
   if (std::regex_search(tex, found, complex)) {
     throw input_error(
         "'{}' is no number that can be read; write it without \\{}", found.str(), found.str(1));
@@ -72,52 +73,93 @@ void refuse_units_behind_fractions(const std::string& units) {
   }
 }
 
-std::string written_out(const std::string& digits,
-                        const std::string& doubt,
-                        const std::string& power) {
-  std::string out = digits + doubt;
-  if (power.empty()) return out;
+// \si of each unit, with its prefix and powers and what it is divided by: pandoc would put the
+// signs of units side by side, where N m s would be taken for newtons times milliseconds.
+std::string units_apart(const std::string& units) {
+  static const std::regex command(R"(\\([A-Za-z]+)\s*)");
+  static const std::regex before(fmt::format("{}|square|cubic", kPrefixes));
+  static const std::regex behind("squared|cubed");
+  std::string out, one;
+  bool has_unit = false;    // `one`
+  bool is_divided = false;  // the next unit
+  for (std::sregex_iterator word(units.begin(), units.end(), command), end; word != end; ++word) {
+    const std::string name = word->str(1);
+    const bool is_power = std::regex_match(name, behind), is_per = name == "per";
+    if (has_unit && !is_power && !is_per && !is_divided) {
+      out += fmt::format("\\si{{{}}}\\,", one);
+      one.clear();
+      has_unit = false;
+    }
+    one += word->str();
+    if (is_per) is_divided = true;
+    if (is_power || is_per || std::regex_match(name, before)) continue;
+    has_unit = true;
+    is_divided = false;
+  }
+  return out + fmt::format("\\si{{{}}}", one);
+}
+
+// whether units are commands alone, without arguments
+bool are_commands(const std::string& units) {
+  static const std::regex commands(R"((\s*\\[A-Za-z]+)+\s*)");
+  static const std::regex with_arguments(R"(\\(tothe|raiseto|of|cancel|highlight)(?![A-Za-z]))");
+  return std::regex_match(units, commands) && !std::regex_search(units, with_arguments);
+}
+
+// A number whose doubt, exponent in capitals or missing digits pandoc would not read; empty: it
+// reads the number. Throws Error (input), without a place, for what is none.
+std::string number_written_out(const std::string& whole, bool has_units) {
+  static const std::regex number(
+      R"(\s*([+-]?[0-9]{0,40}[.,]?[0-9]{0,40})\s*(\([0-9.,]{1,40}\)|(\\pm|\+-)\s*([0-9.,]{1,40}))?\s*([eEdD]([+-]?[0-9]{1,9}))?\s*)");
+  static const std::regex two_points(R"([0-9][.,][0-9]*[.,])");
+  if (std::regex_search(whole, two_points))
+    throw input_error("'{}' is no number; write it without what groups its digits", whole);
+  std::smatch parts;
+  if (!std::regex_match(whole, parts, number)) return "";
+  std::string digits = parts.str(1), doubt = parts.str(2);
   const bool has_digits = digits.find_first_of("0123456789") != std::string::npos;
-  return out + fmt::format("{}10^{{{}}}", has_digits ? "\\times " : "", power);
+  const bool has_capital = parts[5].matched && parts.str(5)[0] != 'e';
+  if (doubt.empty() && !has_capital && (has_digits || !parts[5].matched)) return "";
+  if (parts[4].matched) doubt = "\\pm " + parts.str(4);
+  std::string out = digits + doubt;
+  std::replace(out.begin(), out.end(), ',', '.');
+  if (parts[4].matched && (has_units || parts[5].matched)) out = "(" + out + ")";
+  if (parts[6].matched)
+    out += fmt::format("{}10^{{{}}}", has_digits ? "\\times " : "", parts.str(6));
+  return "{" + out + "}";
 }
 
 }  // namespace
 
 std::string plain_quantities(const std::string& tex) {
-  refuse_misread_units(tex);
   static const std::regex quantity(
-      R"(\\(num|SI|qty|si|unit)\s{0,9}(\[[^\]\[]{0,200}\])?\s{0,9}\{([^{}]{0,200})\}(\{([^{}]{0,300})\})?)");
-  static const std::regex number(
-      R"(\s{0,9}([+-]?[0-9]{0,40}[.,]?[0-9]{0,40})\s{0,9}(\([0-9.,]{1,40}\))?\s{0,9}([eEdD]([+-]?[0-9]{1,9}))?\s{0,9})");
+      R"(\\(num|SI|qty|si|unit)\s{0,9}\{([^{}]{0,200})\}(\s{0,9}\{((?:[^{}]|\{[^{}]{0,40}\}){0,300})\})?)");
   std::string out;
   std::size_t from = 0;
   for (std::sregex_iterator it(tex.begin(), tex.end(), quantity), end; it != end; ++it) {
     const std::smatch& found = *it;
-    const std::string command = found.str(1);
-    const bool has_units = command == "SI" || command == "qty";
-    if (command == "si" || command == "unit") {
-      refuse_units_behind_fractions(found.str(3));
-      continue;
-    }
-    if (has_units) refuse_units_behind_fractions(found.str(5));
-    const std::string whole = found.str(3);
-    std::smatch parts;
-    if (!std::regex_match(whole, parts, number)) continue;
-    std::string digits = parts.str(1);
-    const bool has_digits = digits.find_first_of("0123456789") != std::string::npos;
-    if (!parts[2].matched && (has_digits || !parts[3].matched)) continue;
-    std::replace(digits.begin(), digits.end(), ',', '.');
+    const std::string command = found.str(1), first = found.str(2);
+    const bool is_unit = command == "si" || command == "unit", is_number = command == "num";
+    if (!is_unit && !is_number && !found[3].matched) continue;
+    const std::string units = is_unit ? first : is_number ? "" : found.str(4);
+    refuse_units_behind_fractions(units);
+    const std::string number = is_unit ? "" : number_written_out(first, !is_number);
+    const std::string apart = are_commands(units) ? units_apart(units) : "";
+    const bool is_apart = apart.find("\\,") != std::string::npos;
+    if (number.empty() && !is_apart) continue;
     const auto at = static_cast<std::size_t>(found.position(0));
-    out +=
-        tex.substr(from, at - from) + "{" + written_out(digits, parts.str(2), parts.str(4)) + "}";
+    out += tex.substr(from, at - from);
     from = at + static_cast<std::size_t>(found.length(0));
-    if (has_units) {
-      out += "\\,\\si{" + found.str(5) + "}";
-    } else {
-      out += found.str(4);
-    }
+    const bool has_number = first.find_first_not_of(" \t\n") != std::string::npos;
+    if (!is_unit && has_number) out += number.empty() ? "\\num{" + first + "}" : number;
+    if (is_number) out += found.str(3);
+    if (!is_number && !is_unit && has_number) out += "\\,";
+    if (!is_number) out += is_apart ? apart : "\\si{" + units + "}";
+    if (is_unit) out += found.str(3);
   }
-  return out + tex.substr(from);
+  out += tex.substr(from);
+  refuse_misread_units(out);
+  return out;
 }
 
 }  // namespace polhode

@@ -427,6 +427,7 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::st
   const std::string contents = write_document(with_plain_titles(tree),
                                               {"-t",
                                                "html5",
+                                               "--mathml",
                                                "--toc",
                                                "--toc-depth=3",
                                                "--shift-heading-level-by=1",
@@ -435,7 +436,8 @@ std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::st
                                                "--metadata=title:-"},
                                               false)
                                    .text;
-  return lecture_page(page_words(deck), formulas_for_browsers(body), contents, viewers);
+  return lecture_page(
+      page_words(deck), formulas_for_browsers(body), formulas_for_browsers(contents), viewers);
 }
 
 std::string make_slides(const Deck& deck,

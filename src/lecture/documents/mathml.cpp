@@ -2,6 +2,8 @@
 #include "lecture/documents/mathml.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,8 +60,26 @@ std::size_t begin_of(const std::string& formula,
   return at;
 }
 
-// Bars and arrows over several letters are as long as these: browsers draw those of pandoc over one
-// letter. An arrow below is above.
+// whether an element is one letter or digit, perhaps in another style
+bool is_one_letter(std::string_view element) {
+  constexpr std::string_view kPlain[] = {"mi", "mn", "mrow", "mstyle"};
+  int letters = 0;
+  for (std::size_t i = 0; i < element.size(); ++i) {
+    if (element[i] != '<') {
+      letters += (static_cast<unsigned char>(element[i]) & 0xC0U) != 0x80U ? 1 : 0;
+      continue;
+    }
+    const std::string_view tag = element.substr(i + (element.substr(i).starts_with("</") ? 2 : 1));
+    if (std::find(std::begin(kPlain), std::end(kPlain), tag.substr(0, tag.find_first_of(" >"))) ==
+        std::end(kPlain))
+      return false;
+    i = std::min(element.find('>', i), element.size());
+  }
+  return letters == 1;
+}
+
+// Bars and arrows over more than a letter are as long as this: browsers draw those of pandoc over
+// one letter. An arrow below is above.
 void settle_bars(std::string& formula) {
   constexpr const char* kBar =
       "<mrow style=\"background:linear-gradient(currentcolor,currentcolor) {}/100% max(1px,.05em) "
@@ -81,14 +101,13 @@ void settle_bars(std::string& formula) {
   };
   for (const auto& [sign, of, becomes, before, mark, behind] : kMarks) {
     const std::string open = fmt::format("<{}>", of), close = fmt::format("</{}>", of),
-                      old = fmt::format("<mo accent=\"true\">{}</mo>{}", sign, close),
-                      group = "</mrow>";
+                      old = fmt::format("<mo accent=\"true\">{}</mo>{}", sign, close);
     for (std::size_t at = formula.find(old); at != std::string::npos;
          at = formula.find(old, at + 1)) {
-      if (at < group.size() || formula.compare(at - group.size(), group.size(), group) != 0)
-        continue;
       const std::size_t begin = begin_of(formula, open, close, at);
       if (begin == std::string::npos) continue;
+      const std::size_t base = begin + open.size();
+      if (sign != "_" && is_one_letter(std::string_view(formula).substr(base, at - base))) continue;
       formula.replace(at, old.size(), fmt::format("{}</{}>{}", mark, becomes, behind));
       formula.replace(begin, open.size(), fmt::format("{}<{}>", before, becomes));
     }

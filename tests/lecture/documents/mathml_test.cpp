@@ -34,9 +34,15 @@ TEST(Mathml, HasBarsAndArrowsAsLongAsWhatIsBelow) {
         {"\\overrightarrow{AB}", "<mover><mrow><mi>A</mi><mi>B</mi></mrow><mo stretchy=\"true\">→"},
         {"\\underrightarrow{AB}",
          "<munder><mrow><mi>A</mi><mi>B</mi></mrow><mo stretchy=\"true\">→</mo></munder>"},
+        {"\\overline{x^2}", "top/100%"},
+        {"\\overline{\\text{mean}}", "top/100%"},
+        {"\\overline{12}", "top/100%"},
+        {"\\underline{I}", "bottom/100%"},
+        {"\\overline{\\sqrt v}", "top/100%"},
         {"\\overline{\\overline{ab}+c}", "style=\"background"}})
     EXPECT_TRUE(has(drawn(tex), has_it)) << drawn(tex);
-  EXPECT_EQ(drawn("\\bar a").find("style"), std::string::npos);
+  for (const char* tex : {"\\bar a", "\\bar\\omega", "\\overline{1}", "\\bar{\\mathbf{x}}"})
+    EXPECT_EQ(drawn(tex).find("style=\"background"), std::string::npos) << tex;
   EXPECT_EQ(drawn("\\overline{\\overline{ab}+c}").find("accent"), std::string::npos);
 }
 
