@@ -220,11 +220,13 @@ class FilmReader::Implementation {
   bool decode() {
     while (true) {
       const int received = avcodec_receive_frame(decoder_.get(), decoded_.get());
-      if (received == 0 || received == AVERROR_EOF) refuse_guesses();
-      if (received == 0) return true;
-      if (received == AVERROR_EOF) return false;
-      if (received != AVERROR(EAGAIN)) refuse_damage(received);
-      send_packet();
+      if (received == AVERROR(EAGAIN)) {
+        send_packet();
+        continue;
+      }
+      if (received != 0 && received != AVERROR_EOF) refuse_damage(received);
+      refuse_guesses();
+      return received == 0;
     }
   }
 

@@ -32,6 +32,21 @@ std::string still_in(const TemporaryFolder& folder) {
   return "render '" + (folder / "scene.toml") + "' --still 0 -o '" + (folder / "a.png") + "'";
 }
 
+// makes a film of a small scene, and gives its name for a shell
+std::string film_in(const TemporaryFolder& folder,
+                    const std::string& name = "a.mp4",
+                    const std::string& options = "") {
+  write_text(folder / "scene.toml", test::kSmallScene);
+  const std::string film = "'" + (folder / name) + "'";
+  EXPECT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' -o " + film + options).code, 0);
+  return film;
+}
+
+// the environment of a machine that lacks something (tests/support/lacking.cpp)
+std::string lacking(const std::string& what) {
+  return "POLHODE_LACKS=" + what + " LD_PRELOAD='" POLHODE_LACKING "'";
+}
+
 // the real loader against a machine without the libraries: files of their names that are no
 // libraries
 TEST(Environment, WithoutAnyOpenGlTheRunSaysWhatIsMissing) {
@@ -117,10 +132,7 @@ TEST(Environment, AFilmIsNotDamagedWhereMemoryLacks) {
   GTEST_SKIP() << "the sanitizer itself needs terabytes of addresses";
 #endif
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string film = "'" + (folder / "a.mp4") + "'";
-  ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' --size 640x360 -o " + film).code,
-            0);
+  const std::string film = film_in(folder, "a.mp4", " --size 640x360");
   for (int limit = 340'000; limit <= 420'000; limit += 10'000) {
     const Ran ran =
         run_polhode("diff " + film + " " + film, "ulimit -v " + std::to_string(limit) + ";");
@@ -134,13 +146,10 @@ TEST(Environment, FilmsDoNotDifferWhereMemoryLacks) {
   GTEST_SKIP() << "the sanitizer wants to be loaded first";
 #endif
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
-  const std::string film = "'" + (folder / "a.mp4") + "'";
-  ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' -o " + film).code, 0);
+  const std::string film = film_in(folder);
   for (int at = 1200; at < 2800; at += 40) {
     const Ran ran = run_polhode("diff " + film + " " + film,
-                                "POLHODE_LACKS=memory POLHODE_LACKS_AT=" + std::to_string(at) +
-                                    " LD_PRELOAD='" POLHODE_LACKING "'");
+                                "POLHODE_LACKS_AT=" + std::to_string(at) + " " + lacking("memory"));
     EXPECT_NE(ran.code, 1) << at << ran.out;
     EXPECT_EQ(ran.err.find("has more"), std::string::npos) << at << ran.err;
   }
@@ -192,7 +201,7 @@ TEST(Environment, WhatLibrariesLackIsToldInOneLine) {
     write_text(folder / "a.vtt", "WEBVTT - captions by polhode\n");
     const Ran ran = run_polhode(
         "render '" + (folder / "scene.toml") + "' -o '" + (folder / output) + "'" + options,
-        std::string("POLHODE_LACKS=") + lacks + " LD_PRELOAD='" POLHODE_LACKING "'");
+        lacking(lacks));
     EXPECT_EQ(ran.code, 3) << ran.err;
     EXPECT_EQ(lines_of_polhode(ran.err), 1) << ran.err;
     EXPECT_NE(ran.err.find(says), std::string::npos) << ran.err;
@@ -209,12 +218,9 @@ TEST(Environment, ThreadsThatCannotBeStartedAreTold) {
   GTEST_SKIP() << "the sanitizer wants to be loaded first";
 #endif
   const TemporaryFolder folder;
-  write_text(folder / "scene.toml", test::kSmallScene);
   for (const char* name : {"a.mp4", "a-%d.png"}) {
-    const std::string output = "'" + (folder / name) + "'";
-    ASSERT_EQ(run_polhode("render '" + (folder / "scene.toml") + "' -o " + output).code, 0);
-    const Ran ran = run_polhode("diff " + output + " " + output,
-                                "POLHODE_LACKS=threads LD_PRELOAD='" POLHODE_LACKING "'");
+    const std::string film = film_in(folder, name);
+    const Ran ran = run_polhode("diff " + film + " " + film, lacking("threads"));
     EXPECT_EQ(ran.code, 3) << ran.err;
     EXPECT_EQ(lines_of_polhode(ran.err), 1) << ran.err;
     EXPECT_EQ(ran.err.find("unexpected"), std::string::npos) << ran.err;
@@ -322,7 +328,7 @@ TEST(Environment, ALibraryThatEndsTheProgramIsAFault) {
   write_text(folder / "scene.toml", test::kSmallScene);
   const Ran ran =
       run_polhode("render '" + (folder / "scene.toml") + "' -o '" + (folder / "a.mp4") + "'",
-                  "POLHODE_LACKS=patience LD_PRELOAD='" POLHODE_LACKING "'");
+                  lacking("patience"));
   EXPECT_EQ(ran.code, 3);
   EXPECT_EQ(ran.err, "polhode: a library has ended the program\n");
   EXPECT_EQ(folder.entries(), 1);
@@ -336,7 +342,7 @@ TEST(Environment, AFullDiskOfTheShaderCacheIsLeftAlone) {
   const TemporaryFolder folder, cache;
   const std::string still = still_in(folder);
   const std::string at = "XDG_CACHE_HOME='" + cache.path().string() + "' ";
-  const Ran full = run_polhode(still, at + "POLHODE_LACKS=room LD_PRELOAD='" POLHODE_LACKING "'");
+  const Ran full = run_polhode(still, at + lacking("room"));
   EXPECT_EQ(full.code, 0) << full.err;
   EXPECT_EQ(cache.entries(), 0);
   EXPECT_EQ(run_polhode(still, at).code, 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <regex>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -169,17 +170,19 @@ void refuse_misread_parts(const std::string& tex) {
   }
 }
 
-// Delimiters that have a size, as pandoc reads those of \left: \bigl. is none, \bigl< is an angle.
+// Delimiters that have a size, as pandoc reads those of \left: \bigl. is none, \bigl< is an angle,
+// and \Bigl[ and \bigm| it does not know.
 std::string with_plain_delimiters(const std::string& tex) {
-  static const std::regex none(R"(\\[bB]igg?[lmr]?\s*\.)"), open(R"((\\[bB]igg?[lmr]?)\s*<)"),
-      close(R"((\\[bB]igg?[lmr]?)\s*>)");
-  const std::string angled =
-      std::regex_replace(std::regex_replace(tex, open, "$1\\langle "), close, "$1\\rangle ");
-  // those that it knows of all sizes and brackets
-  static const std::regex large(R"(\\Big[lmr](?![A-Za-z]))"),
-      middle(R"(\\(big|bigg|Bigg)m(?![A-Za-z]))");
-  return std::regex_replace(
-      std::regex_replace(std::regex_replace(angled, none, "{}"), large, "\\Big"), middle, "\\$1");
+  static const std::pair<std::regex, const char*> kPlain[] = {
+      {std::regex(R"((\\[bB]igg?[lmr]?)\s*<)"), "$1\\langle "},
+      {std::regex(R"((\\[bB]igg?[lmr]?)\s*>)"), "$1\\rangle "},
+      {std::regex(R"(\\[bB]igg?[lmr]?\s*\.)"), "{}"},
+      {std::regex(R"(\\Big[lmr](?![A-Za-z]))"), "\\Big"},
+      {std::regex(R"(\\(big|bigg|Bigg)m(?![A-Za-z]))"), "\\$1"}};
+  std::string out = tex;
+  for (const auto& [delimiter, plain] : kPlain)
+    out = std::regex_replace(out, delimiter, plain);
+  return out;
 }
 
 // Rows as pandoc reads them: it shows the star of \\*, which allows no new page, and the position
@@ -190,7 +193,7 @@ std::string with_plain_rows(const std::string& tex) {
   static const std::regex position(R"((\\begin\{(aligned|gathered|alignedat|array)\})\[[tbc]\])");
   static const std::regex bracket(R"((\\begin\{(aligned|gathered)\})\s+\[)");
   static const std::regex length(
-      R"(^\s*\[\s*(-?\s*[0-9.]+\s*(pt|mm|cm|in|ex|em|mu|bp|pc|sp|dd|cc)|\\jot|\\[a-z]{1,20}skip(amount)?)\s*\])");
+      R"(\s*\[\s*(-?\s*[0-9.]+\s*(pt|mm|cm|in|ex|em|mu|bp|pc|sp|dd|cc)|\\jot|\\[a-z]{1,20}skip(amount)?)\s*\])");
   const std::string shown =
       std::regex_replace(std::regex_replace(tex, position, "$1"), bracket, "$1 {}[");
   const std::vector<bool> words = words_in(shown);

@@ -14,9 +14,8 @@ namespace polhode {
 namespace {
 
 constexpr const char* kPrefixes =
-    "yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|hecto|kilo|mega|giga|tera|peta|exa|"
-    "zetta"
-    "|yotta";
+    "yocto|zepto|atto|femto|pico|nano|micro|milli|centi|deci|hecto|kilo|mega|giga|tera|peta|exa"
+    "|zetta|yotta";
 
 void refuse_misread_units(const std::string& tex) {
   static const std::regex power(
@@ -54,47 +53,33 @@ void refuse_misread_units(const std::string& tex) {
   }
 }
 
-// \per is of the next unit alone, but what stands behind a fraction looks divided too: W/m²K.
-void refuse_units_behind_fractions(const std::string& units) {
-  static const std::regex command(R"(\\([A-Za-z]+))");
-  static const std::regex no_unit(
-      fmt::format("{}|squared|cubed|square|cubic|tothe|raiseto|of|cancel|highlight", kPrefixes));
-  bool is_divided = false, is_fraction = false;  // the next unit; what came before
-  for (std::sregex_iterator word(units.begin(), units.end(), command), end; word != end; ++word) {
-    const std::string name = word->str(1);
-    if (name == "per") {
-      is_divided = true;
-    } else if (!std::regex_match(name, no_unit)) {
-      if (is_fraction && !is_divided)
-        throw input_error("'\\{}' behind \\per would look divided too; put it before \\per", name);
-      is_fraction = is_fraction || is_divided;
-      is_divided = false;
-    }
-  }
-}
-
 // \si of each unit, with its prefix and powers and what it is divided by: pandoc would put the
-// signs of units side by side, where N m s would be taken for newtons times milliseconds.
+// signs of units side by side, where N m s would be taken for newtons times milliseconds. Throws
+// Error (input), without a place, for units behind a fraction: \per is of the next unit alone, but
+// they would look divided too, as in W/m²K.
 std::string units_apart(const std::string& units) {
   static const std::regex command(R"(\\([A-Za-z]+)\s*)");
-  static const std::regex before(fmt::format("{}|square|cubic", kPrefixes));
-  static const std::regex behind("squared|cubed");
+  static const std::regex before(
+      fmt::format("{}|square|cubic|raiseto|cancel|highlight", kPrefixes));
+  static const std::regex behind("squared|cubed|tothe|of");
   std::string out, one;
-  bool has_unit = false;    // `one`
-  bool is_divided = false;  // the next unit
+  bool has_unit = false, is_fraction = false;  // `one`
+  bool is_divided = false;                     // the next unit
   for (std::sregex_iterator word(units.begin(), units.end(), command), end; word != end; ++word) {
     const std::string name = word->str(1);
-    const bool is_power = std::regex_match(name, behind), is_per = name == "per";
-    if (has_unit && !is_power && !is_per && !is_divided) {
+    const bool is_before = std::regex_match(name, before);
+    const bool is_unit = !is_before && name != "per" && !std::regex_match(name, behind);
+    if (is_unit && is_fraction && !is_divided)
+      throw input_error("'\\{}' behind \\per would look divided too; put it before \\per", name);
+    if ((is_unit || is_before) && has_unit && !is_divided) {
       out += fmt::format("\\si{{{}}}\\,", one);
       one.clear();
       has_unit = false;
     }
     one += word->str();
-    if (is_per) is_divided = true;
-    if (is_power || is_per || std::regex_match(name, before)) continue;
-    has_unit = true;
-    is_divided = false;
+    is_fraction = is_fraction || (is_unit && is_divided);
+    has_unit = has_unit || is_unit;
+    is_divided = name == "per" || (is_divided && !is_unit);
   }
   return out + fmt::format("\\si{{{}}}", one);
 }
@@ -142,10 +127,9 @@ std::string plain_quantities(const std::string& tex) {
     const bool is_unit = command == "si" || command == "unit", is_number = command == "num";
     if (!is_unit && !is_number && !found[3].matched) continue;
     const std::string units = is_unit ? first : is_number ? "" : found.str(4);
-    refuse_units_behind_fractions(units);
+    const std::string apart = units_apart(units);
     const std::string number = is_unit ? "" : number_written_out(first, !is_number);
-    const std::string apart = are_commands(units) ? units_apart(units) : "";
-    const bool is_apart = apart.find("\\,") != std::string::npos;
+    const bool is_apart = are_commands(units) && apart.find("\\,") != std::string::npos;
     if (number.empty() && !is_apart) continue;
     const auto at = static_cast<std::size_t>(found.position(0));
     out += tex.substr(from, at - from);

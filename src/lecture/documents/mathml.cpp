@@ -88,9 +88,10 @@ void settle_bars(std::string& formula) {
   const auto arrow = [](const char* sign) {
     return fmt::format("<mo stretchy=\"true\">{}</mo>", sign);
   };
-  const struct {
+  struct Mark {
     std::string sign, of, becomes, before, mark, behind;
-  } kMarks[] = {
+  };
+  static const Mark kMarks[] = {
       {"¯", "mover", "mover", fmt::format(kBar, "top"), kRoom, "</mrow>"},
       {"_", "munder", "munder", fmt::format(kBar, "bottom"), kRoom, "</mrow>"},
       {"\u20d7", "mover", "mover", "", arrow("→"), ""},

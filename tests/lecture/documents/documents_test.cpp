@@ -207,9 +207,6 @@ TEST(Documents, PowerPointHasAllWordsAndPictures) {
       "EPSILON\n\n## Third\n\n:::: columns\n::: column\nZETA\n:::\n::: column\nETA\n:::\n"
       "::: column\nTHETA\n:::\n::::\n\n## Fourth\n\n- IOTA\n\n  " +
       film);
-  const Deck in_footnotes = deck_of("a[^1]\n\n[^1]: ![KAPPA](s.toml){.film}\n");
-  const std::string footnote = make_beamer(in_footnotes, figure_of);
-  EXPECT_TRUE(has(footnote.substr(footnote.find("\\footnote")), "KAPPA")) << footnote;
   const char* script = R"py(import re, sys, zipfile
 parts = zipfile.ZipFile(sys.argv[1])
 slides = "".join(parts.read(n).decode() for n in parts.namelist() if n.startswith("ppt/slides/slide"))
@@ -274,6 +271,9 @@ TEST(Documents, PicturesHaveTheirCaptionsInEachOfThem) {
   EXPECT_TRUE(has(tex, "width=0.4\\textwidth"));
   Deck with_numbers = deck_of("![IOTA](s.toml){.inspect}\n");
   EXPECT_TRUE(has(make_beamer(with_numbers, figure_of), "\\caption{IOTA}"));
+  const Deck in_footnotes = deck_of("a[^1]\n\n[^1]: ![KAPPA](s.toml){.film}\n");
+  const std::string footnote = make_beamer(in_footnotes, figure_of);
+  EXPECT_TRUE(has(footnote.substr(footnote.find("\\footnote")), "KAPPA")) << footnote;
   const char* script = R"py(import re, sys, zipfile
 parts = zipfile.ZipFile(sys.argv[1])
 slides = "".join(parts.read(n).decode() for n in parts.namelist() if n.startswith("ppt/slides/slide"))
