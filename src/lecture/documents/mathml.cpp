@@ -81,9 +81,8 @@ bool is_one_letter(std::string_view element) {
 // Bars and arrows over more than a letter are as long as this: browsers draw those of pandoc over
 // one letter. An arrow below is above.
 void settle_bars(std::string& formula) {
-  constexpr const char* kBar =
-      "<mrow style=\"background:linear-gradient(currentcolor,currentcolor) {}/100% max(1px,.05em) "
-      "no-repeat;-webkit-print-color-adjust:exact;print-color-adjust:exact\">";
+  // backgrounds would be printed thicker
+  constexpr const char* kBar = "<mrow style=\"border-{}:.05em solid\">";
   constexpr const char* kRoom = "<mspace height=\"0.15em\"></mspace>";
   const auto arrow = [](const char* sign) {
     return fmt::format("<mo stretchy=\"true\">{}</mo>", sign);
