@@ -65,7 +65,9 @@ std::string escaped(const std::string& words) {
 class CaptionedSink final : public FrameSink {
  public:
   CaptionedSink(std::unique_ptr<FrameSink> film, const SinkJob& job)
-      : captions_(job.output, job.captions), fps_(job.fps), film_(std::move(film)) {}
+      : captions_(job.output, job.captions && !job.segment),
+        fps_(job.fps),
+        film_(std::move(film)) {}
 
   // written now, so that a full disk is told before the film has its name
   void describe(const FilmMetadata& metadata) override {

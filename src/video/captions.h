@@ -45,8 +45,9 @@ class CaptionFile {
 };
 
 // Wraps a film sink (not null) so that it also has a CaptionFile beside job.output, claimed now if
-// job.captions says so. Throws Error (input) as CaptionFile does; describe() throws Error as
-// CaptionFile::write() does, finish() as CaptionFile::commit().
+// job.captions says so and it is no segment, which has no captions. Throws Error (input) as
+// CaptionFile does; describe() throws Error as CaptionFile::write() does, finish() as
+// CaptionFile::commit().
 std::unique_ptr<FrameSink> with_captions(std::unique_ptr<FrameSink> film, const SinkJob& job);
 
 }  // namespace polhode

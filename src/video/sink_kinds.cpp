@@ -158,7 +158,7 @@ std::unique_ptr<FrameSink> make_sink(const SinkJob& job) {
         .at(place);
   }
   std::unique_ptr<FrameSink> sink = kind.make(job);
-  if (job.segment || captions_beside(job.output).empty()) return sink;
+  if (captions_beside(job.output).empty()) return sink;
   return with_captions(std::move(sink), job);
 }
 

@@ -151,6 +151,24 @@ TEST(Captions, OfAnotherFormatStay) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtt")) << "no other film has them";
 }
 
+TEST(Captions, OfAnEarlierFilmGoWithAPieceOfItsName) {
+  const TemporaryFolder folder;
+  SinkJob job;
+  job.output = folder / "a.mp4";
+  job.width = job.height = 32;
+  for (const bool segment : {false, true}) {
+    job.segment = segment;
+    const std::unique_ptr<FrameSink> film = make_sink(job);
+    FilmMetadata metadata;
+    metadata.frames = 1;
+    if (!segment) metadata.captions = {{0, 1, "words"}};
+    film->describe(metadata);
+    film->push(Image(32, 32));
+    film->finish();
+    EXPECT_EQ(std::filesystem::exists(folder / "a.vtt"), !segment);
+  }
+}
+
 TEST(Captions, ThatAreExpectedAreClaimedAtOnce) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "a.vtt");
