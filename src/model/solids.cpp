@@ -344,7 +344,7 @@ void load_meshes(BodySpec& body, const std::filesystem::path& folder) {
     } catch (const Error& error) {
       // the place is the scene's key; the mesh file is named in the message
       throw Error(error.fault(),
-                  fmt::format("{}: {}", *solid.file, error.message()),
+                  fmt::format("{}: {}", (folder / *solid.file).string(), error.message()),
                   {{}, 0, path + ".file"});
     }
   };

@@ -53,6 +53,12 @@ TEST_F(SceneFiles, SaysWhatIsWrongWithTheFile) {
   EXPECT_NE(error_of_file("/dev/zero").find("is not a regular file"), std::string::npos);
 }
 
+TEST_F(SceneFiles, SaysWhereAMeshWasLookedFor) {
+  const fs::path file = folder_ / "scene.toml";
+  std::ofstream(file) << "[body]\nsolid = { kind = \"mesh\", file = \"none.obj\", mass = 1 }\n";
+  EXPECT_EQ(error_of_file(file), (folder_ / "none.obj").string() + ": the file does not exist");
+}
+
 TEST_F(SceneFiles, SaysThatAFileCannotBeRead) {
   // the first byte of this one is as on a disk that is broken
   expect_error([] { load_scene("/proc/self/mem"); }, Fault::environment, "", "cannot be read");
