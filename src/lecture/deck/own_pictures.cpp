@@ -146,22 +146,88 @@ std::string_view name_of(const Named* named) {
   return reinterpret_cast<const char*>(named->name);
 }
 
+// the text of an attribute, of what is in an element, or of an instruction
+template <class Node>
+std::string text_of(const Node* node) {
+  const std::unique_ptr<xmlChar, void (*)(xmlChar*)> text(
+      xmlNodeGetContent(reinterpret_cast<const xmlNode*>(node)),
+      [](xmlChar* one) { xmlFree(one); });
+  return text == nullptr ? "" : reinterpret_cast<const char*>(text.get());
+}
+
+bool is_elsewhere(std::string_view link) {
+  return !link.empty() && !link.starts_with('#') && !link.starts_with("data:");
+}
+
+// what stands behind `mark`, without blanks and quotation marks
+std::string_view link_behind(std::string_view text, std::string_view mark) {
+  constexpr std::string_view kAround = " \t\r\n\"'";
+  text.remove_prefix(std::min(mark.size(), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(kAround), text.size()));
+  return text.substr(0, text.find_first_of(" \t\r\n\"');"));
+}
+
+// the text without what stands between these, and without them
+std::string without(std::string_view text, std::string_view begin, std::string_view end) {
+  std::string out;
+  for (;;) {
+    const std::size_t from = text.find(begin);
+    out += text.substr(0, from);
+    const std::size_t to = from == text.npos ? from : text.find(end, from + begin.size());
+    if (to == text.npos) return out;
+    text.remove_prefix(to + end.size());
+  }
+}
+
+// The first file that a style takes something from; "": none. Fonts are no loss: others are taken.
+std::string file_of_style(std::string_view style) {
+  constexpr std::string_view kUrl = "url(", kImport = "@import";
+  if (style.find(kUrl) == style.npos && style.find(kImport) == style.npos) return {};
+  const std::string read =
+      without(without(without(style, "/*", "*/"), "@namespace", ";"), "@font-face", "}");
+  for (const std::string_view mark : {kImport, kUrl}) {
+    for (std::size_t at = read.find(mark); at != read.npos; at = read.find(mark, at + 1)) {
+      std::string_view link = link_behind(std::string_view(read).substr(at), mark);
+      if (mark == kImport && link.starts_with(kUrl))
+        link = link_behind(std::string_view(read).substr(read.find(kUrl, at)), kUrl);
+      if (is_elsewhere(link)) return std::string(link);
+    }
+  }
+  return {};
+}
+
+// the first other file that an element itself needs; "": none
+std::string file_of_element(const xmlNode* element) {
+  const bool may_lead_away = name_of(element) == "a";
+  for (const xmlAttr* one = element->properties; one != nullptr; one = one->next) {
+    std::string value = text_of(one);
+    const bool is_link = name_of(one) == "href" || name_of(one) == "src";
+    if (is_link && !may_lead_away && is_elsewhere(value)) return value;
+    if (std::string file = file_of_style(value); !is_link && !file.empty()) return file;
+  }
+  return name_of(element) == "style" ? file_of_style(text_of(element)) : "";
+}
+
+std::string needs(const std::string& file) {
+  return fmt::format("needs another file, {}, which browsers do not show in it; embed it",
+                     cut(file));
+}
+
 // What is wrong with an element and what is beside and in it: for the picture of a page browsers
 // look neither for other files nor for what a document type defines elsewhere.
 std::string wrong_in(const xmlNode* node) {
   for (; node != nullptr; node = node->next) {
     if (node->type == XML_ENTITY_REF_NODE && xmlGetDocEntity(node->doc, node->name) == nullptr)
       return fmt::format("has &{}; in it, which it does not define", name_of(node));
-    if (node->type != XML_ELEMENT_NODE) continue;
-    const bool may_lead_away = name_of(node) == "a";
-    for (const xmlAttr* one = node->properties; one != nullptr; one = one->next) {
-      if (may_lead_away || name_of(one) != "href" || one->children == nullptr) continue;
-      const xmlChar* value = one->children->content;
-      const std::string link = value == nullptr ? "" : reinterpret_cast<const char*>(value);
-      if (link.empty() || link.starts_with('#') || link.starts_with("data:")) continue;
-      return fmt::format("needs another file, {}, which browsers do not show in it; embed it",
-                         cut(link));
+    if (node->type == XML_PI_NODE && name_of(node) == "xml-stylesheet") {
+      const std::string words = text_of(node);
+      constexpr std::string_view kLink = "href=";
+      const std::size_t at = std::min(words.find(kLink), words.size());
+      const std::string_view link = link_behind(std::string_view(words).substr(at), kLink);
+      if (is_elsewhere(link)) return needs(std::string(link));
     }
+    if (node->type != XML_ELEMENT_NODE) continue;
+    if (const std::string file = file_of_element(node); !file.empty()) return needs(file);
     if (std::string wrong = wrong_in(node->children); !wrong.empty()) return wrong;
   }
   return {};
@@ -201,7 +267,7 @@ std::string wrong_with_svg(const std::string& bytes) {
       name_of(root) == "svg" &&
       (space == kSvg || (space.starts_with('&') && bytes.find(kSvg) != std::string::npos));
   if (!is_svg) return fmt::format("does not begin with <svg xmlns=\"{}\">", kSvg);
-  return wrong_in(root);
+  return wrong_in(tree->children);
 }
 
 struct Row {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/name_list.h"
 
 namespace polhode {
 namespace {
@@ -84,6 +85,47 @@ std::string units_apart(const std::string& units) {
   return out + fmt::format("\\si{{{}}}", one);
 }
 
+// Units that are letters, which siunitx sets upright and whose dots it takes for products: kg.m^2
+// is \mathrm{kg}\,\mathrm{m}^2. Blanks stand apart too, so that nobody reads m s as ms. Empty: they
+// are not of that kind. Throws Error (input), without a place, for commands of siunitx among them
+// that would be of other letters than in TeX.
+std::string letters_upright(const std::string& units) {
+  static const std::regex hidden(R"(\\[A-Za-z]+|\{[^{}]*\})");
+  static const std::regex letter(R"([A-Za-z]|[^\x01-\x7f])");
+  static const std::regex part(
+      R"(((?:[A-Za-z]|[^\x01-\x7f])+)|(\s*[.~]\s*|\s+)|\\([A-Za-z]+)(\{[^{}]*\}|\s*))"
+      R"(|[\^_]\s*(\{[^{}]*\}|\\[A-Za-z]+|[0-9A-Za-z])|[-+/()0-9]|\\[^A-Za-z]|\{[^{}]*\})");
+  static const std::regex of_mathematics("math[a-z]+|text[a-z]*|cdot|times|circ");
+  static const std::regex of_others(
+      fmt::format("{}|square|cubic|per|squared|cubed|tothe|raiseto|of", kPrefixes));
+  if (!std::regex_search(std::regex_replace(units, hidden, ""), letter)) return "";
+  const std::string whole(trimmed(units));
+  std::string out;
+  std::size_t seen = 0;
+  for (std::sregex_iterator it(whole.begin(), whole.end(), part), end; it != end; ++it) {
+    const std::smatch& found = *it;
+    if (static_cast<std::size_t>(found.position(0)) != seen) return "";
+    seen += static_cast<std::size_t>(found.length(0));
+    const std::string command = found.str(3);
+    if (std::regex_match(command, of_others)) {
+      throw input_error("'\\{}' is not read among letters; write units as letters or as commands",
+                        command);
+    }
+    if (found[1].matched) {
+      out += fmt::format("\\mathrm{{{}}}", found.str());
+    } else if (found[2].matched) {
+      out += "\\,";
+    } else if (command == "mu" || command == "Omega") {
+      out += command == "mu" ? "\\mathrm{μ}" : "\\mathrm{Ω}";
+    } else if (found[3].matched && !std::regex_match(command, of_mathematics)) {
+      out += fmt::format("\\si{{\\{}}}", command);
+    } else {
+      out += found.str();
+    }
+  }
+  return seen == whole.size() ? out : "";
+}
+
 // whether units are commands alone, without arguments
 bool are_commands(const std::string& units) {
   static const std::regex commands(R"((\s*\\[A-Za-z]+)+\s*)");
@@ -118,7 +160,8 @@ std::string number_written_out(const std::string& whole, bool has_units) {
 
 std::string plain_quantities(const std::string& tex) {
   static const std::regex quantity(
-      R"(\\(num|SI|qty|si|unit)\s{0,9}\{([^{}]{0,200})\}(\s{0,9}\{((?:[^{}]|\{[^{}]{0,40}\}){0,300})\})?)");
+      R"(\\(num|SI|qty|si|unit)\s{0,9}\{((?:[^{}]|\{[^{}]{0,40}\}){0,300})\})"
+      R"((\s{0,9}\{((?:[^{}]|\{[^{}]{0,40}\}){0,300})\})?)");
   std::string out;
   std::size_t from = 0;
   for (std::sregex_iterator it(tex.begin(), tex.end(), quantity), end; it != end; ++it) {
@@ -129,8 +172,10 @@ std::string plain_quantities(const std::string& tex) {
     const std::string units = is_unit ? first : is_number ? "" : found.str(4);
     const std::string apart = units_apart(units);
     const std::string number = is_unit ? "" : number_written_out(first, !is_number);
-    const bool is_apart = are_commands(units) && apart.find("\\,") != std::string::npos;
-    if (number.empty() && !is_apart) continue;
+    std::string shown = letters_upright(units);  // empty: as pandoc shows them
+    if (shown.empty() && are_commands(units) && apart.find("\\,") != std::string::npos)
+      shown = apart;
+    if (number.empty() && shown.empty()) continue;
     const auto at = static_cast<std::size_t>(found.position(0));
     out += tex.substr(from, at - from);
     from = at + static_cast<std::size_t>(found.length(0));
@@ -138,7 +183,7 @@ std::string plain_quantities(const std::string& tex) {
     if (!is_unit && has_number) out += number.empty() ? "\\num{" + first + "}" : number;
     if (is_number) out += found.str(3);
     if (!is_number && !is_unit && has_number) out += "\\,";
-    if (!is_number) out += is_apart ? apart : "\\si{" + units + "}";
+    if (!is_number) out += shown.empty() ? "\\si{" + units + "}" : shown;
     if (is_unit) out += found.str(3);
   }
   out += tex.substr(from);

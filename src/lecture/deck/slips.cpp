@@ -94,6 +94,15 @@ std::string first_letters(const std::string& words) {
   return {begin, std::find_if_not(begin, words.end(), is_letter)};
 }
 
+// "{.film}" in "word{.film}", "{inspect:a.toml#mass}{.film},"; "": none
+std::string class_behind_words(const std::string& words) {
+  const std::size_t begin = std::max(words.rfind("{.") + 1, words.rfind("{#") + 1);
+  const std::size_t end = words.find('}', begin);
+  if (begin < 2 || end == std::string::npos) return "";
+  const std::string found = words.substr(begin - 1, end + 2 - begin);
+  return is_class(found) ? found : "";
+}
+
 Error would_be_shown(const std::string& words, std::string_view why) {
   return input_error("'{}' would be shown as it stands: {}", words, why);
 }
@@ -183,6 +192,10 @@ void SlipFinder::look_at_words(const Json& inlines) {
           would_be_shown(words,
                          "only titles, pictures, code and [words] have classes, and all but titles "
                          "right behind them"));
+    } else if (!class_behind_words(words).empty()) {
+      tell_(lines_.next(words),
+            would_be_shown(class_behind_words(words),
+                           "words that have a class stand in brackets, [words]{.class}"));
     } else if (has(words, "](") && has(words, ".toml")) {
       tell_(lines_.next(words),
             would_be_shown(words, "a picture ends with ')' and its settings with '}'"));
@@ -220,9 +233,11 @@ void SlipFinder::look_at_word(const std::string& words, bool in_header) {
     // texts of YAML may need two backslashes for one
     if (!in_header && lines_.next("\\" + command) > 0) continue;
     tell_(lines_.next(words),
-          would_be_shown(
-              words,
-              "LaTeX is for formulas ($…$); words for the speaker stand in a box (::: notes)"));
+          would_be_shown(words,
+                         command == "\\begin{"
+                             ? "LaTeX is for formulas ($…$), in which no line is empty"
+                             : "LaTeX is for formulas ($…$); words for the speaker stand in a box "
+                               "(::: notes)"));
     return;
   }
 }

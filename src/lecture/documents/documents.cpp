@@ -469,6 +469,13 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
     }
   }
   if (output != "beamer" && output != "pptx") return list;
+  const std::string lang = words_of(deck).lang;
+  if (is_written_from_the_right(lang)) {
+    list.push_back(
+        fmt::format("{} is written from right to left: only pages lay out lines so, here they "
+                    "begin at the left",
+                    lang));
+  }
   for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
     if (is_for_pages_only(image)) {
       list.push_back(

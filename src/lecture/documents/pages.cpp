@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 #include <unistd.h>
 
 #include "base/base64.h"
@@ -33,7 +34,7 @@ std::string head(const DeckWords& words,
                  const std::string& nonce,
                  bool computes = false) {
   return fmt::format(
-             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
+             "<!doctype html>\n<html lang=\"{}\"{}>\n<head>\n<meta charset=\"utf-8\">\n"
              "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
              "'self' data: file:; "
              "media-src 'self' data: file:; font-src data:; style-src 'unsafe-inline'; script-src "
@@ -44,6 +45,7 @@ std::string head(const DeckWords& words,
              "content=\"polhode {}\">\n"
              "<title>{}</title>\n<style>\n",
              escaped(words.lang),
+             is_written_from_the_right(words.lang) ? " dir=\"rtl\"" : "",
              nonce,
              computes ? " 'wasm-unsafe-eval'; worker-src blob:" : "",
              escaped(words.description),
@@ -94,6 +96,14 @@ DeckWords words_of(const Deck& deck) {
   if (!words.address.empty() && !words.address.ends_with('/')) words.address += '/';
   if (words.title.empty()) words.title = fs::path(deck.file).stem().string();
   return words;
+}
+
+bool is_written_from_the_right(const std::string& lang) {
+  static const std::regex tag(
+      "(ar|arc|ckb|dv|fa|he|iw|ji|ks|ps|sd|syr|ug|ur|yi)(-.*)?"
+      "|[a-z]{2,3}-(arab|hebr|syrc|thaa)(-.*)?",
+      std::regex::icase);
+  return std::regex_match(lang, tag);
 }
 
 std::optional<Reveal> find_reveal() {

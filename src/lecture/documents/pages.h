@@ -38,6 +38,10 @@ struct DeckWords {
 // the title.
 DeckWords words_of(const Deck& deck);
 
+// Whether a language, by its tag, is written from right to left: Arabic, Hebrew, Persian and
+// others, or any in their letters (az-Arab).
+bool is_written_from_the_right(const std::string& lang);
+
 // Complete HTML pages. `body` is pandoc's HTML of the text, `contents` that of its table of
 // contents; `viewers` what viewer_blocks() (lecture/documents/turning.h) returns. The pages load
 // nothing from the network and run only their own scripts. Throw Error (interrupted).

@@ -384,6 +384,22 @@ TEST(Deck, PicturesThatAreNoneAreRefusedWithTheirLine) {
                         "deck.md:3: a picture of a scene needs a paragraph of its own, with"));
 }
 
+TEST(Deck, ClassesBehindPlainWordsAreRefusedWithTheirLine) {
+  for (const char* words : {"Word{.film}", "a {inspect:a.toml#mass}{.film}, b", "(brackets){#b}"}) {
+    const std::string problem = problem_of(fmt::format("A\n\n{}\n", words));
+    EXPECT_TRUE(test::has(problem, "deck.md:3: '{")) << problem;
+    EXPECT_TRUE(test::has(problem, "words that have a class stand in brackets")) << problem;
+  }
+  for (const char* words :
+       {"{inspect:a.toml#mass}", "f{.5} g{} }h{ {.", "[word]{.underline}", "`a{.b}`"})
+    EXPECT_EQ(problem_of(words), "none") << words;
+}
+
+TEST(Deck, FormulasThatAnEmptyLineEndsAreToldSo) {
+  EXPECT_TRUE(test::has(problem_of("$$\n\\begin{aligned}\na\n\nb\n\\end{aligned}\n$$\n"),
+                        "LaTeX is for formulas ($…$), in which no line is empty"));
+}
+
 TEST(Deck, FieldsMayStandBehindPercentSigns) {
   EXPECT_EQ(problem_of("% Lecture\n% A. Author\n% 2024\n\nText\n"), "none");
 }

@@ -138,6 +138,9 @@ TEST_F(OwnPictures, OfSvgAreXmlOfTheirKind) {
         "<!ENTITY t \"T\">]><svg xmlns=\"&s;\">&t;</svg>"s,
         head + linked + "data:image/png;base64,AA\"/></svg>",
         head + linked + "#a\"/></svg>",
+        head + "><rect fill=\"url(#a)\" style=\"fill:url( '#b' )\" class=\"url(\"/></svg>",
+        head + "><style>@namespace url(http://www.w3.org/2000/svg); /* url(c) */ "
+               "@font-face{src:url(f.woff)} g{fill:url(data:image/png;base64,AA)}</style></svg>",
         head + ">" + nested + "</svg>",
         "\xff\xfe<\0s\0v\0g\0 \0x\0m\0l\0n\0s\0=\0\"\0h\0t\0t\0p\0:\0/\0/\0"
         "w\0w\0w\0.\0w\0003\0.\0o\0r\0g\0/\0002\0000\0000\0000\0/\0s\0v\0g\0"
@@ -150,6 +153,13 @@ TEST_F(OwnPictures, OfSvgAreXmlOfTheirKind) {
       {head + "/>\0"s, "is no XML"},
       {old_type + head + ">&eacute;</svg>", "has &eacute; in it, which it does not define"},
       {head + linked + "b.jpg\"/></svg>", "needs another file, b.jpg, which"},
+      {head + "><g fill=\"url(o.svg#g) red\"/></svg>", "needs another file, o.svg#g, which"},
+      {head + "><g style=\"fill: url( 'o.svg#g')\"/></svg>", "another file, o.svg#g, which"},
+      {head + "><style>/* a */ @import 'y.css';</style></svg>", "another file, y.css, which"},
+      {head + "><style><![CDATA[@import url(\"y.css\");]]></style></svg>", "another file, y.css,"},
+      {"<?xml-stylesheet type=\"text/css\" href=\"y.css\"?>" + head + "/>", "another file, y.css,"},
+      {head + "><foreignObject><i xmlns=\"i\" src=\"x.png\"/></foreignObject></svg>",
+       "needs another file, x.png, which"},
       {"<svg/>", "does not begin with <svg xmlns=\"http://www.w3.org/2000/svg\">"},
       {"<svg xmlns=\"http://www.w3.org/2000/svgs\"/>", "does not begin with <svg"},
       {"<html/>", "does not begin with <svg"},

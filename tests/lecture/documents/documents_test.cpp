@@ -388,6 +388,15 @@ TEST(Documents, WhatTheyLackIsTold) {
                 "pdflatex has no \u4e2d (U+4E2D); lualatex has, with a font that has it"}));
 }
 
+TEST(Documents, LanguagesFromRightToLeftAreTold) {
+  Deck deck = deck_of("---\nlang: he\n---\n\nA\n");
+  const std::vector<std::string> told = {
+      "he is written from right to left: only pages lay out lines so, here they begin at the left"};
+  EXPECT_EQ(document_warnings(deck, "pptx"), told);
+  EXPECT_EQ(document_warnings(deck, "beamer"), told);
+  EXPECT_TRUE(document_warnings(deck, "html").empty());
+}
+
 // a letter of no script has no font anywhere
 TEST(Documents, HandoutsTellOfLettersThatNoFontHas) {
   EXPECT_TRUE(document_warnings(deck_of("Ä é e\u0301 Ω → x\n"), "handout").empty());

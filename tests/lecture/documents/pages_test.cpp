@@ -42,6 +42,18 @@ DeckWords hostile_words() {
   return words;
 }
 
+TEST(Pages, OfLanguagesFromRightToLeftSaySo) {
+  DeckWords words;
+  for (const char* lang : {"he", "ar-EG", "FA", "az-Arab"}) {
+    words.lang = lang;
+    EXPECT_TRUE(has(handout_page(words, ""), fmt::format("<html lang=\"{}\" dir=\"rtl\">", lang)));
+  }
+  for (const char* lang : {"de", "en", "haw", "arn", "az"}) {
+    words.lang = lang;
+    EXPECT_TRUE(has(handout_page(words, ""), fmt::format("<html lang=\"{}\">", lang)));
+  }
+}
+
 TEST(WordsOf, AreThoseOfTheDecksHead) {
   const DeckWords words = words_of(test::deck_of(
       "---\ntitle: The *title*\nauthor: [One, Two]\ndate: 2026\nlicence: CC0\nlang: de\n---\n"));
