@@ -187,10 +187,8 @@ std::string file_of_style(std::string_view style) {
       without(without(without(style, "/*", "*/"), "@namespace", ";"), "@font-face", "}");
   for (const std::string_view mark : {kImport, kUrl}) {
     for (std::size_t at = read.find(mark); at != read.npos; at = read.find(mark, at + 1)) {
-      std::string_view link = link_behind(std::string_view(read).substr(at), mark);
-      if (mark == kImport && link.starts_with(kUrl))
-        link = link_behind(std::string_view(read).substr(read.find(kUrl, at)), kUrl);
-      if (is_elsewhere(link)) return std::string(link);
+      const std::string_view link = link_behind(std::string_view(read).substr(at), mark);
+      if (is_elsewhere(link) && !link.starts_with(kUrl)) return std::string(link);
     }
   }
   return {};

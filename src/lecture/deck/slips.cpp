@@ -192,10 +192,9 @@ void SlipFinder::look_at_words(const Json& inlines) {
           would_be_shown(words,
                          "only titles, pictures, code and [words] have classes, and all but titles "
                          "right behind them"));
-    } else if (!class_behind_words(words).empty()) {
+    } else if (const std::string found = class_behind_words(words); !found.empty()) {
       tell_(lines_.next(words),
-            would_be_shown(class_behind_words(words),
-                           "words that have a class stand in brackets, [words]{.class}"));
+            would_be_shown(found, "words that have a class stand in brackets, [words]{.class}"));
     } else if (has(words, "](") && has(words, ".toml")) {
       tell_(lines_.next(words),
             would_be_shown(words, "a picture ends with ')' and its settings with '}'"));
