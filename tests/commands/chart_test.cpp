@@ -31,9 +31,10 @@ TEST_F(Chart, WritesTableAndPictures) {
   const Ran ran = chart("--methods rk4,dop853");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find("closed form (symmetric)"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("dop853"), std::string::npos);
+  EXPECT_NE(ran.out.find("  within 1e-12    rad: "), std::string::npos) << ran.out;
   const std::string csv = read_text(folder_ / "out/chart.csv");
   EXPECT_NE(csv.find("\nscene,rk4,4,"), std::string::npos);
+  EXPECT_NE(csv.find("\nscene,dop853,8,"), std::string::npos);
   EXPECT_EQ(csv.find("gauss"), std::string::npos);
   for (const char* name : {"chart.svg", "chart.png", "chart.pdf"})
     EXPECT_GT(std::filesystem::file_size(folder_ / (std::string("out/") + name)), 2000U) << name;
