@@ -216,6 +216,28 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
   return result;
 }
 
+OnTable ContactStepper::part(
+    const Touch& touch, double t, double part, const OnTable& from, bool implicit) const {
+  constexpr int kMostHalvings = 40;
+  OnTable now = from;
+  double left = part, h = part;
+  for (int halvings = 0;;) {
+    h = std::min(h, left);
+    const Result trial = step(touch, t, h, now, implicit);
+    if (!(trial.error <= scales_.tolerance) && halvings < kMostHalvings) {
+      h *= 0.5;
+      ++halvings;
+      continue;
+    }
+    if (h == left) return trial.end;
+    now = trial.end;
+    t += h;
+    left -= h;
+    h *= 2.0;
+    halvings = 0;
+  }
+}
+
 Margins ContactStepper::margins(const Touch& touch, double t, const OnTable& now) const {
   return margins_of(model_, scales_, touch, now.moving, reaction_of(model_, touch, t, now.moving));
 }

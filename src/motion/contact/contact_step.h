@@ -91,8 +91,7 @@ class ContactStepper {
     double error = 0.0;  // estimate of the local error, relative to the scales
   };
   // From t by h (s), by Radau's method if `implicit`; where that finds no solution, by the other
-  // one. A part of an implicit step is taken as all of it: near its end the explicit method may be
-  // far off. The margins at the stages are added to `seen`, if there is one; those of a first
+  // one. The margins at the stages are added to `seen`, if there is one; those of a first
   // attempt by Radau's method too. Throws Error (check_failed) as reaction_of does.
   Result step(const Touch& touch,
               double t,
@@ -100,6 +99,10 @@ class ContactStepper {
               const OnTable& from,
               bool implicit = false,
               MarginsSeen* seen = nullptr) const;
+  // The state after a part (s) of a step from t, with the method of the whole: near the end of an
+  // implicit step the explicit method may be far off. That the whole has a solution and is exact
+  // enough does not mean that a part is: one that is not is taken in halves.
+  OnTable part(const Touch& touch, double t, double part, const OnTable& from, bool implicit) const;
   // How fast the direction of a slip turns to where dry friction lets it, 1/s: mu g, times what the
   // rotation adds to the mobility of the contact, over the speed of slip. Zero without such a slip.
   double turning_rate(const Touch& touch, const Moving& now) const;

@@ -89,7 +89,7 @@ class ContactTrajectory final : public Trajectory {
     const double rest = t - times[index];
     if (rest != 0.0) {
       const bool as_whole = index < implicit.size() && implicit[index];
-      state = stepper.step(touch, times[index], rest, state, as_whole).end;
+      state = stepper.part(touch, times[index], rest, state, as_whole);
     }
     return {touch, state};
   }

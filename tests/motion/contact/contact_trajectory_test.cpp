@@ -569,6 +569,43 @@ TEST(OnTable, ASlipShorterThanAStepIsNotLeftOut) {
   }
 }
 
+// Between the steps behind its begin, too, a slip is what its equations say: that a step as a whole
+// has a solution does not mean that Newton's method finds that of each part.
+TEST(OnTable, ASlipThatBeginsIsExactBetweenItsSteps) {
+  struct Slip {
+    BodySpec body;
+    double mu;
+    Vec3 zxz_deg, spin, velocity;
+  };
+  BodySpec disc = disc_body(0.1, 1.0);
+  disc.solid->thickness = 0.01;
+  for (const Slip& one : {Slip{ellipsoid_body(Vec3(0.1, 0.07, 0.05), 1.0),
+                               0.31,
+                               {0, 61, 302},
+                               {30.2, 21.4, 21.5},
+                               {-0.21, -0.05, 0}},
+                          Slip{disc, 0.31, {0, 37, 262}, {-9.6, -18.1, -2.8}, {0.26, 0.25, 0}}}) {
+    MotionSpec spec = on_table(0.5, coulomb(one.mu));
+    spec.attitude.zxz = one.zxz_deg * (kPi / 180.0);
+    spec.spin.body = one.spin;
+    spec.velocity = one.velocity;
+    const Integration fine = integrated(one.body, spec, 1e-12);
+    for (const double tolerance : {1e-7, 1e-8, 1e-9, 1e-10}) {
+      const Integration found = integrated(one.body, spec, tolerance);
+      double worst = 0.0;
+      for (const double begins : times_of(found, "slip_begins")) {
+        for (int i = 1; i <= 2000; ++i) {
+          const double t = std::min(begins + 1e-6 * i, spec.duration);
+          const Vec3 y = fine.trajectory->at(t).y;
+          worst = std::max(worst, (found.trajectory->at(t).y - y).norm() / y.norm());
+        }
+      }
+      EXPECT_GT(worst, 0.0);
+      EXPECT_LT(worst, 100.0 * tolerance) << tolerance;
+    }
+  }
+}
+
 // Where a body that is kept from turning about the vertical begins to slip, it slips in the
 // direction in which its slip grows while it is kept: else the slip ends as it begins, for ever.
 TEST(OnTable, ASlipBeginsInTheDirectionInWhichItGrowsWhileMomentsHoldTheBody) {
