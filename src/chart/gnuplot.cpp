@@ -45,6 +45,16 @@ bool is_picture(const std::string& bytes, PlotFormat format) {
   return false;
 }
 
+// Maps are pictures of a pixel for each cell, between which readers of SVG would make colours up.
+std::string with_sharp_cells(std::string svg) {
+  constexpr std::string_view kImage = "<image ", kSharp = "image-rendering='pixelated' ";
+  for (std::size_t at = 0; (at = svg.find(kImage, at)) != std::string::npos;) {
+    at += kImage.size();
+    svg.insert(at, kSharp);
+  }
+  return svg;
+}
+
 }  // namespace
 
 std::string gnuplot_text(const std::string& text) {
@@ -91,7 +101,8 @@ std::string draw_with_gnuplot(const std::string& script, PlotFormat format, int 
   }
   if (!is_picture(result.out, format))
     throw environment_error("the chart cannot be drawn: gnuplot wrote no picture");
-  return std::move(result.out);
+  return format == PlotFormat::svg ? with_sharp_cells(std::move(result.out))
+                                   : std::move(result.out);
 }
 
 }  // namespace polhode

@@ -25,6 +25,13 @@ std::string key_entry(int outcome) {
                      gnuplot_text(words));
 }
 
+// whether a curve comes into the picture
+bool is_seen(const std::vector<LimitPoint>& limit, const MapAxis& x) {
+  return std::any_of(limit.begin(), limit.end(), [&](const LimitPoint& p) {
+    return p.x >= x.from && p.x <= x.to;
+  });
+}
+
 // one map, alone or in a grid of them
 std::string map_script(
     const StabilityMap& map, std::size_t index, const MapAxis& x, const MapAxis& y, bool alone) {
@@ -57,7 +64,7 @@ std::string map_script(
     text += fmt::format(
         ", $limit{} using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb 'black' title {}",
         index,
-        gnuplot_text(alone ? "limit of theory" : ""));
+        gnuplot_text(alone && is_seen(map.limit, x) ? "limit of theory" : ""));
   }
   if (alone) {
     for (int v = 0; v < kRunOutcomes; ++v)
@@ -119,7 +126,10 @@ std::string plot_stability(const std::vector<const StabilityMap*>& maps,
       gnuplot_text(maps[0]->title));
   for (int v = 0; v < kRunOutcomes; ++v)
     script += key_entry(v) + ", ";
-  script += "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n";
+  const bool has_limit = std::any_of(
+      maps.begin(), maps.end(), [&](const StabilityMap* map) { return is_seen(map->limit, x); });
+  script += has_limit ? "NaN with lines dashtype 2 linecolor rgb 'black' title 'limit of theory'\n"
+                      : "NaN notitle\n";
   script += "unset multiplot\n";
   return draw_with_gnuplot(script, format, width, height);
 }

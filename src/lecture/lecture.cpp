@@ -149,8 +149,9 @@ const Json& inspection_of(LectureWork& work, const std::string& name) {
 void copy_images(LectureWork& work, Media& media) {
   std::map<std::string, std::string>& copies = work.images;
   for (const std::string& image : work.deck.images) {
-    const std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
+    std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
     const std::string ending = picture_ending(image);
+    if (ending == ".jpg" || ending == ".jpeg") bytes = as_jfif(std::move(bytes));
     const Product copy{
         "picture", bytes + ending, [&](const fs::path& folder, const std::string& stem) {
           write_file(folder / (stem + ending), bytes);

@@ -114,6 +114,22 @@ const check = async (name, work) => {
       }
       assert.ok(played > 0);
     });
+    await check("a slide that holds too much is made smaller", async () => {
+      const [before, after] = await page.evaluate(() => {
+        Reveal.slide(1);
+        const slide = Reveal.getCurrentSlide();
+        const state = () => [slide.currentCSSZoom, slide.scrollHeight <= slide.clientHeight + 1 && slide.scrollWidth <= slide.clientWidth + 1];
+        const first = state();
+        for (let i = 0; i < 20; ++i) slide.append(Object.assign(document.createElement("p"), { textContent: "a line", className: "more" }));
+        Reveal.slide(0);
+        Reveal.slide(1);
+        const second = state();
+        for (const one of slide.querySelectorAll(".more")) one.remove();
+        return [first, second];
+      });
+      assert.deepStrictEqual(before, [1, true]);
+      assert.ok(after[0] < 1 && after[1], String(after));
+    });
     await check("a film with a story waits for its speaker", async () => {
       const index = await page.evaluate(() => {
         const one = document.querySelector('video[data-pauses]:not([data-pauses=""])');

@@ -8,6 +8,7 @@
 
 #include "image/png.h"
 #include "support/run.h"
+#include "support/words.h"
 
 namespace polhode::test {
 namespace {
@@ -52,6 +53,21 @@ TEST(PlotStability, PicturesNameWhatTheyShow) {
     for (const char* words : {"Title", "rk4", "phase wrong", "numerics.step", "limit of theory"})
       EXPECT_NE(svg.find(words), std::string::npos) << words;
   }
+}
+
+// neither colours between two cells nor a key to a curve that is not there
+TEST(PlotStability, PicturesShowNothingThatIsNotThere) {
+  StabilityMap map = some_map();
+  const auto drawn = [&] {
+    return plot_stability({&map}, kStep, kPlace, PlotFormat::svg) +
+           plot_stability({&map, &map}, kStep, kPlace, PlotFormat::svg);
+  };
+  EXPECT_EQ(count_of(drawn(), "<image image-rendering='pixelated' "), 3);
+  EXPECT_EQ(count_of(drawn(), "<image "), 3);
+  EXPECT_GT(count_of(drawn(), "limit of theory"), 0);
+  for (LimitPoint& point : map.limit)
+    point.x = 2.0 * kStep.to;
+  EXPECT_EQ(count_of(drawn(), "limit of theory"), 0);
 }
 
 // the pixels of the picture: each cell has a sixth of the map, and the odd one is where it belongs

@@ -43,7 +43,16 @@ const restart = (video) => {
   video.dataset.last = "-1";
   video.currentTime = 0;
 };
+// a slide that holds more than it has room for is made smaller, down to half; what is more scrolls
+const overflows = (slide) => slide.scrollHeight > slide.clientHeight + 1 || slide.scrollWidth > slide.clientWidth + 1;
+const fit = () => {
+  const slide = Reveal.getCurrentSlide();
+  if (!slide) return;
+  slide.style.zoom = "";
+  for (let percent = 95; percent >= 50 && overflows(slide); percent -= 5) slide.style.zoom = `${percent}%`;
+};
 const enter = () => {
+  fit();
   for (const video of document.querySelectorAll("video")) video.pause();
   for (const video of shown()) {
     restart(video);
@@ -83,4 +92,6 @@ Reveal.initialize({
   },
 }).then(enter);
 Reveal.on("slidechanged", enter);
+// pictures and letters have come
+addEventListener("load", fit);
 for (const video of document.querySelectorAll("video")) video.addEventListener("click", () => goOn() || toggle());

@@ -303,4 +303,20 @@ void require_picture(const std::filesystem::path& file, const std::string& endin
   if (!wrong.empty()) throw input_error("'{}' {}", file.filename().string(), wrong);
 }
 
+std::string as_jfif(std::string jpeg) {
+  constexpr int kJfif = 0xe0, kExif = 0xe1, kAdobe = 0xee, kFirstFrame = 0xc0, kLastFrame = 0xc2;
+  constexpr std::size_t kColours = 9, kTransform = 15;
+  bool is_rgb = false;
+  for (std::size_t at = 2; at + kTransform < jpeg.size(); at += 2 + number_at(jpeg, at + 2)) {
+    const int marker = byte_at(jpeg, at + 1);
+    if (at == 2 && (marker == kJfif || marker == kExif)) return jpeg;
+    if (marker == kAdobe) is_rgb = byte_at(jpeg, at + kTransform) == 0;
+    if (marker < kFirstFrame || marker > kLastFrame) continue;
+    constexpr std::string_view kSegment("\xff\xe0\0\x10JFIF\0\1\1\0\0\1\0\1\0\0", 18);
+    if (byte_at(jpeg, at + kColours) != 3 || !is_rgb) jpeg.insert(2, kSegment);
+    break;
+  }
+  return jpeg;
+}
+
 }  // namespace polhode

@@ -18,4 +18,9 @@ bool is_picture_ending(const std::string& ending);
 // does.
 void require_picture(const std::filesystem::path& file, const std::string& ending);
 
+// A JPEG as pandoc knows its size, by its first segment: with one that names it a JFIF file (ITU-T
+// T.871), if it begins with neither that nor Exif. Those of red, green and blue stay as they are,
+// for a JFIF file has other colours.
+std::string as_jfif(std::string jpeg);
+
 }  // namespace polhode

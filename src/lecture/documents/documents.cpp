@@ -308,9 +308,46 @@ Json with_plain_titles(Json tree) {
   return tree;
 }
 
+// Marks of lists with more than two signs before the full stop, such as 1983. and viii., hang out
+// of the room that pages leave for them; a box around such a list says how much it needs.
+void make_room_for_marks(Json& blocks) {
+  constexpr std::size_t kUsual = 3;
+  std::vector<std::pair<Json*, std::size_t>> lists;
+  for_each_node(blocks, [&](Json& node) {
+    if (node["t"] != "OrderedList") return;
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < items_of(node).size(); ++i)
+      longest = std::max(longest, mark_of(node, i)[0]["c"].get_ref<const std::string&>().size());
+    if (longest > kUsual) lists.emplace_back(&node, longest);
+  });
+  // lists in lists first
+  std::for_each(lists.rbegin(), lists.rend(), [](const std::pair<Json*, std::size_t>& one) {
+    Json box = named("Div", "", Json::array({*one.first}));
+    box["c"][0][2].push_back(Json::array({"style", fmt::format("--mark: {}", one.second)}));
+    *one.first = std::move(box);
+  });
+}
+
+// Of a table with a long line pandoc gives the columns widths, by the number of dashes below their
+// heads. Formulas cannot be broken: browsers find better ones.
+void free_columns_of_formulas(Json& blocks) {
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] != "Table") return;
+    bool has_formulas = false;
+    for_each_node(node["c"], [&](const Json& inside) {
+      has_formulas = has_formulas || inside["t"] == "Math";
+    });
+    if (!has_formulas) return;
+    for (Json& column : node["c"][2])
+      column[1] = {{"t", "ColWidthDefault"}};
+  });
+}
+
 // The deck for pages, which write its title themselves and do not colour code: names of languages
 // could be those of parts of the page.
 Json for_page(const Deck& deck, Json blocks) {
+  make_room_for_marks(blocks);
+  free_columns_of_formulas(blocks);
   for_each_node(blocks, [](Json& node) {
     if (node["t"] == "Code" || node["t"] == "CodeBlock") (*attributes_of(node))[1] = Json::array();
   });
@@ -352,6 +389,19 @@ DeckWords page_words(const Deck& deck) {
     from = html.find(kBegin, end);
   }
   return words;
+}
+
+// whether pictures of the deck's own or columns have a width
+bool has_widths(const Json& blocks) {
+  bool found = false;
+  for_each_node(blocks, [&](const Json& node) {
+    if (node["t"] != "Image" && !is_div(node, "column")) return;
+    const Json& settings = node["c"][0][2];
+    found = found || std::any_of(settings.begin(), settings.end(), [](const Json& pair) {
+              return pair[0] == "width";
+            });
+  });
+  return found;
 }
 
 // never empty: of a deck without words pandoc writes an empty line
@@ -481,6 +531,10 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
       list.push_back(
           fmt::format("{} is shown by its description: only browsers show .svg and .webp", image));
     }
+  }
+  if (output == "pptx" && has_widths(deck.blocks)) {
+    list.push_back(
+        "widths of pictures and columns are left out: in PowerPoint both fill their places");
   }
   if (output == "pptx") return list;
   for (const std::string& character : characters_without_latex(deck)) {

@@ -102,6 +102,27 @@ TEST_F(OwnPictures, OfJpegAreWhole) {
   }
 }
 
+// as pandoc knows their size; what else they begin with stays
+TEST_F(OwnPictures, OfJpegAreOfTheKindOfJfif) {
+  const std::string start = "\xff\xd8"s, jfif = from_hex("ffe000104a46494600010100000100010000");
+  const std::string rest = from_hex(kJpegTables) + from_hex(kJpegFrame) + from_hex(kJpegScan);
+  const std::string named = as_jfif(start + rest);
+  EXPECT_EQ(named, start + jfif + rest);
+  EXPECT_EQ(wrong_with(".jpg", named), "nothing");
+  EXPECT_EQ(as_jfif(named), named);
+  const std::string exif = start + from_hex("ffe100084578696600") + "\0"s + rest;
+  EXPECT_EQ(as_jfif(exif), exif);
+  // three colours behind Adobe's segment, whose last byte says whether they are transformed
+  const std::string adobe = from_hex("ffee000e41646f626500640000000001");
+  const std::string colours = from_hex("ffc00011080008000803011100021100031100") + rest;
+  std::string rgb = start + adobe + colours;
+  EXPECT_EQ(as_jfif(rgb), start + jfif + adobe + colours);
+  rgb[start.size() + adobe.size() - 1] = '\0';
+  EXPECT_EQ(as_jfif(rgb), rgb);
+  for (std::size_t length = 0; length < rgb.size(); ++length)
+    EXPECT_EQ(as_jfif(rgb.substr(0, length)), rgb.substr(0, length));
+}
+
 TEST_F(OwnPictures, OfWebpAreWhole) {
   const std::string whole = from_hex(kWebp);
   EXPECT_EQ(wrong_with(".webp", whole), "nothing");

@@ -388,6 +388,44 @@ TEST(Documents, WhatTheyLackIsTold) {
                 "pdflatex has no \u4e2d (U+4E2D); lualatex has, with a font that has it"}));
 }
 
+TEST(Documents, PowerPointTellsOfWidthsThatItHasNot) {
+  const std::vector<std::string> told = {
+      "widths of pictures and columns are left out: in PowerPoint both fill their places"};
+  const test::TemporaryFolder folder;
+  write_poster(folder);
+  const Deck small =
+      parse_deck("![A](media/poster.png){width=20%}\n", "deck.md", {folder.path(), false});
+  EXPECT_EQ(document_warnings(small, "pptx"), told);
+  EXPECT_TRUE(document_warnings(small, "html").empty());
+  const Deck columns = deck_of(
+      ":::: columns\n\n::: {.column width=\"30%\"}\nA\n:::\n\n::: {.column width=\"70%\"}\nB\n:::"
+      "\n\n::::\n");
+  EXPECT_EQ(document_warnings(columns, "pptx"), told);
+  EXPECT_TRUE(has(make_page(columns, figure_of), "class=\"column\" style=\"width:30%;\""));
+}
+
+// of 1983. its first digits would be cut off
+TEST(Documents, MarksOfListsHaveTheirRoom) {
+  const Deck deck = deck_of(
+      "1. a\n2. b\n\n    100. c\n    101. d\n\nA\n\nxxxvii. e\nxxxviii. f\n\nB\n\n(viii) g\n");
+  const std::string page = make_page(deck, figure_of);
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 4\">\n<ol start=\"100\"")) << page;
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 8\">\n<ol start=\"37\"")) << page;
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 6\">\n<ol start=\"8\"")) << page;
+  EXPECT_EQ(test::count_of(page, "--mark: "), 3) << page;
+}
+
+// in half of the page the end of the formula would be cut off
+TEST(Documents, ColumnsOfFormulasAreAsWideAsTheyNeed) {
+  const std::string words(80, 'w');
+  const auto page_with = [&](const std::string& cell) {
+    return make_page(deck_of("| a | b |\n|---|---|\n| " + cell + " | " + words + " |\n"),
+                     figure_of);
+  };
+  EXPECT_TRUE(has(page_with("c"), "<col style=\"width: 50%\""));
+  EXPECT_FALSE(has(page_with("$c$"), "<col"));
+}
+
 TEST(Documents, LanguagesFromRightToLeftAreTold) {
   Deck deck = deck_of("---\nlang: he\n---\n\nA\n");
   const std::vector<std::string> told = {
