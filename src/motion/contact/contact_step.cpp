@@ -218,13 +218,13 @@ ContactStepper::Result ContactStepper::step(const Touch& touch,
 
 OnTable ContactStepper::part(
     const Touch& touch, double t, double part, const OnTable& from, bool implicit) const {
-  constexpr int kMostHalvings = 40;
+  constexpr int kMostDivisions = 40;
   OnTable now = from;
   double left = part, h = part;
   for (int halvings = 0;;) {
     h = std::min(h, left);
     const Result trial = step(touch, t, h, now, implicit);
-    if (!(trial.error <= scales_.tolerance) && halvings < kMostHalvings) {
+    if (!(trial.error <= scales_.tolerance) && halvings < kMostDivisions) {
       h *= 0.5;
       ++halvings;
       continue;
