@@ -13,6 +13,7 @@ const std::string& report_css();
 const std::string& report_js();
 
 // For the command `lecture`: the page, the slides with reveal.js, the printed handout.
+const std::string& deck_css();  // what the three have in common, after the style of each
 const std::string& lecture_css();
 const std::string& lecture_js();
 const std::string& turn_css();  // for viewers in page and slides

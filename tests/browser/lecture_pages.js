@@ -130,6 +130,15 @@ const check = async (name, work) => {
       assert.deepStrictEqual(before, [1, true]);
       assert.ok(after[0] < 1 && after[1], String(after));
     });
+    await check("printed slides have dark letters on white", async () => {
+      await page.emulateMedia({ media: "print" });
+      const colours = await page.evaluate(() => {
+        const style = (selector) => getComputedStyle(document.querySelector(selector));
+        return [style(".reveal figcaption").color, style(".reveal").color, style("body").backgroundColor, style("html").backgroundColor];
+      });
+      await page.emulateMedia({ media: null });
+      assert.deepStrictEqual(colours, ["rgb(0, 0, 0)", "rgb(0, 0, 0)", "rgb(255, 255, 255)", "rgb(255, 255, 255)"]);
+    });
     await check("a film with a story waits for its speaker", async () => {
       const index = await page.evaluate(() => {
         const one = document.querySelector('video[data-pauses]:not([data-pauses=""])');

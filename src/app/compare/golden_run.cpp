@@ -156,7 +156,7 @@ GoldenResult golden_run(const GoldenJob& job) {
                : fmt::format("{} of {} cases failed{}\n",
                              static_cast<long>(cases.size()) - same,
                              cases.size(),
-                             pictures ? "; their pictures are in " + job.output : "");
+                             pictures ? "; pictures of what differs are in " + job.output : "");
   return {exit_code_of(results), text};
 }
 

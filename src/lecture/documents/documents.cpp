@@ -308,22 +308,36 @@ Json with_plain_titles(Json tree) {
   return tree;
 }
 
-// Marks of lists with more than two signs before the full stop, such as 1983. and viii., hang out
-// of the room that pages leave for them; a box around such a list says how much it needs.
-void make_room_for_marks(Json& blocks) {
-  constexpr std::size_t kUsual = 3;
-  std::vector<std::pair<Json*, std::size_t>> lists;
+// The brackets of the marks of a list by a name of deck.css, such as OneParen-LowerAlpha for a);
+// empty for a full stop.
+std::string brackets_of(const Json& list) {
+  const std::string style = list["c"][0][1]["t"], around = list["c"][0][2]["t"];
+  if (around != "OneParen" && around != "TwoParens") return "";
+  const bool counts = style == "DefaultStyle" || style == "Example";
+  return around + "-" + (counts ? "Decimal" : style);
+}
+
+// A box around a list says to pages what its marks are that are not those of browsers: in brackets,
+// or with more signs than they leave room for, such as 1983., viii. and (a).
+void describe_marks(Json& blocks) {
+  constexpr std::size_t kRoom = 3, kRoomWithBrackets = 2;
+  std::vector<std::pair<Json*, std::string>> lists;
   for_each_node(blocks, [&](Json& node) {
     if (node["t"] != "OrderedList") return;
     std::size_t longest = 0;
     for (std::size_t i = 0; i < items_of(node).size(); ++i)
       longest = std::max(longest, mark_of(node, i)[0]["c"].get_ref<const std::string&>().size());
-    if (longest > kUsual) lists.emplace_back(&node, longest);
+    const std::string brackets = brackets_of(node);
+    std::string style;
+    if (longest > (brackets.empty() ? kRoom : kRoomWithBrackets))
+      style = fmt::format("--mark: {};", longest);
+    if (!brackets.empty()) style += fmt::format("--brackets: {};", brackets);
+    if (!style.empty()) lists.emplace_back(&node, style);
   });
   // lists in lists first
-  std::for_each(lists.rbegin(), lists.rend(), [](const std::pair<Json*, std::size_t>& one) {
+  std::for_each(lists.rbegin(), lists.rend(), [](const std::pair<Json*, std::string>& one) {
     Json box = named("Div", "", Json::array({*one.first}));
-    box["c"][0][2].push_back(Json::array({"style", fmt::format("--mark: {}", one.second)}));
+    box["c"][0][2].push_back(Json::array({"style", one.second}));
     *one.first = std::move(box);
   });
 }
@@ -346,7 +360,7 @@ void free_columns_of_formulas(Json& blocks) {
 // The deck for pages, which write its title themselves and do not colour code: names of languages
 // could be those of parts of the page.
 Json for_page(const Deck& deck, Json blocks) {
-  make_room_for_marks(blocks);
+  describe_marks(blocks);
   free_columns_of_formulas(blocks);
   for_each_node(blocks, [](Json& node) {
     if (node["t"] == "Code" || node["t"] == "CodeBlock") (*attributes_of(node))[1] = Json::array();
@@ -400,6 +414,17 @@ bool has_widths(const Json& blocks) {
     found = found || std::any_of(settings.begin(), settings.end(), [](const Json& pair) {
               return pair[0] == "width";
             });
+  });
+  return found;
+}
+
+// whether lines of code are to have numbers
+bool has_numbered_lines(const Json& blocks) {
+  bool found = false;
+  for_each_node(blocks, [&](const Json& node) {
+    if (node["t"] != "CodeBlock") return;
+    for (const Json& name : node["c"][0][1])
+      found = found || name == "numberLines" || name == "number-lines";
   });
   return found;
 }
@@ -518,6 +543,8 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
                       named_words(missing)));
     }
   }
+  if (output != "beamer" && has_numbered_lines(deck.blocks))
+    list.push_back("lines of code have no numbers (.numberLines): only LaTeX writes them");
   if (output != "beamer" && output != "pptx") return list;
   const std::string lang = words_of(deck).lang;
   if (is_written_from_the_right(lang)) {

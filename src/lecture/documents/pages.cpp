@@ -151,7 +151,7 @@ std::string lecture_page(const DeckWords& words,
     inside += fmt::format("{} · ", shown(words, "licence", words.licence));
   inside += fmt::format("polhode {}</footer>\n", escaped(program_version())) + viewers;
   const std::string nonce = content_hash(inside);
-  const std::string css = lecture_css() + (viewers.empty() ? "" : turn_css());
+  const std::string css = lecture_css() + deck_css() + (viewers.empty() ? "" : turn_css());
   const std::string js = viewers.empty() ? "" : script(nonce, turn_core_js() + turn_js());
   return head(words, formula_font_css() + css, nonce, computes(viewers)) + "<body>\n" + inside +
          script(nonce, lecture_js()) + js + "</body>\n</html>\n";
@@ -166,7 +166,8 @@ std::string slides_page(const DeckWords& words,
       title_block(words) + "</section>\n" + body +
       "</div></div>\n<p class=\"hint\" aria-live=\"polite\"></p>\n" + viewers;
   const std::string nonce = content_hash(inside);
-  const std::string css = reveal.css + slides_css() + (viewers.empty() ? "" : turn_css());
+  const std::string css =
+      reveal.css + slides_css() + deck_css() + (viewers.empty() ? "" : turn_css());
   const std::string js = viewers.empty() ? "" : script(nonce, turn_core_js() + turn_js());
   return head(words, formula_font_css() + css, nonce, computes(viewers)) + "<body>\n" + inside +
          script(nonce, reveal.js) + script(nonce, slides_js()) + js + "</body>\n</html>\n";
@@ -175,8 +176,8 @@ std::string slides_page(const DeckWords& words,
 std::string handout_page(const DeckWords& words, const std::string& body) {
   const std::string inside =
       "<header>\n" + title_block(words) + "</header>\n<main>\n" + body + "</main>\n";
-  return head(words, formula_font_css() + handout_css(), content_hash(inside)) + "<body>\n" +
-         inside + "</body>\n</html>\n";
+  return head(words, formula_font_css() + handout_css() + deck_css(), content_hash(inside)) +
+         "<body>\n" + inside + "</body>\n</html>\n";
 }
 
 Printer find_printer() {

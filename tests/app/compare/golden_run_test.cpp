@@ -32,8 +32,9 @@ TEST_F(RunOfACase, LeavesPicturesOfWhatIsDifferent) {
   folder_.accept("top.png", test::reddened(image, 100));
   const GoldenResult different = golden_run(job_);
   EXPECT_EQ(different.exit_code, 1);
-  EXPECT_NE(different.text.find("1 of 1 cases failed; their pictures are in " + job_.output),
-            std::string::npos)
+  EXPECT_NE(
+      different.text.find("1 of 1 cases failed; pictures of what differs are in " + job_.output),
+      std::string::npos)
       << different.text;
   EXPECT_EQ(read_png(pictures_ / "top.actual.png").pixels, image.pixels);
   EXPECT_EQ(pictures_.entries(), 2);

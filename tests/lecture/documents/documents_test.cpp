@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/system/child_process.h"
+#include "html/page_parts.h"
 #include "image/png.h"
 #include "lecture/deck/quotes.h"
 #include "lecture/decks.h"
@@ -404,15 +405,39 @@ TEST(Documents, PowerPointTellsOfWidthsThatItHasNot) {
   EXPECT_TRUE(has(make_page(columns, figure_of), "class=\"column\" style=\"width:30%;\""));
 }
 
-// of 1983. its first digits would be cut off
-TEST(Documents, MarksOfListsHaveTheirRoom) {
+TEST(Documents, NumbersOfLinesAreThereOrTold) {
+  const Deck deck = deck_of("```{.cpp .numberLines}\nint a;\n```\n");
+  EXPECT_TRUE(has(make_beamer(deck, figure_of), "numbers=left"));
+  EXPECT_TRUE(document_warnings(deck, "beamer").empty());
+  for (const char* output : {"html", "slides", "handout", "pptx"}) {
+    EXPECT_EQ(document_warnings(deck, output),
+              std::vector<std::string>{
+                  "lines of code have no numbers (.numberLines): only LaTeX writes them"});
+  }
+}
+
+// of 1983. its first digits would be cut off, and a) would be a.
+TEST(Documents, PagesAreToldOfUnusualMarksOfLists) {
   const Deck deck = deck_of(
-      "1. a\n2. b\n\n    100. c\n    101. d\n\nA\n\nxxxvii. e\nxxxviii. f\n\nB\n\n(viii) g\n");
+      "1. a\n2. b\n\n    100. c\n    101. d\n\nA\n\nxxxvii. e\nxxxviii. f\n\nB\n\n(viii) g\n"
+      "\nC\n\na) h\n\nD\n\n(@) i\n");
   const std::string page = make_page(deck, figure_of);
-  EXPECT_TRUE(has(page, "<div style=\"--mark: 4\">\n<ol start=\"100\"")) << page;
-  EXPECT_TRUE(has(page, "<div style=\"--mark: 8\">\n<ol start=\"37\"")) << page;
-  EXPECT_TRUE(has(page, "<div style=\"--mark: 6\">\n<ol start=\"8\"")) << page;
-  EXPECT_EQ(test::count_of(page, "--mark: "), 3) << page;
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 4;\">\n<ol start=\"100\"")) << page;
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 8;\">\n<ol start=\"37\"")) << page;
+  EXPECT_TRUE(
+      has(page, "<div style=\"--mark: 6;--brackets: TwoParens-LowerRoman;\">\n<ol start=\"8\""))
+      << page;
+  EXPECT_TRUE(has(page, "<div style=\"--brackets: OneParen-LowerAlpha;\">\n<ol")) << page;
+  EXPECT_TRUE(has(page, "<div style=\"--mark: 3;--brackets: TwoParens-Decimal;\">\n<ol")) << page;
+  EXPECT_EQ(test::count_of(page, "<div style=\"--"), 5) << page;
+}
+
+// each name that a list of a deck can have is one that the pages know
+TEST(Documents, PagesKnowAllBracketsOfMarks) {
+  for (const char* delimiter : {"OneParen", "TwoParens"}) {
+    for (const char* style : {"Decimal", "LowerAlpha", "UpperAlpha", "LowerRoman", "UpperRoman"})
+      EXPECT_TRUE(has(deck_css(), fmt::format("@counter-style {}-{} {{", delimiter, style)));
+  }
 }
 
 // in half of the page the end of the formula would be cut off
