@@ -22,5 +22,6 @@ const std::string& turn_core_js();  // before it: motions that pages compute
 const std::string& slides_css();
 const std::string& slides_js();
 const std::string& handout_css();
+const std::string& handout_js();
 
 }  // namespace polhode

@@ -176,8 +176,9 @@ std::string slides_page(const DeckWords& words,
 std::string handout_page(const DeckWords& words, const std::string& body) {
   const std::string inside =
       "<header>\n" + title_block(words) + "</header>\n<main>\n" + body + "</main>\n";
-  return head(words, formula_font_css() + handout_css() + deck_css(), content_hash(inside)) +
-         "<body>\n" + inside + "</body>\n</html>\n";
+  const std::string nonce = content_hash(inside);
+  return head(words, formula_font_css() + handout_css() + deck_css(), nonce) + "<body>\n" + inside +
+         script(nonce, handout_js()) + "</body>\n</html>\n";
 }
 
 Printer find_printer() {
