@@ -22,6 +22,7 @@
 #include "lecture/deck/pandoc.h"
 #include "lecture/deck/quotes.h"
 #include "lecture/deck/word_list.h"
+#include "lecture/documents/document_warnings.h"
 #include "lecture/documents/documents.h"
 #include "lecture/documents/lost_words.h"
 #include "lecture/documents/notices.h"

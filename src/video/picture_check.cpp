@@ -6,12 +6,15 @@
 #include "video/libav/libav.h"
 
 namespace polhode {
+namespace {
 
-bool is_damaged(const std::string& bytes, CodedPicture kind) {
-  quieten_libav();
-  const bool is_jpeg = kind == CodedPicture::jpeg;
-  const AVCodec* codec = avcodec_find_decoder(is_jpeg ? AV_CODEC_ID_MJPEG : AV_CODEC_ID_WEBP);
-  if (codec == nullptr) return false;
+// The first picture in some bytes, and the last answer of libav: below zero if there is none.
+struct Decoded {
+  Owned<AVFrame> frame;
+  int code;
+};
+
+Decoded decoded(const std::string& bytes, const AVCodec* codec) {
   const Owned<AVCodecContext> decoder(made(avcodec_alloc_context3(codec)));
   check_libav(avcodec_open2(decoder.get(), codec, nullptr), "no decoder for a picture");
   const Owned<AVPacket> packet(made(av_packet_alloc()));
@@ -20,10 +23,33 @@ bool is_damaged(const std::string& bytes, CodedPicture kind) {
   std::memcpy(packet->data, bytes.data(), bytes.size());
   int code = avcodec_send_packet(decoder.get(), packet.get());
   if (code >= 0) code = avcodec_send_packet(decoder.get(), nullptr);
-  const Owned<AVFrame> frame(made(av_frame_alloc()));
+  Owned<AVFrame> frame(made(av_frame_alloc()));
   if (code >= 0) code = avcodec_receive_frame(decoder.get(), frame.get());
+  return {std::move(frame), code};
+}
+
+const AVCodec* decoder_of(CodedPicture kind) {
+  return avcodec_find_decoder(kind == CodedPicture::jpeg ? AV_CODEC_ID_MJPEG : AV_CODEC_ID_WEBP);
+}
+
+}  // namespace
+
+bool is_damaged(const std::string& bytes, CodedPicture kind) {
+  quieten_libav();
+  const AVCodec* codec = decoder_of(kind);
+  if (codec == nullptr) return false;
+  const int code = decoded(bytes, codec).code;
   // at its end it has had nothing to decode
   return code == AVERROR_INVALIDDATA || code == AVERROR_EOF;
+}
+
+bool is_turned(const std::string& jpeg) {
+  quieten_libav();
+  const AVCodec* codec = decoder_of(CodedPicture::jpeg);
+  if (codec == nullptr) return false;
+  const Decoded picture = decoded(jpeg, codec);
+  return picture.code >= 0 &&
+         av_frame_get_side_data(picture.frame.get(), AV_FRAME_DATA_DISPLAYMATRIX) != nullptr;
 }
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether pictures of other programs can be decoded.
+// What libav finds in pictures of other programs.
 #pragma once
 
 #include <string>
@@ -12,5 +12,9 @@ enum class CodedPicture { jpeg, webp };
 // Whether libav finds these bytes damaged: it makes no picture of them, and not because it does not
 // know their kind. It does not tell of all damage. Throws Error (environment) without memory.
 bool is_damaged(const std::string& bytes, CodedPicture kind);
+
+// Whether the camera says in a JPEG (by Exif) that its picture is to be turned or mirrored; false
+// if libav makes none of it. Throws Error (environment) without memory.
+bool is_turned(const std::string& jpeg);
 
 }  // namespace polhode

@@ -298,6 +298,11 @@ bool is_picture_ending(const std::string& ending) {
   return find_row(ending) != nullptr;
 }
 
+bool is_for_pages_only(const std::string& file) {
+  const std::string ending = picture_ending(file);
+  return ending == ".svg" || ending == ".webp";
+}
+
 void require_picture(const std::filesystem::path& file, const std::string& ending) {
   const std::string wrong = find_row(ending)->wrong_with(read_input(file));
   if (!wrong.empty()) throw input_error("'{}' {}", file.filename().string(), wrong);

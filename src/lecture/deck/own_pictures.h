@@ -12,6 +12,9 @@ std::string picture_ending(const std::string& file);
 // Those that they may have.
 bool is_picture_ending(const std::string& ending);
 
+// Whether slides.pptx and slides.tex have a description in place of this file.
+bool is_for_pages_only(const std::string& file);
+
 // Reads a file with one of these endings. Throws Error (input), without a place, if a browser would
 // show none of it or a part: if it is of another kind, cut off or found damaged, an SVG that is no
 // XML, has another namespace or needs other files; and as read_input() (base/system/atomic_file.h)

@@ -9,7 +9,6 @@
 
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
-#include "lecture/deck/characters.h"
 #include "lecture/deck/formulas.h"
 #include "lecture/deck/line_finder.h"
 #include "lecture/deck/own_pictures.h"
@@ -19,7 +18,6 @@
 #include "lecture/documents/mathml.h"
 #include "lecture/documents/office_lists.h"
 #include "lecture/documents/office_slides.h"
-#include "text/typesetter.h"
 
 namespace polhode {
 namespace {
@@ -29,26 +27,7 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// The characters that no font here has, in words: a handout is set here, other documents where they
-// are read.
-std::vector<std::string> characters_without_font(const Deck& deck) {
-  const Typesetter typesetter;
-  std::vector<std::string> list = characters_of(deck);
-  std::erase_if(list, [&](const std::string& one) {
-    // behind a letter, on which accents may stand
-    return one.size() == 1 || typesetter.missing_letters("a" + one) == 0;
-  });
-  for (std::string& one : list)
-    one = with_code_point(one);
-  return list;
-}
-
 constexpr const char* kNoFormula = "[a formula that cannot be read]";
-
-bool is_for_pages_only(const std::string& image) {
-  const std::string ending = picture_ending(image);
-  return ending == ".svg" || ending == ".webp";
-}
 
 // A picture alone with its caption below, as this version of pandoc has figures.
 Json figure(Json image, const Json& api_version) {
@@ -405,30 +384,6 @@ DeckWords page_words(const Deck& deck) {
   return words;
 }
 
-// whether pictures of the deck's own or columns have a width
-bool has_widths(const Json& blocks) {
-  bool found = false;
-  for_each_node(blocks, [&](const Json& node) {
-    if (node["t"] != "Image" && !is_div(node, "column")) return;
-    const Json& settings = node["c"][0][2];
-    found = found || std::any_of(settings.begin(), settings.end(), [](const Json& pair) {
-              return pair[0] == "width";
-            });
-  });
-  return found;
-}
-
-// whether lines of code are to have numbers
-bool has_numbered_lines(const Json& blocks) {
-  bool found = false;
-  for_each_node(blocks, [&](const Json& node) {
-    if (node["t"] != "CodeBlock") return;
-    for (const Json& name : node["c"][0][1])
-      found = found || name == "numberLines" || name == "number-lines";
-  });
-  return found;
-}
-
 // never empty: of a deck without words pandoc writes an empty line
 std::string whole_document(const Json& tree, const std::vector<std::string>& words) {
   std::string text = write_document(tree, words).text;
@@ -530,45 +485,6 @@ std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
   const Json tree =
       for_page(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
   return handout_page(page_words(deck), formulas_for_browsers(sections_html(tree)));
-}
-
-std::vector<std::string> document_warnings(const Deck& deck, const std::string& output) {
-  std::vector<std::string> list;
-  if (output == "handout") {
-    const std::vector<std::string> missing = characters_without_font(deck);
-    if (!missing.empty()) {
-      list.push_back(
-          fmt::format("no font here has {}, which become boxes; install one that has them, such as "
-                      "fonts-noto-cjk for Chinese, Japanese and Korean",
-                      named_words(missing)));
-    }
-  }
-  if (output != "beamer" && has_numbered_lines(deck.blocks))
-    list.push_back("lines of code have no numbers (.numberLines): only LaTeX writes them");
-  if (output != "beamer" && output != "pptx") return list;
-  const std::string lang = words_of(deck).lang;
-  if (is_written_from_the_right(lang)) {
-    list.push_back(
-        fmt::format("{} is written from right to left: only pages lay out lines so, here they "
-                    "begin at the left",
-                    lang));
-  }
-  for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
-    if (is_for_pages_only(image)) {
-      list.push_back(
-          fmt::format("{} is shown by its description: only browsers show .svg and .webp", image));
-    }
-  }
-  if (output == "pptx" && has_widths(deck.blocks)) {
-    list.push_back(
-        "widths of pictures and columns are left out: in PowerPoint both fill their places");
-  }
-  if (output == "pptx") return list;
-  for (const std::string& character : characters_without_latex(deck)) {
-    list.push_back(
-        fmt::format("pdflatex has no {}; lualatex has, with a font that has it", character));
-  }
-  return list;
 }
 
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of) {

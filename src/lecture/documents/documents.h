@@ -31,8 +31,6 @@ std::string make_slides(const Deck& deck,
                         const std::string& viewers = "");
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of);
 std::string make_beamer(const Deck& deck, const FigureOf& figure_of);
-// What a document lacks of the deck, in words for the person who made it; `output` as in `--to`.
-std::vector<std::string> document_warnings(const Deck& deck, const std::string& output);
 // The bytes of slides.pptx. pandoc reads the posters and other pictures in `folder`/media.
 std::string make_pptx(const Deck& deck,
                       const FigureOf& figure_of,

@@ -41,7 +41,7 @@ bool would_be_one(const Json& above, const Json& below) {
 }
 
 // Walks through a tree; lists and boxes stand in lists of blocks alone.
-class Numbers {
+class ListNumbers {
  public:
   void settle(Json& tree) {
     if (tree.is_array()) {
@@ -99,7 +99,7 @@ class Numbers {
 }  // namespace
 
 void settle_numbers_of_lists(Json& blocks) {
-  Numbers().settle(blocks);
+  ListNumbers().settle(blocks);
 }
 
 }  // namespace polhode

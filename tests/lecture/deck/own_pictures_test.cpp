@@ -5,31 +5,18 @@
 
 #include "base/error.h"
 #include "image/png.h"
+#include "lecture/tiny_pictures.h"
 #include "support/run.h"
 
 namespace polhode {
 namespace {
 
 using namespace std::string_literals;
-
-// a grey JPEG of 8x8 pixels behind its first marker, and a WebP of 2x2 pixels, by libjpeg and
-// libwebp
-constexpr const char* kJpegTables =
-    "ffdb0043001b12141714111b1716171e1c1b2028422b28252528513a3d3042605565645f555d5b6a7899"
-    "816a7190735b5d85b586909ea3abadab6780bcc9baa6c799a8aba4";
-constexpr const char* kJpegFrame = "ffc0000b080008000801011100";
-constexpr const char* kJpegScan =
-    "ffc40014000100000000000000000000000000000004ffc4001410010000000000000000000000000000"
-    "0000ffda0008010100003f0023ffd9";
-constexpr const char* kWebp =
-    "524946461e000000574542505650384c110000002f0140000007508f22d7a3ff8188e87f0000";
-
-std::string from_hex(const std::string& digits) {
-  std::string bytes;
-  for (std::size_t i = 0; i < digits.size(); i += 2)
-    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-  return bytes;
-}
+using test::from_hex;
+using test::kJpegFrame;
+using test::kJpegScan;
+using test::kJpegTables;
+using test::kWebp;
 
 class OwnPictures : public ::testing::Test {
  protected:

@@ -377,43 +377,14 @@ TEST(Documents, SlidesDoNotShowFootnotesOfNotes) {
   EXPECT_FALSE(has(slides, "class=\"footnotes"));
 }
 
-TEST(Documents, WhatTheyLackIsTold) {
-  Deck deck = deck_of("A \u4e2d\n");
-  deck.images = {"a.png", "b.svg", "c.webp", "b.svg"};
-  EXPECT_TRUE(document_warnings(deck, "html").empty());
-  EXPECT_EQ(document_warnings(deck, "pptx").size(), 2U);
-  EXPECT_EQ(document_warnings(deck, "beamer"),
-            (std::vector<std::string>{
-                "b.svg is shown by its description: only browsers show .svg and .webp",
-                "c.webp is shown by its description: only browsers show .svg and .webp",
-                "pdflatex has no \u4e2d (U+4E2D); lualatex has, with a font that has it"}));
+TEST(Documents, ColumnsHaveTheirWidthsInPages) {
+  const Deck deck = deck_of(":::: columns\n\n::: {.column width=\"30%\"}\nA\n:::\n\n::::\n");
+  EXPECT_TRUE(has(make_page(deck, figure_of), "class=\"column\" style=\"width:30%;\""));
 }
 
-TEST(Documents, PowerPointTellsOfWidthsThatItHasNot) {
-  const std::vector<std::string> told = {
-      "widths of pictures and columns are left out: in PowerPoint both fill their places"};
-  const test::TemporaryFolder folder;
-  write_poster(folder);
-  const Deck small =
-      parse_deck("![A](media/poster.png){width=20%}\n", "deck.md", {folder.path(), false});
-  EXPECT_EQ(document_warnings(small, "pptx"), told);
-  EXPECT_TRUE(document_warnings(small, "html").empty());
-  const Deck columns = deck_of(
-      ":::: columns\n\n::: {.column width=\"30%\"}\nA\n:::\n\n::: {.column width=\"70%\"}\nB\n:::"
-      "\n\n::::\n");
-  EXPECT_EQ(document_warnings(columns, "pptx"), told);
-  EXPECT_TRUE(has(make_page(columns, figure_of), "class=\"column\" style=\"width:30%;\""));
-}
-
-TEST(Documents, NumbersOfLinesAreThereOrTold) {
+TEST(Documents, LinesOfCodeHaveNumbersInLatex) {
   const Deck deck = deck_of("```{.cpp .numberLines}\nint a;\n```\n");
   EXPECT_TRUE(has(make_beamer(deck, figure_of), "numbers=left"));
-  EXPECT_TRUE(document_warnings(deck, "beamer").empty());
-  for (const char* output : {"html", "slides", "handout", "pptx"}) {
-    EXPECT_EQ(document_warnings(deck, output),
-              std::vector<std::string>{
-                  "lines of code have no numbers (.numberLines): only LaTeX writes them"});
-  }
 }
 
 // of 1983. its first digits would be cut off, and a) would be a.
@@ -449,31 +420,6 @@ TEST(Documents, ColumnsOfFormulasAreAsWideAsTheyNeed) {
   };
   EXPECT_TRUE(has(page_with("c"), "<col style=\"width: 50%\""));
   EXPECT_FALSE(has(page_with("$c$"), "<col"));
-}
-
-TEST(Documents, LanguagesFromRightToLeftAreTold) {
-  Deck deck = deck_of("---\nlang: he\n---\n\nA\n");
-  const std::vector<std::string> told = {
-      "he is written from right to left: only pages lay out lines so, here they begin at the left"};
-  EXPECT_EQ(document_warnings(deck, "pptx"), told);
-  EXPECT_EQ(document_warnings(deck, "beamer"), told);
-  EXPECT_TRUE(document_warnings(deck, "html").empty());
-}
-
-// a letter of no script has no font anywhere
-TEST(Documents, HandoutsTellOfLettersThatNoFontHas) {
-  EXPECT_TRUE(document_warnings(deck_of("Ä é e\u0301 Ω → x\n"), "handout").empty());
-  const std::string told =
-      "no font here has \U000ffffd (U+FFFFD), which become boxes; install one that has them, such "
-      "as fonts-noto-cjk for Chinese, Japanese and Korean";
-  EXPECT_EQ(document_warnings(deck_of("a \U000ffffd \U000ffffd\n"), "handout"),
-            std::vector<std::string>{told});
-  std::string many;
-  for (int i = 0; i < 12; ++i)
-    many += "\xf3\xbf\xbe" + std::string(1, static_cast<char>(0x80 + i)) + " ";
-  const std::vector<std::string> of_many = document_warnings(deck_of(many), "handout");
-  ASSERT_EQ(of_many.size(), 1U);
-  EXPECT_TRUE(has(of_many[0], "(U+FFF89) and 2 more, which")) << of_many[0];
 }
 
 TEST(Documents, FormulasThatNobodyCanReadAreTakenOut) {
