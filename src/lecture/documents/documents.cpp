@@ -216,17 +216,38 @@ void say_notes(Json& blocks) {
   });
 }
 
-// ". . .": PowerPoint has no pauses, and pandoc would write the dots
+bool is_pause(const Json& block) {
+  return block.is_object() && block.value("t", "") == "Para" && plain_text(block["c"]) == ". . .";
+}
+
+// ". . .": PowerPoint, pages and paper have no pauses, and pandoc would write the dots
 void leave_out_pauses(Json& tree) {
   if (!tree.is_structured()) return;
-  if (tree.is_array()) {
-    std::erase_if(tree.get_ref<Json::array_t&>(), [](const Json& block) {
-      return block.is_object() && block.value("t", "") == "Para" &&
-             plain_text(block["c"]) == ". . .";
-    });
-  }
+  if (tree.is_array()) std::erase_if(tree.get_ref<Json::array_t&>(), is_pause);
   for (Json& child : tree)
     leave_out_pauses(child);
+}
+
+// Behind a pause in a list, a quotation or a box the rest of that comes at the next press. pandoc
+// makes this of pauses between the paragraphs of a slide, and dots of others.
+void part_at_pauses(Json& tree) {
+  if (!tree.is_structured()) return;
+  if (tree.is_object() && (tree.value("t", "") == "Note" || is_div(tree, "notes"))) {
+    leave_out_pauses(tree);
+    return;
+  }
+  for (Json& child : tree)
+    part_at_pauses(child);
+  if (!tree.is_array()) return;
+  Json::array_t& blocks = tree.get_ref<Json::array_t&>();
+  for (std::size_t i = blocks.size(); i-- > 0;) {
+    if (!is_pause(blocks[i])) continue;
+    const auto rest = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    Json later = named("Div", "", Json::array_t(rest, blocks.end()));
+    later["c"][0][1].push_back("fragment");
+    blocks.resize(i);
+    blocks.push_back(std::move(later));
+  }
 }
 
 // pandoc writes \tfrac on one line there, without the brackets that this would need
@@ -263,17 +284,6 @@ void add_captions(Json& tree, const Deck& deck, bool has_room = true) {
       out.push_back(paragraph(picture.caption));
   }
   tree = std::move(out);
-}
-
-// Words for the speaker are text on the page: the page is what a student reads.
-Json with_notes_as_text(Json blocks) {
-  for_each_node(blocks, [](Json& node) {
-    if (node["t"] != "Div") return;
-    for (Json& name : node["c"][0][1]) {
-      if (name == "notes") name = "prose";
-    }
-  });
-  return blocks;
 }
 
 // What titles contain has no names in the contents, where it stands a second time.
@@ -347,6 +357,19 @@ Json for_page(const Deck& deck, Json blocks) {
   Deck plain = deck;
   plain.meta = Json::object();
   return plain.tree(blocks);
+}
+
+// The deck for a page that a student reads, all of it at once: words for the speaker are text
+// there.
+Json for_reading(const Deck& deck, Json blocks) {
+  leave_out_pauses(blocks);
+  for_each_node(blocks, [](Json& node) {
+    if (node["t"] != "Div") return;
+    for (Json& name : node["c"][0][1]) {
+      if (name == "notes") name = "prose";
+    }
+  });
+  return for_page(deck, std::move(blocks));
 }
 
 bool has_only_words(const Json& inlines) {
@@ -448,7 +471,7 @@ void settle_formulas(Deck& deck, const std::string& deck_text) {
 }
 
 std::string make_page(const Deck& deck, const FigureOf& figure_of, const std::string& viewers) {
-  const Json tree = for_page(deck, with_notes_as_text(with_captions(deck, figure_of, page_blocks)));
+  const Json tree = for_reading(deck, with_captions(deck, figure_of, page_blocks));
   const std::string body = sections_html(tree);
   // the contents come from pandoc's own template, which has nothing else here
   const ScratchFolder scratch;
@@ -476,14 +499,15 @@ std::string make_slides(const Deck& deck,
                         const std::string& viewers) {
   Json blocks = with_captions(deck, figure_of, slide_blocks);
   say_footnotes_of_notes(blocks);
+  for (Json& block : blocks)
+    part_at_pauses(block);
   const Json tree = for_page(deck, std::move(blocks));
   const std::string body = whole_document(tree, {"-t", "revealjs", "--mathml", "--slide-level=2"});
   return slides_page(page_words(deck), formulas_for_browsers(body), reveal, viewers);
 }
 
 std::string make_handout_html(const Deck& deck, const FigureOf& figure_of) {
-  const Json tree =
-      for_page(deck, with_notes_as_text(with_captions(deck, figure_of, handout_blocks)));
+  const Json tree = for_reading(deck, with_captions(deck, figure_of, handout_blocks));
   return handout_page(page_words(deck), formulas_for_browsers(sections_html(tree)));
 }
 

@@ -181,6 +181,23 @@ TEST(Documents, PowerPointHasNoDotsForPauses) {
   EXPECT_EQ(words_of_part(deck, "ppt/slides/slide1.xml"), "Aonetwo ...\n");
 }
 
+// pandoc makes dots of those that do not stand between the paragraphs of a slide
+TEST(Documents, PausesInListsAndColumnsAreSteps) {
+  const Deck deck = deck_of(
+      "## A\n\n- one\n\n    . . .\n\n    two\n\n    . . .\n\n    three\n\n:::: columns\n\n"
+      "::: column\nfour\n\n. . .\n\nfive\n:::\n\n::::\n\n::: notes\nsix\n\n. . .\n\nseven\n"
+      ":::\n");
+  const std::string slides = make_slides(deck, figure_of, {"4", "css", "js", ""});
+  for (const char* step :
+       {"<div class=\"fragment\">\n<p>two</p>\n<div class=\"fragment\">\n<p>three",
+        "<p>four</p>\n<div class=\"fragment\">\n<p>five</p>",
+        "<p>six</p>\n<p>seven</p>"})
+    EXPECT_TRUE(has(slides, step)) << slides;
+  for (const std::string& page :
+       {slides, make_page(deck, figure_of), make_handout_html(deck, figure_of)})
+    EXPECT_FALSE(has(page, ". . .")) << page;
+}
+
 TEST(Documents, PowerPointIsXml) {
   const Deck deck = deck_of(
       "---\ntitle: On $\\Omega$\n---\n\n# Part $x^2$\n\n## Slide $y_1 = \\frac{1}{2}$\n\n"
