@@ -120,7 +120,7 @@ const check = async (name, work) => {
         const slide = Reveal.getCurrentSlide();
         const state = () => [slide.currentCSSZoom, slide.scrollHeight <= slide.clientHeight + 1 && slide.scrollWidth <= slide.clientWidth + 1];
         const first = state();
-        for (let i = 0; i < 20; ++i) slide.append(Object.assign(document.createElement("p"), { textContent: "a line", className: "more" }));
+        for (let i = 0; i < 12; ++i) slide.append(Object.assign(document.createElement("p"), { textContent: "a line", className: "more" }));
         Reveal.slide(0);
         Reveal.slide(1);
         const second = state();
