@@ -136,8 +136,37 @@ const check = async (name, work) => {
         const style = (selector) => getComputedStyle(document.querySelector(selector));
         return [style(".reveal figcaption").color, style(".reveal").color, style("body").backgroundColor, style("html").backgroundColor];
       });
+      const hidden = await page.evaluate(() =>
+        [...document.querySelectorAll(".reveal figcaption")].filter((caption) => {
+          const picture = [...caption.parentElement.querySelectorAll("video, img")].find((one) => one.getBoundingClientRect().height > 0);
+          return picture && caption.getBoundingClientRect().top < picture.getBoundingClientRect().bottom - 1;
+        }).map((caption) => caption.textContent));
       await page.emulateMedia({ media: null });
       assert.deepStrictEqual(colours, ["rgb(0, 0, 0)", "rgb(0, 0, 0)", "rgb(255, 255, 255)", "rgb(255, 255, 255)"]);
+      assert.deepStrictEqual(hidden, []);
+    });
+    await check("with ?print-pdf each slide is a page, with all that it holds", async () => {
+      const count = await page.evaluate(() => Reveal.getTotalSlides());
+      await open("slides.html?print-pdf");
+      await until("pages", () => page.evaluate(() => Reveal.isReady() && document.querySelector(".pdf-page") !== null));
+      await page.evaluate(() => {
+        const slide = document.querySelector(".pdf-page > section:has(figcaption)");
+        for (let i = 0; i < 30; ++i) slide.append(Object.assign(document.createElement("p"), { textContent: "a line" }));
+        Reveal.dispatchEvent({ type: "pdf-ready" });
+      });
+      await page.emulateMedia({ media: "print" });
+      const [pages, cut] = await page.evaluate(() => {
+        const all = [...document.querySelectorAll(".pdf-page")];
+        const isCut = (one) => {
+          const edge = one.getBoundingClientRect().bottom;
+          return [one.querySelector("section"), ...one.querySelectorAll("section > *:not(.notes)")].some((part) => part.getBoundingClientRect().bottom > edge);
+        };
+        return [all.length, all.filter(isCut).map((one) => one.innerText)];
+      });
+      await page.emulateMedia({ media: null });
+      assert.deepStrictEqual(cut, []);
+      assert.ok(pages >= count, `${pages} pages of ${count} slides`);
+      await open("slides.html");
     });
     await check("a film with a story waits for its speaker", async () => {
       const index = await page.evaluate(() => {

@@ -43,16 +43,19 @@ const restart = (video) => {
   video.dataset.last = "-1";
   video.currentTime = 0;
 };
-// a slide that holds more than it has room for is made smaller, down to half; what is more scrolls
+// A slide that holds more than it has room for is made smaller, down to some percent; what is more
+// scrolls.
 const overflows = (slide) => slide.scrollHeight > slide.clientHeight + 1 || slide.scrollWidth > slide.clientWidth + 1;
-const fit = () => {
-  const slide = Reveal.getCurrentSlide();
-  if (!slide) return;
+const fit = (slide, least) => {
   slide.style.zoom = "";
-  for (let percent = 95; percent >= 50 && overflows(slide); percent -= 5) slide.style.zoom = `${percent}%`;
+  for (let percent = 95; percent >= least && overflows(slide); percent -= 5) slide.style.zoom = `${percent}%`;
+};
+const fitShown = () => {
+  const slide = Reveal.getCurrentSlide();
+  if (slide) fit(slide, 50);
 };
 const enter = () => {
-  fit();
+  fitShown();
   for (const video of document.querySelectorAll("video")) video.pause();
   for (const video of shown()) {
     restart(video);
@@ -84,7 +87,7 @@ const next = () => goOn() || Reveal.next();
 
 Reveal.initialize({
   width: 1280, height: 720, margin: 0.02, center: false, display: "flex", controls: false, navigationMode: "linear", hash: true, respondToHashChanges: true,
-  transition: "none", backgroundTransition: "none", slideNumber: "c/t", autoPlayMedia: false, preloadIframes: false,
+  transition: "none", backgroundTransition: "none", slideNumber: "c/t", autoPlayMedia: false, preloadIframes: false, pdfMaxPagesPerSlide: 1,
   keyboard: {
     32: next, 39: next, 40: next, 34: next, 78: next,
     75: toggle, 188: () => step(-1), 190: () => step(1),
@@ -93,5 +96,9 @@ Reveal.initialize({
 }).then(enter);
 Reveal.on("slidechanged", enter);
 // pictures and letters have come
-addEventListener("load", fit);
+addEventListener("load", fitShown);
+// paper cannot be scrolled
+Reveal.on("pdf-ready", () => {
+  for (const slide of document.querySelectorAll(".pdf-page > section")) fit(slide, 5);
+});
 for (const video of document.querySelectorAll("video")) video.addEventListener("click", () => goOn() || toggle());
