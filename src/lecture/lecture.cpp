@@ -152,7 +152,7 @@ void copy_images(LectureWork& work, Media& media) {
   for (const std::string& image : work.deck.images) {
     std::string bytes = read_file(trusted_file(work.deck.root, work.deck.root.folder, image));
     const std::string ending = picture_ending(image);
-    if (ending == ".jpg" || ending == ".jpeg") bytes = as_jfif(std::move(bytes));
+    if (is_jpeg(image)) bytes = as_jfif(std::move(bytes));
     const Product copy{
         "picture", bytes + ending, [&](const fs::path& folder, const std::string& stem) {
           write_file(folder / (stem + ending), bytes);

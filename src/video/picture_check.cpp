@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "video/picture_check.h"
 
+#include <cstdint>
 #include <cstring>
 
 #include "video/libav/libav.h"
 
 namespace polhode {
 namespace {
+
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
 
 // The first picture in some bytes, and the last answer of libav: below zero if there is none.
 struct Decoded {
@@ -16,6 +19,7 @@ struct Decoded {
 
 Decoded decoded(const std::string& bytes, const AVCodec* codec) {
   const Owned<AVCodecContext> decoder(made(avcodec_alloc_context3(codec)));
+  decoder->max_pixels = kMostPixels;
   check_libav(avcodec_open2(decoder.get(), codec, nullptr), "no decoder for a picture");
   const Owned<AVPacket> packet(made(av_packet_alloc()));
   check_libav(av_new_packet(packet.get(), static_cast<int>(bytes.size())),

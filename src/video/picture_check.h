@@ -6,7 +6,8 @@
 
 namespace polhode {
 
-// Kinds of pictures that libav decodes from their bytes.
+// Kinds of pictures that libav decodes from their bytes, if they have no more than 2^28 pixels, as
+// a WebP has at most; in larger ones nothing is found.
 enum class CodedPicture { jpeg, webp };
 
 // Whether libav finds these bytes damaged: it makes no picture of them, and not because it does not

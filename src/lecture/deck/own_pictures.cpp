@@ -298,6 +298,11 @@ bool is_picture_ending(const std::string& ending) {
   return find_row(ending) != nullptr;
 }
 
+bool is_jpeg(const std::string& file) {
+  const std::string ending = picture_ending(file);
+  return ending == ".jpg" || ending == ".jpeg";
+}
+
 bool is_for_pages_only(const std::string& file) {
   const std::string ending = picture_ending(file);
   return ending == ".svg" || ending == ".webp";

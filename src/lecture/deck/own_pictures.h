@@ -12,6 +12,7 @@ std::string picture_ending(const std::string& file);
 // Those that they may have.
 bool is_picture_ending(const std::string& ending);
 
+bool is_jpeg(const std::string& file);
 // Whether slides.pptx and slides.tex have a description in place of this file.
 bool is_for_pages_only(const std::string& file);
 

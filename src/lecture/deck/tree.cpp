@@ -181,6 +181,12 @@ void for_each_node(const Json& tree, const std::function<void(const Json&)>& vis
   walk(tree, visit);
 }
 
+bool has_node(const Json& tree, const std::function<bool(const Json&)>& is_it) {
+  bool found = false;
+  for_each_node(tree, [&](const Json& node) { found = found || is_it(node); });
+  return found;
+}
+
 std::string plain_text(const Json& inlines) {
   std::string text;
   for_each_node(inlines, [&](const Json& node) {

@@ -14,6 +14,8 @@ namespace polhode {
 // before children.
 void for_each_node(Json& tree, const std::function<void(Json&)>& visit);
 void for_each_node(const Json& tree, const std::function<void(const Json&)>& visit);
+// Whether one of them is what `is_it` looks for.
+bool has_node(const Json& tree, const std::function<bool(const Json&)>& is_it);
 
 // The text of inlines without formatting; formulas as TeX.
 std::string plain_text(const Json& inlines);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "base/name_list.h"
 #include "base/system/atomic_file.h"
 #include "lecture/deck/characters.h"
 #include "lecture/deck/own_pictures.h"
@@ -34,38 +33,28 @@ std::vector<std::string> characters_without_font(const Deck& deck) {
 
 // whether pictures of the deck's own or columns have a width
 bool has_widths(const Json& blocks) {
-  bool found = false;
-  for_each_node(blocks, [&](const Json& node) {
-    if (node["t"] != "Image" && !is_div(node, "column")) return;
+  return has_node(blocks, [](const Json& node) {
+    if (node["t"] != "Image" && !is_div(node, "column")) return false;
     const Json& settings = node["c"][0][2];
-    found = found || std::any_of(settings.begin(), settings.end(), [](const Json& pair) {
-              return pair[0] == "width";
-            });
+    return std::any_of(
+        settings.begin(), settings.end(), [](const Json& pair) { return pair[0] == "width"; });
   });
-  return found;
 }
 
 // whether lines of code are to have numbers
 bool has_numbered_lines(const Json& blocks) {
-  bool found = false;
-  for_each_node(blocks, [&](const Json& node) {
-    if (node["t"] != "CodeBlock") return;
-    for (const Json& name : node["c"][0][1])
-      found = found || name == "numberLines" || name == "number-lines";
+  return has_node(blocks, [](const Json& node) {
+    if (node["t"] != "CodeBlock") return false;
+    const Json& classes = node["c"][0][1];
+    return std::any_of(classes.begin(), classes.end(), [](const Json& name) {
+      return name == "numberLines" || name == "number-lines";
+    });
   });
-  return found;
 }
 
-// The photos of a deck that were taken with the camera on its side.
-std::set<std::string> turned_pictures(const Deck& deck) {
-  std::set<std::string> list;
-  for (const std::string& image : deck.images) {
-    const std::string ending = picture_ending(image);
-    const bool is_jpeg = ending == ".jpg" || ending == ".jpeg";
-    if (is_jpeg && is_turned(read_file(trusted_file(deck.root, deck.root.folder, image))))
-      list.insert(image);
-  }
-  return list;
+// Whether a picture of the deck was taken with the camera on its side.
+bool is_turned_photo(const Deck& deck, const std::string& image) {
+  return is_jpeg(image) && is_turned(read_file(trusted_file(deck.root, deck.root.folder, image)));
 }
 
 }  // namespace
@@ -91,17 +80,20 @@ std::vector<std::string> document_warnings(const Deck& deck, const std::string& 
                     "begin at the left",
                     lang));
   }
-  for (const std::string& image : std::set<std::string>(deck.images.begin(), deck.images.end())) {
+  const std::set<std::string> images(deck.images.begin(), deck.images.end());
+  for (const std::string& image : images) {
     if (is_for_pages_only(image)) {
       list.push_back(
           fmt::format("{} is shown by its description: only browsers show .svg and .webp", image));
     }
   }
-  for (const std::string& image : turned_pictures(deck)) {
-    list.push_back(
-        fmt::format("{} lies as its pixels do: only pages turn it as its camera was held; turn the "
-                    "file, as `exiftran -ai` does",
-                    image));
+  for (const std::string& image : images) {
+    if (is_turned_photo(deck, image)) {
+      list.push_back(
+          fmt::format("{} lies as its pixels do: only pages turn it as its camera was held; turn "
+                      "the file, as `exiftran -ai` does",
+                      image));
+    }
   }
   if (output == "pptx" && has_widths(deck.blocks)) {
     list.push_back(

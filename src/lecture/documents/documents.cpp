@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <regex>
-#include <set>
 
 #include "base/system/atomic_file.h"
 #include "base/system/scratch_folder.h"
@@ -13,7 +12,6 @@
 #include "lecture/deck/line_finder.h"
 #include "lecture/deck/own_pictures.h"
 #include "lecture/deck/pandoc.h"
-#include "lecture/deck/word_list.h"
 #include "lecture/documents/latex.h"
 #include "lecture/documents/mathml.h"
 #include "lecture/documents/office_lists.h"
@@ -243,8 +241,7 @@ void part_at_pauses(Json& tree) {
   for (std::size_t i = blocks.size(); i-- > 0;) {
     if (!is_pause(blocks[i])) continue;
     const auto rest = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    Json later = named("Div", "", Json::array_t(rest, blocks.end()));
-    later["c"][0][1].push_back("fragment");
+    Json later = div("fragment", Json::array_t(rest, blocks.end()));
     blocks.resize(i);
     blocks.push_back(std::move(later));
   }
@@ -336,11 +333,7 @@ void describe_marks(Json& blocks) {
 void free_columns_of_formulas(Json& blocks) {
   for_each_node(blocks, [](Json& node) {
     if (node["t"] != "Table") return;
-    bool has_formulas = false;
-    for_each_node(node["c"], [&](const Json& inside) {
-      has_formulas = has_formulas || inside["t"] == "Math";
-    });
-    if (!has_formulas) return;
+    if (!has_node(node["c"], [](const Json& inside) { return inside["t"] == "Math"; })) return;
     for (Json& column : node["c"][2])
       column[1] = {{"t", "ColWidthDefault"}};
   });

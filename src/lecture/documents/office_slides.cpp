@@ -37,12 +37,6 @@ Json take_figures(Json& tree) {
   return taken;
 }
 
-bool has_node(const Json& tree, const std::function<bool(const Json&)>& is_it) {
-  bool found = false;
-  for_each_node(tree, [&](const Json& node) { found = found || is_it(node); });
-  return found;
-}
-
 // whether there is anything to read
 bool has_words(const Json& tree) {
   return has_node(tree, [](const Json& node) {
